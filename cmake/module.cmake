@@ -1,0 +1,43 @@
+# One folder under src/ = one module = one target on one floor of the house (src/README.md).
+
+# The one interface target that carries language, warnings, floating-point policy and sanitizers.
+add_library(scanout_flags INTERFACE)
+target_compile_features(scanout_flags INTERFACE cxx_std_20)
+# Same bits everywhere: a*b+c is never fused, and nothing reorders floating-point arithmetic.
+target_compile_options(scanout_flags INTERFACE -ffp-contract=off -fno-math-errno)
+target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(SCANOUT_SANITIZE)
+  target_compile_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE})
+endif()
+
+# scanout_module(<name> [DIR <path>] [DEPENDS <module>...] [LIBS <target>...])
+# Sources are every .cpp in the folder and its axis folders. A module may depend only on modules
+# declared before it: an upward edge stops the configuration.
+function(scanout_module name)
+  cmake_parse_arguments(A "" "DIR" "DEPENDS;LIBS" ${ARGN})
+  if(NOT A_DIR)
+    set(A_DIR src/${name})
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${A_DIR}/*.cpp
+       ${PROJECT_SOURCE_DIR}/${A_DIR}/*/*.cpp)
+  if(sources)
+    add_library(scanout_${name} STATIC ${sources})
+    set(scope PUBLIC)
+  else()
+    add_library(scanout_${name} INTERFACE)
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(scanout_${name} ${scope} ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR})
+  target_link_libraries(scanout_${name} ${scope} scanout_flags ${A_LIBS})
+  foreach(dependency IN LISTS A_DEPENDS)
+    if(NOT TARGET scanout_${dependency})
+      message(FATAL_ERROR "module ${name} may not depend on ${dependency}: it is not on a floor below "
+                          "(modules are declared from the ground up in CMakeLists.txt)")
+    endif()
+    target_link_libraries(scanout_${name} ${scope} scanout_${dependency})
+  endforeach()
+  list(JOIN A_DEPENDS "," depends)
+  set_property(GLOBAL APPEND PROPERTY SCANOUT_MODULES "${name}:${A_DIR}:${depends}")
+endfunction()

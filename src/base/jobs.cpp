@@ -1,0 +1,123 @@
+#include "base/jobs.h"
+
+#include "base/check.h"
+
+#include <algorithm>
+#include <thread>
+
+#if SCANOUT_JOBS_STD_THREAD
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <vector>
+#else
+#include <oneapi/tbb/global_control.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/partitioner.h>
+#include <oneapi/tbb/task_arena.h>
+#endif
+
+namespace scanout {
+
+static int resolve_threads(int threads) {
+    return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+#if SCANOUT_JOBS_STD_THREAD
+
+struct Jobs::Pool {
+    explicit Pool(int threads) {
+        for (int worker = 1; worker < threads; ++worker)
+            threads_.emplace_back([this, worker] { work(worker); });
+    }
+    ~Pool() {
+        {
+            const std::lock_guard lock(mutex_);
+            stop_ = true;
+        }
+        wake_.notify_all();
+        for (std::thread& t : threads_) t.join();
+    }
+    void run(int count, Thunk thunk, void* function) {
+        {
+            const std::lock_guard lock(mutex_);
+            count_ = count;
+            thunk_ = thunk;
+            function_ = function;
+            next_ = 0;
+            busy_ = static_cast<int>(threads_.size());
+            ++generation_;
+        }
+        wake_.notify_all();
+        drain(0);
+        std::unique_lock lock(mutex_);
+        done_.wait(lock, [&] { return busy_ == 0; });
+    }
+    int threads() const { return static_cast<int>(threads_.size()) + 1; }
+
+private:
+    void drain(int worker) {
+        for (int i = next_++; i < count_; i = next_++) thunk_(function_, i, worker);
+    }
+    void work(int worker) {
+        unsigned seen = 0;
+        std::unique_lock lock(mutex_);
+        while (true) {
+            wake_.wait(lock, [&] { return stop_ || generation_ != seen; });
+            if (stop_) return;
+            seen = generation_;
+            lock.unlock();
+            drain(worker);
+            lock.lock();
+            if (--busy_ == 0) done_.notify_one();
+        }
+    }
+    std::mutex mutex_;
+    std::condition_variable wake_, done_;
+    std::vector<std::thread> threads_;
+    std::atomic<int> next_{0};
+    int count_ = 0, busy_ = 0;
+    unsigned generation_ = 0;
+    bool stop_ = false;
+    Thunk thunk_ = nullptr;
+    void* function_ = nullptr;
+};
+
+void Jobs::run(int count, Thunk thunk, void* function) { pool_->run(count, thunk, function); }
+
+#else
+
+namespace tbb = oneapi::tbb;
+
+struct Jobs::Pool {
+    // The global limit lets an arena have more workers than the machine has cores: tests run 16.
+    explicit Pool(int threads)
+        : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
+          arena(threads) {}
+    int threads() const { return arena.max_concurrency(); }
+    tbb::global_control limit;
+    tbb::task_arena arena;
+};
+
+void Jobs::run(int count, Thunk thunk, void* function) {
+    if (pool_->threads() == 1 || count <= 1) {
+        for (int i = 0; i < count; ++i) thunk(function, i, 0);
+        return;
+    }
+    pool_->arena.execute([&] {
+        tbb::parallel_for(
+            0, count,
+            [&](int i) { thunk(function, i, tbb::this_task_arena::current_thread_index()); },
+            tbb::simple_partitioner());
+    });
+}
+
+#endif
+
+Jobs::Jobs(int threads) : pool_(std::make_unique<Pool>(resolve_threads(threads))) {}
+Jobs::~Jobs() = default;
+Jobs::Jobs(Jobs&&) noexcept = default;
+Jobs& Jobs::operator=(Jobs&&) noexcept = default;
+int Jobs::threads() const { return pool_->threads(); }
+
+}  // namespace scanout

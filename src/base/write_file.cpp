@@ -1,0 +1,70 @@
+#include "base/write_file.h"
+
+#include "base/fd.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+namespace scanout {
+namespace {
+
+// Returns 0, or the errno of the write that failed.
+int write_all(int fd, std::span<const std::uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t n = ::write(fd, bytes.data(), bytes.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(n));
+    }
+    return 0;
+}
+
+tl::unexpected<Error> cannot_write(const std::string& path, int error) {
+    return fail(Exit::unreadable, "{}: cannot be written: {}", path, std::strerror(error));
+}
+
+// A new file gets the mode that the user's umask gives every new file; mkstemp alone would make 0600.
+mode_t default_mode() {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+}
+
+}  // namespace
+
+Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+    if (path == "-") {
+        if (const int error = write_all(STDOUT_FILENO, bytes)) return cannot_write("standard output", error);
+        return {};
+    }
+    struct stat info {};
+    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+        if (S_ISDIR(info.st_mode)) return fail(Exit::unreadable, "{}: is a folder; name a file", path);
+        TRY(const Fd device, Fd::open(path, O_WRONLY));  // /dev/null, a pipe: nothing to rename onto
+        if (const int error = write_all(device.get(), bytes)) return cannot_write(path, error);
+        return {};
+    }
+    std::string temporary = path + ".XXXXXX";
+    const Fd fd(::mkostemp(temporary.data(), O_CLOEXEC));
+    if (!fd.valid()) return cannot_write(path, errno);
+    int error = write_all(fd.get(), bytes);
+    if (error == 0 && ::fchmod(fd.get(), default_mode()) != 0) error = errno;
+    if (error == 0 && ::fsync(fd.get()) != 0) error = errno;
+    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error != 0) {
+        ::unlink(temporary.c_str());
+        return cannot_write(path, error);
+    }
+    return {};
+}
+
+Result<void> write_file(const std::string& path, std::string_view text) {
+    return write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+}
+
+}  // namespace scanout

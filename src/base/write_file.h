@@ -1,0 +1,16 @@
+// Files are written whole or not at all: a temporary file beside the target, fsync, rename.
+#pragma once
+
+#include "base/result.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace scanout {
+
+// "-" writes to standard output. The error names the path and what to do (Exit::unreadable).
+Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes);
+Result<void> write_file(const std::string& path, std::string_view text);
+
+}  // namespace scanout

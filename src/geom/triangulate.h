@@ -1,0 +1,21 @@
+// A polygon into triangles. Ear clipping with an exact orientation test; concave, collinear,
+// self-touching and non-planar polygons; convex ones as a fan. [C 8.2], Meisters 1975.
+#pragma once
+
+#include "math/vec.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::geom {
+
+// The polygon's normal by Newell's method (length = twice the area; zero when degenerate).
+DVec3 newell_normal(std::span<const DVec3> polygon);
+
+// Appends (n - 2) triples of corner numbers in [0, n) to `out`, wound as the polygon is. The polygon
+// is projected along the largest axis of its Newell normal. Always ends and always gives n - 2
+// triangles; where no ear is left (self-crossing outlines), the rest becomes a fan.
+void triangulate(std::span<const DVec3> polygon, std::vector<std::uint32_t>& out);
+
+}  // namespace scanout::geom

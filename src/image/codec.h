@@ -1,0 +1,35 @@
+// Picture files. Encoders give the whole file in memory (base/write_file.h writes it). Decoders
+// check the size in the header before they allocate; they never trust a byte of the file.
+#pragma once
+
+#include "base/result.h"
+#include "image/image.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace scanout::image {
+
+using Bytes = std::vector<std::uint8_t>;
+
+// PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture.
+Result<Bytes> encode_png(const Image& image);
+Bytes encode_ppm(const Image& image);  // P6: alpha is dropped
+Bytes encode_pam(const Image& image);  // P7, RGB_ALPHA
+
+// At most this many pixels and this many on a side are decoded: a decompression bomb stops here.
+struct DecodeLimits {
+    int max_side = 16384;
+    std::int64_t max_pixels = std::int64_t{1} << 26;
+};
+
+// PNG (libpng), JPEG (libjpeg-turbo), BMP and TGA (stb_image), PPM and PAM (8 bits), told apart by
+// content; `name` is used in messages and, for TGA, which has no magic number, by its extension.
+// Greyscale, palette and 16-bit files become RGBA8. Errors: Exit::unreadable, "name: reason".
+Result<Image> decode(std::span<const std::uint8_t> file, const std::string& name,
+                     const DecodeLimits& limits = {});
+Result<Image> load(const std::string& path, const DecodeLimits& limits = {});
+
+}  // namespace scanout::image

@@ -1,0 +1,34 @@
+// A model file -> Scene. The one door to this module: no other module knows a file format.
+#pragma once
+
+#include "base/result.h"
+#include "base/warnings.h"
+#include "geom/build.h"
+#include "scene/scene.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scanout::io {
+
+struct LoadOptions {
+    geom::BuildOptions build;
+    // Called now and then with the share of the file that is read, 0 to 1. Returning false cancels:
+    // load() then fails with Exit::unreadable, "path: loading was cancelled".
+    std::function<bool(double)> progress;
+};
+
+// The format is told by the extension (any case) and, for STL, by size and content. Errors are one
+// line with the path, the reason and what to do: Exit::unreadable for a file that cannot be read,
+// has an unknown extension, or holds nothing to draw. Everything less is a warning.
+Result<scene::Scene> load(const std::string& path, const LoadOptions& options, Warnings& warnings);
+
+// The extensions that load() knows, with one line each, for `scanout list formats`.
+struct Format {
+    std::string_view extension, description;
+};
+std::span<const Format> formats();
+
+}  // namespace scanout::io

@@ -1,0 +1,32 @@
+// What is drawn: one mesh with its materials and textures, and the counts and facts about it.
+#pragma once
+
+#include "geom/mesh.h"
+#include "scene/material.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scanout::scene {
+
+// What the model's file holds, for reports.
+struct ModelCounts {
+    std::size_t vertices = 0;   // v statements (OBJ), 3 a facet (STL)
+    std::size_t faces = 0;      // polygons that are drawn, whatever their number of corners
+    std::size_t triangles = 0;
+    std::size_t lines = 0;      // line elements (polylines)
+    std::size_t points = 0;
+    std::size_t skipped = 0;    // statements or facets that could not be used
+    std::uint64_t bytes = 0;    // the model's file, its material files, and its decoded textures
+};
+
+struct Scene {
+    std::string path;
+    geom::Mesh mesh;
+    std::vector<Material> materials;
+    std::vector<Texture> textures;
+    ModelCounts counts;
+};
+
+}  // namespace scanout::scene
