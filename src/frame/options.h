@@ -1,0 +1,26 @@
+// What the user can ask of a frame. One struct, from the command line to the plan.
+#pragma once
+
+#include "image/image.h"
+#include "scene/view.h"
+
+#include <cstdint>
+#include <string>
+
+namespace scanout::frame {
+
+enum class Cull : std::uint8_t { none, back, front };
+
+struct FrameOptions {
+    int width = 1280, height = 720;
+    int samples = 1;             // a pixel: 1, 2, 4, 8, 16
+    Cull cull = Cull::none;
+    image::Rgba8 background{48, 51, 56, 255};
+    // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
+    std::string texture = "auto";
+    std::string reflection = "auto";
+};
+
+inline constexpr int kMaxSide = 16384;
+
+}  // namespace scanout::frame

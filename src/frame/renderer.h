@@ -1,0 +1,39 @@
+// render(): scene + view + plan -> back buffer. Owns the frame's buffers, which live from frame to
+// frame; the picture does not depend on the number of threads.
+#pragma once
+
+#include "base/jobs.h"
+#include "frame/plan.h"
+#include "image/image.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace scanout::frame {
+
+// Of the frame rendered last. Milliseconds of wall time: geometry is transform to bin, tiles is
+// coverage to back buffer.
+struct FrameStats {
+    double total_ms = 0, geometry_ms = 0, tiles_ms = 0;
+    std::uint64_t triangles_submitted = 0;  // of the mesh
+    std::uint64_t triangles_drawn = 0;      // left after clipping and culling
+    std::uint64_t lanes_shaded = 0;
+};
+
+class Renderer {
+public:
+    explicit Renderer(Jobs& jobs);
+    ~Renderer();
+
+    // The picture stays valid until the next call.
+    const image::Image& render(const scene::Scene& scene, const scene::View& view, const FramePlan& plan);
+    const FrameStats& stats() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace scanout::frame

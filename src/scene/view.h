@@ -1,0 +1,66 @@
+// From options and integer state to the matrices of one frame, in double, computed once a frame.
+// [A ch.8-10], [B ch.2-3], [C ch.3]. No float appears before a vertex is transformed.
+#pragma once
+
+#include "base/result.h"
+#include "geom/mesh.h"
+#include "math/vec.h"
+#include "scene/pose.h"
+
+#include <optional>
+#include <string_view>
+
+namespace scanout::scene {
+
+enum class Projection : std::uint8_t { perspective, orthographic };
+enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, minus_x };
+
+// --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
+struct ModelTransform {
+    DVec3 scale{1};           // one number on the command line, or three
+    DVec3 rotate_degrees{0};
+    DVec3 translate{0};       // bounding radii
+};
+
+struct CameraOptions {
+    double azimuth_degrees = 0, elevation_degrees = 0;
+    double distance = 0;      // bounding radii; 0: the sphere just fits the narrower side of the picture
+    double fov_degrees = 45;  // vertical
+    Projection projection = Projection::perspective;
+    UpAxis up = UpAxis::plus_y;
+    // In file coordinates; both or neither. They replace azimuth, elevation and distance.
+    std::optional<DVec3> eye, target;
+};
+
+// The named views: azimuth and elevation in degrees. front back left right top bottom iso.
+struct NamedView {
+    std::string_view name;
+    double azimuth_degrees, elevation_degrees;
+};
+std::optional<NamedView> named_view(std::string_view name);
+
+// Everything a frame needs to know about where things stand. View space: eye at the origin, looks
+// down -z, x right, y up, unit = bounding radius.
+struct View {
+    // view position = linear * mesh position + translation
+    DMat3 linear{1};
+    DVec3 translation{0};
+    DMat3 normal{1};        // cofactor of linear, scaled to a largest entry near 1
+    bool mirrored = false;  // det(linear) < 0: front faces wind clockwise on the screen
+    Projection projection = Projection::perspective;
+    // Half the picture's extent at distance 1 (perspective) or everywhere (orthographic).
+    double half_width = 1, half_height = 1;
+    double near_distance = 0;  // perspective: what is nearer is clipped; depth = near / distance
+    // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
+    double depth_origin = 0, depth_scale = 1;
+    double centre_distance = 0;  // from the eye's plane to the model's centre
+};
+
+// Fails (Exit::usage) for a singular camera: eye == target, numbers that are not finite.
+Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
+                       const CameraOptions& camera, const Orbit& orbit, int width, int height);
+
+// How many world units of the plane through the model's centre one pixel spans: for dragging.
+double world_units_per_pixel(const View& view, int height);
+
+}  // namespace scanout::scene

@@ -1,0 +1,7 @@
+// The table of contents: one line an axis, cheapest first. One name = one file
+// src/<module>/<axis>/<name>.cpp = one row everywhere: command line, lists, goldens, tests.
+#pragma once
+
+#define SCANOUT_INTERPOLATE(X) X(perspective)
+#define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
+#define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)
