@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""rows.py ROOT - one technique = one file + one name: holds src/<module>/<axis>/<name>.cpp against src/techniques.h.
+
+A row is X(name) or X(name, ...) inside `#define SCANOUT_<AXIS>(X)`; its file is src/*/<axis>/<name>.cpp.
+"""
+import pathlib
+import re
+import sys
+
+AXIS = re.compile(r"^[ \t]*#[ \t]*define[ \t]+SCANOUT_(\w+)\(X\)(.*)$", re.M)
+COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
+
+
+def rows(text):
+    """(axis, name) of every row, in order."""
+    text = COMMENT.sub("", text).replace("\\\n", " ")
+    return [(axis.lower(), name) for axis, body in AXIS.findall(text) for name in re.findall(r"\bX\(\s*(\w+)", body)]
+
+
+def faults(root):
+    src = pathlib.Path(root) / "src"
+    table = src / "techniques.h"
+    named = rows(table.read_text()) if table.is_file() else []
+    files = {(p.parent.name, p.stem): p.relative_to(root) for p in sorted(src.glob("*/*/*.cpp"))}
+    for axis, name in sorted({row for row in named if named.count(row) > 1}):
+        yield f"src/techniques.h: {axis}/{name} has more than one row"
+    for axis, name in sorted(set(named) - set(files)):
+        yield f"src/techniques.h: {axis}/{name} has no file src/*/{axis}/{name}.cpp"
+    for key in sorted(set(files) - set(named)):
+        yield f"{files[key]}: has no row X({key[1]}) in SCANOUT_{key[0].upper()} of src/techniques.h"
+
+
+def main():
+    found = list(faults(sys.argv[1]))
+    print("\n".join(found) or "every technique has its file and its row")
+    sys.exit(bool(found))
+
+
+if __name__ == "__main__":
+    main()
