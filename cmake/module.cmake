@@ -12,16 +12,20 @@ if(SCANOUT_SANITIZE)
   target_link_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE})
 endif()
 
-# scanout_module(<name> [DIR <path>] [DEPENDS <module>...] [LIBS <target>...])
-# Sources are every .cpp in the folder and its axis folders. A module may depend only on modules
+# scanout_module(<name> [DIR <path>] [NO_AXES] [DEPENDS <module>...] [LIBS <target>...])
+# Sources are every .cpp in the folder and, unless NO_AXES, in its axis folders. A module may depend
+# only on modules
 # declared before it: an upward edge stops the configuration.
 function(scanout_module name)
-  cmake_parse_arguments(A "" "DIR" "DEPENDS;LIBS" ${ARGN})
+  cmake_parse_arguments(A "NO_AXES" "DIR" "DEPENDS;LIBS" ${ARGN})
   if(NOT A_DIR)
     set(A_DIR src/${name})
   endif()
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${A_DIR}/*.cpp
-       ${PROJECT_SOURCE_DIR}/${A_DIR}/*/*.cpp)
+  set(patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*.cpp)
+  if(NOT A_NO_AXES)
+    list(APPEND patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*/*.cpp)
+  endif()
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   if(sources)
     add_library(scanout_${name} STATIC ${sources})
     set(scope PUBLIC)
