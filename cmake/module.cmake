@@ -14,8 +14,7 @@ endif()
 
 # scanout_module(<name> [DIR <path>] [NO_AXES] [DEPENDS <module>...] [LIBS <target>...])
 # Sources are every .cpp in the folder and, unless NO_AXES, in its axis folders. A module may depend
-# only on modules
-# declared before it: an upward edge stops the configuration.
+# only on modules declared before it: an upward edge stops the configuration.
 function(scanout_module name)
   cmake_parse_arguments(A "NO_AXES" "DIR" "DEPENDS;LIBS" ${ARGN})
   if(NOT A_DIR)

@@ -12,7 +12,7 @@
 namespace scanout::port {
 
 struct DisplayInfo {
-    std::string name;     // "DRM card0 Virtual-1 (virtio_gpu)", for the info line and --verbose
+    std::string name;  // "DRM card0 Virtual-1 (virtio_gpu)", for the info line and --verbose
     int width = 0, height = 0;
     image::PixelFormat format;
     double refresh_hz = 60;
@@ -31,12 +31,18 @@ public:
     // lost() == true are always shown whole. Call only when ready().
     virtual Result<void> present(const image::Image& frame, std::span<const image::Rect> damage) = 0;
 
-    // A descriptor to wait on for reading, -1 when there is none (the loop then paces by its timer);
-    // dispatch() is called when it is readable. A flip that does not come within a second counts as done.
+    // True when ready() follows the display's refresh, so that waiting for it paces the loop. False:
+    // the loop holds the pace itself, by a timer of info().refresh_hz. Known after the first frames.
+    virtual bool paced() const = 0;
+
+    // A descriptor to wait on for reading, -1 when there is none; dispatch() is called when it is
+    // readable. A flip that does not come within a second counts as done.
     virtual int event_fd() const = 0;
     virtual Result<void> dispatch() = 0;
 
-    // The console was switched away: drawing must stop until it comes back.
+    // The console was switched away (or the display taken by someone else): drawing must stop until
+    // this is false again; then the whole frame is due at once, even if nothing has changed. Ask
+    // after every dispatch() of the display and of the console's session.
     virtual bool lost() const = 0;
 };
 

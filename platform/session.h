@@ -1,0 +1,57 @@
+// A session on the console, as the viewer sees it: the seat, the signals and the input devices
+// behind one Input. Create it first thing in main (before threads: see open), destroy it last.
+#pragma once
+
+#include "platform/seat.h"
+#include "platform/signals.h"
+#include "port/input.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace scanout::console {
+
+class Session final : public port::Input {
+public:
+    // Takes the seat and puts the console into graphics mode. Blocks the signals that end or suspend
+    // a program (they arrive as Events), so it must run before any thread exists. From here on the
+    // console's text comes back on every way out of the process: destruction, exit(), a fatal
+    // signal; a small guard process restores it after SIGKILL.
+    // Exit::no_display when this machine has neither /dev/dri/card* nor /dev/fb*.
+    static Result<std::unique_ptr<Session>> open();
+    ~Session() override;
+
+    Seat& seat() { return *seat_; }
+
+    // Opens the input devices: libinput by udev, else by path, else keys from the terminal. Call it
+    // when a display is there. An error (Exit::no_display): nothing to press a key on.
+    Result<void> open_input();
+
+    // Gives the console back to the shell and stops the process until it is continued (Ctrl-Z).
+    // Call on EventKind::suspend.
+    Result<void> suspend();
+
+    int event_fd() const override { return epoll_.get(); }
+    // quit and suspend come from signals too. Ctrl-Alt-Fn switches the console and is not passed on.
+    Result<void> dispatch(std::vector<port::Event>& events) override;
+    std::string description() const override;  // seat and input
+
+    // What was tried and why it was not used; one line each, for --verbose.
+    const std::vector<std::string>& notes() const { return notes_; }
+
+private:
+    Session() = default;
+    void watch(int fd) const;
+    Result<void> follow_seat();
+    void switch_consoles(std::vector<port::Event>& events, std::size_t first);
+
+    Fd epoll_;
+    Signals signals_;
+    std::unique_ptr<Seat> seat_;
+    std::unique_ptr<port::Input> input_;
+    bool input_paused_ = false;
+    std::vector<std::string> notes_;
+};
+
+}  // namespace scanout::console
