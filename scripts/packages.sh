@@ -1,0 +1,71 @@
+# shellcheck shell=bash disable=SC2034  # the lists are read by name
+# Debian packages by purpose, and `need PURPOSE...`, which installs what is missing. Sourced by ./run and ./test.
+# The libraries are those of cmake/dependencies.cmake and tests/CMakeLists.txt; versions are Debian 12's.
+
+packages_build=(
+    g++ cmake ninja-build pkg-config
+    libexpected-dev libfmt-dev libtbb-dev libglm-dev libpng-dev libjpeg62-turbo-dev libcli11-dev
+    nlohmann-json3-dev libxxhash-dev libstb-dev libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev
+    libxkbcommon-dev
+    xkb-data # read when the viewer starts
+)
+packages_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev python3)
+packages_clang=(clang-14 libclang-rt-14-dev)
+packages_lint=(clang-format-14 clang-tidy-14)
+packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod cpio binutils python3)
+
+# Prints the packages of the purposes that are not installed.
+missing_packages() {
+    local purpose wanted=() have
+    for purpose in "$@"; do
+        local -n list=packages_$purpose
+        wanted+=("${list[@]}")
+    done
+    have=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null)$'\n'
+    for purpose in "${wanted[@]}"; do
+        [[ $have == *$'\n'"installed $purpose"$'\n'* ]] || echo "$purpose"
+    done
+}
+
+# apt_get ARGS...: quiet, without questions, as root; the output is shown only if it fails.
+apt_get() {
+    local log status=0
+    log=$(mktemp)
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300 \
+        -o Dpkg::Use-Pty=0 "$@" >"$log" 2>&1 || status=$?
+    [ $status = 0 ] || tail -n 20 "$log" >&2
+    rm -f "$log"
+    return $status
+}
+
+# need PURPOSE...: everything is installed afterwards, or the reason stands on stderr and the status is 1.
+# Uses no network when nothing is missing.
+need() {
+    local missing as_root=() how=apt-get
+    if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+        command -v cmake >/dev/null && command -v ninja >/dev/null && return 0 # CMake names what it misses
+        echo "scanout: this system has no apt-get: packages are installed by themselves on Debian 12 only." \
+            "Install what these are called here, then try again: ${packages_build[*]}" >&2
+        return 1
+    fi
+    mapfile -t missing < <(missing_packages "$@")
+    [ ${#missing[@]} = 0 ] && return 0
+    if [ "$(id -u)" != 0 ]; then
+        if ! command -v sudo >/dev/null; then
+            echo "scanout: packages are missing, and there is neither root nor sudo to install them." \
+                "As root: apt-get install --no-install-recommends ${missing[*]}" >&2
+            return 1
+        fi
+        as_root=(sudo) how="sudo apt-get"
+    fi
+    echo "scanout: installing ${#missing[@]} packages by $how: ${missing[*]}" >&2
+    if compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null &&
+        apt_get install --no-install-recommends "${missing[@]}" 2>/dev/null; then
+        return 0
+    fi
+    # No package lists yet, or too old ones.
+    if ! apt_get update || ! apt_get install --no-install-recommends "${missing[@]}"; then
+        echo "scanout: $how could not install ${missing[*]} (see above)" >&2
+        return 1
+    fi
+}

@@ -1,0 +1,86 @@
+# shellcheck shell=bash disable=SC2034,SC2154  # sourced by ./test, which sets root and counts
+# The stages of ./test, in the order of CI. Together they have 30 minutes on two cores.
+# A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
+
+ci_stages=(unit asan tsan guests lint)
+declare -A stage_needs=(
+    [unit]="build test" [asan]="build test" [tsan]="build test" [guests]="build guests"
+    [lint]="build test lint"
+)
+
+# configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.
+configure() {
+    local folder=build/$1 wanted="$root ${*:2}"
+    if [ "$(cat "$folder/configured" 2>/dev/null)" != "$wanted" ] || [ ! -f "$folder/build.ninja" ]; then
+        rm -rf "$folder"
+        mkdir -p "$folder"
+        cmake --preset "$2" -B "$folder" -DSCANOUT_TESTS=ON -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "${@:3}" \
+            >"$folder/configure.log" 2>&1 || {
+            cat "$folder/configure.log"
+            return 1
+        }
+        echo "$wanted" >"$folder/configured"
+    fi
+}
+
+# build FOLDER [TARGETS...]
+build() {
+    local quiet=--quiet
+    [ -t 1 ] && quiet=
+    ninja $quiet -C "build/$1" "${@:2}"
+}
+
+# run_ctest FOLDER ARGS...: prints what fails, counts the cases. No tests at all is a failure.
+run_ctest() {
+    local status=0
+    rm -f "build/$1/junit.xml"
+    ctest --test-dir "build/$1" --no-tests=error --output-on-failure -j "$(nproc)" \
+        --output-junit "$root/build/$1/junit.xml" "${@:2}" >"build/$1/ctest.log" 2>&1 || status=$?
+    grep -vE '^ *Start +[0-9]+:|  Passed +[0-9.]+ sec$|^Internal ctest|^Test project|^$' "build/$1/ctest.log" || true
+    python3 scripts/ctest.py "build/$1/junit.xml" >>"$counts"
+    return $status
+}
+
+# check COMMAND...: counts as one case.
+check() {
+    if "$@"; then echo "1 0 0" >>"$counts"; else echo "0 1 0" >>"$counts"; fi
+}
+
+stage_unit() {
+    configure test release
+    build test
+    run_ctest test -L unit
+}
+
+stage_asan() {
+    configure asan asan
+    build asan
+    export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1:check_initialization_order=1
+    export UBSAN_OPTIONS=print_stacktrace=1
+    run_ctest asan -L unit
+}
+
+stage_tsan() {
+    configure tsan tsan
+    build tsan
+    export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+    run_ctest tsan -L unit
+}
+
+stage_guests() {
+    configure test release
+    build test scanout
+    tests/vm/guests.sh build/test/scanout
+}
+
+# Format of every file; clang-tidy over the program's own sources.
+stage_lint() {
+    configure test release
+    check check_format
+    check scripts/tidy.sh build/test
+}
+
+check_format() {
+    find src platform tests bench \( -name '*.h' -o -name '*.cpp' \) -print0 |
+        xargs -0 -r clang-format-14 --dry-run --Werror
+}
