@@ -2,16 +2,16 @@
 // Faults from outside are Results, never CHECKs.
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
+
+#include <fmt/format.h>
 
 namespace scanout {
 
 [[noreturn]] void check_failed(const char* file, int line, const char* condition,
                                const std::string& values);
 
-}  // namespace scanout
+} // namespace scanout
 
 #define CHECK(condition)                                                                           \
     (static_cast<bool>(condition)                                                                  \

@@ -5,13 +5,13 @@ namespace scanout {
 
 enum class Exit : int {
     ok = 0,
-    usage = 2,       // the command line is wrong
-    unreadable = 3,  // a file cannot be read, or its format is not supported
-    hazards = 4,     // numeric hazards found, with --strict
-    no_display = 5,  // no display, or no permission to use it
+    usage = 2,      // the command line is wrong
+    unreadable = 3, // a file cannot be read, or its format is not supported
+    hazards = 4,    // numeric hazards found, with --strict
+    no_display = 5, // no display, or no permission to use it
     sizes_differ = 21,
     pixels_differ = 22,
     internal = 70,
 };
 
-}  // namespace scanout
+} // namespace scanout

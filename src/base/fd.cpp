@@ -1,10 +1,10 @@
 #include "base/fd.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace scanout {
 
@@ -18,4 +18,4 @@ Result<Fd> Fd::open(const std::string& path, int flags, int mode) {
     return Fd(fd);
 }
 
-}  // namespace scanout
+} // namespace scanout

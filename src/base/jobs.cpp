@@ -20,7 +20,8 @@
 namespace scanout {
 
 static int resolve_threads(int threads) {
-    return threads > 0 ? threads : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    return threads > 0 ? threads
+                       : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 #if SCANOUT_JOBS_STD_THREAD
@@ -36,7 +37,8 @@ struct Jobs::Pool {
             stop_ = true;
         }
         wake_.notify_all();
-        for (std::thread& t : threads_) t.join();
+        for (std::thread& t : threads_)
+            t.join();
     }
     void run(int count, Thunk thunk, void* function) {
         {
@@ -57,7 +59,8 @@ struct Jobs::Pool {
 
 private:
     void drain(int worker) {
-        for (int i = next_++; i < count_; i = next_++) thunk_(function_, i, worker);
+        for (int i = next_++; i < count_; i = next_++)
+            thunk_(function_, i, worker);
     }
     void work(int worker) {
         unsigned seen = 0;
@@ -83,7 +86,9 @@ private:
     void* function_ = nullptr;
 };
 
-void Jobs::run(int count, Thunk thunk, void* function) { pool_->run(count, thunk, function); }
+void Jobs::run(int count, Thunk thunk, void* function) {
+    pool_->run(count, thunk, function);
+}
 
 #else
 
@@ -101,7 +106,8 @@ struct Jobs::Pool {
 
 void Jobs::run(int count, Thunk thunk, void* function) {
     if (pool_->threads() == 1 || count <= 1) {
-        for (int i = 0; i < count; ++i) thunk(function, i, 0);
+        for (int i = 0; i < count; ++i)
+            thunk(function, i, 0);
         return;
     }
     pool_->arena.execute([&] {
@@ -118,6 +124,8 @@ Jobs::Jobs(int threads) : pool_(std::make_unique<Pool>(resolve_threads(threads))
 Jobs::~Jobs() = default;
 Jobs::Jobs(Jobs&&) noexcept = default;
 Jobs& Jobs::operator=(Jobs&&) noexcept = default;
-int Jobs::threads() const { return pool_->threads(); }
+int Jobs::threads() const {
+    return pool_->threads();
+}
 
-}  // namespace scanout
+} // namespace scanout

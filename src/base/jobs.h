@@ -23,7 +23,8 @@ public:
     template <class Function>
     void for_each(int count, Function&& function) {
         using F = std::remove_reference_t<Function>;
-        run(count, [](void* f, int index, int worker) { (*static_cast<F*>(f))(index, worker); },
+        run(
+            count, [](void* f, int index, int worker) { (*static_cast<F*>(f))(index, worker); },
             const_cast<void*>(static_cast<const void*>(&function)));
     }
 
@@ -34,4 +35,4 @@ private:
     std::unique_ptr<Pool> pool_;
 };
 
-}  // namespace scanout
+} // namespace scanout

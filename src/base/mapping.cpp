@@ -2,12 +2,12 @@
 
 #include "base/fd.h"
 
+#include <cerrno>
+#include <cstring>
+
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
-
-#include <cerrno>
-#include <cstring>
 
 namespace scanout {
 
@@ -19,8 +19,8 @@ Result<Mapping> Mapping::open(const std::string& path) {
         return fail(Exit::unreadable, "{}: {}", path, std::strerror(errno));
     if (S_ISDIR(info.st_mode)) return fail(Exit::unreadable, "{}: is a folder, not a file", path);
     if (!S_ISREG(info.st_mode))
-        return fail(Exit::unreadable, "{}: is not a regular file (copy its contents to a file first)",
-                    path);
+        return fail(Exit::unreadable,
+                    "{}: is not a regular file (copy its contents to a file first)", path);
     const auto size = static_cast<std::size_t>(info.st_size);
     if (size == 0) return Mapping();
     void* data = ::mmap(nullptr, size, PROT_READ, MAP_PRIVATE, fd.get(), 0);
@@ -53,4 +53,4 @@ void Mapping::drop_before(std::size_t end) {
     dropped_ = end;
 }
 
-}  // namespace scanout
+} // namespace scanout

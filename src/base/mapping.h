@@ -25,7 +25,8 @@ public:
     std::string_view text() const { return {data_, size_}; }
     std::size_t size() const { return size_; }
 
-    // Tells the kernel that bytes [0, end) will not be read again, so that they leave the resident set.
+    // Tells the kernel that bytes [0, end) will not be read again, so that they leave the resident
+    // set.
     void drop_before(std::size_t end);
 
 private:
@@ -35,4 +36,4 @@ private:
     std::size_t dropped_ = 0;
 };
 
-}  // namespace scanout
+} // namespace scanout

@@ -5,7 +5,7 @@
 
 namespace scanout {
 
-std::uint64_t resident_bytes();       // now (VmRSS)
-std::uint64_t peak_resident_bytes();  // the most so far (VmHWM)
+std::uint64_t resident_bytes();      // now (VmRSS)
+std::uint64_t peak_resident_bytes(); // the most so far (VmHWM)
 
-}  // namespace scanout
+} // namespace scanout

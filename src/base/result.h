@@ -1,14 +1,15 @@
-// Result<T>: what can go wrong from outside (files, devices, arguments) is a value, not an exception.
-// An Error is one finished line for the user: what happened, where (file:line), what to do.
+// Result<T>: what can go wrong from outside (files, devices, arguments) is a value, not an
+// exception. An Error is one finished line for the user: what happened, where (file:line), what to
+// do.
 #pragma once
 
 #include "base/exit_code.h"
 
-#include <fmt/format.h>
-#include <tl/expected.hpp>
-
 #include <string>
+#include <tl/expected.hpp>
 #include <utility>
+
+#include <fmt/format.h>
 
 namespace scanout {
 
@@ -22,11 +23,12 @@ using Result = tl::expected<T, Error>;
 
 // fail(Exit::unreadable, "{}:{}: no vertices", path, line): a formatted Error, ready to return.
 template <class... Args>
-[[nodiscard]] tl::unexpected<Error> fail(Exit exit, fmt::format_string<Args...> format, Args&&... args) {
+[[nodiscard]] tl::unexpected<Error> fail(Exit exit, fmt::format_string<Args...> format,
+                                         Args&&... args) {
     return tl::unexpected<Error>(Error{fmt::format(format, std::forward<Args>(args)...), exit});
 }
 
-}  // namespace scanout
+} // namespace scanout
 
 #define SCANOUT_CAT2(a, b) a##b
 #define SCANOUT_CAT(a, b) SCANOUT_CAT2(a, b)

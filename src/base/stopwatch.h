@@ -17,4 +17,4 @@ private:
     Clock::time_point start_ = Clock::now();
 };
 
-}  // namespace scanout
+} // namespace scanout

@@ -30,4 +30,4 @@ private:
     std::vector<Kind> kinds_;
 };
 
-}  // namespace scanout
+} // namespace scanout

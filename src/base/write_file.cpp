@@ -2,13 +2,13 @@
 
 #include "base/fd.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
 #include <string_view>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace scanout {
 namespace {
@@ -28,24 +28,27 @@ tl::unexpected<Error> cannot_write(const std::string& path, int error) {
     return fail(Exit::unreadable, "{}: cannot be written: {}", path, std::strerror(error));
 }
 
-// A new file gets the mode that the user's umask gives every new file; mkstemp alone would make 0600.
+// A new file gets the mode that the user's umask gives every new file; mkstemp alone would make
+// 0600.
 mode_t default_mode() {
     const mode_t mask = ::umask(0);
     ::umask(mask);
     return 0666 & ~mask;
 }
 
-}  // namespace
+} // namespace
 
 Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
     if (path == "-") {
-        if (const int error = write_all(STDOUT_FILENO, bytes)) return cannot_write("standard output", error);
+        if (const int error = write_all(STDOUT_FILENO, bytes))
+            return cannot_write("standard output", error);
         return {};
     }
     struct stat info {};
     if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
-        if (S_ISDIR(info.st_mode)) return fail(Exit::unreadable, "{}: is a folder; name a file", path);
-        TRY(const Fd device, Fd::open(path, O_WRONLY));  // /dev/null, a pipe: nothing to rename onto
+        if (S_ISDIR(info.st_mode))
+            return fail(Exit::unreadable, "{}: is a folder; name a file", path);
+        TRY(const Fd device, Fd::open(path, O_WRONLY)); // /dev/null, a pipe: nothing to rename onto
         if (const int error = write_all(device.get(), bytes)) return cannot_write(path, error);
         return {};
     }
@@ -64,7 +67,8 @@ Result<void> write_file(const std::string& path, std::span<const std::uint8_t> b
 }
 
 Result<void> write_file(const std::string& path, std::string_view text) {
-    return write_file(path, std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    return write_file(path,
+                      std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
 }
 
-}  // namespace scanout
+} // namespace scanout

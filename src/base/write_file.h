@@ -13,4 +13,4 @@ namespace scanout {
 Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes);
 Result<void> write_file(const std::string& path, std::string_view text);
 
-}  // namespace scanout
+} // namespace scanout

@@ -13,7 +13,7 @@ enum class Cull : std::uint8_t { none, back, front };
 
 struct FrameOptions {
     int width = 1280, height = 720;
-    int samples = 1;             // a pixel: 1, 2, 4, 8, 16
+    int samples = 1; // a pixel: 1, 2, 4, 8, 16
     Cull cull = Cull::none;
     image::Rgba8 background{48, 51, 56, 255};
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
@@ -23,4 +23,4 @@ struct FrameOptions {
 
 inline constexpr int kMaxSide = 16384;
 
-}  // namespace scanout::frame
+} // namespace scanout::frame

@@ -17,8 +17,8 @@ namespace scanout::frame {
 // coverage to back buffer.
 struct FrameStats {
     double total_ms = 0, geometry_ms = 0, tiles_ms = 0;
-    std::uint64_t triangles_submitted = 0;  // of the mesh
-    std::uint64_t triangles_drawn = 0;      // left after clipping and culling
+    std::uint64_t triangles_submitted = 0; // of the mesh
+    std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t lanes_shaded = 0;
 };
 
@@ -28,7 +28,8 @@ public:
     ~Renderer();
 
     // The picture stays valid until the next call.
-    const image::Image& render(const scene::Scene& scene, const scene::View& view, const FramePlan& plan);
+    const image::Image& render(const scene::Scene& scene, const scene::View& view,
+                               const FramePlan& plan);
     const FrameStats& stats() const;
 
 private:
@@ -36,4 +37,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-}  // namespace scanout::frame
+} // namespace scanout::frame

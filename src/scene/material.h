@@ -13,13 +13,13 @@ namespace scanout::scene {
 // A texture map of a material: a texture of the scene and the options that the file gives it
 // (MTL: -blendu -blendv -boost -mm -o -s -t -texres -clamp -bm -imfchan -type).
 struct TextureMap {
-    std::int32_t texture = -1;  // index into Scene::textures; -1: the file could not be read
-    std::string path;           // as the file names it
+    std::int32_t texture = -1; // index into Scene::textures; -1: the file could not be read
+    std::string path;          // as the file names it
     bool blend_u = true, blend_v = true, clamp = false, colour_correction = false;
     float boost = 0, base = 0, gain = 1, bump_multiplier = 1;
     Vec3 offset{0}, scale{1}, turbulence{0};
     int resolution = 0;
-    char channel = 0;           // r g b m l z, 0: not given
+    char channel = 0; // r g b m l z, 0: not given
     std::string reflection_type;
     bool given() const { return !path.empty(); }
 };
@@ -31,17 +31,17 @@ struct Material {
     Vec3 specular{0};     // Ks
     float shininess = 0;  // Ns
     float opacity = 1;    // d, or 1 - Tr
-    Vec3 transmission{1};  // Tf
+    Vec3 transmission{1}; // Tf
     Vec3 emission{0};     // Ke
-    float refraction = 1;  // Ni
-    int illumination = 2;  // illum
+    float refraction = 1; // Ni
+    int illumination = 2; // illum
     TextureMap map_diffuse, map_ambient, map_specular, map_shininess, map_opacity, map_emission;
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
 struct Texture {
-    std::string path;  // the file that was read
+    std::string path; // the file that was read
     image::Image image;
 };
 
-}  // namespace scanout::scene
+} // namespace scanout::scene

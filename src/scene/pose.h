@@ -12,7 +12,7 @@ namespace scanout::scene {
 
 inline constexpr int kAngleUnitsPerDegree = 256;
 inline constexpr int kFullTurn = 360 * kAngleUnitsPerDegree;
-inline constexpr int kZoomLevelsPerOctave = 64;  // scale = 2^(level / 64)
+inline constexpr int kZoomLevelsPerOctave = 64; // scale = 2^(level / 64)
 inline constexpr int kMaxZoomLevel = 20 * kZoomLevelsPerOctave;
 inline constexpr int kPanUnitsPerRadius = 1 << 20;
 
@@ -26,9 +26,9 @@ int clamp_zoom(std::int64_t level);
 // The model's pose: yaw about its own up axis first, then pitch and roll about the screen's x and z
 // axes; scale about the model's centre; then a shift in the plane of the screen (and in depth).
 struct Pose {
-    int yaw = 0, pitch = 0, roll = 0;  // angle units
-    int zoom = 0;                      // levels
-    std::int64_t pan_x = 0, pan_y = 0, pan_z = 0;  // pan units; x right, y up, z towards the eye
+    int yaw = 0, pitch = 0, roll = 0;             // angle units
+    int zoom = 0;                                 // levels
+    std::int64_t pan_x = 0, pan_y = 0, pan_z = 0; // pan units; x right, y up, z towards the eye
     friend bool operator==(const Pose&, const Pose&) = default;
 };
 
@@ -37,14 +37,14 @@ struct Pose {
 struct Orbit {
     int azimuth = 0, elevation = 0, roll = 0;
     int zoom = 0;
-    std::int64_t pan_x = 0, pan_y = 0, pan_z = 0;  // moves eye and target in the plane of the screen
+    std::int64_t pan_x = 0, pan_y = 0, pan_z = 0; // moves eye and target in the plane of the screen
     friend bool operator==(const Orbit&, const Orbit&) = default;
 };
 
-int clamp_elevation(std::int64_t units);  // [-90, 90] degrees
+int clamp_elevation(std::int64_t units); // [-90, 90] degrees
 
 // Zooming by `levels` so that the point under the pointer stays there. pointer_*: world units in
 // the plane of the screen through the model's centre, measured from the centre of the picture.
 void zoom_towards(Pose& pose, int levels, double pointer_x, double pointer_y);
 
-}  // namespace scanout::scene
+} // namespace scanout::scene

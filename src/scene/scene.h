@@ -12,13 +12,13 @@ namespace scanout::scene {
 
 // What the model's file holds, for reports.
 struct ModelCounts {
-    std::size_t vertices = 0;   // v statements (OBJ), 3 a facet (STL)
-    std::size_t faces = 0;      // polygons that are drawn, whatever their number of corners
+    std::size_t vertices = 0; // v statements (OBJ), 3 a facet (STL)
+    std::size_t faces = 0;    // polygons that are drawn, whatever their number of corners
     std::size_t triangles = 0;
-    std::size_t lines = 0;      // line elements (polylines)
+    std::size_t lines = 0; // line elements (polylines)
     std::size_t points = 0;
-    std::size_t skipped = 0;    // statements or facets that could not be used
-    std::uint64_t bytes = 0;    // the model's file, its material files, and its decoded textures
+    std::size_t skipped = 0; // statements or facets that could not be used
+    std::uint64_t bytes = 0; // the model's file, its material files, and its decoded textures
 };
 
 struct Scene {
@@ -29,4 +29,4 @@ struct Scene {
     ModelCounts counts;
 };
 
-}  // namespace scanout::scene
+} // namespace scanout::scene

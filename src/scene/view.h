@@ -17,15 +17,15 @@ enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, min
 
 // --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
 struct ModelTransform {
-    DVec3 scale{1};           // one number on the command line, or three
+    DVec3 scale{1}; // one number on the command line, or three
     DVec3 rotate_degrees{0};
-    DVec3 translate{0};       // bounding radii
+    DVec3 translate{0}; // bounding radii
 };
 
 struct CameraOptions {
     double azimuth_degrees = 0, elevation_degrees = 0;
-    double distance = 0;      // bounding radii; 0: the sphere just fits the narrower side of the picture
-    double fov_degrees = 45;  // vertical
+    double distance = 0; // bounding radii; 0: the sphere just fits the narrower side of the picture
+    double fov_degrees = 45; // vertical
     Projection projection = Projection::perspective;
     UpAxis up = UpAxis::plus_y;
     // In file coordinates; both or neither. They replace azimuth, elevation and distance.
@@ -45,15 +45,15 @@ struct View {
     // view position = linear * mesh position + translation
     DMat3 linear{1};
     DVec3 translation{0};
-    DMat3 normal{1};        // cofactor of linear, scaled to a largest entry near 1
-    bool mirrored = false;  // det(linear) < 0: front faces wind clockwise on the screen
+    DMat3 normal{1};       // cofactor of linear, scaled to a largest entry near 1
+    bool mirrored = false; // det(linear) < 0: front faces wind clockwise on the screen
     Projection projection = Projection::perspective;
     // Half the picture's extent at distance 1 (perspective) or everywhere (orthographic).
     double half_width = 1, half_height = 1;
-    double near_distance = 0;  // perspective: what is nearer is clipped; depth = near / distance
+    double near_distance = 0; // perspective: what is nearer is clipped; depth = near / distance
     // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
     double depth_origin = 0, depth_scale = 1;
-    double centre_distance = 0;  // from the eye's plane to the model's centre
+    double centre_distance = 0; // from the eye's plane to the model's centre
 };
 
 // Fails (Exit::usage) for a singular camera: eye == target, numbers that are not finite.
@@ -63,4 +63,4 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
 // How many world units of the plane through the model's centre one pixel spans: for dragging.
 double world_units_per_pixel(const View& view, int height);
 
-}  // namespace scanout::scene
+} // namespace scanout::scene

@@ -1,0 +1,26 @@
+// Clipping in homogeneous coordinates, before the divide: Sutherland-Hodgman against the near plane
+// and the guard band [A ch.7-8], [A'], [D]. Every intersection is computed from the inside vertex
+// to the outside one, so an edge that two triangles share is cut at the same point in both
+// (Ericson, Real-Time Collision Detection, 8.3.5; HARD-CASES 9, 12, 13).
+#pragma once
+
+#include "raster/screen.h"
+
+#include <array>
+
+namespace scanout::raster {
+
+// A triangle cut by five planes: 8 vertices if it stays convex; the room is for the worst that
+// rounding could make of it (each plane adds at most half as many vertices again).
+struct ClipPolygon {
+    std::array<ClipVertex, 20> vertex;
+    int count = 0;
+};
+
+// polygon: inside near (w >= near_w) and the guard band afterwards; count < 3 when nothing is left.
+void clip(ClipPolygon& polygon, double near_w);
+
+// A segment likewise; false when nothing is left.
+bool clip(ClipVertex& a, ClipVertex& b, double near_w);
+
+} // namespace scanout::raster

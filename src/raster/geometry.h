@@ -1,0 +1,67 @@
+// The geometry stage of a frame: transform every vertex once, clip, snap, cull, put into canonical
+// order, and hand each primitive to the tiles that it may touch. On all cores; what a tile holds
+// does not depend on which worker did what, only its order does, and visibility is commutative.
+#pragma once
+
+#include "base/jobs.h"
+#include "geom/mesh.h"
+#include "raster/primitive.h"
+#include "raster/screen.h"
+#include "raster/tile.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::raster {
+
+enum class Facing : std::uint8_t { any, front, back }; // which triangles are kept
+
+struct GeometryOptions {
+    int width = 0, height = 0;
+    Facing keep = Facing::any;
+    bool mirrored = false; // front faces wind clockwise in view space
+};
+
+class Geometry {
+public:
+    void run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
+             const GeometryOptions& options);
+
+    int tiles_across() const { return across_; }
+    int tiles() const { return across_ * down_; }
+    image::Rect tile_area(int tile) const;
+    // Draws everything that may touch the tile.
+    void draw(int tile, VisibilityTile& out) const;
+
+    std::span<const ScreenVertex> vertices() const { return vertices_; }
+    std::uint64_t triangles_drawn() const;
+
+private:
+    // What one worker made, with one list a tile of indices into it.
+    struct Batch {
+        std::vector<Triangle> triangles;
+        std::vector<Segment> segments;
+        std::vector<Point> points;
+        struct Bin {
+            std::vector<std::uint32_t> triangles, segments, points;
+        };
+        std::vector<Bin> bins;
+        void clear(int tiles);
+    };
+    struct Task; // the arguments of one run
+    void add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    void add_snapped(const Task& task, Batch& batch, const ScreenVertex* v, std::uint32_t id,
+                     int facing) const;
+    void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
+    void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
+    template <class F>
+    void for_tiles(const image::Rect& bounds, F&& f) const;
+
+    int width_ = 0, height_ = 0, across_ = 0, down_ = 0;
+    std::vector<ScreenVertex> vertices_;
+    std::vector<Batch> batches_;
+};
+
+} // namespace scanout::raster

@@ -1,0 +1,54 @@
+// Where the samples of a pixel lie: Direct3D's standard patterns, on the 1/16 pixel grid, so that
+// coverage at every sample stays exact in 16.8 fixed point.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace scanout::raster {
+
+// Offset from the pixel's top left corner in 1/256 pixel, x right, y down.
+struct SampleOffset {
+    std::int32_t x, y;
+};
+
+namespace detail {
+constexpr SampleOffset sixteenths(int x, int y) {
+    return {(x + 8) * 16, (y + 8) * 16};
+}
+inline constexpr std::array<SampleOffset, 1> kOne = {sixteenths(0, 0)};
+inline constexpr std::array<SampleOffset, 2> kTwo = {sixteenths(4, 4), sixteenths(-4, -4)};
+inline constexpr std::array<SampleOffset, 4> kFour = {sixteenths(-2, -6), sixteenths(6, -2),
+                                                      sixteenths(-6, 2), sixteenths(2, 6)};
+inline constexpr std::array<SampleOffset, 8> kEight = {
+    sixteenths(1, -3), sixteenths(-1, 3),  sixteenths(5, 1), sixteenths(-3, -5),
+    sixteenths(-5, 5), sixteenths(-7, -1), sixteenths(3, 7), sixteenths(7, -7)};
+inline constexpr std::array<SampleOffset, 16> kSixteen = {
+    sixteenths(1, 1),   sixteenths(-1, -3), sixteenths(-3, 2),  sixteenths(4, -1),
+    sixteenths(-5, -2), sixteenths(2, 5),   sixteenths(5, 3),   sixteenths(3, -5),
+    sixteenths(-2, 6),  sixteenths(0, -7),  sixteenths(-4, -6), sixteenths(-6, 4),
+    sixteenths(-8, 0),  sixteenths(7, -4),  sixteenths(6, 7),   sixteenths(-7, -8)};
+} // namespace detail
+
+inline constexpr SampleOffset kPixelCentre = detail::kOne[0];
+
+// samples: 1, 2, 4, 8 or 16; anything else gives an empty span.
+constexpr std::span<const SampleOffset> sample_pattern(int samples) {
+    switch (samples) {
+    case 1:
+        return detail::kOne;
+    case 2:
+        return detail::kTwo;
+    case 4:
+        return detail::kFour;
+    case 8:
+        return detail::kEight;
+    case 16:
+        return detail::kSixteen;
+    default:
+        return {};
+    }
+}
+
+} // namespace scanout::raster

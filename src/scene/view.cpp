@@ -1,0 +1,178 @@
+#include "scene/view.h"
+
+#include "math/rotation.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scanout::scene {
+namespace {
+
+// Turns the file's up axis onto +y; the front then looks along the axis that DESIGN names (+z up:
+// the front is the -y side).
+DMat3 up_rotation(UpAxis up) {
+    switch (up) {
+    case UpAxis::plus_y:
+        return DMat3(1);
+    case UpAxis::minus_y:
+        return rotation_x(180);
+    case UpAxis::plus_z:
+        return rotation_x(-90);
+    case UpAxis::minus_z:
+        return rotation_x(90);
+    case UpAxis::plus_x:
+        return rotation_z(90);
+    case UpAxis::minus_x:
+        return rotation_z(-90);
+    }
+    return DMat3(1);
+}
+
+bool finite(const DVec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+// Where the camera stands before the user's orbit: angles in degrees, distance and target in radii.
+struct Stand {
+    double azimuth = 0, elevation = 0, distance = 0;
+    DVec3 target{0};
+};
+
+DVec3 file_to_world(const geom::Mesh& mesh, const DMat3& up, const DVec3& file) {
+    const double to_normalised = scanout::exp2(static_cast<double>(-mesh.exponent));
+    return up * ((file - mesh.centre) * to_normalised / mesh.radius);
+}
+
+Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, const DMat3& up,
+                       double fit_distance) {
+    Stand stand;
+    if (!camera.eye && !camera.target) {
+        stand.azimuth = camera.azimuth_degrees;
+        stand.elevation = camera.elevation_degrees;
+        stand.distance = camera.distance > 0 ? camera.distance : fit_distance;
+        return stand;
+    }
+    if (!camera.eye || !camera.target)
+        return fail(Exit::usage, "a camera's eye and target belong together: give both or neither");
+    const DVec3 eye = file_to_world(mesh, up, *camera.eye);
+    stand.target = file_to_world(mesh, up, *camera.target);
+    const DVec3 back = eye - stand.target;
+    if (!finite(back) || dot3(back, back) == 0)
+        return fail(Exit::usage, "the camera's eye and target are the same point");
+    const double level = scanout::sqrt(back.x * back.x + back.z * back.z);
+    stand.azimuth = degrees(scanout::atan2(back.x, back.z));
+    stand.elevation = degrees(scanout::atan2(back.y, level));
+    stand.distance = scanout::sqrt(dot3(back, back));
+    return stand;
+}
+
+DVec3 pan_of(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return DVec3(static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)) /
+           static_cast<double>(kPanUnitsPerRadius);
+}
+
+double units_to_degrees(int units) {
+    return static_cast<double>(units) / kAngleUnitsPerDegree;
+}
+
+// The cofactor matrix with the sign of a proper rotation, scaled so that floats can hold it.
+DMat3 normal_matrix(const DMat3& linear, double det) {
+    DMat3 normal = cofactor(linear);
+    double largest = 0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            largest = std::max(largest, std::abs(normal[c][r]));
+    if (!(largest > 0)) return DMat3(1); // a model scaled to a point: any normal will do
+    return normal * ((det < 0 ? -1.0 : 1.0) / largest);
+}
+
+void set_projection(View& view, const CameraOptions& camera, double tan_half, double aspect,
+                    double distance) {
+    view.projection = camera.projection;
+    view.centre_distance = -view.translation.z;
+    const bool perspective = camera.projection == Projection::perspective;
+    view.half_height = perspective ? tan_half : tan_half * distance;
+    view.half_width = view.half_height * aspect;
+    // Reversed, infinite: depth = near / distance keeps its relative precision everywhere, so near
+    // may be small; it is a fixed share of the distance and never cuts what a viewer looks at.
+    view.near_distance = distance * 0x1p-14;
+    // The model's sphere in view space: the columns of `linear` bound how far it can stretch.
+    double stretch = 0;
+    for (int c = 0; c < 3; ++c)
+        stretch += dot3(view.linear[c], view.linear[c]);
+    const double reach = scanout::sqrt(stretch) * 1.001 + 0x1p-20;
+    view.depth_origin = view.translation.z - reach;
+    view.depth_scale = 1 / (2 * reach);
+}
+
+} // namespace
+
+std::optional<NamedView> named_view(std::string_view name) {
+    static constexpr std::array<NamedView, 7> kViews = {
+        {{"front", 0, 0},
+         {"back", 180, 0},
+         {"left", 270, 0},
+         {"right", 90, 0},
+         {"top", 0, 90},
+         {"bottom", 0, -90},
+         // atan(1 / sqrt 2): all three axes equally long
+         {"iso", 45, 35.264389682754654}}};
+    const auto found = std::find_if(kViews.begin(), kViews.end(),
+                                    [&](const NamedView& v) { return v.name == name; });
+    return found == kViews.end() ? std::nullopt : std::optional(*found);
+}
+
+Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
+                       const CameraOptions& camera, const Orbit& orbit, int width, int height) {
+    if (!(camera.fov_degrees > 0) || !(camera.fov_degrees < 180))
+        return fail(Exit::usage, "the field of view must lie between 0 and 180 degrees, not {}",
+                    camera.fov_degrees);
+    const double aspect = static_cast<double>(width) / height;
+    const double half_fov = camera.fov_degrees / 2;
+    const double tan_half = sin_degrees(half_fov) / cos_degrees(half_fov);
+    const double narrow = tan_half * std::min(1.0, aspect);
+    const double fit_distance = scanout::sqrt(1 + narrow * narrow) / narrow; // 1 / sin(half angle)
+
+    const DMat3 up = up_rotation(camera.up);
+    TRY(const Stand stand, stand_of(mesh, camera, up, fit_distance));
+    const double elevation =
+        std::clamp(stand.elevation + units_to_degrees(orbit.elevation), -90.0, 90.0);
+    const DMat3 turn =
+        rotation_z(units_to_degrees(orbit.roll)) * rotation_x(elevation) *
+        rotation_y(-(stand.azimuth + units_to_degrees(orbit.azimuth))); // world -> view
+    const double distance = stand.distance / zoom_scale(orbit.zoom);
+
+    const DMat3 scale(DVec3(model.scale.x, 0, 0), DVec3(0, model.scale.y, 0),
+                      DVec3(0, 0, model.scale.z));
+    const DMat3 placed = rotation_z(model.rotate_degrees.z) * rotation_y(model.rotate_degrees.y) *
+                         rotation_x(model.rotate_degrees.x) * scale;
+    const DMat3 posed = rotation_z(units_to_degrees(pose.roll)) *
+                        rotation_x(units_to_degrees(pose.pitch)) * turn *
+                        rotation_y(units_to_degrees(pose.yaw));
+    View view;
+    view.linear = posed * placed * up * (zoom_scale(pose.zoom) / mesh.radius);
+    view.translation = turn * (model.translate - stand.target) +
+                       pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
+                       pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - DVec3(0, 0, distance);
+    if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
+        !finite(view.translation) || !std::isfinite(distance))
+        return fail(Exit::usage,
+                    "the camera or the model's transform holds a number that is not finite");
+    const double det = determinant(view.linear);
+    view.mirrored = det < 0;
+    view.normal = normal_matrix(view.linear, det);
+    set_projection(view, camera, tan_half, aspect, distance);
+    return view;
+}
+
+double world_units_per_pixel(const View& view, int height) {
+    const double extent =
+        view.projection == Projection::perspective
+            ? view.half_height * std::max(view.centre_distance, view.near_distance)
+            : view.half_height;
+    return 2 * extent / height;
+}
+
+} // namespace scanout::scene

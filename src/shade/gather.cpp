@@ -1,0 +1,277 @@
+#include "shade/gather.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace scanout::shade {
+
+using raster::kSubpixel;
+using raster::kTileSize;
+
+// One primitive in one pixel.
+struct Gatherer::Fragment {
+    std::uint32_t id;
+    std::int32_t material; // index, -1: the default material; lines and points have lit == false
+    std::uint16_t pixel;   // in the tile
+    std::uint8_t sample;   // at which it is shaded; kCentre: the pixel's centre
+    std::uint8_t weight;   // how many of the pixel's samples show it
+    bool lit;
+};
+
+// What all lanes of one primitive share.
+struct Gatherer::PrimitiveSetup {
+    std::uint32_t id = raster::kNoPrimitive;
+    std::array<std::uint32_t, 3> vertex{};
+    std::array<float, 3> inverse_w{};
+    std::array<float, 3> facing{};
+    bool exact =
+        true; // areas from the snapped edge functions; else from the clipped triangle's own
+    raster::Edges edges{};
+    // Clipped triangles: perspective-correct weights are linear functions a x + b y + c of the
+    // pixel (Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997).
+    std::array<DVec3, 3> homogeneous{};
+};
+
+namespace {
+
+constexpr std::uint8_t kCentre = 0xff;
+constexpr std::size_t kCacheSize = 256;
+
+const scene::Material& default_material() {
+    static const scene::Material material;
+    return material;
+}
+
+// The triangle's own normal from its vertices in canonical order, brought near length 1 so that a
+// float holds it; only its direction matters.
+std::array<float, 3> facing_normal(const geom::Mesh& mesh, const std::array<std::uint32_t, 3>& v,
+                                   bool negate) {
+    const DVec3 p0(mesh.position[v[0]]), p1(mesh.position[v[1]]), p2(mesh.position[v[2]]);
+    DVec3 n = cross3(p1 - p0, p2 - p0);
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    if (largest > 0) n = n / (negate ? -largest : largest);
+    return {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+}
+
+} // namespace
+
+Gatherer::Gatherer() : cache_(kCacheSize), block_(std::make_unique<Block>()) {}
+Gatherer::~Gatherer() = default;
+
+namespace {
+
+// Canonical order of a clipped triangle: by its clip coordinates, whatever order the file names.
+std::array<std::uint8_t, 3> clip_order(const std::array<raster::ClipVertex, 3>& v, bool& odd) {
+    std::array<std::uint8_t, 3> order = {0, 1, 2};
+    const auto before = [&](std::uint8_t a, std::uint8_t b) {
+        return std::tuple(v[a].y, v[a].x, v[a].w) < std::tuple(v[b].y, v[b].x, v[b].w);
+    };
+    for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 1}}) {
+        if (before(order[j], order[i])) {
+            std::swap(order[i], order[j]);
+            odd = !odd;
+        }
+    }
+    return order;
+}
+
+DVec3 cross_rows(const raster::ClipVertex& a, const raster::ClipVertex& b) {
+    return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
+}
+
+} // namespace
+
+const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint32_t id) {
+    PrimitiveSetup& s = cache_[id % kCacheSize];
+    if (s.id == id) return s;
+    s.id = id;
+    const geom::Mesh& mesh = *in.mesh;
+    const std::uint32_t* index = mesh.index.data() + std::size_t{id} * 3;
+    const auto vertices = in.geometry->vertices();
+    const raster::ScreenVertex* v[3] = {&vertices[index[0]], &vertices[index[1]],
+                                        &vertices[index[2]]};
+    s.exact = ((v[0]->flags | v[1]->flags | v[2]->flags) & raster::kNeedsClip) == 0;
+    bool front = false, odd = false;
+    if (s.exact) {
+        const std::array<std::int32_t, 3> x = {v[0]->x, v[1]->x, v[2]->x},
+                                          y = {v[0]->y, v[1]->y, v[2]->y};
+        const raster::CanonicalOrder order = raster::canonical_order(x, y);
+        const std::int64_t area = raster::signed_area(x, y);
+        raster::Triangle t{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t from = order.vertex[i];
+            t.x[i] = x[from];
+            t.y[i] = y[from];
+            s.vertex[i] = index[from];
+            s.inverse_w[i] = v[from]->inverse_w;
+        }
+        odd = order.odd;
+        t.flipped = (area < 0) != odd;
+        s.edges = raster::edges_of(t);
+        front = (area < 0) != in.mirrored;
+    } else {
+        const std::array<raster::ClipVertex, 3> clip = {
+            in.transform->to_clip(mesh.position[index[0]]),
+            in.transform->to_clip(mesh.position[index[1]]),
+            in.transform->to_clip(mesh.position[index[2]])};
+        const auto order = clip_order(clip, odd);
+        const raster::ClipVertex &a = clip[order[0]], &b = clip[order[1]], &c = clip[order[2]];
+        s.homogeneous = {cross_rows(b, c), cross_rows(c, a), cross_rows(a, b)};
+        const double det = dot3(s.homogeneous[0], DVec3(a.x, a.y, a.w));
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (det < 0) s.homogeneous[i] = -s.homogeneous[i];
+            s.vertex[i] = index[order[i]];
+            s.inverse_w[i] = 1;
+        }
+        front = ((det < 0) != odd) != in.mirrored;
+    }
+    s.facing = facing_normal(mesh, s.vertex, front == odd);
+    return s;
+}
+
+void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in) {
+    fragments_.clear();
+    const geom::Mesh& mesh = *in.mesh;
+    const auto triangles = static_cast<std::uint32_t>(mesh.triangles());
+    const auto lines = static_cast<std::uint32_t>(mesh.lines());
+    const image::Rect& area = tile.area();
+    for (int y = area.y0; y < area.y1; ++y) {
+        for (int x = area.x0; x < area.x1; ++x) {
+            const auto ids = tile.ids(x, y);
+            const auto pixel =
+                static_cast<std::uint16_t>((y - area.y0) * kTileSize + (x - area.x0));
+            for (std::size_t s = 0; s < ids.size(); ++s) {
+                const std::uint32_t id = ids[s];
+                // Counted at its first sample in the pixel.
+                if (id == raster::kNoPrimitive ||
+                    std::find(ids.begin(), ids.begin() + s, id) != ids.begin() + s)
+                    continue;
+                const auto weight =
+                    static_cast<std::uint8_t>(std::count(ids.begin() + s, ids.end(), id));
+                Fragment f{id,     -1,
+                           pixel,  ids.size() == 1 ? kCentre : static_cast<std::uint8_t>(s),
+                           weight, true};
+                if (id < triangles) {
+                    f.material = mesh.material[id];
+                } else {
+                    f.lit = false;
+                    f.material = id - triangles < lines
+                                     ? mesh.line_material[id - triangles]
+                                     : mesh.point_material[id - triangles - lines];
+                }
+                fragments_.push_back(f);
+            }
+        }
+    }
+    // One material a block; the order inside a material stays that of the pixels.
+    const auto key = [](const Fragment& f) { return std::pair(f.lit, f.material); };
+    const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
+    if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
+        std::stable_sort(fragments_.begin(), fragments_.end(),
+                         [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
+}
+
+void Gatherer::fill_lane(const raster::VisibilityTile& tile, const GatherInput& in,
+                         const Fragment& f, int lane) {
+    Block& b = *block_;
+    const int x = tile.area().x0 + f.pixel % kTileSize, y = tile.area().y0 + f.pixel / kTileSize;
+    if (!f.lit) {
+        const geom::Mesh& mesh = *in.mesh;
+        const std::uint32_t line = f.id - static_cast<std::uint32_t>(mesh.triangles());
+        const std::uint32_t vertex = line < mesh.lines() ? mesh.line_index[std::size_t{line} * 2]
+                                                         : mesh.point_index[line - mesh.lines()];
+        for (int i = 0; i < 3; ++i) {
+            b.vertex[i][lane] = vertex;
+            b.area[i][lane] = i == 0 ? 1.0F : 0.0F;
+            b.inverse_w[i][lane] = 1;
+        }
+        return;
+    }
+    const PrimitiveSetup& s = setup(in, f.id);
+    std::int64_t sx = std::int64_t{x} * kSubpixel + raster::kPixelCentre.x;
+    std::int64_t sy = std::int64_t{y} * kSubpixel + raster::kPixelCentre.y;
+    std::array<std::int64_t, 3> e{};
+    const auto evaluate = [&] {
+        for (int i = 0; i < 3; ++i)
+            e[static_cast<std::size_t>(i)] = s.edges.at(i, sx, sy);
+    };
+    evaluate();
+    const bool centre =
+        f.sample == kCentre || (s.exact && ((e[0] + s.edges.bias[0]) | (e[1] + s.edges.bias[1]) |
+                                            (e[2] + s.edges.bias[2])) >= 0);
+    if (!centre) {
+        const raster::SampleOffset at = tile.pattern()[f.sample];
+        sx += at.x - raster::kPixelCentre.x;
+        sy += at.y - raster::kPixelCentre.y;
+        evaluate();
+    }
+    const auto px = static_cast<double>(sx) / kSubpixel, py = static_cast<double>(sy) / kSubpixel;
+    for (std::size_t i = 0; i < 3; ++i) {
+        b.vertex[i][lane] = s.vertex[i];
+        b.inverse_w[i][lane] = s.inverse_w[i];
+        b.facing[i][lane] = s.facing[i];
+        b.area[i][lane] = static_cast<float>(e[i]);
+    }
+    if (!s.exact) {
+        std::array<double, 3> w{};
+        for (std::size_t i = 0; i < 3; ++i)
+            w[i] = std::max(0.0, (s.homogeneous[i].x * px + s.homogeneous[i].y * py) +
+                                     s.homogeneous[i].z);
+        const double largest = std::max({w[0], w[1], w[2]});
+        for (std::size_t i = 0; i < 3; ++i)
+            b.area[i][lane] = static_cast<float>(largest > 0 ? w[i] / largest : 1.0);
+    }
+    b.ray_x[lane] = static_cast<float>(px) * in.ray_scale_x + in.ray_offset_x;
+    b.ray_y[lane] = static_cast<float>(py) * in.ray_scale_y + in.ray_offset_y;
+}
+
+void Gatherer::flush(const raster::VisibilityTile& tile, const GatherInput& in, std::size_t first,
+                     std::size_t last, TileColour& out) {
+    Block& b = *block_;
+    b.count = static_cast<int>(last - first);
+    const Fragment& head = fragments_[first];
+    b.lit = head.lit;
+    b.material = head.material >= 0 ? &in.materials[static_cast<std::size_t>(head.material)]
+                                    : &default_material();
+    const std::int32_t texture = b.material->map_diffuse.texture;
+    b.texture = texture >= 0 && head.lit && in.frame->attributes.uv
+                    ? &in.textures[static_cast<std::size_t>(texture)]
+                    : nullptr;
+    for (int lane = 0; lane < b.count; ++lane)
+        fill_lane(tile, in, fragments_[first + static_cast<std::size_t>(lane)], lane);
+    for (const Stage* stage : in.stages)
+        stage->run(b, *in.frame);
+    const float share = 1.0F / static_cast<float>(tile.samples());
+    for (int lane = 0; lane < b.count; ++lane) {
+        const Fragment& f = fragments_[first + static_cast<std::size_t>(lane)];
+        const float weight = static_cast<float>(f.weight) * share;
+        out.red[f.pixel] += b.colour[0][lane] * weight;
+        out.green[f.pixel] += b.colour[1][lane] * weight;
+        out.blue[f.pixel] += b.colour[2][lane] * weight;
+        out.covered[f.pixel] = static_cast<std::uint8_t>(out.covered[f.pixel] + f.weight);
+    }
+}
+
+std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
+                              TileColour& out) {
+    constexpr auto kPixels = static_cast<std::size_t>(kTileSize * kTileSize);
+    for (auto* channel : {&out.red, &out.green, &out.blue})
+        channel->assign(kPixels, 0.0F);
+    out.covered.assign(kPixels, 0);
+    for (PrimitiveSetup& s : cache_)
+        s.id = raster::kNoPrimitive; // ids mean another frame's triangles
+    collect(tile, in);
+    for (std::size_t first = 0; first < fragments_.size();) {
+        std::size_t last = first;
+        const Fragment& head = fragments_[first];
+        while (last < fragments_.size() && last - first < kLanes &&
+               fragments_[last].lit == head.lit && fragments_[last].material == head.material)
+            ++last;
+        flush(tile, in, first, last, out);
+        first = last;
+    }
+    return fragments_.size();
+}
+
+} // namespace scanout::shade
