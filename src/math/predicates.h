@@ -10,4 +10,4 @@ namespace scanout {
 // 0 when collinear. Exact for all finite inputs whose products neither overflow nor underflow.
 int orient2d(const DVec2& a, const DVec2& b, const DVec2& c);
 
-}  // namespace scanout
+} // namespace scanout

@@ -19,4 +19,4 @@ double determinant(const DMat3& m);
 // v / |v|; a zero, NaN or infinite vector gives `fallback`.
 DVec3 normalized(const DVec3& v, const DVec3& fallback = DVec3(0, 0, 1));
 
-}  // namespace scanout
+} // namespace scanout

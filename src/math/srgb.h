@@ -1,12 +1,46 @@
 // sRGB (IEC 61966-2-1): linear light <-> 8-bit codes. Decode is the correctly rounded value of the
-// formula; encode is the nearest code (0.5 code plus rounding of the thresholds; D3D allows 0.6).
+// formula; encode is the nearest code, exactly (D3D 3.2.3.7 allows 0.6 code). Both are table
+// look-ups, inline because they run for every texel and pixel; the compiler computes the tables
+// with our pow.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 namespace scanout {
 
-float srgb_decode(std::uint8_t code);        // linear light in [0, 1]; 0 -> 0 and 255 -> 1 exactly
-std::uint8_t srgb_encode(float linear);      // clamps to [0, 1]; NaN gives 0; monotone
+namespace detail {
 
-}  // namespace scanout
+// Every float in [2^-13, 1) by its exponent and upper 7 fraction bits: a bucket so narrow that at
+// most one code begins inside it.
+inline constexpr float kSrgbLowest = 0x1p-13F;        // still code 0
+inline constexpr float kSrgbHighest = 0x1.fffffep-1F; // already code 255
+inline constexpr int kSrgbBucketShift = 16;
+inline constexpr int kSrgbBuckets = 13 * 128;
+
+struct SrgbTables {
+    float decode[256];
+    float first_of_code[257];               // the least float that has the code; [256] is infinity
+    std::uint8_t bucket_code[kSrgbBuckets]; // the code of the bucket's first float
+};
+extern const SrgbTables kSrgb;
+
+} // namespace detail
+
+// Linear light in [0, 1]; 0 -> 0 and 255 -> 1 exactly.
+inline float srgb_decode(std::uint8_t code) {
+    return detail::kSrgb.decode[code];
+}
+
+// Clamps to [0, 1]; NaN gives 0; monotone.
+inline std::uint8_t srgb_encode(float linear) {
+    using namespace detail;
+    float x = linear > kSrgbLowest ? linear : kSrgbLowest; // NaN is not greater
+    x = x < kSrgbHighest ? x : kSrgbHighest;
+    const std::uint32_t offset =
+        std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kSrgbLowest);
+    const unsigned code = kSrgb.bucket_code[offset >> kSrgbBucketShift];
+    return static_cast<std::uint8_t>(code + (x >= kSrgb.first_of_code[code + 1] ? 1U : 0U));
+}
+
+} // namespace scanout

@@ -30,4 +30,4 @@ inline V cross3(const V& a, const V& b) {
     return V(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
 }
 
-}  // namespace scanout
+} // namespace scanout

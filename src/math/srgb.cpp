@@ -1,0 +1,45 @@
+#include "math/srgb.h"
+
+#include "math/exp_log.h"
+
+#include <limits>
+
+namespace scanout::detail {
+namespace {
+
+// The decoding formula; encoded is a code / 255.
+constexpr double linear_light(double encoded) {
+    if (encoded == 0) return 0;
+    return encoded <= 0.04045 ? encoded / 12.92 : pow_positive((encoded + 0.055) / 1.055, 2.4);
+}
+
+constexpr float least_float_not_below(double x) {
+    const auto nearest = static_cast<float>(x);
+    if (nearest >= x) return nearest;
+    return std::bit_cast<float>(std::bit_cast<std::uint32_t>(nearest) + 1);
+}
+
+constexpr SrgbTables make_tables() {
+    SrgbTables tables = {};
+    for (int code = 0; code < 256; ++code) {
+        tables.decode[code] = static_cast<float>(linear_light(code / 255.0));
+        tables.first_of_code[code] =
+            code == 0 ? 0 : least_float_not_below(linear_light((code - 0.5) / 255.0));
+    }
+    tables.first_of_code[256] = std::numeric_limits<float>::infinity();
+    int code = 0;
+    for (int bucket = 0; bucket < kSrgbBuckets; ++bucket) {
+        const std::uint32_t bits = std::bit_cast<std::uint32_t>(kSrgbLowest) +
+                                   (static_cast<std::uint32_t>(bucket) << kSrgbBucketShift);
+        while (std::bit_cast<float>(bits) >= tables.first_of_code[code + 1])
+            ++code;
+        tables.bucket_code[bucket] = static_cast<std::uint8_t>(code);
+    }
+    return tables;
+}
+
+} // namespace
+
+constexpr SrgbTables kSrgb = make_tables();
+
+} // namespace scanout::detail
