@@ -1,5 +1,6 @@
 # shellcheck shell=bash disable=SC2034  # the lists are read by name
-# Debian packages by purpose, and `need PURPOSE...`, which installs what is missing. Sourced by ./run and ./test.
+# Debian packages by purpose, and `need PURPOSE...`, which installs what is missing. Sourced by ./run, ./test and
+# tests/vm/fetch.sh.
 # The libraries are those of cmake/dependencies.cmake and tests/CMakeLists.txt; versions are Debian 12's.
 
 packages_build=(
@@ -12,7 +13,7 @@ packages_build=(
 packages_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev python3)
 packages_clang=(clang-14 libclang-rt-14-dev)
 packages_lint=(clang-format-14 clang-tidy-14)
-packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod cpio binutils python3)
+packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)
 
 # Prints the packages of the purposes that are not installed.
 missing_packages() {
@@ -26,6 +27,9 @@ missing_packages() {
         [[ $have == *$'\n'"installed $purpose"$'\n'* ]] || echo "$purpose"
     done
 }
+
+as_root=()
+[ "$(id -u)" = 0 ] || as_root=(sudo)
 
 # apt_get ARGS...: quiet, without questions, as root; the output is shown only if it fails.
 apt_get() {
@@ -41,7 +45,7 @@ apt_get() {
 # need PURPOSE...: everything is installed afterwards, or the reason stands on stderr and the status is 1.
 # Uses no network when nothing is missing.
 need() {
-    local missing as_root=() how=apt-get
+    local missing
     if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
         command -v cmake >/dev/null && command -v ninja >/dev/null && return 0 # CMake names what it misses
         echo "scanout: this system has no apt-get: packages are installed by themselves on Debian 12 only." \
@@ -50,22 +54,19 @@ need() {
     fi
     mapfile -t missing < <(missing_packages "$@")
     [ ${#missing[@]} = 0 ] && return 0
-    if [ "$(id -u)" != 0 ]; then
-        if ! command -v sudo >/dev/null; then
-            echo "scanout: packages are missing, and there is neither root nor sudo to install them." \
-                "As root: apt-get install --no-install-recommends ${missing[*]}" >&2
-            return 1
-        fi
-        as_root=(sudo) how="sudo apt-get"
+    if [ ${#as_root[@]} != 0 ] && ! command -v sudo >/dev/null; then
+        echo "scanout: packages are missing, and there is neither root nor sudo to install them." \
+            "As root: apt-get install --no-install-recommends ${missing[*]}" >&2
+        return 1
     fi
-    echo "scanout: installing ${#missing[@]} packages by $how: ${missing[*]}" >&2
+    echo "scanout: installing ${#missing[@]} packages by ${as_root[*]:+sudo }apt-get: ${missing[*]}" >&2
     if compgen -G '/var/lib/apt/lists/*_Packages*' >/dev/null &&
         apt_get install --no-install-recommends "${missing[@]}" 2>/dev/null; then
         return 0
     fi
     # No package lists yet, or too old ones.
     if ! apt_get update || ! apt_get install --no-install-recommends "${missing[@]}"; then
-        echo "scanout: $how could not install ${missing[*]} (see above)" >&2
+        echo "scanout: apt-get could not install ${missing[*]} (see above)" >&2
         return 1
     fi
 }
