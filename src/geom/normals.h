@@ -1,17 +1,27 @@
-// Missing normals: the sum of the adjoining faces' unit normals, weighted by the angle at the corner
-// (Thürmer and Wüthrich 1998), split by smoothing group or crease angle. The sum is taken in 64-bit
-// fixed point, so it does not depend on the order of the faces.
+// Missing normals: the sum of the adjoining faces' unit normals, weighted by the angle at the
+// corner (Thürmer and Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), split by
+// smoothing group or crease angle. The sum is taken in 64-bit fixed point, so it does not depend on
+// the order of the faces.
 #pragma once
 
 #include "geom/polygon_mesh.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace scanout::geom {
 
-// One unit normal for every corner of `polygons` (in the order of its corners), whether or not the
-// file gives one. Corners of degenerate faces get (0, 0, 1) when nothing better is known.
-std::vector<Vec3> corner_normals(const PolygonMesh& polygons, double crease_degrees);
+// Gives every corner of the usable faces a unit normal (to 1e-6, never NaN): Corner::normal becomes
+// an index into polygons.normals, which is normalised in place and grows by the normals made.
+//
+// - A normal of the file is kept where it is finite and not zero; others are made.
+// - Faces share a normal at a common position (by index) when they have the same smoothing group;
+// when
+//   no group is set, each corner takes the sum over all faces whose normal is within the crease
+//   angle of its own face's. kSmoothingOff gives the face's normal.
+// - Degenerate faces add nothing. A sum of zero gives the face's normal, and that of zero (0, 0,
+// 1).
+//
+// positions of usable faces must be finite and within [-1, 1] (as Framing::normalise makes them).
+void make_normals(PolygonMesh& polygons, const std::vector<bool>& usable, double crease_degrees);
 
-}  // namespace scanout::geom
+} // namespace scanout::geom

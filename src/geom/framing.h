@@ -1,0 +1,28 @@
+// Where a model is and how large: the framing sphere about the middle of the bounding box, and the
+// shift and power of two that bring it to unit size. By min and max alone, so that no order of the
+// vertices moves it; works from denormal extents to the largest doubles.
+#pragma once
+
+#include "math/vec.h"
+
+#include <vector>
+
+namespace scanout::geom {
+
+// normalised = (file units - centre) * 2^-exponent
+struct Framing {
+    DVec3 box_min{0}, box_max{0}; // file units
+    DVec3 centre{0};              // file units
+    int exponent = 0;
+    double radius = 0.5; // normalised, in [0.5, 1]; 0.5 for no extent
+
+    DVec3 normalise(const DVec3& file_units) const;
+};
+
+// From the positions with used[i] set; from all, when none is. Positions that are not finite are
+// left out.
+Framing framing_of(const std::vector<DVec3>& positions, const std::vector<bool>& used);
+
+bool is_finite(const DVec3& v);
+
+} // namespace scanout::geom
