@@ -50,7 +50,7 @@ public:
     virtual tl::expected<int, int> open_device(const std::string& path) = 0;
     virtual void close_device(int fd) = 0;
 
-    virtual int event_fd() const = 0;  // -1: nothing to wait for
+    virtual int event_fd() const = 0; // -1: nothing to wait for
     // Learns of switches. An error means that the seat is gone and the program must end.
     virtual Result<void> dispatch() = 0;
 
@@ -65,7 +65,7 @@ public:
     virtual Result<void> text() = 0;
     virtual Result<void> graphics() = 0;
 
-    virtual std::string description() const = 0;  // "libseat on tty3"
+    virtual std::string description() const = 0; // "libseat on tty3"
     // True when the console is in graphics mode: nothing else draws on a frame buffer.
     virtual bool has_console() const = 0;
 
@@ -80,9 +80,10 @@ private:
     std::uint64_t activations_ = 0;
 };
 
-// Opens the best seat there is; never fails, since devices may be open to us without one. `notes`:
-// one line for each kind that was refused and why, for --verbose and for error messages.
+// Opens the best seat there is: libseat, the console itself, or none (devices may be open to us all
+// the same). `notes`: one line for each kind that was refused and why, for --verbose and for error
+// messages. Fails (Exit::no_display) when another program draws on this console.
 // Must be called before any thread exists: libseat's built-in server is a fork of this process.
-std::unique_ptr<Seat> open_seat(std::vector<std::string>& notes);
+Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes);
 
-}  // namespace scanout::console
+} // namespace scanout::console

@@ -2,10 +2,14 @@
 // behind one Input. Create it first thing in main (before threads: see open), destroy it last.
 #pragma once
 
+#include "platform/console_input.h"
+#include "platform/libinput.h"
 #include "platform/seat.h"
 #include "platform/signals.h"
+#include "platform/terminal.h"
 #include "port/input.h"
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,11 +18,11 @@ namespace scanout::console {
 
 class Session final : public port::Input {
 public:
-    // Takes the seat and puts the console into graphics mode. Blocks the signals that end or suspend
-    // a program (they arrive as Events), so it must run before any thread exists. From here on the
-    // console's text comes back on every way out of the process: destruction, exit(), a fatal
-    // signal; a small guard process restores it after SIGKILL.
-    // Exit::no_display when this machine has neither /dev/dri/card* nor /dev/fb*.
+    // Takes the seat and puts the console into graphics mode. Blocks the signals that end or
+    // suspend a program (they arrive as Events), so it must run before any thread exists. From here
+    // on the console's text comes back on every way out of the process: destruction, exit(), a
+    // fatal signal; a small guard process restores it after SIGKILL. Exit::no_display when this
+    // machine has neither /dev/dri/card* nor /dev/fb*.
     static Result<std::unique_ptr<Session>> open();
     ~Session() override;
 
@@ -29,29 +33,35 @@ public:
     Result<void> open_input();
 
     // Gives the console back to the shell and stops the process until it is continued (Ctrl-Z).
-    // Call on EventKind::suspend.
-    Result<void> suspend();
+    // Call on EventKind::suspend. Appends the releases of what was held.
+    Result<void> suspend(std::vector<port::Event>& events);
 
     int event_fd() const override { return epoll_.get(); }
-    // quit and suspend come from signals too. Ctrl-Alt-Fn switches the console and is not passed on.
+    // quit and suspend come from signals too. Ctrl-Alt-Fn switches the console and is not passed
+    // on.
     Result<void> dispatch(std::vector<port::Event>& events) override;
-    std::string description() const override;  // seat and input
+    std::string description() const override; // seat and input
 
     // What was tried and why it was not used; one line each, for --verbose.
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:
     Session() = default;
+    std::array<ConsoleInput*, 2> inputs() const { return {libinput_.get(), terminal_.get()}; }
     void watch(int fd) const;
-    Result<void> follow_seat();
-    void switch_consoles(std::vector<port::Event>& events, std::size_t first);
+    void unwatch(int fd) const;
+    Result<void> route_keys();
+    Result<void> pause(std::vector<port::Event>& events);
+    Result<void> resume();
 
     Fd epoll_;
     Signals signals_;
     std::unique_ptr<Seat> seat_;
-    std::unique_ptr<port::Input> input_;
-    bool input_paused_ = false;
+    std::unique_ptr<Libinput> libinput_;
+    std::unique_ptr<ConsoleInput> terminal_;
+    bool routed_ = false, keyboard_ = false; // keys come from a keyboard, not from the terminal
+    bool paused_ = false;
     std::vector<std::string> notes_;
 };
 
-}  // namespace scanout::console
+} // namespace scanout::console

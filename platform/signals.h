@@ -27,4 +27,4 @@ private:
     Fd fd_;
 };
 
-}  // namespace scanout::console
+} // namespace scanout::console

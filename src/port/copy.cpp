@@ -23,4 +23,4 @@ void copy_damage(const image::PixelFormat& format, const image::Image& frame,
     }
 }
 
-}  // namespace scanout::port
+} // namespace scanout::port

@@ -16,4 +16,4 @@ namespace scanout::port {
 void copy_damage(const image::PixelFormat& format, const image::Image& frame,
                  std::span<const image::Rect> damage, std::uint8_t* out, std::size_t pitch);
 
-}  // namespace scanout::port
+} // namespace scanout::port

@@ -12,7 +12,7 @@
 namespace scanout::port {
 
 struct DisplayInfo {
-    std::string name;  // "DRM card0 Virtual-1 (virtio_gpu)", for the info line and --verbose
+    std::string name; // "DRM card0 Virtual-1 (virtio_gpu)", for the info line and --verbose
     int width = 0, height = 0;
     image::PixelFormat format;
     double refresh_hz = 60;
@@ -29,10 +29,12 @@ public:
     // Shows `frame` (of the display's size). `damage`: the rectangles that differ from the frame
     // presented last; empty means nothing differs. The first frame and the first one after
     // lost() == true are always shown whole. Call only when ready().
-    virtual Result<void> present(const image::Image& frame, std::span<const image::Rect> damage) = 0;
+    virtual Result<void> present(const image::Image& frame,
+                                 std::span<const image::Rect> damage) = 0;
 
-    // True when ready() follows the display's refresh, so that waiting for it paces the loop. False:
-    // the loop holds the pace itself, by a timer of info().refresh_hz. Known after the first frames.
+    // True when ready() follows the display's refresh, so that waiting for it paces the loop.
+    // False: the loop holds the pace itself, by a timer of info().refresh_hz. Known after the first
+    // frames.
     virtual bool paced() const = 0;
 
     // A descriptor to wait on for reading, -1 when there is none; dispatch() is called when it is
@@ -46,4 +48,4 @@ public:
     virtual bool lost() const = 0;
 };
 
-}  // namespace scanout::port
+} // namespace scanout::port

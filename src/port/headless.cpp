@@ -10,8 +10,8 @@ Result<HeadlessDisplay> HeadlessDisplay::create(int width, int height,
                                                 double refresh_hz) {
     constexpr int kMaxSide = 16384;
     if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide)
-        return fail(Exit::usage, "a headless display of {}x{} pixels: each side must be 1 to {}", width,
-                    height, kMaxSide);
+        return fail(Exit::usage, "a headless display of {}x{} pixels: each side must be 1 to {}",
+                    width, height, kMaxSide);
     TRY_VOID(image::check(format));
     DisplayInfo info{fmt::format("headless {}x{} {}", width, height, image::name_of(format)), width,
                      height, format, refresh_hz};
@@ -41,4 +41,4 @@ image::Image HeadlessDisplay::shown() const {
     return shown;
 }
 
-}  // namespace scanout::port
+} // namespace scanout::port

@@ -38,4 +38,4 @@ private:
     std::size_t frames_ = 0;
 };
 
-}  // namespace scanout::port
+} // namespace scanout::port

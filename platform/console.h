@@ -1,0 +1,46 @@
+// A virtual terminal of the kernel (/dev/ttyN): graphics mode, keyboard mode, who is shown.
+#pragma once
+
+#include "base/fd.h"
+#include "base/result.h"
+#include "platform/restore.h"
+
+namespace scanout::console {
+
+class Console {
+public:
+    // The VT that is on the screen (needs the rights to open it), and the one that our standard
+    // streams or controlling terminal are. Neither changes anything. Errors: Exit::no_display.
+    static Result<Console> open_active();
+    static Result<Console> open_own();
+
+    int number() const { return number_; }
+    int fd() const { return fd_.get(); }
+    int keyboard_mode() const { return keyboard_mode_; } // to be restored
+    bool shown() const;                                  // it is the VT on the screen
+    bool in_graphics_mode() const; // somebody draws on it, or has died doing so
+
+    // One scanout a console: two built-in seat servers would not see each other, and the first to
+    // quit would take the screen from under the second. Exit::no_display when it is taken.
+    Result<void> lock();
+
+    // graphics() remembers the way back for every exit path (restore.h) and sets KD_GRAPHICS;
+    // text() goes that way back. text_for_a_while() leaves switching to whoever answers for it.
+    Result<void> graphics();
+    void text();
+    void text_for_a_while();
+    // Muted (K_OFF), typed keys reach neither a shell nor the kernel's own key combinations.
+    void set_keyboard(bool on);
+
+private:
+    Console(Fd fd, int number, int keyboard_mode)
+        : fd_(std::move(fd)), number_(number), keyboard_mode_(keyboard_mode) {}
+    static Result<Console> adopt(Fd fd);
+    ConsoleState state() const { return {fd_.get(), keyboard_mode_}; }
+
+    Fd fd_, lock_;
+    int number_ = 0;
+    int keyboard_mode_ = 0;
+};
+
+} // namespace scanout::console

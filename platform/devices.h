@@ -1,0 +1,29 @@
+// What the kinds of seat share: opening device nodes, and DRM master as it comes and goes.
+#pragma once
+
+#include "base/result.h"
+
+#include <map>
+#include <string>
+
+namespace scanout::console {
+
+// open(2) for reading and writing, not blocking; the error is the errno.
+tl::expected<int, int> open_device_node(const std::string& path);
+
+// The cards among the open devices: a switch of the console takes their master and gives it back.
+class Cards {
+public:
+    void opened(const std::string& path, int fd);
+    void closed(int fd) { paths_.erase(fd); }
+    void set_master() const;
+    void drop_master() const;
+
+private:
+    std::map<int, std::string> paths_;
+};
+
+// Is some other process drawing on a card of this machine right now?
+bool a_card_has_another_master();
+
+} // namespace scanout::console
