@@ -31,4 +31,4 @@ struct Format {
 };
 std::span<const Format> formats();
 
-}  // namespace scanout::io
+} // namespace scanout::io

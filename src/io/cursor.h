@@ -1,0 +1,88 @@
+// A place in a text file, read statement by statement without copying: blanks, line ends (LF, CRLF,
+// CR alone), continuation lines (a backslash before the line end) and line numbers are known here,
+// what the statements mean is not. OBJ and MTL share it.
+#pragma once
+
+#include "io/number.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace scanout::io {
+
+struct Cursor {
+    const char* at;
+    const char* end;
+    std::size_t line = 1;
+    std::size_t nul_line = 0; // the first line with a NUL byte, 0: none. NUL reads as a blank
+
+    explicit Cursor(std::string_view text) : at(text.data()), end(text.data() + text.size()) {}
+
+    bool done() const { return at == end; }
+    bool at_line_end() const { return at == end || *at == '\n' || *at == '\r'; }
+    // A comment may follow a statement's last number.
+    bool at_statement_end() const { return at_line_end() || *at == '#'; }
+
+    static bool is_blank(char c) {
+        return c == ' ' || c == '\t' || c == '\0' || c == '\v' || c == '\f';
+    }
+
+    // Moves to the next word of the statement, over continuation lines.
+    void skip_blanks() {
+        while (at != end) {
+            if (*at == ' ' || *at == '\t')
+                ++at;
+            else if (static_cast<unsigned char>(*at) > ' ' && *at != '\\')
+                return;
+            else if (!skip_rare_blank())
+                return;
+        }
+    }
+
+    // Goes behind the line end that the cursor stands at. CR LF is one line end.
+    void next_line() {
+        if (at == end) return;
+        const bool cr = *at++ == '\r';
+        if (cr && at != end && *at == '\n') ++at;
+        ++line;
+    }
+
+    // Moves towards the line end, over at most `limit` bytes; true when it is reached. A backslash
+    // at the end does not continue a comment: its last byte may be half of a GBK character.
+    bool skip_to_line_end(std::size_t limit) {
+        const char* stop = static_cast<std::size_t>(end - at) > limit ? at + limit : end;
+        while (at != stop && *at != '\n' && *at != '\r')
+            ++at;
+        return at_line_end();
+    }
+
+    // The characters up to the next blank or line end.
+    std::string_view word() {
+        const char* begin = at;
+        while (!at_line_end() && !is_blank(*at))
+            ++at;
+        return {begin, static_cast<std::size_t>(at - begin)};
+    }
+
+    // A number that ends where its word ends. On a fault the cursor stays before the number.
+    NumberFault number(double& value) {
+        const char* begin = at;
+        const NumberFault fault = read_number(at, end, value);
+        if (fault != NumberFault::none) return fault;
+        if (at_statement_end() || is_blank(*at) || *at == '\\') return NumberFault::none;
+        at = begin;
+        return NumberFault::not_a_number;
+    }
+
+    // The rest of the statement, continuation lines joined, without blanks at its ends. Names
+    // longer than kLongestName are cut.
+    static constexpr std::size_t kLongestName = 65536;
+    std::string rest();
+
+private:
+    bool skip_rare_blank();
+    bool skip_continuation();
+};
+
+} // namespace scanout::io

@@ -1,0 +1,91 @@
+#include "io/find_file.h"
+
+#include "io/text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <system_error>
+
+namespace scanout::io {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestPath = 4095; // PATH_MAX of Linux without its NUL
+
+bool exists(const std::string& path) {
+    std::error_code error;
+    return fs::exists(path, error);
+}
+
+std::string join(const std::string& folder, std::string_view name) {
+    if (folder.empty() || name.starts_with('/')) return std::string(name);
+    return folder.back() == '/' ? folder + std::string(name) : folder + '/' + std::string(name);
+}
+
+std::string with_slashes(std::string_view name) {
+    std::string out(name);
+    std::replace(out.begin(), out.end(), '\\', '/');
+    return out;
+}
+
+} // namespace
+
+std::string folder_of(const std::string& path) {
+    const std::size_t slash = path.rfind('/');
+    if (slash == std::string::npos) return "";
+    return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+// Of several entries that differ in case alone the first in byte order is meant.
+std::optional<std::string> FileFinder::entry_in_any_case(const std::string& folder,
+                                                         std::string_view name) {
+    if (name == "." || name == ".." || exists(join(folder, name))) return std::string(name);
+    const auto [known, is_new] = folders_.try_emplace(folder);
+    if (is_new) {
+        std::error_code error;
+        fs::directory_iterator entries(folder.empty() ? "." : folder, error);
+        for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
+            const std::string entry = entries->path().filename().string();
+            const auto [same, first] = known->second.try_emplace(lower_case(entry), entry);
+            if (!first && entry < same->second) same->second = entry;
+        }
+    }
+    const auto found = known->second.find(lower_case(name));
+    return found == known->second.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<std::string> FileFinder::find(const std::string& folder, std::string_view name) {
+    if (name.empty() || name.size() > kLongestPath || name.find('\0') != std::string_view::npos)
+        return std::nullopt;
+    if (std::string path = join(folder, name); exists(path)) return path;
+    const std::string slashed = with_slashes(name);
+    if (slashed.front() == '/') return exists(slashed) ? std::optional(slashed) : std::nullopt;
+    std::string path = folder;
+    for (std::size_t begin = 0; begin < slashed.size();) {
+        const std::size_t end = std::min(slashed.find('/', begin), slashed.size());
+        if (end > begin) {
+            const auto entry =
+                entry_in_any_case(path, std::string_view(slashed).substr(begin, end - begin));
+            if (!entry) return std::nullopt;
+            path = join(path, *entry);
+        }
+        begin = end + 1;
+    }
+    return exists(path) ? std::optional(path) : std::nullopt;
+}
+
+std::optional<std::string> FileFinder::find_anywhere(const std::string& folder,
+                                                     const std::string& other_folder,
+                                                     std::string_view name) {
+    const std::string slashed = with_slashes(name);
+    const std::string bare = slashed.substr(slashed.rfind('/') + 1);
+    for (const std::string_view wanted : {name, std::string_view(bare)}) {
+        if (auto path = find(folder, wanted)) return path;
+        if (other_folder != folder)
+            if (auto path = find(other_folder, wanted)) return path;
+    }
+    return std::nullopt;
+}
+
+} // namespace scanout::io

@@ -1,0 +1,125 @@
+#include "io/load.h"
+
+#include "base/mapping.h"
+#include "io/materials.h"
+#include "io/obj.h"
+#include "io/text.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace scanout::io {
+namespace {
+
+constexpr std::array kFormats = {
+    Format{".obj", "Wavefront OBJ with MTL materials: polygons, lines, points"},
+};
+
+// What every reader hands on to the common end.
+struct Parts {
+    geom::PolygonMesh polygons;
+    Materials materials;
+    scene::ModelCounts counts;
+};
+
+std::string extension_of(const std::string& path) {
+    const std::string name = path.substr(path.rfind('/') + 1);
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string::npos ? "" : lower_case(std::string_view(name).substr(dot));
+}
+
+std::string known_extensions() {
+    std::string text;
+    for (const Format& format : kFormats)
+        text += fmt::format(" {}", format.extension);
+    return text;
+}
+
+void use_materials(geom::PolygonMesh& polygons, const std::vector<std::int32_t>& of_name) {
+    for (auto* materials :
+         {&polygons.face_material, &polygons.line_material, &polygons.point_material})
+        for (std::int32_t& material : *materials)
+            if (material >= 0) material = of_name[static_cast<std::size_t>(material)];
+}
+
+Result<Parts> read_obj_parts(std::string_view file, const std::string& path, Warnings& warnings,
+                             const std::function<bool(double)>& progress) {
+    TRY(ObjFile obj, read_obj(file, path, warnings, progress));
+    Parts parts;
+    parts.materials = load_materials(obj, path, warnings);
+    use_materials(obj.polygons, parts.materials.of_name);
+    parts.counts.vertices = obj.polygons.positions.size();
+    parts.counts.faces = obj.polygons.faces();
+    parts.counts.lines = obj.polygons.line_begin.size();
+    parts.counts.points = obj.polygons.point_vertices.size();
+    parts.counts.skipped = obj.skipped;
+    parts.polygons = std::move(obj.polygons);
+    return parts;
+}
+
+Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings& warnings) {
+    const std::string extension = extension_of(path);
+    const auto known = std::find_if(kFormats.begin(), kFormats.end(),
+                                    [&](const Format& f) { return f.extension == extension; });
+    TRY(Mapping file, Mapping::open(path));
+    if (known == kFormats.end()) {
+        if (const auto reason = not_a_text_model(file.text()))
+            return fail(Exit::unreadable, "{}: {}", path, *reason);
+        return fail(Exit::unreadable, "{}: the extension '{}' is not known; known are{}", path,
+                    shown(extension), known_extensions());
+    }
+    // What is read leaves memory at once: the file never stands beside its mesh.
+    const std::function<bool(double)> progress = [&](double share) {
+        file.drop_before(static_cast<std::size_t>(share * static_cast<double>(file.size())));
+        return !options.progress || options.progress(share);
+    };
+    TRY(Parts parts, read_obj_parts(file.text(), path, warnings, progress));
+    parts.counts.bytes = file.size() + parts.materials.bytes;
+    return parts;
+}
+
+Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& options,
+                                   Warnings& warnings) {
+    TRY(Parts parts, read(path, options, warnings));
+    if (options.progress && !options.progress(1))
+        return fail(Exit::unreadable, "{}: loading was cancelled", path);
+    geom::BuildResult built =
+        geom::build_mesh(std::move(parts.polygons), options.build, path, warnings);
+    scene::Scene scene;
+    scene.path = path;
+    scene.mesh = std::move(built.mesh);
+    scene.materials = std::move(parts.materials.materials);
+    scene.textures = std::move(parts.materials.textures);
+    scene.counts = parts.counts;
+    scene.counts.faces -= built.skipped_faces;
+    scene.counts.lines -= built.skipped_lines;
+    scene.counts.points -= built.skipped_points;
+    scene.counts.skipped += built.skipped_faces + built.skipped_lines + built.skipped_points;
+    scene.counts.triangles = scene.mesh.triangles();
+    if (scene.mesh.position.empty())
+        return fail(Exit::unreadable, "{}: holds nothing that can be drawn", path);
+    return scene;
+}
+
+} // namespace
+
+Result<scene::Scene> load(const std::string& path, const LoadOptions& options, Warnings& warnings) {
+    try {
+        return load_or_throw(path, options, warnings);
+    } catch (const std::bad_alloc&) {
+        return fail(Exit::unreadable, "{}: is too large for this machine's memory", path);
+    } catch (const std::exception& error) {
+        return fail(Exit::internal, "{}: {}", path, error.what());
+    }
+}
+
+std::span<const Format> formats() {
+    return kFormats;
+}
+
+} // namespace scanout::io

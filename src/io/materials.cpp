@@ -1,0 +1,273 @@
+#include "io/materials.h"
+
+#include "base/mapping.h"
+#include "image/codec.h"
+#include "io/find_file.h"
+#include "io/mtl.h"
+#include "io/text.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+#include <unordered_map>
+
+#include <fmt/format.h>
+
+namespace scanout::io {
+namespace {
+
+// Bounds on what one model may make us look up; no honest file comes near.
+constexpr std::size_t kMostLibraries = 256;
+constexpr std::size_t kMostTextures = 4096;
+constexpr std::size_t kMostWordsPerLibraryLine = 16;
+constexpr std::size_t kTextureWarnings = 20; // told one by one, the rest together
+
+std::string canonical(const std::string& path) {
+    std::error_code error;
+    const auto real = std::filesystem::canonical(path, error);
+    return error ? path : real.string();
+}
+
+// The words of a mtllib statement: where each begins and ends in it. "quoted words" and words with
+// "\ " inside are one.
+struct Word {
+    std::size_t begin, end;
+};
+
+std::vector<Word> words_of(const std::string& text) {
+    std::vector<Word> words;
+    for (std::size_t i = text.find_first_not_of(" \t");
+         i < text.size() && words.size() < kMostWordsPerLibraryLine;
+         i = text.find_first_not_of(" \t", i)) {
+        const std::size_t begin = i;
+        const std::size_t quote = text[i] == '"' ? text.find('"', i + 1) : std::string::npos;
+        if (quote != std::string::npos)
+            i = quote + 1;
+        else
+            for (; i < text.size() && (text[i] != ' ' || text[i - 1] == '\\') && text[i] != '\t';
+                 ++i) {
+            }
+        words.push_back({begin, i});
+    }
+    return words;
+}
+
+// The name that text[begin, end) writes down, without quotes and without backslashes before blanks.
+std::string unquoted(const std::string& text, std::size_t begin, std::size_t end) {
+    std::string name = text.substr(begin, end - begin);
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"')
+        return name.substr(1, name.size() - 2);
+    for (std::size_t i = name.find("\\ "); i != std::string::npos; i = name.find("\\ ", i))
+        name.erase(i, 1);
+    return name;
+}
+
+class MaterialLoader {
+public:
+    MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings)
+        : obj_(obj), obj_path_(obj_path), folder_(folder_of(obj_path)), warnings_(warnings) {}
+
+    Materials load() {
+        read_libraries();
+        for (const NameAtLine& used : obj_.materials)
+            use(used);
+        name_what_is_not_drawn();
+        return std::move(out_);
+    }
+
+private:
+    struct Library {
+        std::string path;
+        std::vector<MtlMaterial> materials;
+        std::vector<std::string_view> not_drawn; // of the materials that are used
+    };
+    struct Place {
+        std::size_t library, material;
+    };
+
+    void read_libraries();
+    void read_library(const std::string& name, std::size_t line);
+    void use(const NameAtLine& used);
+    void name_what_is_not_drawn();
+    std::int32_t texture(const std::string& name, const std::string& library_path);
+    std::int32_t load_texture(const std::string& path, const std::string& library_path);
+    void texture_fault(const std::string& name, std::string line);
+
+    const ObjFile& obj_;
+    const std::string& obj_path_;
+    std::string folder_;
+    Warnings& warnings_;
+    Materials out_;
+    std::vector<Library> libraries_;
+    std::unordered_map<std::string, Place> places_;
+    FileFinder finder_;
+    std::set<std::string> seen_lines_, seen_libraries_;
+    bool library_missing_ = false;
+    std::unordered_map<std::string, std::int32_t>
+        textures_; // by folder and name, then by real path
+    std::uint64_t texture_bytes_ = 0;
+    std::size_t texture_faults_ = 0;
+};
+
+void MaterialLoader::read_libraries() {
+    for (const NameAtLine& line : obj_.libraries) {
+        if (!seen_lines_.insert(line.name).second) continue;
+        if (seen_lines_.size() > kMostLibraries || seen_libraries_.size() > kMostLibraries) {
+            library_missing_ = true;
+            warnings_.add("libraries",
+                          fmt::format("{}:{}: more than {} material libraries; the rest is ignored",
+                                      obj_path_, line.line, kMostLibraries));
+            return;
+        }
+        for (const std::string& name : library_names(finder_, folder_, line.name))
+            read_library(name, line.line);
+    }
+}
+
+// A library is read once, however often it is named; it cannot name others, so nothing can go in
+// circles.
+void MaterialLoader::read_library(const std::string& name, std::size_t line) {
+    const auto path = finder_.find_anywhere(folder_, folder_, name);
+    if (!seen_libraries_.insert(path ? canonical(*path) : name).second) return;
+    if (!path) {
+        library_missing_ = true;
+        warnings_.add("library",
+                      fmt::format("{}:{}: material library '{}' is not there; its materials are "
+                                  "drawn plain",
+                                  obj_path_, line, shown(name)));
+        return;
+    }
+    const auto file = Mapping::open(*path);
+    if (!file || not_a_text_model(file->text())) {
+        library_missing_ = true;
+        warnings_.add("library",
+                      fmt::format("{}:{}: {}; its materials are drawn plain", obj_path_, line,
+                                  file ? *path + ": is no material library" : file.error().what));
+        return;
+    }
+    Library& library = libraries_.emplace_back();
+    library.path = *path;
+    library.materials = read_mtl(file->text(), *path, warnings_);
+    out_.bytes += file->size();
+    if (library.materials.empty())
+        warnings_.add("empty library", fmt::format("{}: holds no material", *path));
+    for (std::size_t i = 0; i < library.materials.size(); ++i) {
+        const MtlMaterial& m = library.materials[i];
+        if (!places_.try_emplace(m.material.name, Place{libraries_.size() - 1, i}).second)
+            warnings_.add("material twice",
+                          fmt::format("{}:{}: material '{}' is defined already; the first "
+                                      "definition is used",
+                                      *path, m.line, shown(m.material.name)));
+    }
+}
+
+void MaterialLoader::use(const NameAtLine& used) {
+    const auto found = places_.find(used.name);
+    if (found == places_.end()) {
+        out_.of_name.push_back(-1);
+        if (!library_missing_) // else it is told already
+            warnings_.add("material",
+                          fmt::format("{}:{}: material '{}' is not defined; drawn plain", obj_path_,
+                                      used.line, shown(used.name)));
+        return;
+    }
+    Library& library = libraries_[found->second.library];
+    const MtlMaterial& m = library.materials[found->second.material];
+    for (const std::string_view what : m.not_drawn)
+        if (std::find(library.not_drawn.begin(), library.not_drawn.end(), what) ==
+            library.not_drawn.end())
+            library.not_drawn.push_back(what);
+    out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
+    scene::Material& material = out_.materials.emplace_back(m.material);
+    // The other maps stay names until something draws them: what is not used costs nothing.
+    if (material.map_diffuse.given())
+        material.map_diffuse.texture = texture(material.map_diffuse.path, library.path);
+}
+
+void MaterialLoader::name_what_is_not_drawn() {
+    for (const Library& library : libraries_)
+        if (!library.not_drawn.empty())
+            warnings_.add(library.path + " not drawn",
+                          fmt::format("{}: {} {} read but not drawn yet", library.path,
+                                      fmt::join(library.not_drawn, ", "),
+                                      library.not_drawn.size() == 1 ? "is" : "are"));
+}
+
+std::int32_t MaterialLoader::texture(const std::string& name, const std::string& library_path) {
+    const std::string folder = folder_of(library_path);
+    const auto [known, is_new] = textures_.try_emplace(folder + '\n' + name, -1);
+    if (!is_new) return known->second;
+    if (textures_.size() > 2 * kMostTextures) {
+        warnings_.add("textures", fmt::format("{}: more than {} textures; the rest is drawn plain",
+                                              library_path, kMostTextures));
+        return -1;
+    }
+    const auto path = finder_.find_anywhere(folder, folder_, name);
+    if (!path) {
+        texture_fault(name, fmt::format("{}: texture '{}' is not there; drawn plain", library_path,
+                                        shown(name)));
+        return -1;
+    }
+    const std::string real = canonical(*path);
+    const auto [loaded, first] = textures_.try_emplace(real, -1);
+    if (first) loaded->second = load_texture(*path, library_path);
+    return textures_[folder + '\n' + name] = textures_[real];
+}
+
+std::int32_t MaterialLoader::load_texture(const std::string& path,
+                                          const std::string& library_path) {
+    image::DecodeLimits limits;
+    limits.max_pixels =
+        std::min(limits.max_pixels, static_cast<std::int64_t>((kTextureBytes - texture_bytes_) /
+                                                              sizeof(image::Rgba8)));
+    auto picture = image::load(path, limits);
+    if (!picture) {
+        texture_fault(
+            path, fmt::format("{}: map_Kd: {}; drawn plain", library_path, picture.error().what));
+        return -1;
+    }
+    const std::uint64_t bytes = picture->pixels().size_bytes();
+    texture_bytes_ += bytes;
+    out_.bytes += bytes;
+    out_.textures.push_back({path, *std::move(picture)});
+    return static_cast<std::int32_t>(out_.textures.size()) - 1;
+}
+
+void MaterialLoader::texture_fault(const std::string& name, std::string line) {
+    const bool alone = ++texture_faults_ <= kTextureWarnings;
+    warnings_.add(alone ? "texture " + name : "more textures", std::move(line));
+}
+
+} // namespace
+
+std::vector<std::string> library_names(FileFinder& finder, const std::string& folder,
+                                       const std::string& text) {
+    if (finder.find(folder, text)) return {text};
+    const std::vector<Word> words = words_of(text);
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < words.size();) {
+        const auto name = [&](std::size_t last) {
+            return unquoted(text, words[i].begin, words[last].end);
+        };
+        std::size_t last = words.size() - 1;
+        while (last > i && !finder.find(folder, name(last)))
+            --last;
+        if (last == i &&
+            !finder.find(folder, name(i))) // none is there: the name ends with its extension
+            for (std::size_t k = i; k < words.size(); ++k)
+                if (lower_case(name(k)).ends_with(".mtl")) {
+                    last = k;
+                    break;
+                }
+        names.push_back(name(last));
+        i = last + 1;
+    }
+    return names;
+}
+
+Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings) {
+    return MaterialLoader(obj, obj_path, warnings).load();
+}
+
+} // namespace scanout::io

@@ -1,0 +1,34 @@
+// The materials that an OBJ file uses: its libraries found and read, its textures decoded.
+#pragma once
+
+#include "base/warnings.h"
+#include "io/find_file.h"
+#include "io/obj.h"
+#include "scene/material.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scanout::io {
+
+struct Materials {
+    std::vector<scene::Material> materials; // those used and defined, in the order of first use
+    std::vector<scene::Texture> textures;   // each file once
+    std::vector<std::int32_t> of_name; // one an ObjFile::materials: index above, -1 not defined
+    std::uint64_t bytes = 0;           // of the libraries, and of the textures decoded
+};
+
+// All textures of a model together may take this much memory, decoded.
+inline constexpr std::uint64_t kTextureBytes = std::uint64_t{1} << 30;
+
+// Never fails: what is missing or damaged is a warning, and drawn plain.
+Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings);
+
+// The file names behind one mtllib: several with blanks between them, or one that holds blanks,
+// quoted, with backslashes before its blanks, or bare. Names that exist in `folder` decide; what is
+// left is split behind ".mtl".
+std::vector<std::string> library_names(FileFinder& finder, const std::string& folder,
+                                       const std::string& text);
+
+} // namespace scanout::io

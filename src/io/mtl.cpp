@@ -1,0 +1,340 @@
+#include "io/mtl.h"
+
+#include "io/cursor.h"
+#include "io/text.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace scanout::io {
+namespace {
+
+using scene::Material;
+using scene::TextureMap;
+
+struct MapKeyword {
+    std::string_view keyword; // lower case
+    TextureMap Material::*map;
+    std::string_view name; // as messages name it
+};
+
+constexpr std::array kMaps = {
+    MapKeyword{"map_kd", &Material::map_diffuse, "map_Kd"},
+    MapKeyword{"map_ka", &Material::map_ambient, "map_Ka"},
+    MapKeyword{"map_ks", &Material::map_specular, "map_Ks"},
+    MapKeyword{"map_ns", &Material::map_shininess, "map_Ns"},
+    MapKeyword{"map_d", &Material::map_opacity, "map_d"},
+    MapKeyword{"map_opacity", &Material::map_opacity, "map_d"},
+    MapKeyword{"map_ke", &Material::map_emission, "map_Ke"},
+    MapKeyword{"map_bump", &Material::map_bump, "map_bump"},
+    MapKeyword{"bump", &Material::map_bump, "map_bump"},
+    MapKeyword{"norm", &Material::map_normal, "norm"},
+    MapKeyword{"map_norm", &Material::map_normal, "norm"},
+    MapKeyword{"map_kn", &Material::map_normal, "norm"},
+    MapKeyword{"disp", &Material::map_displacement, "disp"},
+    MapKeyword{"map_disp", &Material::map_displacement, "disp"},
+    MapKeyword{"decal", &Material::map_decal, "decal"},
+    MapKeyword{"map_decal", &Material::map_decal, "decal"},
+    MapKeyword{"refl", &Material::map_reflection, "refl"},
+    MapKeyword{"map_refl", &Material::map_reflection, "refl"},
+};
+
+// Physically based values and other additions that have no place in scene::Material.
+constexpr std::array<std::string_view, 16> kNotKept = {
+    "Kt",     "Pr",     "Pm",     "Ps",      "Pc",      "Pcr",     "aniso",     "anisor",
+    "map_Pr", "map_Pm", "map_Ps", "map_aat", "map_RMA", "map_ORM", "sharpness", "Km"};
+
+float clamped(double value, double low, double high) {
+    return static_cast<float>(std::clamp(value, low, high));
+}
+
+class MtlReader {
+public:
+    MtlReader(std::string_view file, const std::string& path, Warnings& warnings)
+        : path_(path), warnings_(warnings), at_(file) {}
+
+    std::vector<MtlMaterial> read();
+
+private:
+    void statement();
+    bool colour_statement(std::string_view key);
+    bool number_statement(std::string_view key);
+    bool map_statement(std::string_view key);
+    void finish_material();
+
+    std::optional<double> number();
+    void colour(Vec3& colour);
+    bool map_option(Cursor& at, TextureMap& map) const;
+    bool map_options(Cursor& at, TextureMap& map) const;
+    void map_file(TextureMap& map);
+    void note_map_options(const TextureMap& map);
+    void not_drawn(std::string_view what);
+
+    void warn(std::string_view kind, std::string_view text) {
+        if (warnings_.count(kind) > 0)
+            warnings_.add_more(kind, 1);
+        else
+            warnings_.add(kind, fmt::format("{}:{}: {}", path_, at_.line, text));
+    }
+
+    const std::string& path_;
+    Warnings& warnings_;
+    Cursor at_;
+    std::vector<MtlMaterial> out_;
+    Material* now_ = nullptr;
+    bool has_diffuse_ = false;
+    std::optional<double> dissolve_, transparency_;
+};
+
+std::vector<MtlMaterial> MtlReader::read() {
+    if (std::string_view(at_.at, static_cast<std::size_t>(at_.end - at_.at))
+            .starts_with("\xef\xbb\xbf"))
+        at_.at += 3;
+    while (!at_.done()) {
+        at_.skip_blanks();
+        if (!at_.at_statement_end()) statement();
+        at_.skip_to_line_end(static_cast<std::size_t>(at_.end - at_.at));
+        at_.next_line();
+    }
+    finish_material();
+    return std::move(out_);
+}
+
+void MtlReader::statement() {
+    const std::string_view word = at_.word();
+    if (word.size() > 32) return warn("MTL statement", "the statement is not known");
+    const std::string key = lower_case(word);
+    if (key == "newmtl") {
+        finish_material();
+        MtlMaterial& m = out_.emplace_back();
+        m.line = at_.line;
+        m.material.name = at_.rest();
+        now_ = &m.material;
+        has_diffuse_ = false;
+        dissolve_ = transparency_ = std::nullopt;
+        return;
+    }
+    if (now_ == nullptr) return warn("MTL statement", "a statement stands before the first newmtl");
+    if (colour_statement(key) || number_statement(key) || map_statement(key)) return;
+    for (const std::string_view known : kNotKept)
+        if (key == lower_case(known)) return not_drawn(known);
+    warn("MTL statement", "the statement is not known");
+}
+
+bool MtlReader::colour_statement(std::string_view key) {
+    if (key == "kd") {
+        has_diffuse_ = true;
+        colour(now_->diffuse);
+    } else if (key == "ka") {
+        colour(now_->ambient);
+    } else if (key == "ks") {
+        colour(now_->specular);
+    } else if (key == "ke") {
+        colour(now_->emission);
+    } else if (key == "tf") {
+        colour(now_->transmission);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool MtlReader::number_statement(std::string_view key) {
+    if (key == "ns") {
+        if (const auto n = number()) now_->shininess = clamped(*n, 0, 1e6);
+    } else if (key == "ni") {
+        if (const auto n = number()) now_->refraction = clamped(*n, 0, 1e6);
+    } else if (key == "illum") {
+        if (const auto n = number())
+            now_->illumination = static_cast<int>(std::clamp(*n, 0.0, 10.0));
+    } else if (key == "d") {
+        at_.skip_blanks();
+        const Cursor before = at_;
+        if (at_.word() != "-halo") at_ = before; // opacity by angle: its number is read as plain
+        if (const auto n = number()) dissolve_ = std::clamp(*n, 0.0, 1.0);
+    } else if (key == "tr") {
+        if (const auto n = number()) transparency_ = std::clamp(*n, 0.0, 1.0);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+bool MtlReader::map_statement(std::string_view key) {
+    for (const MapKeyword& known : kMaps) {
+        if (key != known.keyword) continue;
+        TextureMap map;
+        map_file(map);
+        if (map.path.empty())
+            warn("MTL map", fmt::format("{} names no file", known.name));
+        else
+            now_->*known.map = std::move(map);
+        return true;
+    }
+    return false;
+}
+
+// d and Tr both say how opaque a material is; exporters disagree on Tr. By the rule Tr = 1 - d, and
+// where a file gives both, d is the one that everybody reads alike: d wins, whatever the order. Tr
+// alone with 1 would be a material that cannot be seen, which nobody exports; older MeshLab writes
+// it for opaque ones. So Tr 1 alone means opaque, and every other Tr alone follows the rule.
+void MtlReader::finish_material() {
+    if (now_ == nullptr) return;
+    if (dissolve_)
+        now_->opacity = static_cast<float>(*dissolve_);
+    else if (transparency_ && *transparency_ < 1)
+        now_->opacity = static_cast<float>(1 - *transparency_);
+    // map_Kd is multiplied by Kd; a material that gives the map alone means the map's own colours.
+    if (now_->map_diffuse.given() && !has_diffuse_) now_->diffuse = Vec3(1);
+    for (const MapKeyword& known : kMaps)
+        if (known.map != &Material::map_diffuse && (now_->*known.map).given())
+            not_drawn(known.name);
+    note_map_options(now_->map_diffuse);
+    if (now_->opacity < 1) not_drawn("d (transparency)");
+    if (now_->emission != Vec3(0)) not_drawn("Ke");
+    now_ = nullptr;
+}
+
+// -o, -s and -clamp are drawn.
+void MtlReader::note_map_options(const TextureMap& map) {
+    const TextureMap plain;
+    if (map.turbulence != plain.turbulence) not_drawn("map_Kd -t");
+    if (map.base != plain.base || map.gain != plain.gain) not_drawn("map_Kd -mm");
+    if (map.boost != plain.boost) not_drawn("map_Kd -boost");
+    if (map.colour_correction) not_drawn("map_Kd -cc");
+    if (!map.blend_u) not_drawn("map_Kd -blendu off");
+    if (!map.blend_v) not_drawn("map_Kd -blendv off");
+    if (map.resolution != 0) not_drawn("map_Kd -texres");
+    if (map.channel != 0) not_drawn("map_Kd -imfchan");
+    if (!map.reflection_type.empty()) not_drawn("map_Kd -type");
+}
+
+void MtlReader::not_drawn(std::string_view what) {
+    auto& list = out_.back().not_drawn;
+    if (std::find(list.begin(), list.end(), what) == list.end()) list.push_back(what);
+}
+
+std::optional<double> MtlReader::number() {
+    at_.skip_blanks();
+    double value = 0;
+    if (!at_.at_statement_end() && at_.number(value) == NumberFault::none) return value;
+    warn("MTL number", "a finite number is missing; the default stays");
+    return std::nullopt;
+}
+
+// "r g b", or "r" alone for grey. Spectral curves and CIE XYZ are not read: the default stays.
+void MtlReader::colour(Vec3& colour) {
+    at_.skip_blanks();
+    const std::string_view word = Cursor(at_).word();
+    if (word == "spectral" || word == "xyz")
+        return warn("MTL colour",
+                    fmt::format("'{}' colours are not supported; the default stays", word));
+    const auto r = number();
+    if (!r) return;
+    at_.skip_blanks();
+    double g = *r, b = *r;
+    if (!at_.at_statement_end()) {
+        const auto given_g = number();
+        const auto given_b = given_g ? number() : std::nullopt;
+        if (!given_b) return;
+        g = *given_g;
+        b = *given_b;
+    }
+    colour = Vec3(clamped(*r, 0, 1e6), clamped(g, 0, 1e6), clamped(b, 0, 1e6));
+}
+
+// One "-option arguments" at the cursor. False, and the cursor stays, when there is none.
+bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
+    const Cursor before = at;
+    const std::string option = lower_case(at.word().substr(0, 32));
+    const auto word = [&] {
+        at.skip_blanks();
+        return at.word().substr(0, 32);
+    };
+    const auto number = [&](float& value) {
+        Cursor ahead = at;
+        ahead.skip_blanks();
+        double n = 0;
+        if (ahead.number(n) != NumberFault::none) return false;
+        value = clamped(n, -1e6, 1e6);
+        at = ahead;
+        return true;
+    };
+    const auto vector = [&](Vec3& v) {
+        return number(v.x) && (!number(v.y) || !number(v.z) || true); // one to three numbers
+    };
+    bool good = true;
+    if (option == "-blendu")
+        map.blend_u = word() != "off";
+    else if (option == "-blendv")
+        map.blend_v = word() != "off";
+    else if (option == "-cc")
+        map.colour_correction = word() == "on";
+    else if (option == "-clamp")
+        map.clamp = word() == "on";
+    else if (option == "-boost")
+        good = number(map.boost);
+    else if (option == "-mm")
+        good = number(map.base) && number(map.gain);
+    else if (option == "-o")
+        good = vector(map.offset);
+    else if (option == "-s")
+        good = vector(map.scale);
+    else if (option == "-t")
+        good = vector(map.turbulence);
+    else if (option == "-bm")
+        good = number(map.bump_multiplier);
+    else if (option == "-type")
+        map.reflection_type = word();
+    else if (option == "-colorspace")
+        word(); // map_Kd is sRGB, the others are linear
+    else if (option == "-imfchan") {
+        const std::string_view channel = word();
+        map.channel = channel.empty() ? '\0' : channel.front();
+    } else if (option == "-texres") {
+        float texels = 0;
+        good = number(texels);
+        map.resolution = static_cast<int>(texels);
+    } else
+        good = false;
+    if (!good) at = before;
+    return good;
+}
+
+bool MtlReader::map_options(Cursor& at, TextureMap& map) const {
+    bool any = false;
+    for (at.skip_blanks(); !at.done() && *at.at == '-' && map_option(at, map); at.skip_blanks())
+        any = true;
+    return any;
+}
+
+// "[options] file name [options]": the name may hold blanks, and some exporters write options
+// behind it.
+void MtlReader::map_file(TextureMap& map) {
+    map_options(at_, map);
+    std::string name = at_.rest();
+    for (std::size_t i = name.find(" -"); i != std::string::npos; i = name.find(" -", i + 1)) {
+        Cursor tail(std::string_view(name).substr(i));
+        TextureMap with_tail = map;
+        if (!map_options(tail, with_tail) || !tail.done()) continue;
+        map = with_tail;
+        name.resize(name.find_last_not_of(" \t", i) + 1);
+        break;
+    }
+    if (name.size() > 1 && name.front() == '"' && name.back() == '"')
+        name = name.substr(1, name.size() - 2);
+    map.path = std::move(name);
+}
+
+} // namespace
+
+std::vector<MtlMaterial> read_mtl(std::string_view file, const std::string& path,
+                                  Warnings& warnings) {
+    return MtlReader(file, path, warnings).read();
+}
+
+} // namespace scanout::io

@@ -1,0 +1,27 @@
+// Wavefront MTL: text -> materials. Format: Wavefront, "MTL material format", Alias 1995, with the
+// common additions (Ke, norm, the PBR values). Files that mtllib names may be anything at all, so
+// no message quotes what they hold.
+#pragma once
+
+#include "base/warnings.h"
+#include "scene/material.h"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scanout::io {
+
+struct MtlMaterial {
+    scene::Material material; // maps have their path as the file names it, no texture yet
+    std::size_t line = 0;     // of its newmtl
+    // What it asks for and the renderer does not draw yet, in MTL's words.
+    std::vector<std::string_view> not_drawn;
+};
+
+// `path` stands in messages (file:line). Never fails: what cannot be read keeps its default.
+std::vector<MtlMaterial> read_mtl(std::string_view file, const std::string& path,
+                                  Warnings& warnings);
+
+} // namespace scanout::io

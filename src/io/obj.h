@@ -1,0 +1,40 @@
+// Wavefront OBJ: text -> polygons, lines and points in file units, double precision. Format:
+// Wavefront, "Advanced Visualizer" manual, appendix B1. Free-form curves and surfaces are left out
+// with a warning.
+#pragma once
+
+#include "base/result.h"
+#include "base/warnings.h"
+#include "geom/polygon_mesh.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scanout::io {
+
+// A name in the file and the line that first gives it.
+struct NameAtLine {
+    std::string name;
+    std::size_t line = 0;
+};
+
+struct ObjFile {
+    // Materials in polygons are indices into `materials`. Positions that could not be read are NaN,
+    // so that the numbers of the others stay; every index is in range.
+    geom::PolygonMesh polygons;
+    std::vector<NameAtLine> materials; // of usemtl statements, in the order of first use
+    std::vector<NameAtLine>
+        libraries;           // what stands behind each mtllib, file names not yet told apart
+    std::size_t skipped = 0; // statements that could not be used, free-form ones included
+};
+
+// `path` stands in messages. `progress` gets the share read, 0 to 1, every MB or so; false cancels.
+// What one line has wrong is a warning (file:line); errors (Exit::unreadable) are a file without a
+// usable vertex, a file beyond 2^31 vertices or 2^32 corners, and a cancelled read.
+Result<ObjFile> read_obj(std::string_view file, const std::string& path, Warnings& warnings,
+                         const std::function<bool(double)>& progress = nullptr);
+
+} // namespace scanout::io

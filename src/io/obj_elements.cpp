@@ -1,0 +1,284 @@
+// The statements that name vertices: f, l, p. Indices count from 1; negative ones count back from
+// the last vertex before the statement (-1), so they are resolved where they stand. Arithmetic is
+// in int64 and every index is checked: below 1 here, beyond the end when the file's end is known.
+#include "io/obj_reader.h"
+#include "io/text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace scanout::io {
+namespace {
+
+bool is_finite(const DVec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+// Removes the elements at `places` (ascending).
+template <class T>
+void erase_at(std::vector<T>& values, const std::vector<std::uint32_t>& places) {
+    if (values.empty() || places.empty()) return;
+    auto next = places.begin();
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (next != places.end() && *next == i)
+            ++next;
+        else
+            values[kept++] = values[i];
+    }
+    values.resize(kept);
+}
+
+// The same for runs of items: run i is items[begin[i]] up to the next run's begin.
+template <class Item>
+void erase_runs(std::vector<std::uint32_t>& begin, std::vector<Item>& items,
+                const std::vector<std::uint32_t>& places) {
+    auto next = places.begin();
+    std::size_t kept_runs = 0, kept_items = 0;
+    const std::size_t runs = begin.size();
+    for (std::size_t i = 0; i < runs; ++i) {
+        const std::size_t first = begin[i], last = i + 1 < runs ? begin[i + 1] : items.size();
+        if (next != places.end() && *next == i) {
+            ++next;
+            continue;
+        }
+        begin[kept_runs++] = static_cast<std::uint32_t>(kept_items);
+        for (std::size_t k = first; k < last; ++k)
+            items[kept_items++] = items[k];
+    }
+    begin.resize(kept_runs);
+    items.resize(kept_items);
+}
+
+} // namespace
+
+std::int32_t ObjReader::resolve(std::int64_t index, std::size_t count) {
+    const auto n = static_cast<std::int64_t>(count);
+    if (index < 0) return n + index >= 0 ? static_cast<std::int32_t>(n + index) : -1;
+    if (index == 0 || index > std::numeric_limits<std::int32_t>::max()) return -1;
+    if (index > n) forward_ = true;
+    return static_cast<std::int32_t>(index - 1);
+}
+
+std::int32_t ObjReader::resolve_optional(std::int64_t index, std::size_t count,
+                                         std::string_view what) {
+    const std::int32_t resolved = resolve(index, count);
+    if (resolved < 0)
+        warn(what, at_.line,
+             "{} {} does not exist, the file has {} so far; the face is drawn without", what, index,
+             count);
+    return resolved;
+}
+
+bool ObjReader::at_word_end() const {
+    return at_.at_statement_end() || Cursor::is_blank(*at_.at) || *at_.at == '\\';
+}
+
+// v, v/vt, v//vn or v/vt/vn; a slash with nothing behind it is forgiven. A texture coordinate or
+// normal that does not exist is left away: the face can still be shown.
+bool ObjReader::corner(geom::Corner& corner) {
+    const geom::PolygonMesh& m = out_.polygons;
+    std::int64_t index = 0;
+    if (!read_integer(at_.at, at_.end, index)) return false;
+    corner.position = resolve(index, m.positions.size());
+    if (corner.position < 0) return false;
+    if (at_.done() || *at_.at != '/') return at_word_end();
+    ++at_.at;
+    if (read_integer(at_.at, at_.end, index))
+        corner.uv = resolve_optional(index, m.uvs.size(), "texture coordinate");
+    if (at_.done() || *at_.at != '/') return at_word_end();
+    ++at_.at;
+    if (read_integer(at_.at, at_.end, index))
+        corner.normal = resolve_optional(index, m.normals.size(), "normal");
+    return at_word_end();
+}
+
+void ObjReader::face() {
+    geom::PolygonMesh& m = out_.polygons;
+    const std::size_t begin = m.corners.size(), line = at_.line;
+    forward_ = false;
+    bool good = true;
+    for (at_.skip_blanks(); good && !at_.at_statement_end(); at_.skip_blanks()) {
+        const char* word = at_.at;
+        geom::Corner c;
+        good = corner(c);
+        if (!good) {
+            at_.at = word;
+            warn("face", at_.line,
+                 "'{}' names no vertex (the file has {} so far); the face is skipped", word_here(),
+                 m.positions.size());
+            break;
+        }
+        m.corners.push_back(c);
+        if (at_.at >= next_checkpoint_) checkpoint();
+    }
+    const std::size_t corners = m.corners.size() - begin;
+    if (good && corners < 3)
+        warn("face corners", line, "a face needs 3 corners, this one has {}; skipped", corners);
+    if (!good || corners < 3) {
+        m.corners.resize(begin);
+        ++out_.skipped;
+        return;
+    }
+    if (m.corners.size() > std::numeric_limits<std::uint32_t>::max())
+        return stop("has more than 4294967295 face corners");
+    if (forward_) forward_faces_.push_back({static_cast<std::uint32_t>(m.faces()), line});
+    m.face_begin.push_back(static_cast<std::uint32_t>(begin));
+    m.face_material.push_back(material_);
+    if (smoothing_ != geom::kSmoothingUnset) m.face_smoothing.push_back(smoothing_);
+}
+
+// l v1/vt1 v2/vt2 ...; a line's texture coordinates have no use and are read over.
+void ObjReader::polyline() {
+    geom::PolygonMesh& m = out_.polygons;
+    const std::size_t begin = m.line_vertices.size(), line = at_.line;
+    forward_ = false;
+    bool good = true;
+    for (at_.skip_blanks(); good && !at_.at_statement_end(); at_.skip_blanks()) {
+        const char* word = at_.at;
+        geom::Corner c;
+        good = corner(c);
+        if (good)
+            m.line_vertices.push_back(static_cast<std::uint32_t>(c.position));
+        else
+            at_.at = word;
+        if (at_.at >= next_checkpoint_) checkpoint();
+    }
+    const std::size_t vertices = m.line_vertices.size() - begin;
+    if (!good)
+        warn("line", at_.line, "'{}' names no vertex (the file has {} so far); the line is skipped",
+             word_here(), m.positions.size());
+    else if (vertices < 2)
+        warn("line", line, "a line needs 2 vertices, this one has {}; skipped", vertices);
+    if (!good || vertices < 2) {
+        m.line_vertices.resize(begin);
+        ++out_.skipped;
+        return;
+    }
+    if (m.line_vertices.size() > std::numeric_limits<std::uint32_t>::max())
+        return stop("has more than 4294967295 line vertices");
+    if (forward_) forward_lines_.push_back({static_cast<std::uint32_t>(m.line_begin.size()), line});
+    m.line_begin.push_back(static_cast<std::uint32_t>(begin));
+    m.line_material.push_back(material_);
+}
+
+std::size_t ObjReader::line_end(std::size_t line) const {
+    const geom::PolygonMesh& m = out_.polygons;
+    return line + 1 < m.line_begin.size() ? m.line_begin[line + 1] : m.line_vertices.size();
+}
+
+void ObjReader::points() {
+    geom::PolygonMesh& m = out_.polygons;
+    for (at_.skip_blanks(); !at_.at_statement_end(); at_.skip_blanks()) {
+        const char* word = at_.at;
+        geom::Corner c;
+        forward_ = false;
+        if (!corner(c)) {
+            at_.at = word;
+            ++out_.skipped;
+            warn("point", at_.line, "'{}' names no vertex (the file has {} so far); skipped",
+                 word_here(), m.positions.size());
+            at_.word();
+            continue;
+        }
+        if (m.point_vertices.size() >= std::numeric_limits<std::uint32_t>::max())
+            return stop("has more than 4294967295 points");
+        if (forward_)
+            forward_points_.push_back(
+                {static_cast<std::uint32_t>(m.point_vertices.size()), at_.line});
+        m.point_vertices.push_back(static_cast<std::uint32_t>(c.position));
+        m.point_material.push_back(material_);
+        if (at_.at >= next_checkpoint_) checkpoint();
+    }
+}
+
+// False when the face names a vertex that never came.
+bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
+    geom::PolygonMesh& m = out_.polygons;
+    const auto missing = [](std::int32_t index, std::size_t count) {
+        return index >= 0 && static_cast<std::size_t>(index) >= count;
+    };
+    for (std::size_t i = m.face_begin[face]; i < m.face_end(face); ++i) {
+        geom::Corner& c = m.corners[i];
+        if (missing(c.position, m.positions.size())) {
+            warn("face", line, "the face wants vertex {}, the file has {}; skipped",
+                 c.position + 1LL, m.positions.size());
+            return false;
+        }
+        if (missing(c.uv, m.uvs.size()) || missing(c.normal, m.normals.size()))
+            warn("face attributes", line,
+                 "the face wants texture coordinates or normals that the file does not have; "
+                 "drawn without");
+        if (missing(c.uv, m.uvs.size())) c.uv = -1;
+        if (missing(c.normal, m.normals.size())) c.normal = -1;
+    }
+    return true;
+}
+
+void ObjReader::check_forward_references() {
+    geom::PolygonMesh& m = out_.polygons;
+    const auto missing = [&](std::uint32_t vertex) { return vertex >= m.positions.size(); };
+    std::vector<std::uint32_t> faces, lines, points;
+    for (const Forward& f : forward_faces_)
+        if (!check_forward_face(f.element, f.line)) faces.push_back(f.element);
+    for (const Forward& f : forward_lines_) {
+        for (std::size_t i = m.line_begin[f.element]; i < line_end(f.element); ++i) {
+            if (!missing(m.line_vertices[i])) continue;
+            warn("line", f.line, "the line wants vertex {}, the file has {}; skipped",
+                 m.line_vertices[i] + 1LL, m.positions.size());
+            lines.push_back(f.element);
+            break;
+        }
+    }
+    for (const Forward& f : forward_points_) {
+        if (!missing(m.point_vertices[f.element])) continue;
+        warn("point", f.line, "the point wants vertex {}, the file has {}; skipped",
+             m.point_vertices[f.element] + 1LL, m.positions.size());
+        points.push_back(f.element);
+    }
+    out_.skipped += faces.size() + lines.size() + points.size();
+    if (!faces.empty()) erase_runs(m.face_begin, m.corners, faces);
+    erase_at(m.face_material, faces);
+    erase_at(m.face_smoothing, faces);
+    if (!lines.empty()) erase_runs(m.line_begin, m.line_vertices, lines);
+    erase_at(m.line_material, lines);
+    erase_at(m.point_vertices, points);
+    erase_at(m.point_material, points);
+}
+
+bool ObjReader::anything_to_draw() const {
+    const geom::PolygonMesh& m = out_.polygons;
+    if (bad_positions_ == 0)
+        return m.faces() > 0 || !m.line_begin.empty() || !m.point_vertices.empty();
+    // An element is drawn whole or not at all (geom/build.h).
+    const auto usable = [&](auto vertex) {
+        return is_finite(m.positions[static_cast<std::size_t>(vertex)]);
+    };
+    for (std::size_t f = 0; f < m.faces(); ++f) {
+        bool all = true;
+        for (std::size_t i = m.face_begin[f]; all && i < m.face_end(f); ++i)
+            all = usable(m.corners[i].position);
+        if (all) return true;
+    }
+    for (std::size_t l = 0; l < m.line_begin.size(); ++l) {
+        bool all = true;
+        for (std::size_t i = m.line_begin[l]; all && i < line_end(l); ++i)
+            all = usable(m.line_vertices[i]);
+        if (all) return true;
+    }
+    return std::any_of(m.point_vertices.begin(), m.point_vertices.end(), usable);
+}
+
+void ObjReader::all_vertices_as_points() {
+    geom::PolygonMesh& m = out_.polygons;
+    for (std::size_t i = 0; i < m.positions.size(); ++i)
+        if (is_finite(m.positions[i])) m.point_vertices.push_back(static_cast<std::uint32_t>(i));
+    m.point_material.assign(m.point_vertices.size(), -1);
+    warnings_.add(
+        "points",
+        fmt::format("{}: has no face that can be drawn; its {} vertices are shown as points", path_,
+                    m.point_vertices.size()));
+}
+
+} // namespace scanout::io

@@ -1,0 +1,34 @@
+// STL, binary and ASCII ("StereoLithography Interface Specification", 3D Systems 1989). Told apart
+// by size and content: many binary files begin with the word "solid".
+#pragma once
+
+#include "base/result.h"
+#include "base/warnings.h"
+#include "geom/polygon_mesh.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace scanout::io {
+
+// STL has no normals worth keeping (one a facet, often zero) and no common vertices: smooth
+// surfaces are told from edges by the angle between facets alone. 30 degrees keeps chamfers and the
+// sides of a twelve-sided nut sharp up to rounding, and a cylinder of 13 facets or more round.
+inline constexpr double kStlCreaseDegrees = 29;
+
+struct StlResult {
+    geom::PolygonMesh polygons; // one triangle a facet; vertices on the same place are one
+    std::size_t facets = 0;     // in `polygons`; the file has three vertices for each
+    std::size_t skipped = 0;    // facets that could not be used
+};
+
+// `path` stands in messages. What can be shown is read, with a warning for what cannot: facets that
+// are not three finite points, a file that is cut short, a count that does not hold. Error
+// (Exit::unreadable): not STL at all, no facet that can be used, or cancelled. `progress` gets the
+// share of the file that will not be read again and returns false to cancel; it may be empty.
+Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
+                           const std::function<bool(double)>& progress);
+
+} // namespace scanout::io
