@@ -75,8 +75,6 @@ public:
         warnings_.add("stl facet", std::move(line));
     }
 
-    bool full() const { return result_.polygons.faces() == kMostFacets; }
-
     Result<StlResult> finish() {
         result_.facets = result_.polygons.faces();
         if (result_.skipped > 0 && result_.facets == 0)
@@ -184,9 +182,6 @@ std::size_t facets_to_read(std::string_view file, const std::string& path, Warni
 Result<StlResult> read_binary(std::string_view file, const std::string& path, Warnings& warnings,
                               const std::function<bool(double)>& progress) {
     const std::size_t facets = facets_to_read(file, path, warnings);
-    if (facets > kMostFacets)
-        return fail(Exit::unreadable, "{}: {} facets; at most {} can be read", path, facets,
-                    kMostFacets);
     Collector collector(path, warnings, facets);
     for (std::size_t i = 0; i < facets; ++i) {
         if (i % 16384 == 0)
@@ -219,10 +214,10 @@ public:
     bool step() {
         constexpr std::size_t kStep = 1 << 20;
         const std::size_t until = left() > kStep ? left() - kStep : 0;
-        while (left() > until && !collector_.full())
+        while (left() > until)
             word();
-        if (left() > 0 && !collector_.full()) return true;
-        if (open_) skip("the file ends within a facet");
+        if (left() > 0) return true;
+        if (open_) skip(fault_.empty() ? "the file ends within a facet" : fault_);
         return false;
     }
 
@@ -245,7 +240,7 @@ private:
     }
 
     void begin_facet() {
-        if (open_) skip("the facet has no 'endfacet'");
+        if (open_) skip(fault_.empty() ? "the facet has no 'endfacet'" : fault_);
         open_ = true;
         vertices_ = 0;
         fault_.clear();
@@ -317,6 +312,11 @@ Result<StlResult> read_ascii(std::string_view file, const std::string& path, War
 Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
                            const std::function<bool(double)>& progress) {
     if (file.empty()) return fail(Exit::unreadable, "{}: the file is empty", path);
+    if (file.size() / kFacet > kMostFacets) // an ASCII facet is longer than a binary one
+        return fail(Exit::unreadable,
+                    "{}: has more than {} facets, which is too many: cut the model "
+                    "into parts",
+                    path, kMostFacets);
     if (is_exactly_binary(file)) return read_binary(file, path, warnings, progress);
     if (is_ascii(file)) return read_ascii(file, path, warnings, progress);
     if (is_plausibly_binary(file)) return read_binary(file, path, warnings, progress);
