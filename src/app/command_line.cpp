@@ -1,0 +1,136 @@
+#include "app/command_line.h"
+
+#include "app/help.h"
+#include "app/nearest.h"
+#include "app/options.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <deque>
+
+#include <unistd.h>
+
+namespace scanout::app {
+namespace {
+
+struct NamedCommand {
+    std::string_view name;
+    Command command;
+};
+constexpr std::array kCommands = {
+    NamedCommand{"view", Command::view}, NamedCommand{"render", Command::render},
+    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
+
+bool exists(const std::string& path) {
+    return ::access(path.c_str(), F_OK) == 0;
+}
+
+// The first word is a command, or a model to view. A word that is neither a file nor could be one
+// (no dot, no slash) is a misspelt command.
+Result<Command> take_command(std::vector<std::string>& arguments) {
+    const std::string& first = arguments.front();
+    for (const NamedCommand& known : kCommands)
+        if (known.name == first) {
+            arguments.erase(arguments.begin());
+            return known.command;
+        }
+    if (first.starts_with('-') || first.find_first_of("./") != std::string::npos || exists(first))
+        return Command::view;
+    std::vector<std::string_view> names;
+    for (const NamedCommand& known : kCommands)
+        names.push_back(known.name);
+    const std::string hint = did_you_mean(first, names);
+    return fail(Exit::usage, "there is no command and no file '{}'{}", first,
+                hint.empty() ? "; `scanout --help` lists the commands" : hint);
+}
+
+// `--json out.json` means --json=out.json, but `--json model.obj` must not write over the model.
+void join_json(std::vector<std::string>& arguments) {
+    for (std::size_t i = 0; i + 1 < arguments.size() && arguments[i] != "--"; ++i) {
+        if (arguments[i] != "--json" || !arguments[i + 1].ends_with(".json")) continue;
+        arguments[i] += "=" + arguments[i + 1];
+        arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    }
+}
+
+struct Given {
+    const Option* option;
+    std::vector<std::string> texts; // as often as it was given; the last one counts
+};
+
+void declare(CLI::App& parser, Given& given) {
+    const Option& option = *given.option;
+    const std::string names = (option.letter != 0 ? fmt::format("-{},", option.letter) : "") +
+                              fmt::format("--{}", option.name);
+    if (option.optional_value || std::holds_alternative<Switch>(option.slot)) {
+        // A flag's value may only be glued on: --json=FILE. CLI11 gives "true" for none.
+        CLI::Option* flag = parser.add_flag(names, given.texts);
+        if (!option.optional_value) flag->disable_flag_override();
+        return;
+    }
+    parser.add_option(names, given.texts)
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+Result<void> unknown_option(const std::string& word, Command command) {
+    std::vector<std::string> spelt;
+    for (const Option& option : options())
+        if (belongs(option, command)) spelt.push_back("--" + std::string(option.name));
+    const std::vector<std::string_view> names(spelt.begin(), spelt.end());
+    const std::string name = word.substr(0, word.find('='));
+    for (const Option& option : options())
+        if (name == "--" + std::string(option.name))
+            return fail(Exit::usage, "{} does not belong to this command; see --help", name);
+    const std::string hint = did_you_mean(name, names);
+    return fail(Exit::usage, "there is no option {}{}", name, hint.empty() ? "; see --help" : hint);
+}
+
+Result<Settings> parse_words(Command command, std::vector<std::string> words) {
+    Settings settings;
+    settings.command = command;
+    CLI::App parser;
+    parser.set_help_flag("");
+    parser.allow_extras();
+    std::deque<Given> given; // CLI11 keeps references into it
+    for (const Option& option : options())
+        if (belongs(option, command)) declare(parser, given.emplace_back(Given{&option, {}}));
+    parser.add_option("arguments", settings.arguments);
+    std::reverse(words.begin(), words.end()); // CLI11 takes them from the back
+    try {
+        parser.parse(words);
+    } catch (const CLI::ParseError& error) {
+        return fail(Exit::usage, "{}", error.what());
+    }
+    for (const std::string& extra : parser.remaining())
+        if (extra.size() > 1 && extra.starts_with('-')) TRY_VOID(unknown_option(extra, command));
+    for (const Given& one : given) {
+        if (one.texts.empty()) continue;
+        const bool bare = one.option->optional_value && one.texts.back() == "true";
+        TRY_VOID(apply(*one.option, bare ? "" : one.texts.back(), settings));
+    }
+    TRY_VOID(check_together(settings));
+    return settings;
+}
+
+} // namespace
+
+Result<CommandLine> parse_command_line(std::vector<std::string> arguments) {
+    if (arguments.empty())
+        return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`; "
+                                 "`scanout --help` explains");
+    const std::string& first = arguments.front();
+    if (first == "--version") return CommandLine{{}, fmt::format("scanout {}\n", SCANOUT_VERSION)};
+    if (first == "--help" || first == "-h" || first == "help")
+        return CommandLine{{}, help_overview()};
+    TRY(const Command command, take_command(arguments));
+    const auto end = std::find(arguments.begin(), arguments.end(), "--");
+    const auto asks = [](const std::string& word) { return word == "--help" || word == "-h"; };
+    if (std::any_of(arguments.begin(), end, asks)) return CommandLine{{}, help_for(command)};
+    join_json(arguments);
+    TRY(Settings settings, parse_words(command, std::move(arguments)));
+    return CommandLine{std::move(settings), {}};
+}
+
+} // namespace scanout::app

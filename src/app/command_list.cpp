@@ -1,0 +1,113 @@
+// scanout list WHAT: what there is on this machine and in this program, on standard output.
+#include "app/commands.h"
+#include "app/nearest.h"
+#include "app/options.h"
+#include "image/pixel_format.h"
+#include "io/load.h"
+#include "platform/drm/display.h"
+#include "platform/linux-fb/display.h"
+#include "shade/stage.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scanout::app {
+namespace {
+
+bool wanted(const Settings& settings, const std::string& path) {
+    return settings.device.empty() || settings.device == path;
+}
+
+void list_displays(const Settings& settings) {
+    for (const drm::CardInfo& card : drm::list_cards()) {
+        if (!wanted(settings, card.path)) continue;
+        const auto used = std::count_if(card.connectors.begin(), card.connectors.end(),
+                                        [](const drm::ConnectorInfo& c) { return c.connected; });
+        fmt::print("drm    {}  {}  {}\n", card.path, card.driver,
+                   card.problem.empty()
+                       ? fmt::format("{} of {} connectors in use", used, card.connectors.size())
+                       : card.problem);
+    }
+    for (const linux_fb::FrameBufferInfo& fb : linux_fb::list_frame_buffers())
+        if (wanted(settings, fb.path))
+            fmt::print("fbdev  {}  {}  {}\n", fb.path, fb.id,
+                       fb.problem.empty()
+                           ? fmt::format("{}x{} {}", fb.width, fb.height, image::name_of(fb.format))
+                           : fb.problem);
+    fmt::print("headless  in memory, with --backend headless\n");
+}
+
+void list_connectors(const Settings& settings) {
+    for (const drm::CardInfo& card : drm::list_cards())
+        for (const drm::ConnectorInfo& connector : card.connectors)
+            if (wanted(settings, card.path))
+                fmt::print("{}  {}  {}\n", card.path, connector.name,
+                           connector.connected ? "connected" : "not connected");
+}
+
+void list_modes(const Settings& settings) {
+    for (const drm::CardInfo& card : drm::list_cards())
+        for (const drm::ConnectorInfo& connector : card.connectors)
+            for (const drm::ModeInfo& mode : connector.modes)
+                if (wanted(settings, card.path))
+                    fmt::print("{}  {}  {}x{}@{:.0f}{}\n", card.path, connector.name, mode.width,
+                               mode.height, mode.refresh_hz, mode.preferred ? "  preferred" : "");
+}
+
+void list_techniques(const Settings&) {
+    constexpr std::array<std::string_view, 3> kKinds = {"rung", "effect", "model"};
+    for (const shade::Stage* stage : shade::catalogue()) {
+        const shade::Card& card = stage->card;
+        fmt::print("{:<12} {:<14} {:<7} {} ({})\n", card.axis, card.name,
+                   kKinds[static_cast<std::size_t>(card.kind)], card.blurb, card.source);
+    }
+}
+
+void list_formats(const Settings&) {
+    fmt::print("Models:\n");
+    for (const io::Format& format : io::formats())
+        fmt::print("  {:<10} {}\n", format.extension, format.description);
+    fmt::print("Pictures, written:\n  png ppm pam raw\nPixel formats of displays:\n ");
+    for (const image::NamedPixelFormat& named : image::pixel_formats())
+        fmt::print(" {}", named.name);
+    fmt::print("\n");
+}
+
+void list_targets(const Settings&) {
+    fmt::print("scalar   plain C++, for every processor (the only one so far)\n");
+}
+
+void list_options(const Settings&) {
+    fmt::print("{}", options_markdown());
+}
+
+struct Topic {
+    std::string_view name;
+    void (*print)(const Settings&);
+};
+constexpr std::array kTopics = {
+    Topic{"displays", list_displays}, Topic{"connectors", list_connectors},
+    Topic{"modes", list_modes},       Topic{"techniques", list_techniques},
+    Topic{"formats", list_formats},   Topic{"targets", list_targets},
+    Topic{"options", list_options},
+};
+
+} // namespace
+
+Result<Exit> run_list(const Settings& settings) {
+    std::vector<std::string_view> names;
+    for (const Topic& topic : kTopics)
+        names.push_back(topic.name);
+    if (settings.arguments.size() != 1)
+        return fail(Exit::usage, "list what? one of {}", fmt::join(names, " "));
+    const std::string& asked = settings.arguments.front();
+    for (const Topic& topic : kTopics) {
+        if (topic.name != asked) continue;
+        topic.print(settings);
+        return Exit::ok;
+    }
+    return fail(Exit::usage, "there is no list of '{}'{}; there is {}", asked,
+                did_you_mean(asked, names), fmt::join(names, " "));
+}
+
+} // namespace scanout::app

@@ -1,0 +1,116 @@
+// scanout render: a model, drawn to files without a display.
+#include "app/commands.h"
+#include "app/model_file.h"
+#include "app/picture.h"
+#include "app/report.h"
+#include "base/stopwatch.h"
+#include "image/hash.h"
+
+#include <algorithm>
+
+#include <unistd.h>
+
+namespace scanout::app {
+namespace {
+
+int pictures(const Settings& s) {
+    return std::max(s.turntable, 1);
+}
+
+// Everything about the output that can be wrong is said before the model is read.
+Result<PictureFormat> check_output(const Settings& s) {
+    if (s.arguments.size() != 1)
+        return fail(Exit::usage, "render draws one model; {} were named", s.arguments.size());
+    if (s.output.empty()) {
+        if (s.hash || s.json) return PictureFormat::png;
+        return fail(Exit::usage,
+                    "where should the picture go? say -o picture.png, or --hash, or --json");
+    }
+    TRY(const PictureFormat format, picture_format(s.output, s.picture_format));
+    if (s.output == "-") {
+        if (s.json == "-" || s.hash)
+            return fail(Exit::usage, "the picture takes standard output; {}",
+                        s.hash ? "give -o FILE with --hash" : "say --json=FILE");
+        if (::isatty(STDOUT_FILENO) == 1)
+            return fail(Exit::usage,
+                        "standard output is a terminal; say -o picture.png, or pipe it on");
+        if (pictures(s) > 1 && format == PictureFormat::png)
+            return fail(Exit::usage,
+                        "several pictures in one stream: say --format ppm, pam or raw");
+    } else if (pictures(s) > 1 && !has_number(s.output)) {
+        return fail(Exit::usage, "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png",
+                    s.output, pictures(s));
+    }
+    return format;
+}
+
+// Draws the pictures of one run, in order, and writes and counts each.
+class RenderRun {
+public:
+    RenderRun(const Settings& settings, PictureFormat format, const scene::Scene& scene,
+              const frame::FramePlan& plan, Jobs& jobs)
+        : settings_(settings), format_(format), scene_(scene), plan_(plan), renderer_(jobs) {}
+
+    Result<void> draw(int index, RunReport& report) {
+        scene::Pose pose;
+        pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
+        TRY(const scene::View view,
+            scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
+                             settings_.frame.width, settings_.frame.height));
+        const image::Image* picture = nullptr;
+        for (int repeat = 0; repeat < settings_.frames; ++repeat) {
+            picture = &renderer_.render(scene_, view, plan_);
+            const std::uint64_t hash = image::frame_hash(displayed(*picture, settings_));
+            report.frames.push_back(
+                {index, hash, picture->width(), picture->height(), renderer_.stats()});
+        }
+        if (settings_.hash && settings_.json != "-")
+            fmt::print("{}\n", image::hash_text(report.frames.back().hash));
+        return settings_.output.empty() ? Result<void>() : write(*picture, index, report);
+    }
+
+private:
+    Result<void> write(const image::Image& picture, int index, RunReport& report) {
+        const Stopwatch watch;
+        const bool raw = format_ == PictureFormat::raw;
+        TRY(const image::Bytes bytes,
+            settings_.pixel_format && !raw
+                ? encode(displayed(picture, settings_), format_, settings_.pixel_format)
+                : encode(picture, format_, settings_.pixel_format));
+        if (index == 0) report.encode_ms = watch.milliseconds();
+        const std::string path = numbered(settings_.output, index, pictures(settings_));
+        TRY_VOID(write_picture(path, bytes));
+        if (settings_.verbose)
+            fmt::print(stderr, "wrote {} ({} bytes, {:.1f} ms)\n", path, bytes.size(),
+                       report.frames.back().stats.total_ms);
+        return {};
+    }
+
+    const Settings& settings_;
+    PictureFormat format_;
+    const scene::Scene& scene_;
+    const frame::FramePlan& plan_;
+    frame::Renderer renderer_;
+};
+
+} // namespace
+
+Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
+    TRY(const PictureFormat format, check_output(settings));
+    TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
+    TRY(const frame::FramePlan plan, frame::plan(settings.frame, frame::facts(model.scene)));
+    if (settings.verbose)
+        for (const std::string& reason : plan.reasons)
+            fmt::print(stderr, "{}\n", reason);
+
+    Jobs jobs(settings.threads);
+    RunReport report{model.scene.path, model.scene.counts, {}, model.load_ms, 0, model.warnings,
+                     start_bytes,      jobs.threads()};
+    RenderRun run(settings, format, model.scene, plan, jobs);
+    for (int index = 0; index < pictures(settings); ++index)
+        TRY_VOID(run.draw(index, report));
+    TRY_VOID(write_report(settings, to_json(report)));
+    return Exit::ok;
+}
+
+} // namespace scanout::app

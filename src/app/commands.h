@@ -1,0 +1,21 @@
+// The commands. Each gets its settings and leaves with the program's exit code.
+#pragma once
+
+#include "app/settings.h"
+#include "base/exit_code.h"
+#include "base/result.h"
+
+#include <cstdint>
+
+namespace scanout::app {
+
+// Parses, runs, reports: everything but the program's start. `start_bytes`: the resident memory
+// before anything was done, for the reports.
+Exit run(int argc, char** argv, std::uint64_t start_bytes);
+
+Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes);
+Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes);
+Result<Exit> run_compare(const Settings& settings);
+Result<Exit> run_list(const Settings& settings);
+
+} // namespace scanout::app

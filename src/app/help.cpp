@@ -1,0 +1,121 @@
+#include "app/help.h"
+
+#include "app/options.h"
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr std::string_view kOverview =
+    "scanout - 3D models on the Linux console, drawn by the CPU alone\n"
+    "\n"
+    "  scanout models/spot/spot.obj                  show a model; arrows turn it, H helps, Q "
+    "quits\n"
+    "  scanout render models/spot/spot.obj -o s.png  draw a picture, without a display\n"
+    "  scanout compare got.png expected.png          are two pictures the same?\n"
+    "\n"
+    "Commands:\n"
+    "  view MODEL...      show models on the display (also without the word view)\n"
+    "  render MODEL       draw to PNG, PPM or PAM files or to standard output\n"
+    "  compare A B        compare two pictures, with two numbers as tolerance\n"
+    "  list WHAT          displays connectors modes techniques formats targets keys options\n"
+    "\n"
+    "  scanout COMMAND --help explains a command; scanout --version prints the version.\n"
+    "\n"
+    "Exit codes: 0 ok, 2 usage, 3 file unreadable or unsupported, 5 no display or no permission,\n"
+    "21 sizes differ, 22 pixels differ, 70 internal.\n";
+
+std::string_view introduction(Command command) {
+    switch (command) {
+    case Command::view:
+        return "scanout [view] MODEL... - show models on the console's display\n"
+               "\n"
+               "  scanout models/spot/spot.obj                the first display that opens\n"
+               "  scanout models/*/*.obj                      PgDn and PgUp go through them\n"
+               "  scanout view spot.obj --view iso --up z     start from another side\n"
+               "  scanout view spot.obj --backend headless --size 640x480 --replay actions.txt\n"
+               "\n"
+               "Arrows or left drag turn the model, Shift moves it, the wheel scales it, H shows "
+               "all\n"
+               "keys (`scanout list keys`), Q quits.\n";
+    case Command::render:
+        return "scanout render MODEL -o FILE - draw a model to a file\n"
+               "\n"
+               "  scanout render spot.obj -o spot.png --size 1920x1080 --samples 8\n"
+               "  scanout render spot.obj -o - --format ppm | display -\n"
+               "  scanout render spot.obj -o turn-{n}.png --turntable 36 --view iso\n"
+               "  scanout render spot.obj --hash                        the picture's fingerprint\n"
+               "  scanout render spot.obj -o spot.png --json            times and counts\n";
+    case Command::compare:
+        return "scanout compare A B - compare the picture A (got) with the picture B (expected)\n"
+               "\n"
+               "  scanout compare got.png expected.png\n"
+               "  scanout compare got.png expected.png --max-diff 2 --max-pixels 100\n"
+               "\n"
+               "Exit code 0: the same within the tolerance; 21: sizes differ; 22: pixels differ.\n"
+               "Where they differ it writes got, expected and difference as PNG.\n";
+    case Command::list:
+        break;
+    }
+    return "scanout list WHAT - what there is on this machine and in this program\n"
+           "\n"
+           "  scanout list displays      displays that can be opened, and why others can not\n"
+           "  scanout list connectors    connectors of the graphics cards\n"
+           "  scanout list modes         modes of the connectors\n"
+           "  scanout list techniques    how a picture can be drawn\n"
+           "  scanout list formats       files that can be read, pixel formats of displays\n"
+           "  scanout list targets       instruction sets\n"
+           "  scanout list keys          keys of the viewer\n"
+           "  scanout list options       all options, as a table\n";
+}
+
+// `text` in lines of at most `width` letters, each but the first indented.
+std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
+    std::string lines;
+    while (text.size() > width) {
+        const std::size_t space = text.rfind(' ', width);
+        if (space == std::string_view::npos) break;
+        lines += fmt::format("{}\n{:{}}", text.substr(0, space), "", indent);
+        text.remove_prefix(space + 1);
+    }
+    return lines + std::string(text);
+}
+
+std::string described(const Option& option) {
+    const std::string value = value_text(option);
+    const std::string shown = value.empty()           ? ""
+                              : option.optional_value ? "[=" + value + "]"
+                                                      : " " + value;
+    const std::string name =
+        fmt::format("  {}--{}{}", option.letter != 0 ? fmt::format("-{}, ", option.letter) : "    ",
+                    option.name, shown);
+    std::string help(option.help);
+    if (!option.default_text.empty()) help += fmt::format(" [{}]", option.default_text);
+    constexpr std::size_t kColumn = 32;
+    const bool fits = name.size() < kColumn;
+    return fmt::format("{:<{}}{}{}\n", name, kColumn,
+                       fits ? "" : fmt::format("\n{:{}}", "", kColumn),
+                       wrapped(help, 100 - kColumn, kColumn));
+}
+
+} // namespace
+
+std::string help_overview() {
+    return std::string(kOverview);
+}
+
+std::string help_for(Command command) {
+    std::string text(introduction(command));
+    const Option* last = nullptr;
+    for (const Option& option : options()) {
+        if (!belongs(option, command)) continue;
+        if (last == nullptr || last->group != option.group)
+            text += fmt::format("\n{}:\n", title_of(option.group));
+        text += described(option);
+        last = &option;
+    }
+    return text + "  -h, --help                    this text\n";
+}
+
+} // namespace scanout::app

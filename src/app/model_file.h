@@ -1,0 +1,31 @@
+// Loading a model for a command: progress on a terminal, warnings, the time it took.
+#pragma once
+
+#include "app/settings.h"
+#include "base/result.h"
+#include "base/warnings.h"
+#include "scene/scene.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+struct LoadedModel {
+    scene::Scene scene;
+    std::vector<std::string> warnings;
+    double load_ms = 0;
+};
+
+// `progress` is called with the share that is read; false cancels.
+Result<LoadedModel> load_model(const std::string& path,
+                               const std::function<bool(double)>& progress);
+
+// As load_model, with a progress line on standard error when it is a terminal and loading takes
+// over a second, and the warnings printed; neither with --quiet.
+Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings);
+
+void print_warnings(const std::vector<std::string>& warnings, const Settings& settings);
+
+} // namespace scanout::app

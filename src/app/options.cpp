@@ -1,0 +1,343 @@
+#include "app/options.h"
+
+#include "app/nearest.h"
+#include "app/values.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scanout::app {
+namespace {
+
+constexpr unsigned kView = static_cast<unsigned>(Command::view);
+constexpr unsigned kRender = static_cast<unsigned>(Command::render);
+constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
+constexpr unsigned kList = static_cast<unsigned>(Command::list);
+constexpr unsigned kDraw = kView | kRender;
+constexpr unsigned kAll = kDraw | kCompare | kList;
+
+std::vector<std::string_view> words(std::string_view text) {
+    std::vector<std::string_view> found;
+    while (!text.empty()) {
+        const std::size_t space = std::min(text.find(' '), text.size());
+        if (space > 0) found.push_back(text.substr(0, space));
+        text.remove_prefix(std::min(space + 1, text.size()));
+    }
+    return found;
+}
+
+Result<void> read_size(Settings& s, std::string_view text) {
+    TRY(const Size size, parse_size(text));
+    s.frame.width = size.width;
+    s.frame.height = size.height;
+    return {};
+}
+
+Result<void> read_camera(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 2, 3));
+    if (numbers.size() == 3 && numbers[2] <= 0)
+        return fail(Exit::usage, "the distance must be above 0, not {}", numbers[2]);
+    s.camera.azimuth_degrees = numbers[0];
+    s.camera.elevation_degrees = numbers[1];
+    s.camera.distance = numbers.size() == 3 ? numbers[2] : 0;
+    s.camera_given = true;
+    return {};
+}
+
+Result<void> read_eye(Settings& s, std::string_view text) {
+    TRY(s.camera.eye, parse_vector(text));
+    return {};
+}
+
+Result<void> read_look_at(Settings& s, std::string_view text) {
+    TRY(s.camera.target, parse_vector(text));
+    return {};
+}
+
+// --target is the point that the camera looks at when it has commas, else a SIMD target.
+Result<void> read_target(Settings& s, std::string_view text) {
+    if (text.find(',') != std::string_view::npos) return read_look_at(s, text);
+    static constexpr std::array<std::string_view, 2> kTargets = {"auto", "scalar"};
+    if (std::find(kTargets.begin(), kTargets.end(), text) == kTargets.end())
+        return fail(Exit::usage,
+                    "there is no '{}'{}; `scanout list targets` prints those of this program", text,
+                    did_you_mean(text, kTargets));
+    s.target = text;
+    return {};
+}
+
+Result<void> read_scale(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 1, 3));
+    if (numbers.size() == 2) return fail(Exit::usage, "wants one number, or three; not '{}'", text);
+    const bool one = numbers.size() == 1;
+    s.model.scale = DVec3(numbers[0], numbers[one ? 0 : 1], numbers[one ? 0 : 2]);
+    return {};
+}
+
+Result<void> read_rotate(Settings& s, std::string_view text) {
+    TRY(s.model.rotate_degrees, parse_vector(text));
+    return {};
+}
+
+Result<void> read_translate(Settings& s, std::string_view text) {
+    TRY(s.model.translate, parse_vector(text));
+    return {};
+}
+
+Result<void> read_background(Settings& s, std::string_view text) {
+    TRY(s.frame.background, parse_colour(text));
+    return {};
+}
+
+Result<void> read_pixel_format(Settings& s, std::string_view text) {
+    TRY(s.pixel_format, image::pixel_format(text));
+    s.pixel_format_name = text;
+    return {};
+}
+
+Result<void> read_json(Settings& s, std::string_view text) {
+    s.json = text.empty() ? "-" : std::string(text);
+    return {};
+}
+
+constexpr std::string_view kViews = "front back left right top bottom iso";
+
+void choose_view(Settings& s, std::size_t index) {
+    s.named_view = words(kViews)[index];
+    const std::optional<scene::NamedView> view = scene::named_view(s.named_view);
+    s.camera.azimuth_degrees = view->azimuth_degrees;
+    s.camera.elevation_degrees = view->elevation_degrees;
+}
+
+// Rows: name, letter, value, choices, default, least, most, group, commands, slot, help.
+const std::array kOptions = std::to_array<Option>({
+    {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
+     Text([](Settings& s) -> std::string& { return s.output; }),
+     "where the picture goes; - is standard output; {n} in the name is its number"},
+    {"format", 0, "", "png ppm pam raw", "", 0, 0, Group::output, kRender,
+     Choice([](Settings& s, std::size_t i) {
+         constexpr std::array kFormats = {PictureFormat::png, PictureFormat::ppm,
+                                          PictureFormat::pam, PictureFormat::raw};
+         s.picture_format = kFormats[i];
+     }),
+     "the file's format, where its extension does not say it"},
+    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
+     "the bytes of a display (`list formats`): raw files hold them, other pictures and hashes show "
+     "what such a display would show"},
+    {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
+     Switch([](Settings& s) -> bool& { return s.hash; }),
+     "print each picture's hash on standard output"},
+    {"json", 0, "FILE", "", "", 0, 0, Group::output, kDraw | kCompare, Parsed(read_json),
+     "report counts, times and hashes as JSON, on standard output or to --json=FILE", true},
+
+    {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kDraw, Parsed(read_size),
+     "pixels of the picture; the viewer uses it without a display only"},
+    {"samples", 0, "", "1 2 4 8 16", "1", 0, 0, Group::picture, kDraw,
+     Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
+     "coverage samples a pixel: more make smoother edges"},
+    {"background", 0, "COLOUR", "", "#303338", 0, 0, Group::picture, kDraw, Parsed(read_background),
+     "#rrggbb or a name (black white grey slate red green blue sky transparent)"},
+    {"cull", 0, "", "none back front", "none", 0, 0, Group::picture, kDraw,
+     Choice([](Settings& s, std::size_t i) { s.frame.cull = static_cast<frame::Cull>(i); }),
+     "leave out the faces that are seen from behind, or from the front"},
+    {"texture", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.texture; }),
+     "how textures are read (`list techniques`)"},
+    {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
+     "how surfaces reflect (`list techniques`)"},
+
+    {"view", 0, "", kViews, "", 0, 0, Group::camera, kDraw, Choice(choose_view),
+     "look from a named side"},
+    {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kDraw, Parsed(read_camera),
+     "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
+     "degrees "
+     "up, from DISTANCE bounding radii (default: the model just fits)"},
+    {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_eye),
+     "put the eye there, in the model file's coordinates; wants --look-at"},
+    {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_look_at),
+     "look at this point; --target X,Y,Z says the same"},
+    {"fov", 0, "DEGREES", "", "45", 0.1, 175, Group::camera, kDraw,
+     Real([](Settings& s) -> double& { return s.camera.fov_degrees; }), "vertical field of view"},
+    {"projection", 0, "", "perspective orthographic", "perspective", 0, 0, Group::camera, kDraw,
+     Choice([](Settings& s, std::size_t i) {
+         s.camera.projection = static_cast<scene::Projection>(i);
+     }),
+     "with or without foreshortening"},
+    {"up", 0, "", "y -y z -z x -x", "y", 0, 0, Group::camera, kDraw,
+     Choice([](Settings& s, std::size_t i) { s.camera.up = static_cast<scene::UpAxis>(i); }),
+     "the model's axis that points up"},
+
+    {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kDraw, Parsed(read_scale),
+     "scale the model about its centre, first"},
+    {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_rotate),
+     "then turn it, in degrees about x, y and z, in this order"},
+    {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_translate),
+     "then move it, in bounding radii"},
+    {"turntable", 0, "N", "", "", 1, 100000, Group::model, kRender,
+     Integer([](Settings& s) -> int& { return s.turntable; }),
+     "draw N pictures of one full turn; -o wants {n} in the name"},
+
+    {"backend", 0, "", "auto drm fbdev headless", "auto", 0, 0, Group::display, kView,
+     Choice([](Settings& s, std::size_t i) { s.backend = static_cast<Backend>(i); }),
+     "where to show: auto tries DRM, then the framebuffer"},
+    {"device", 0, "FILE", "", "", 0, 0, Group::display, kView | kList,
+     Text([](Settings& s) -> std::string& { return s.device; }),
+     "the display's device, such as /dev/dri/card1 or /dev/fb0"},
+    {"connector", 0, "NAME", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.connector; }),
+     "the DRM connector (`list connectors`)"},
+    {"mode", 0, "WxH[@HZ]", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.mode; }),
+     "the DRM mode (`list modes`); default: the one that the monitor prefers"},
+    {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
+     Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
+    {"no-times", 0, "", "", "", 0, 0, Group::display, kView,
+     Switch([](Settings& s) -> bool& { return s.no_times; }),
+     "show nothing that depends on the clock, so that equal states are equal pictures; --record "
+     "and "
+     "--replay imply it"},
+    {"record", 0, "FILE", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.record; }),
+     "write every action with the step of its time, for --replay"},
+    {"replay", 0, "FILE", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.replay; }),
+     "play the actions of a file; its `frame NAME.png` lines write what is shown"},
+
+    {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
+     Integer([](Settings& s) -> int& { return s.frames; }),
+     "draw each picture N times, for times in --json"},
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kDraw,
+     Integer([](Settings& s) -> int& { return s.threads; }),
+     "threads that draw; 0 is one for each core; the picture is the same"},
+    {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kDraw, Parsed(read_target),
+     "instruction set that draws (`list targets`); the picture is the same"},
+
+    {"max-diff", 0, "N", "", "0", 0, 255, Group::comparison, kCompare,
+     Integer([](Settings& s) -> int& { return s.max_difference; }),
+     "a pixel counts when a channel differs by more than N of 255"},
+    {"max-pixels", 0, "N", "", "0", 0, 1e12, Group::comparison, kCompare,
+     BigInteger([](Settings& s) -> std::int64_t& { return s.max_pixels; }),
+     "the pictures are equal when at most N pixels count"},
+    {"out", 0, "PREFIX", "", "", 0, 0, Group::comparison, kCompare,
+     Text([](Settings& s) -> std::string& { return s.difference_prefix; }),
+     "where got.png, expected.png and difference.png go when the pictures differ: a folder, or the "
+     "beginning of the names; default: beside A"},
+
+    {"verbose", 'v', "", "", "", 0, 0, Group::general, kAll,
+     Switch([](Settings& s) -> bool& { return s.verbose; }), "say more on standard error"},
+    {"quiet", 'q', "", "", "", 0, 0, Group::general, kAll,
+     Switch([](Settings& s) -> bool& { return s.quiet; }), "no warnings, no progress"},
+});
+
+Result<void> outside(const Option& option, std::string_view text) {
+    return fail(Exit::usage, "must be {} to {}, not {}", option.least, option.most, text);
+}
+
+struct Applier {
+    const Option& option;
+    std::string_view text;
+    Settings& settings;
+
+    Result<void> operator()(Switch slot) const {
+        slot(settings) = true;
+        return {};
+    }
+    template <class Number>
+    Result<void> whole(Number& place) const {
+        TRY(const std::int64_t value, parse_integer(text));
+        const double wide = static_cast<double>(value);
+        if (wide < option.least || wide > option.most) return outside(option, text);
+        place = static_cast<Number>(value);
+        return {};
+    }
+    Result<void> operator()(Integer slot) const { return whole(slot(settings)); }
+    Result<void> operator()(BigInteger slot) const { return whole(slot(settings)); }
+    Result<void> operator()(Real slot) const {
+        TRY(const double value, parse_real(text));
+        if (value < option.least || value > option.most) return outside(option, text);
+        slot(settings) = value;
+        return {};
+    }
+    Result<void> operator()(Text slot) const {
+        if (text.empty()) return fail(Exit::usage, "wants {}, not nothing", option.value);
+        slot(settings) = text;
+        return {};
+    }
+    Result<void> operator()(Choice slot) const {
+        const std::vector<std::string_view> allowed = words(option.choices);
+        const auto found = std::find(allowed.begin(), allowed.end(), text);
+        if (found == allowed.end())
+            return fail(Exit::usage, "wants one of {}; not '{}'{}", option.choices, text,
+                        did_you_mean(text, allowed));
+        slot(settings, static_cast<std::size_t>(found - allowed.begin()));
+        return {};
+    }
+    Result<void> operator()(Parsed slot) const { return slot(settings, text); }
+};
+
+std::string range_text(const Option& option) {
+    return option.most > option.least ? fmt::format("{} to {}", option.least, option.most)
+                                      : std::string();
+}
+
+} // namespace
+
+std::span<const Option> options() {
+    return kOptions;
+}
+
+std::string_view title_of(Group group) {
+    constexpr std::array<std::string_view, 8> kTitles = {
+        "Output", "Picture", "Camera", "Model", "Display", "Speed", "Comparison", "General"};
+    return kTitles[static_cast<std::size_t>(group)];
+}
+
+std::string value_text(const Option& option) {
+    if (option.choices.empty()) return std::string(option.value);
+    std::string text(option.choices);
+    std::replace(text.begin(), text.end(), ' ', '|');
+    return text;
+}
+
+Result<void> apply(const Option& option, std::string_view text, Settings& settings) {
+    const Result<void> applied = std::visit(Applier{option, text, settings}, option.slot);
+    if (!applied) return fail(applied.error().exit, "--{} {}", option.name, applied.error().what);
+    return {};
+}
+
+Result<void> check_together(const Settings& s) {
+    const bool eye = s.camera.eye.has_value();
+    if (eye != s.camera.target.has_value())
+        return fail(Exit::usage, "--eye and --look-at go together: give {} as well",
+                    eye ? "--look-at X,Y,Z" : "--eye X,Y,Z");
+    if (int{s.camera_given} + int{!s.named_view.empty()} + int{eye} > 1)
+        return fail(Exit::usage,
+                    "--view, --camera and --eye each place the camera: give one of them");
+    if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
+    return {};
+}
+
+std::string options_markdown() {
+    std::string text = "| option | value | default | range | commands | what it does |\n"
+                       "|---|---|---|---|---|---|\n";
+    constexpr std::array kCommands = {
+        std::pair{Command::view, "view"}, std::pair{Command::render, "render"},
+        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
+    for (const Option& option : kOptions) {
+        std::string commands;
+        for (const auto& [command, name] : kCommands)
+            if (belongs(option, command))
+                commands += (commands.empty() ? "" : " ") + std::string(name);
+        std::string value = value_text(option);
+        for (std::size_t i = 0; (i = value.find('|', i)) != std::string::npos; i += 2)
+            value.insert(i, 1, '\\');
+        text +=
+            fmt::format("| {}`--{}` | {} | {} | {} | {} | {} |\n",
+                        option.letter != 0 ? fmt::format("`-{}` ", option.letter) : "", option.name,
+                        value, option.default_text, range_text(option), commands, option.help);
+    }
+    return text;
+}
+
+} // namespace scanout::app

@@ -1,0 +1,66 @@
+// The table of options: one definition each (name, type, default, range, help) that feeds the
+// command line, --help, `scanout list options` and the README.
+#pragma once
+
+#include "app/settings.h"
+#include "base/result.h"
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace scanout::app {
+
+enum class Group : std::uint8_t {
+    output,
+    picture,
+    camera,
+    model,
+    display,
+    times,
+    comparison,
+    general
+};
+std::string_view title_of(Group group);
+
+// Where an option's value goes, which is also its type.
+using Switch = bool& (*)(Settings&);
+using Integer = int& (*)(Settings&);
+using BigInteger = std::int64_t& (*)(Settings&);
+using Real = double& (*)(Settings&);
+using Text = std::string& (*)(Settings&);
+using Choice = void (*)(Settings&, std::size_t index);             // index into `choices`
+using Parsed = Result<void> (*)(Settings&, std::string_view text); // reads the text itself
+using Slot = std::variant<Switch, Integer, BigInteger, Real, Text, Choice, Parsed>;
+
+struct Option {
+    std::string_view name;         // without dashes
+    char letter = 0;               // 0: no short form
+    std::string_view value;        // "WxH", "N"; empty for switches and for choices
+    std::string_view choices;      // the words that are allowed, separated by spaces
+    std::string_view default_text; // as on the command line; empty: none
+    double least = 0, most = 0;    // of numbers, both included
+    Group group = Group::general;
+    unsigned commands = 0; // of Command
+    Slot slot;
+    std::string_view help;
+    bool optional_value = false; // --name, or --name=VALUE
+};
+
+std::span<const Option> options();
+inline bool belongs(const Option& option, Command command) {
+    return (option.commands & static_cast<unsigned>(command)) != 0;
+}
+// "N", "none|back|front", or nothing for a switch.
+std::string value_text(const Option& option);
+
+// Reads `text` into the settings. Errors are whole lines with the option's name, Exit::usage.
+Result<void> apply(const Option& option, std::string_view text, Settings& settings);
+// What no option sees by itself: combinations.
+Result<void> check_together(const Settings& settings);
+
+// `list options`: the README's table.
+std::string options_markdown();
+
+} // namespace scanout::app

@@ -1,0 +1,104 @@
+#include "app/picture.h"
+
+#include "base/write_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <csignal>
+#include <cstring>
+
+namespace scanout::app {
+namespace {
+
+struct Extension {
+    std::string_view text;
+    PictureFormat format;
+};
+constexpr std::array kExtensions = {
+    Extension{"png", PictureFormat::png}, Extension{"ppm", PictureFormat::ppm},
+    Extension{"pam", PictureFormat::pam}, Extension{"raw", PictureFormat::raw}};
+
+// Holds the signals that would end the program back, for its lifetime.
+class SignalsHeldBack {
+public:
+    SignalsHeldBack() {
+        sigset_t held;
+        sigemptyset(&held);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+            sigaddset(&held, signal);
+        ::pthread_sigmask(SIG_BLOCK, &held, &before_);
+    }
+    ~SignalsHeldBack() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    SignalsHeldBack(const SignalsHeldBack&) = delete;
+    SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+
+private:
+    sigset_t before_{};
+};
+
+image::Bytes raw_bytes(const image::Image& picture,
+                       const std::optional<image::PixelFormat>& pixel_format) {
+    const auto height = static_cast<std::size_t>(picture.height());
+    const auto width = static_cast<std::size_t>(picture.width());
+    if (!pixel_format) {
+        image::Bytes bytes(width * height * sizeof(image::Rgba8));
+        std::memcpy(bytes.data(), picture.pixels().data(), bytes.size());
+        return bytes;
+    }
+    const std::size_t pitch = width * static_cast<std::size_t>(pixel_format->bytes_per_pixel());
+    image::Bytes bytes(pitch * height);
+    for (std::size_t y = 0; y < height; ++y)
+        image::encode_row(*pixel_format, picture.row(static_cast<int>(y)),
+                          bytes.data() + y * pitch);
+    return bytes;
+}
+
+} // namespace
+
+Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked) {
+    if (asked != PictureFormat::by_name) return asked;
+    if (path == "-") return PictureFormat::png;
+    const std::size_t dot = path.rfind('.');
+    std::string extension = dot == std::string::npos ? "" : path.substr(dot + 1);
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    for (const Extension& known : kExtensions)
+        if (known.text == extension) return known.format;
+    return fail(Exit::usage, "{}: the name does not end in .png, .ppm, .pam or .raw; say --format",
+                path);
+}
+
+image::Image displayed(const image::Image& picture, const Settings& settings) {
+    return settings.pixel_format ? image::as_displayed(*settings.pixel_format, picture) : picture;
+}
+
+Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
+                            const std::optional<image::PixelFormat>& pixel_format) {
+    switch (format) {
+    case PictureFormat::ppm:
+        return image::encode_ppm(picture);
+    case PictureFormat::pam:
+        return image::encode_pam(picture);
+    case PictureFormat::raw:
+        return raw_bytes(picture, pixel_format);
+    case PictureFormat::by_name:
+    case PictureFormat::png:
+        break;
+    }
+    return image::encode_png(picture);
+}
+
+std::string numbered(const std::string& name, int number, int count) {
+    const std::size_t place = name.find("{n}");
+    if (place == std::string::npos) return name;
+    const std::size_t digits = fmt::formatted_size("{}", std::max(count - 1, 0));
+    return name.substr(0, place) + fmt::format("{:0{}}", number, digits) + name.substr(place + 3);
+}
+
+Result<void> write_picture(const std::string& path, const image::Bytes& bytes) {
+    const SignalsHeldBack held;
+    return write_file(path, bytes);
+}
+
+} // namespace scanout::app

@@ -1,0 +1,32 @@
+// A picture on its way into a file: format, pixel format, name, hash.
+#pragma once
+
+#include "app/settings.h"
+#include "base/result.h"
+#include "image/codec.h"
+#include "image/image.h"
+
+#include <string>
+
+namespace scanout::app {
+
+// The format that a file is written in: the one asked for, or by the name's extension; "-" is PNG.
+Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked);
+
+// The picture as the display of --pixel-format shows it; unchanged without one.
+image::Image displayed(const image::Image& picture, const Settings& settings);
+
+// The file's bytes. raw: the bytes of --pixel-format, or RGBA8, rows from the top without padding.
+Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
+                            const std::optional<image::PixelFormat>& pixel_format);
+
+// `name` with {n} replaced by the number, padded to as many digits as count - 1 has.
+std::string numbered(const std::string& name, int number, int count);
+inline bool has_number(const std::string& name) {
+    return name.find("{n}") != std::string::npos;
+}
+
+// write_file, and SIGINT, SIGTERM and SIGHUP wait until it is done: no temporary file is left.
+Result<void> write_picture(const std::string& path, const image::Bytes& bytes);
+
+} // namespace scanout::app

@@ -1,0 +1,110 @@
+#include "app/report.h"
+
+#include "base/memory.h"
+#include "base/write_file.h"
+#include "image/hash.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace scanout::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character.
+std::string dumped(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+double rounded(double ms) {
+    return std::round(ms * 1000) / 1000;
+}
+
+template <class Member>
+std::vector<double> column(const std::vector<FrameRecord>& frames, Member member) {
+    std::vector<double> values;
+    for (const FrameRecord& frame : frames)
+        values.push_back(frame.stats.*member);
+    return values;
+}
+
+Json times(const RunReport& report) {
+    using frame::FrameStats;
+    const std::vector<double> total = column(report.frames, &FrameStats::total_ms);
+    const auto median = [&](auto member) {
+        return rounded(percentile(column(report.frames, member), 0.5));
+    };
+    return {{"load", rounded(report.load_ms)},
+            {"first", rounded(total.empty() ? 0 : total.front())},
+            {"median", rounded(percentile(total, 0.5))},
+            {"min", rounded(percentile(total, 0))},
+            {"p95", rounded(percentile(total, 0.95))},
+            {"encode", rounded(report.encode_ms)},
+            {"stages",
+             {{"geometry", median(&FrameStats::geometry_ms)},
+              {"tiles", median(&FrameStats::tiles_ms)}}}};
+}
+
+} // namespace
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    const double rank = std::ceil(share * static_cast<double>(values.size()));
+    return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
+}
+
+std::string to_json(const RunReport& report) {
+    Json frames = Json::array();
+    for (const FrameRecord& frame : report.frames)
+        frames.push_back({{"index", frame.index},
+                          {"hash", image::hash_text(frame.hash)},
+                          {"width", frame.width},
+                          {"height", frame.height},
+                          {"ms", rounded(frame.stats.total_ms)}});
+    const frame::FrameStats drawn =
+        report.frames.empty() ? frame::FrameStats{} : report.frames.front().stats;
+    const scene::ModelCounts& counts = report.counts;
+    return dumped({{"model",
+                    {{"path", report.model_path},
+                     {"vertices", counts.vertices},
+                     {"faces", counts.faces},
+                     {"triangles", counts.triangles},
+                     {"lines", counts.lines},
+                     {"points", counts.points},
+                     {"skipped", counts.skipped},
+                     {"bytes", counts.bytes}}},
+                   {"frames", frames},
+                   {"ms", times(report)},
+                   {"triangles",
+                    {{"submitted", drawn.triangles_submitted}, {"drawn", drawn.triangles_drawn}}},
+                   {"warnings", report.warnings},
+                   {"rss_start_bytes", report.start_bytes},
+                   {"peak_rss_bytes", peak_resident_bytes()},
+                   {"threads", report.threads},
+                   {"target", "scalar"},
+                   {"version", SCANOUT_VERSION}});
+}
+
+std::string to_json(const image::Difference& difference, const Settings& settings,
+                    const std::vector<std::string>& written) {
+    const bool same = difference.same_size && difference.over_tolerance <= settings.max_pixels;
+    return dumped({{"same", same},
+                   {"same_size", difference.same_size},
+                   {"max_difference", difference.max_difference},
+                   {"differing_pixels", difference.differing_pixels},
+                   {"over_tolerance", difference.over_tolerance},
+                   {"tolerance",
+                    {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}}},
+                   {"written", written},
+                   {"version", SCANOUT_VERSION}});
+}
+
+Result<void> write_report(const Settings& settings, const std::string& json) {
+    if (!settings.json) return {};
+    return write_file(*settings.json, json);
+}
+
+} // namespace scanout::app

@@ -1,0 +1,44 @@
+// What a run reports as JSON: one object a run (README, "JSON").
+#pragma once
+
+#include "app/settings.h"
+#include "base/result.h"
+#include "frame/renderer.h"
+#include "image/compare.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+struct FrameRecord {
+    int index = 0;
+    std::uint64_t hash = 0;
+    int width = 0, height = 0;
+    frame::FrameStats stats;
+};
+
+struct RunReport {
+    std::string model_path;
+    scene::ModelCounts counts;
+    std::vector<FrameRecord> frames;
+    double load_ms = 0;
+    double encode_ms = 0; // of the first picture
+    std::vector<std::string> warnings;
+    std::uint64_t start_bytes = 0;
+    int threads = 1;
+};
+
+std::string to_json(const RunReport& report);
+std::string to_json(const image::Difference& difference, const Settings& settings,
+                    const std::vector<std::string>& written);
+
+// The value at which `share` (0 to 1) of the values are reached: nearest rank. 0 for none.
+double percentile(std::vector<double> values, double share);
+
+// Where --json says; nothing without it.
+Result<void> write_report(const Settings& settings, const std::string& json);
+
+} // namespace scanout::app

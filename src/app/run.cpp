@@ -1,0 +1,55 @@
+#include "app/command_line.h"
+#include "app/commands.h"
+
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+
+namespace scanout::app {
+namespace {
+
+Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
+    switch (settings.command) {
+    case Command::view:
+        return run_view(settings, start_bytes);
+    case Command::render:
+        return run_render(settings, start_bytes);
+    case Command::compare:
+        return run_compare(settings);
+    case Command::list:
+        break;
+    }
+    return run_list(settings);
+}
+
+Result<Exit> parse_and_run(std::vector<std::string> arguments, std::uint64_t start_bytes) {
+    TRY(const CommandLine line, parse_command_line(std::move(arguments)));
+    if (line.printout.empty()) return dispatch(line.settings, start_bytes);
+    std::fputs(line.printout.c_str(), stdout);
+    return Exit::ok;
+}
+
+} // namespace
+
+Exit run(int argc, char** argv, std::uint64_t start_bytes) {
+    // A reader that goes away (`scanout ... | head`) is an error of write(), not the end by a
+    // signal.
+    std::signal(SIGPIPE, SIG_IGN);
+    Result<Exit> result = Exit::internal;
+    try {
+        result = parse_and_run({argv + 1, argv + argc}, start_bytes);
+    } catch (const std::bad_alloc&) {
+        result = fail(Exit::internal, "out of memory; a smaller --size or model needs less");
+    } catch (const std::exception& error) {
+        result = fail(Exit::internal, "{}; this is a mistake in scanout", error.what());
+    }
+    if (result && std::fflush(stdout) != 0)
+        result =
+            fail(Exit::unreadable, "standard output: cannot be written: {}", std::strerror(errno));
+    if (result) return *result;
+    fmt::print(stderr, "scanout: {}\n", result.error().what);
+    return result.error().exit;
+}
+
+} // namespace scanout::app

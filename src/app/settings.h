@@ -1,0 +1,54 @@
+// Everything that the command line can say, as values. options.cpp is the only writer.
+#pragma once
+
+#include "frame/options.h"
+#include "image/pixel_format.h"
+#include "scene/view.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+enum class Command : unsigned { view = 1, render = 2, compare = 4, list = 8 };
+
+// How a picture is written.
+enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
+enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
+
+struct Settings {
+    Command command = Command::view;
+    std::vector<std::string> arguments; // models, pictures, or what to list
+
+    frame::FrameOptions frame;
+    scene::ModelTransform model;
+    scene::CameraOptions camera;
+    std::string named_view; // --view; already in `camera`
+    bool camera_given = false;
+
+    int threads = 0;             // 0: one a core
+    std::string target = "auto"; // SIMD target
+    bool verbose = false, quiet = false;
+    std::optional<std::string> json; // the file; "-": standard output
+    std::optional<image::PixelFormat> pixel_format;
+    std::string pixel_format_name;
+
+    std::string output;
+    PictureFormat picture_format = PictureFormat::by_name;
+    bool hash = false;
+    int turntable = 0; // pictures in a full turn; 0: one picture
+    int frames = 1;    // how often each picture is drawn, for times
+
+    Backend backend = Backend::automatic;
+    std::string device, connector, mode;
+    std::string record, replay;
+    bool no_pointer = false, no_times = false;
+
+    int max_difference = 0;
+    std::int64_t max_pixels = 0;
+    std::string difference_prefix;
+};
+
+} // namespace scanout::app
