@@ -3,6 +3,7 @@
 #include "base/mapping.h"
 #include "io/materials.h"
 #include "io/obj.h"
+#include "io/stl.h"
 #include "io/text.h"
 
 #include <algorithm>
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::array kFormats = {
     Format{".obj", "Wavefront OBJ with MTL materials: polygons, lines, points"},
+    Format{".stl", "STL, binary and ASCII: triangles"},
 };
 
 // What every reader hands on to the common end.
@@ -25,6 +27,7 @@ struct Parts {
     geom::PolygonMesh polygons;
     Materials materials;
     scene::ModelCounts counts;
+    double crease_limit_degrees = 180; // no crease angle above makes sense in this format
 };
 
 std::string extension_of(const std::string& path) {
@@ -62,6 +65,18 @@ Result<Parts> read_obj_parts(std::string_view file, const std::string& path, War
     return parts;
 }
 
+Result<Parts> read_stl_parts(std::string_view file, const std::string& path, Warnings& warnings,
+                             const std::function<bool(double)>& progress) {
+    TRY(StlResult stl, read_stl(file, path, warnings, progress));
+    Parts parts;
+    parts.counts.vertices = stl.facets * 3;
+    parts.counts.faces = stl.polygons.faces();
+    parts.counts.skipped = stl.skipped;
+    parts.crease_limit_degrees = kStlCreaseDegrees;
+    parts.polygons = std::move(stl.polygons);
+    return parts;
+}
+
 Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings& warnings) {
     const std::string extension = extension_of(path);
     const auto known = std::find_if(kFormats.begin(), kFormats.end(),
@@ -78,7 +93,8 @@ Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings
         file.drop_before(static_cast<std::size_t>(share * static_cast<double>(file.size())));
         return !options.progress || options.progress(share);
     };
-    TRY(Parts parts, read_obj_parts(file.text(), path, warnings, progress));
+    const auto reader = extension == ".stl" ? read_stl_parts : read_obj_parts;
+    TRY(Parts parts, reader(file.text(), path, warnings, progress));
     parts.counts.bytes = file.size() + parts.materials.bytes;
     return parts;
 }

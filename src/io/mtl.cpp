@@ -108,7 +108,7 @@ void MtlReader::statement() {
     const std::string_view word = at_.word();
     if (word.size() > 32) return warn("MTL statement", "the statement is not known");
     const std::string key = lower_case(word);
-    if (key == "newmtl") {
+    if (word == "newmtl") {
         finish_material();
         MtlMaterial& m = out_.emplace_back();
         m.line = at_.line;
@@ -334,6 +334,8 @@ void MtlReader::map_file(TextureMap& map) {
 
 std::vector<MtlMaterial> read_mtl(std::string_view file, const std::string& path,
                                   Warnings& warnings) {
+    // Whatever else mtllib named is not worth a word about its lines.
+    if (file.find("newmtl") == std::string_view::npos) return {};
     return MtlReader(file, path, warnings).read();
 }
 

@@ -62,6 +62,7 @@ int hex_digit(char c) {
 
 Result<ObjFile> read_obj(std::string_view file, const std::string& path, Warnings& warnings,
                          const std::function<bool(double)>& progress) {
+    if (file.empty()) return fail(Exit::unreadable, "{}: the file is empty", path);
     if (const auto reason = not_a_text_model(file))
         return fail(Exit::unreadable, "{}: {}", path, *reason);
     return ObjReader(file, path, warnings, progress).read();
@@ -86,12 +87,17 @@ void ObjReader::statement() {
     at_.skip_blanks();
     const char* p = at_.at;
     if (at_.end - p >= 3) {
-        if (*p == 'v') {
-            if (Cursor::is_blank(p[1])) return ++at_.at, position();
-            if (p[1] == 't' && Cursor::is_blank(p[2])) return at_.at += 2, texture_coordinate();
-            if (p[1] == 'n' && Cursor::is_blank(p[2])) return at_.at += 2, normal();
-        } else if (*p == 'f' && Cursor::is_blank(p[1])) {
-            return ++at_.at, face();
+        if (*p == 'v' && Cursor::is_blank(p[1])) {
+            ++at_.at;
+            return position();
+        }
+        if (*p == 'v' && Cursor::is_blank(p[2]) && (p[1] == 't' || p[1] == 'n')) {
+            at_.at += 2;
+            return p[1] == 't' ? texture_coordinate() : normal();
+        }
+        if (*p == 'f' && Cursor::is_blank(p[1])) {
+            ++at_.at;
+            return face();
         }
     }
     if (!at_.at_line_end()) other_statement();
@@ -318,8 +324,8 @@ Result<> ObjReader::finish() {
     if (m.positions.empty())
         return fail(Exit::unreadable, "{}: holds no vertices; is it an OBJ model?", path_);
     if (bad_positions_ == m.positions.size())
-        return fail(Exit::unreadable, "{}: holds no vertex that can be used: {}", path_,
-                    warnings_.lines().front());
+        return fail(Exit::unreadable, "{}: none of its {} vertices has three finite numbers", path_,
+                    bad_positions_);
     if (at_.nul_line != 0) warn("NUL bytes", at_.nul_line, "NUL bytes are read as blanks");
     if (!polypaint_.empty() && m.colours.empty()) {
         polypaint_.resize(m.positions.size(), Vec3(1));

@@ -1,19 +1,15 @@
 // The statements that name vertices: f, l, p. Indices count from 1; negative ones count back from
 // the last vertex before the statement (-1), so they are resolved where they stand. Arithmetic is
 // in int64 and every index is checked: below 1 here, beyond the end when the file's end is known.
+#include "geom/framing.h"
 #include "io/obj_reader.h"
 #include "io/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace scanout::io {
 namespace {
-
-bool is_finite(const DVec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 // Removes the elements at `places` (ascending).
 template <class T>
@@ -199,6 +195,7 @@ bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
     const auto missing = [](std::int32_t index, std::size_t count) {
         return index >= 0 && static_cast<std::size_t>(index) >= count;
     };
+    bool complete = true;
     for (std::size_t i = m.face_begin[face]; i < m.face_end(face); ++i) {
         geom::Corner& c = m.corners[i];
         if (missing(c.position, m.positions.size())) {
@@ -206,13 +203,16 @@ bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
                  c.position + 1LL, m.positions.size());
             return false;
         }
-        if (missing(c.uv, m.uvs.size()) || missing(c.normal, m.normals.size()))
-            warn("face attributes", line,
-                 "the face wants texture coordinates or normals that the file does not have; "
-                 "drawn without");
-        if (missing(c.uv, m.uvs.size())) c.uv = -1;
-        if (missing(c.normal, m.normals.size())) c.normal = -1;
+        for (auto [index, count] : {std::pair(&c.uv, m.uvs.size()), {&c.normal, m.normals.size()}})
+            if (missing(*index, count)) {
+                *index = -1;
+                complete = false;
+            }
     }
+    if (!complete)
+        warn("face attributes", line,
+             "the face wants texture coordinates or normals that the file does not have; drawn "
+             "without");
     return true;
 }
 
@@ -253,7 +253,7 @@ bool ObjReader::anything_to_draw() const {
         return m.faces() > 0 || !m.line_begin.empty() || !m.point_vertices.empty();
     // An element is drawn whole or not at all (geom/build.h).
     const auto usable = [&](auto vertex) {
-        return is_finite(m.positions[static_cast<std::size_t>(vertex)]);
+        return geom::is_finite(m.positions[static_cast<std::size_t>(vertex)]);
     };
     for (std::size_t f = 0; f < m.faces(); ++f) {
         bool all = true;
@@ -273,7 +273,8 @@ bool ObjReader::anything_to_draw() const {
 void ObjReader::all_vertices_as_points() {
     geom::PolygonMesh& m = out_.polygons;
     for (std::size_t i = 0; i < m.positions.size(); ++i)
-        if (is_finite(m.positions[i])) m.point_vertices.push_back(static_cast<std::uint32_t>(i));
+        if (geom::is_finite(m.positions[i]))
+            m.point_vertices.push_back(static_cast<std::uint32_t>(i));
     m.point_material.assign(m.point_vertices.size(), -1);
     warnings_.add(
         "points",
