@@ -9,7 +9,7 @@ if [ -f "$cache/version" ]; then
     echo "$cache"
     exit 0
 fi
-source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/packages.sh"
+source "$(dirname "$(readlink -f "$0")")/../../scripts/packages.sh"
 mkdir -p "$cache"
 work=$(mktemp -d "$cache/fetch.XXXXXX")
 trap 'rm -rf "$work"' EXIT
@@ -34,7 +34,7 @@ kernel = lzma.LZMADecompressor().decompress(packed[packed.find(b"\xfd7zXZ\0"):])
 assert kernel[:4] == b"\x7fELF"
 open(sys.argv[2], "wb").write(kernel)
 PYTHON
-rm -rf "$cache/vmlinux" "$cache/lib"
+rm -rf "${cache:?}/vmlinux" "${cache:?}/lib"
 mv vmlinux lib "$cache"
 echo "$version" >"$cache/version" # last: the cache is whole
 echo "$cache"
