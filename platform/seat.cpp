@@ -83,7 +83,9 @@ Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes) {
         if (seat) return seat;
         notes.push_back(seat.error().what);
     }
-    return std::make_unique<DirectSeat>();
+    return no_seat();
 }
+
+std::unique_ptr<Seat> no_seat() { return std::make_unique<DirectSeat>(); }
 
 } // namespace scanout::console

@@ -86,4 +86,7 @@ private:
 // Must be called before any thread exists: libseat's built-in server is a fork of this process.
 Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes);
 
+// No seat: devices are opened as files. For listing them, and where nothing else is to be had.
+std::unique_ptr<Seat> no_seat();
+
 } // namespace scanout::console

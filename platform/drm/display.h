@@ -11,9 +11,9 @@
 namespace scanout::drm {
 
 struct Options {
-    std::string card;       // "/dev/dri/card1"; empty: the first that works
-    std::string connector;  // "HDMI-A-1"; empty: the first connected one
-    std::string mode;       // "1920x1080" or "1920x1080@60"; empty: preferred, else the highest
+    std::string card;      // "/dev/dri/card1"; empty: the first that works
+    std::string connector; // "HDMI-A-1"; empty: the first connected one
+    std::string mode;      // "1920x1080" or "1920x1080@60"; empty: preferred, else the highest
 };
 
 // The first card with KMS, a connected connector and obtainable master. Fails (Exit::no_display)
@@ -27,15 +27,15 @@ struct ModeInfo {
     bool preferred = false;
 };
 struct ConnectorInfo {
-    std::string name;  // "Virtual-1"
+    std::string name; // "Virtual-1"
     bool connected = false;
     std::vector<ModeInfo> modes;
 };
 struct CardInfo {
     std::string path, driver;
-    std::string problem;  // why it cannot be used, or empty
+    std::string problem; // why it cannot be used, or empty
     std::vector<ConnectorInfo> connectors;
 };
 std::vector<CardInfo> list_cards();
 
-}  // namespace scanout::drm
+} // namespace scanout::drm

@@ -21,11 +21,11 @@ Result<std::unique_ptr<port::Display>> create(const Options& options, console::S
 
 // What there is, for `scanout list displays`.
 struct FrameBufferInfo {
-    std::string path, id;  // "/dev/fb0", "virtio_gpudrmfb"
-    std::string problem;   // why it cannot be used, or empty
+    std::string path, id; // "/dev/fb0", "virtio_gpudrmfb"
+    std::string problem;  // why it cannot be used, or empty
     int width = 0, height = 0;
     image::PixelFormat format;
 };
 std::vector<FrameBufferInfo> list_frame_buffers();
 
-}  // namespace scanout::linux_fb
+} // namespace scanout::linux_fb
