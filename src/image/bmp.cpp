@@ -66,13 +66,14 @@ Result<void> read_masks(const Source& file, Bmp& bmp) {
     for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t mask = u32_at(file.bytes, kAt + 4 * i);
         bmp.masks[i] = mask;
-        const int digits = std::popcount(mask);
-        const bool one_run = digits == 32 - std::countl_zero(mask) - std::countr_zero(mask);
-        if (mask != 0 && (!one_run || digits > 8))
-            return fail(Exit::unreadable, "{}: bit fields of more than 8 bits are not supported",
-                        file.name);
         if (mask == 0 && i < 3)
             return fail(Exit::unreadable, "{}: its bit fields leave out a colour", file.name);
+        const int digits = std::popcount(mask);
+        if (digits > 8)
+            return fail(Exit::unreadable, "{}: bit fields of more than 8 bits are not supported",
+                        file.name);
+        if (mask != 0 && digits != 32 - std::countl_zero(mask) - std::countr_zero(mask))
+            return fail(Exit::unreadable, "{}: a bit field with gaps is not supported", file.name);
     }
     return {};
 }

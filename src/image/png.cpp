@@ -75,7 +75,6 @@ void read_header(Reader& reader, const DecodeLimits& limits) {
     png_set_scale_16(png);
     png_set_gray_to_rgb(png);
     png_set_add_alpha(png, 0xff, PNG_FILLER_AFTER);
-    png_set_interlace_handling(png);
     png_read_update_info(png, reader.info);
     if (png_get_rowbytes(png, reader.info) !=
         std::size_t{4} * png_get_image_width(png, reader.info))

@@ -110,6 +110,15 @@ TEST(Codec, LimitsHoldForEveryFormatBothWays) {
         << jpeg.error().what;
 }
 
+TEST(Codec, ATallPictureIsOverTheLimitLikeAWideOne) {
+    for (const std::string_view header : {"P6 1 16385 255\n", "P6 16385 1 255\n"}) {
+        const auto refused = decode(Maker().text(header).bytes, "x.ppm");
+        ASSERT_FALSE(refused);
+        EXPECT_NE(refused.error().what.find("over the limit"), std::string::npos)
+            << refused.error().what;
+    }
+}
+
 TEST(Codec, TroubleNamesTheFileAndTheReason) {
     const auto message = [](std::string_view text, const char* name) {
         const auto picture =
@@ -123,8 +132,8 @@ TEST(Codec, TroubleNamesTheFileAndTheReason) {
     EXPECT_EQ(message("P6 2 x 255\n", "a.ppm"),
               "a.ppm: its header says 2x-1 pixels: the file is damaged");
     EXPECT_EQ(message("P6 2 1 65535\n", "a.ppm").find("a.ppm: only 8 bits a sample"), 0u);
-    EXPECT_EQ(message("P6 2 1 255\nabc", "a.ppm"),
-              "a.ppm: ends early: 3 bytes of pixels are there, 6 are needed");
+    EXPECT_EQ(message("P6 2 1 255\nabcde", "a.ppm"),
+              "a.ppm: ends early: 5 bytes of pixels are there, 6 are needed");
     EXPECT_EQ(message("P7\nWIDTH 2\n", "a.pam"), "a.pam: its PAM header has no end");
 }
 

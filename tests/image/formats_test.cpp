@@ -114,6 +114,19 @@ TEST(Formats, BmpBitFieldsPlaceTheChannels) {
     EXPECT_EQ(must_decode(swapped.bytes, "rgbx").at(0, 0), (Rgba8{1, 2, 3, 255}));
 }
 
+TEST(Formats, BmpBitFieldsThatCannotBeReadAreRefused) {
+    const auto message = [](std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
+        Maker file = bmp_start(1, 1, 32, 3, 66);
+        file.u32(red).u32(green).u32(blue).u32(0);
+        const auto picture = decode(file.bytes, "x.bmp");
+        return picture ? std::string("decoded") : picture.error().what;
+    };
+    EXPECT_EQ(message(0x3ff00000, 0xffc00, 0x3ff),
+              "x.bmp: bit fields of more than 8 bits are not supported");
+    EXPECT_EQ(message(0xa0000000, 0xff00, 0xff), "x.bmp: a bit field with gaps is not supported");
+    EXPECT_EQ(message(0xff0000, 0, 0xff), "x.bmp: its bit fields leave out a colour");
+}
+
 TEST(Formats, BmpOfThirtyTwoBitsHasAlphaUnlessAllOfItIsZero) {
     Maker opaque = bmp_start(2, 1, 32, 0, 54);
     opaque.u8({3, 2, 1, 0, 6, 5, 4, 0});
