@@ -1,5 +1,9 @@
 #include "raster/clip.h"
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
 namespace scanout::raster {
 namespace {
 
@@ -22,10 +26,18 @@ double distance(int plane, const ClipVertex& v, double near_w) {
 }
 
 // d_in >= 0 > d_out, so the denominator is positive, rounding included (TOPICS T7).
-ClipVertex intersect(const ClipVertex& in, double d_in, const ClipVertex& out, double d_out) {
+ClipVertex intersect(int plane, double near_w, const ClipVertex& in, double d_in,
+                     const ClipVertex& out, double d_out) {
     const double t = d_in / (d_in - d_out);
-    return {in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
-            in.w + t * (out.w - in.w)};
+    ClipVertex v{in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
+                 in.w + t * (out.w - in.w)};
+    // On the plane exactly and never behind near, although the sum cancels where the inside vertex
+    // is many powers of ten further away: the divide that follows must not meet w <= 0.
+    v.w = plane == 0 ? near_w : std::max(v.w, near_w);
+    const double guard = kGuardPixels * v.w;
+    if (plane == 1 || plane == 2) v.x = plane == 1 ? -guard : guard;
+    if (plane == 3 || plane == 4) v.y = plane == 3 ? -guard : guard;
+    return v;
 }
 
 void clip_plane(ClipPolygon& polygon, int plane, double near_w) {
@@ -38,13 +50,42 @@ void clip_plane(ClipPolygon& polygon, int plane, double near_w) {
         if (a_inside) out.vertex[static_cast<std::size_t>(out.count++)] = a;
         if (a_inside != b_inside) {
             out.vertex[static_cast<std::size_t>(out.count++)] =
-                a_inside ? intersect(a, da, b, db) : intersect(b, db, a, da);
+                a_inside ? intersect(plane, near_w, a, da, b, db)
+                         : intersect(plane, near_w, b, db, a, da);
         }
     }
     polygon = out;
 }
 
+DVec3 cross_rows(const ClipVertex& a, const ClipVertex& b) {
+    return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
+}
+
 } // namespace
+
+HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex) {
+    HomogeneousTriangle t{{{0, 1, 2}, false}, false, false, {}};
+    auto& order = t.order.vertex;
+    const auto before = [&](std::uint8_t i, std::uint8_t j) {
+        const ClipVertex &a = vertex[i], &b = vertex[j];
+        return std::tie(a.y, a.x, a.w) < std::tie(b.y, b.x, b.w);
+    };
+    for (const std::size_t i : {0, 1, 0}) {
+        if (!before(order[i + 1], order[i])) continue;
+        std::swap(order[i], order[i + 1]);
+        t.order.odd = !t.order.odd;
+    }
+    const ClipVertex &a = vertex[order[0]], &b = vertex[order[1]], &c = vertex[order[2]];
+    t.row = {cross_rows(b, c), cross_rows(c, a), cross_rows(a, b)};
+    // The determinant has the sign of the visible part's area.
+    const double det = dot3(t.row[0], DVec3(a.x, a.y, a.w));
+    t.seen = det < 0 || det > 0;
+    t.clockwise = det > 0;
+    if (det < 0)
+        for (DVec3& row : t.row)
+            row = -row;
+    return t;
+}
 
 void clip(ClipPolygon& polygon, double near_w) {
     for (int plane = 0; plane < kPlanes && polygon.count >= 3; ++plane)
@@ -55,8 +96,8 @@ bool clip(ClipVertex& a, ClipVertex& b, double near_w) {
     for (int plane = 0; plane < kPlanes; ++plane) {
         const double da = distance(plane, a, near_w), db = distance(plane, b, near_w);
         if (da < 0 && db < 0) return false;
-        if (da < 0) a = intersect(b, db, a, da);
-        if (db < 0) b = intersect(a, da, b, db);
+        if (da < 0) a = intersect(plane, near_w, b, db, a, da);
+        if (db < 0) b = intersect(plane, near_w, a, da, b, db);
     }
     return true;
 }

@@ -3,6 +3,7 @@
 #include "raster/clip.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace scanout::raster {
 
@@ -76,19 +77,18 @@ void Geometry::add_triangle(const Task& task, Batch& batch, std::uint32_t triang
     if ((any & kNeedsClip) != 0)
         add_clipped(task, batch, triangle);
     else
-        add_snapped(task, batch, v, triangle, 0);
+        add_snapped(task, batch, v, triangle, std::nullopt);
 }
 
-// facing: the sign of the unclipped triangle's area (> 0: clockwise on the screen), 0: take it from
-// the vertices. Pieces of a clipped triangle face where the whole does, whatever snapping did to
-// them.
+// clockwise: of the whole triangle; pieces of a clipped triangle face where the whole does,
+// whatever snapping did to them. Not given: taken from the vertices.
 void Geometry::add_snapped(const Task& task, Batch& batch, const ScreenVertex* v, std::uint32_t id,
-                           int facing) const {
+                           std::optional<bool> clockwise) const {
     const std::array<std::int32_t, 3> x = {v[0].x, v[1].x, v[2].x}, y = {v[0].y, v[1].y, v[2].y};
     const std::int64_t area = signed_area(x, y);
     if (area == 0) return; // snapped to nothing: covers no sample (HARD-CASES R6, 4)
     // Counter-clockwise is front; on the screen y runs down, so front has a negative area.
-    const bool front = ((facing != 0 ? facing : (area < 0 ? -1 : 1)) < 0) != task.options.mirrored;
+    const bool front = !clockwise.value_or(area > 0) != task.options.mirrored;
     if (task.options.keep == Facing::front && !front) return;
     if (task.options.keep == Facing::back && front) return;
     const CanonicalOrder order = canonical_order(x, y);
@@ -114,18 +114,24 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
     polygon.count = 3;
     for (std::size_t i = 0; i < 3; ++i)
         polygon.vertex[i] = task.transform.to_clip(task.mesh.position[index[i]]);
-    const ClipVertex &a = polygon.vertex[0], &b = polygon.vertex[1], &c = polygon.vertex[2];
-    // The homogeneous determinant has the sign of the visible part's area (Olano and Greer 1997).
-    const double det = (a.x * (b.y * c.w - c.y * b.w) - a.y * (b.x * c.w - c.x * b.w)) +
-                       a.w * (b.x * c.y - c.x * b.y);
-    const int facing = det > 0 ? 1 : -1;
+    const HomogeneousTriangle whole =
+        homogeneous_triangle({polygon.vertex[0], polygon.vertex[1], polygon.vertex[2]});
+    if (!whole.seen) return;
     clip(polygon, task.transform.near_w());
-    ScreenVertex corner[3];
-    for (int i = 2; i < polygon.count; ++i) {
-        corner[0] = ScreenTransform::to_screen(polygon.vertex[0]);
-        corner[1] = ScreenTransform::to_screen(polygon.vertex[static_cast<std::size_t>(i - 1)]);
-        corner[2] = ScreenTransform::to_screen(polygon.vertex[static_cast<std::size_t>(i)]);
-        add_snapped(task, batch, corner, triangle, facing);
+    const auto count = static_cast<std::size_t>(polygon.count);
+    if (count < 3) return;
+    std::array<ScreenVertex, std::tuple_size_v<decltype(polygon.vertex)>> corner;
+    for (std::size_t i = 0; i < count; ++i)
+        corner[i] = task.transform.to_screen(polygon.vertex[i]);
+    // The fan's hub is the first corner in canonical order, not the first that the file names.
+    const auto before = [](const ScreenVertex& a, const ScreenVertex& b) {
+        return std::tie(a.y, a.x, a.depth) < std::tie(b.y, b.x, b.depth);
+    };
+    const auto end = corner.begin() + static_cast<std::ptrdiff_t>(count);
+    std::rotate(corner.begin(), std::min_element(corner.begin(), end, before), end);
+    for (std::size_t i = 2; i < count; ++i) {
+        const ScreenVertex piece[3] = {corner[0], corner[i - 1], corner[i]};
+        add_snapped(task, batch, piece, triangle, whole.clockwise != whole.order.odd);
     }
 }
 
@@ -138,8 +144,8 @@ void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment
         ClipVertex a = task.transform.to_clip(task.mesh.position[index[0]]);
         ClipVertex b = task.transform.to_clip(task.mesh.position[index[1]]);
         if (!clip(a, b, task.transform.near_w())) return;
-        v[0] = ScreenTransform::to_screen(a);
-        v[1] = ScreenTransform::to_screen(b);
+        v[0] = task.transform.to_screen(a);
+        v[1] = task.transform.to_screen(b);
     }
     const Segment s{{v[0].x, v[1].x},
                     {v[0].y, v[1].y},

@@ -10,6 +10,7 @@
 #include "raster/tile.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,7 +54,7 @@ private:
     void add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const;
     void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
     void add_snapped(const Task& task, Batch& batch, const ScreenVertex* v, std::uint32_t id,
-                     int facing) const;
+                     std::optional<bool> clockwise) const;
     void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
     void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
     template <class F>

@@ -5,8 +5,13 @@
 namespace scanout::raster {
 namespace {
 
-// Round to nearest, ties to even, for |v| < 2^51: the sum has no bits below 1.
-std::int32_t round_to_int(double v) {
+// To the grid: round to nearest, ties to even (the sum has no bits below 1). Saturates, and NaN
+// becomes a number, so that no conversion is undefined (HARD-CASES R2).
+std::int32_t snap(double pixels) {
+    constexpr double kLimit = kGuardPixels * kSubpixel;
+    double v = pixels * kSubpixel;
+    v = v > -kLimit ? v : -kLimit;
+    v = v < kLimit ? v : kLimit;
     return static_cast<std::int32_t>((v + 0x1.8p52) - 0x1.8p52);
 }
 
@@ -49,12 +54,12 @@ std::uint32_t ScreenTransform::classify(const ClipVertex& v) const {
     return flags;
 }
 
-ScreenVertex ScreenTransform::to_screen(const ClipVertex& v) {
+ScreenVertex ScreenTransform::to_screen(const ClipVertex& v) const {
     ScreenVertex out;
-    out.x = round_to_int(v.x / v.w * kSubpixel);
-    out.y = round_to_int(v.y / v.w * kSubpixel);
+    out.x = snap(v.x / v.w);
+    out.y = snap(v.y / v.w);
     out.depth = v.z / v.w;
-    out.inverse_w = static_cast<float>(1 / v.w);
+    out.inverse_w = static_cast<float>(near_w_ / v.w);
     return out;
 }
 
@@ -64,7 +69,7 @@ void transform_vertices(const ScreenTransform& transform, std::span<const Vec3> 
         const ClipVertex clip = transform.to_clip(positions[i]);
         const std::uint32_t flags = transform.classify(clip);
         if ((flags & (kNeedsClip | kNotFinite)) == 0)
-            out[i] = ScreenTransform::to_screen(clip);
+            out[i] = transform.to_screen(clip);
         else
             out[i] = ScreenVertex();
         out[i].flags = flags;

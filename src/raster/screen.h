@@ -35,7 +35,7 @@ enum VertexFlags : std::uint32_t {
 struct ScreenVertex {
     std::int32_t x = 0, y = 0;
     double depth = 0;    // in (0, 1], greater is nearer
-    float inverse_w = 0; // 1 / w, for perspective-correct interpolation
+    float inverse_w = 0; // near w / w, in (0, 1] at every size of scene, for interpolation
     std::uint32_t flags = 0;
 };
 
@@ -47,8 +47,9 @@ public:
     ClipVertex to_clip(const Vec3& mesh_position) const;
     // Which planes the vertex is outside of.
     std::uint32_t classify(const ClipVertex& vertex) const;
-    // Divide and snap; the vertex must be inside near and guard band.
-    static ScreenVertex to_screen(const ClipVertex& vertex);
+    // Divide and snap; the vertex must be inside near and guard band (what rounding leaves outside
+    // the guard band comes back to its edge).
+    ScreenVertex to_screen(const ClipVertex& vertex) const;
 
     double near_w() const { return near_w_; }
 

@@ -27,10 +27,10 @@ void VisibilityTile::draw(const Triangle& t) {
     if (box.empty()) return;
     const Edges e = edges_of(t);
     const auto area = static_cast<double>(e.area);
-    // Depth from the exact weights E / area, in double, rounded once: reversed depth keeps its
-    // relative precision across any range of distances (HARD-CASES 15).
-    const double slope1 = (t.depth[1] - t.depth[0]) / area,
-                 slope2 = (t.depth[2] - t.depth[0]) / area;
+    // Depth from the exact weights E / area, in double, rounded once. No term is negative, so
+    // nothing cancels: reversed depth keeps its relative precision across any range of distances
+    // (HARD-CASES 15).
+    const double share[3] = {t.depth[0] / area, t.depth[1] / area, t.depth[2] / area};
     for (std::size_t s = 0; s < count(); ++s) {
         const SampleOffset at = pattern_[s];
         for (int y = box.y0; y < box.y1; ++y) {
@@ -40,8 +40,9 @@ void VisibilityTile::draw(const Triangle& t) {
             std::size_t sample = offset(box.x0, y) + s;
             for (int x = box.x0; x < box.x1; ++x, sample += count()) {
                 if (((e0 + e.bias[0]) | (e1 + e.bias[1]) | (e2 + e.bias[2])) >= 0) {
-                    const double depth = t.depth[0] + (static_cast<double>(e1) * slope1 +
-                                                       static_cast<double>(e2) * slope2);
+                    const double depth =
+                        (static_cast<double>(e0) * share[0] + static_cast<double>(e1) * share[1]) +
+                        static_cast<double>(e2) * share[2];
                     put(sample, static_cast<float>(depth), t.id);
                 }
                 e0 += e.a[0] * kSubpixel;
@@ -67,8 +68,7 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
 
 // Lines lie on the surfaces that they outline: they come forward by the line's own slope across one
 // pixel and a few steps of the depth's precision (HARD-CASES R19).
-float line_depth(const Segment& s, double t, double slope_per_pixel) {
-    const double depth = s.depth[0] + t * (s.depth[1] - s.depth[0]);
+float line_depth(double depth, double slope_per_pixel) {
     return static_cast<float>(depth + (slope_per_pixel + depth * 0x1p-19));
 }
 
@@ -84,7 +84,8 @@ void VisibilityTile::draw(const Segment& s) {
     const bool along_x = std::abs(dx) >= std::abs(dy);
     const std::int64_t length = along_x ? std::abs(dx) : std::abs(dy);
     if (length == 0) {
-        put_pixel(s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits, line_depth(s, 0, 0), s.id);
+        put_pixel(s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits,
+                  line_depth(std::max(s.depth[0], s.depth[1]), 0), s.id);
         return;
     }
     // Walk from the end with the lower coordinate, whichever the file names first.
@@ -101,7 +102,7 @@ void VisibilityTile::draw(const Segment& s) {
         const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
         const auto other = static_cast<int>(across >> kSubpixelBits);
         const double share = static_cast<double>(along) / static_cast<double>(length);
-        const float depth = line_depth(s, lo == 0 ? share : 1 - share, slope);
+        const float depth = line_depth(s.depth[lo] * (1 - share) + s.depth[hi] * share, slope);
         put_pixel(along_x ? pixel : other, along_x ? other : pixel, depth, s.id);
     }
 }

@@ -1,5 +1,7 @@
 #include "shade/gather.h"
 
+#include "raster/clip.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -28,9 +30,10 @@ struct Gatherer::PrimitiveSetup {
     bool exact =
         true; // areas from the snapped edge functions; else from the clipped triangle's own
     raster::Edges edges{};
-    // Clipped triangles: perspective-correct weights are linear functions a x + b y + c of the
-    // pixel (Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997).
-    std::array<DVec3, 3> homogeneous{};
+    std::array<DVec3, 3> homogeneous{}; // raster::HomogeneousTriangle::row
+
+    // The areas at a sample (1/256 pixel), not negative; whether the triangle covers it.
+    bool area_at(std::int64_t x, std::int64_t y, std::array<float, 3>& area) const;
 };
 
 namespace {
@@ -59,28 +62,30 @@ std::array<float, 3> facing_normal(const geom::Mesh& mesh, const std::array<std:
 Gatherer::Gatherer() : cache_(kCacheSize), block_(std::make_unique<Block>()) {}
 Gatherer::~Gatherer() = default;
 
-namespace {
-
-// Canonical order of a clipped triangle: by its clip coordinates, whatever order the file names.
-std::array<std::uint8_t, 3> clip_order(const std::array<raster::ClipVertex, 3>& v, bool& odd) {
-    std::array<std::uint8_t, 3> order = {0, 1, 2};
-    const auto before = [&](std::uint8_t a, std::uint8_t b) {
-        return std::tuple(v[a].y, v[a].x, v[a].w) < std::tuple(v[b].y, v[b].x, v[b].w);
-    };
-    for (const auto& [i, j] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 1}}) {
-        if (before(order[j], order[i])) {
-            std::swap(order[i], order[j]);
-            odd = !odd;
+bool Gatherer::PrimitiveSetup::area_at(std::int64_t x, std::int64_t y,
+                                       std::array<float, 3>& area) const {
+    if (exact) {
+        std::int64_t sign = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int64_t e = edges.at(static_cast<int>(i), x, y);
+            sign |= e + edges.bias[i];
+            area[i] = static_cast<float>(e);
         }
+        return sign >= 0;
     }
-    return order;
+    const auto px = static_cast<double>(x) / kSubpixel, py = static_cast<double>(y) / kSubpixel;
+    std::array<double, 3> w{};
+    bool covered = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        w[i] = (homogeneous[i].x * px + homogeneous[i].y * py) + homogeneous[i].z;
+        covered = covered && w[i] >= 0;
+        w[i] = std::max(0.0, w[i]); // the snapped edge may lie a little further out
+    }
+    const double largest = std::max({w[0], w[1], w[2]});
+    for (std::size_t i = 0; i < 3; ++i)
+        area[i] = static_cast<float>(largest > 0 ? w[i] / largest : 1.0);
+    return covered;
 }
-
-DVec3 cross_rows(const raster::ClipVertex& a, const raster::ClipVertex& b) {
-    return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
-}
-
-} // namespace
 
 const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint32_t id) {
     PrimitiveSetup& s = cache_[id % kCacheSize];
@@ -92,7 +97,7 @@ const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint
     const raster::ScreenVertex* v[3] = {&vertices[index[0]], &vertices[index[1]],
                                         &vertices[index[2]]};
     s.exact = ((v[0]->flags | v[1]->flags | v[2]->flags) & raster::kNeedsClip) == 0;
-    bool front = false, odd = false;
+    bool clockwise = false;
     if (s.exact) {
         const std::array<std::int32_t, 3> x = {v[0]->x, v[1]->x, v[2]->x},
                                           y = {v[0]->y, v[1]->y, v[2]->y};
@@ -106,27 +111,23 @@ const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint
             s.vertex[i] = index[from];
             s.inverse_w[i] = v[from]->inverse_w;
         }
-        odd = order.odd;
-        t.flipped = (area < 0) != odd;
+        t.flipped = (area < 0) != order.odd;
         s.edges = raster::edges_of(t);
-        front = (area < 0) != in.mirrored;
+        // In the order that now holds, seen in object space, which a mirrored view turns round.
+        clockwise = !t.flipped;
     } else {
-        const std::array<raster::ClipVertex, 3> clip = {
-            in.transform->to_clip(mesh.position[index[0]]),
-            in.transform->to_clip(mesh.position[index[1]]),
-            in.transform->to_clip(mesh.position[index[2]])};
-        const auto order = clip_order(clip, odd);
-        const raster::ClipVertex &a = clip[order[0]], &b = clip[order[1]], &c = clip[order[2]];
-        s.homogeneous = {cross_rows(b, c), cross_rows(c, a), cross_rows(a, b)};
-        const double det = dot3(s.homogeneous[0], DVec3(a.x, a.y, a.w));
+        const raster::HomogeneousTriangle t =
+            raster::homogeneous_triangle({in.transform->to_clip(mesh.position[index[0]]),
+                                          in.transform->to_clip(mesh.position[index[1]]),
+                                          in.transform->to_clip(mesh.position[index[2]])});
+        s.homogeneous = t.row;
         for (std::size_t i = 0; i < 3; ++i) {
-            if (det < 0) s.homogeneous[i] = -s.homogeneous[i];
-            s.vertex[i] = index[order[i]];
+            s.vertex[i] = index[t.order.vertex[i]];
             s.inverse_w[i] = 1;
         }
-        front = ((det < 0) != odd) != in.mirrored;
+        clockwise = t.clockwise;
     }
-    s.facing = facing_normal(mesh, s.vertex, front == odd);
+    s.facing = facing_normal(mesh, s.vertex, clockwise != in.mirrored);
     return s;
 }
 
@@ -191,39 +192,22 @@ void Gatherer::fill_lane(const raster::VisibilityTile& tile, const GatherInput& 
     const PrimitiveSetup& s = setup(in, f.id);
     std::int64_t sx = std::int64_t{x} * kSubpixel + raster::kPixelCentre.x;
     std::int64_t sy = std::int64_t{y} * kSubpixel + raster::kPixelCentre.y;
-    std::array<std::int64_t, 3> e{};
-    const auto evaluate = [&] {
-        for (int i = 0; i < 3; ++i)
-            e[static_cast<std::size_t>(i)] = s.edges.at(i, sx, sy);
-    };
-    evaluate();
-    const bool centre =
-        f.sample == kCentre || (s.exact && ((e[0] + s.edges.bias[0]) | (e[1] + s.edges.bias[1]) |
-                                            (e[2] + s.edges.bias[2])) >= 0);
-    if (!centre) {
+    std::array<float, 3> area{};
+    if (!s.area_at(sx, sy, area) && f.sample != kCentre) {
         const raster::SampleOffset at = tile.pattern()[f.sample];
         sx += at.x - raster::kPixelCentre.x;
         sy += at.y - raster::kPixelCentre.y;
-        evaluate();
+        s.area_at(sx, sy, area);
     }
-    const auto px = static_cast<double>(sx) / kSubpixel, py = static_cast<double>(sy) / kSubpixel;
     for (std::size_t i = 0; i < 3; ++i) {
         b.vertex[i][lane] = s.vertex[i];
         b.inverse_w[i][lane] = s.inverse_w[i];
         b.facing[i][lane] = s.facing[i];
-        b.area[i][lane] = static_cast<float>(e[i]);
+        b.area[i][lane] = area[i];
     }
-    if (!s.exact) {
-        std::array<double, 3> w{};
-        for (std::size_t i = 0; i < 3; ++i)
-            w[i] = std::max(0.0, (s.homogeneous[i].x * px + s.homogeneous[i].y * py) +
-                                     s.homogeneous[i].z);
-        const double largest = std::max({w[0], w[1], w[2]});
-        for (std::size_t i = 0; i < 3; ++i)
-            b.area[i][lane] = static_cast<float>(largest > 0 ? w[i] / largest : 1.0);
-    }
-    b.ray_x[lane] = static_cast<float>(px) * in.ray_scale_x + in.ray_offset_x;
-    b.ray_y[lane] = static_cast<float>(py) * in.ray_scale_y + in.ray_offset_y;
+    const auto px = static_cast<float>(sx) / kSubpixel, py = static_cast<float>(sy) / kSubpixel;
+    b.ray_x[lane] = px * in.ray_scale_x + in.ray_offset_x;
+    b.ray_y[lane] = py * in.ray_scale_y + in.ray_offset_y;
 }
 
 void Gatherer::flush(const raster::VisibilityTile& tile, const GatherInput& in, std::size_t first,

@@ -1,6 +1,6 @@
 // From a tile's visibility buffer to blocks of lanes and back to colours: visible pixels are
 // collected across triangles, 128 a block, one material a block; each triangle is shaded once a
-// pixel, at the centre if it is visible there, else at its first visible sample.
+// pixel, at the centre if it covers it, else at its first visible sample.
 #pragma once
 
 #include "geom/mesh.h"
