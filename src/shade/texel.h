@@ -41,7 +41,7 @@ private:
     // Into [0, 1): repeats by removing whole turns first, so that large coordinates keep their
     // precision; clamps to [0, 1] where the map says so.
     float unit(float t) const {
-        if (map_.clamp) return std::clamp(t, 0.0F, 1.0F);
+        if (map_.clamp) return t > 0 ? (t < 1 ? t : 1.0F) : 0.0F; // NaN gives 0
         const float safe = t > -0x1p30F && t < 0x1p30F ? t : 0.0F;
         return safe - static_cast<float>(floor_to_int(safe));
     }

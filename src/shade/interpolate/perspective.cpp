@@ -1,8 +1,10 @@
 // Perspective-correct interpolation: f = sum(b_i f_i / w_i) / sum(b_i / w_i) with the screen's
 // areas b_i [A ch.5], Heckbert and Moreton 1991. All terms are positive, so nothing cancels at any
-// ratio of distances, and a result never leaves the range of its vertices by more than rounding.
+// ratio of distances. A result never leaves the range of its vertices, not even by rounding: u just
+// below 0 would show the texel at the other end of the texture (HARD-CASES 34).
 #include "shade/stage.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scanout::shade::interpolate {
@@ -24,7 +26,8 @@ void weights(Block& b) {
 }
 
 float mix(const Block& b, int i, float f0, float f1, float f2) {
-    return f0 + (b.weight1[i] * (f1 - f0) + b.weight2[i] * (f2 - f0));
+    const float f = f0 + (b.weight1[i] * (f1 - f0) + b.weight2[i] * (f2 - f0));
+    return std::min(std::max(f, std::min(std::min(f0, f1), f2)), std::max(std::max(f0, f1), f2));
 }
 
 Float3 mix(const Block& b, int i, std::span<const Vec3> attribute) {

@@ -20,9 +20,9 @@ void run(Block& b, const FrameState&) {
         reader.read(x0, y0 + 1, t01);
         reader.read(x0 + 1, y0 + 1, t11);
         for (int c = 0; c < 3; ++c) {
-            const float top = t00[c] + fx * (t10[c] - t00[c]);
-            const float bottom = t01[c] + fx * (t11[c] - t01[c]);
-            b.albedo[c][i] *= top + fy * (bottom - top);
+            const float lower = t00[c] + fx * (t10[c] - t00[c]);
+            const float upper = t01[c] + fx * (t11[c] - t01[c]);
+            b.albedo[c][i] *= lower + fy * (upper - lower);
         }
     }
 }
