@@ -44,7 +44,8 @@ struct Orbit {
 int clamp_elevation(std::int64_t units); // [-90, 90] degrees
 
 // Zooming by `levels` so that the point under the pointer stays there. pointer_*: world units in
-// the plane of the screen through the model's centre, measured from the centre of the picture.
+// the plane of the screen through the model's centre, measured from where that centre appears when
+// the pose has no pan (the picture's centre, unless the model or the camera was moved otherwise).
 void zoom_towards(Pose& pose, int levels, double pointer_x, double pointer_y);
 
 } // namespace scanout::scene

@@ -1,5 +1,6 @@
 #include "scene/view.h"
 
+#include "math/bits.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
 
@@ -41,8 +42,10 @@ struct Stand {
 };
 
 DVec3 file_to_world(const geom::Mesh& mesh, const DMat3& up, const DVec3& file) {
-    const double to_normalised = scanout::exp2(static_cast<double>(-mesh.exponent));
-    return up * ((file - mesh.centre) * to_normalised / mesh.radius);
+    DVec3 normalised = file - mesh.centre;
+    for (int axis = 0; axis < 3; ++axis)
+        normalised[axis] = scanout::scale(normalised[axis], -mesh.exponent);
+    return up * (normalised / mesh.radius);
 }
 
 Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, const DMat3& up,
@@ -77,15 +80,24 @@ double units_to_degrees(int units) {
     return static_cast<double>(units) / kAngleUnitsPerDegree;
 }
 
-// The cofactor matrix with the sign of a proper rotation, scaled so that floats can hold it.
-DMat3 normal_matrix(const DMat3& linear, double det) {
-    DMat3 normal = cofactor(linear);
+double largest_entry(const DMat3& m) {
     double largest = 0;
     for (int c = 0; c < 3; ++c)
         for (int r = 0; r < 3; ++r)
-            largest = std::max(largest, std::abs(normal[c][r]));
-    if (!(largest > 0)) return DMat3(1); // a model scaled to a point: any normal will do
-    return normal * ((det < 0 ? -1.0 : 1.0) / largest);
+            largest = std::max(largest, std::abs(m[c][r]));
+    return largest;
+}
+
+// The cofactor matrix with the sign of a proper rotation, brought to a largest entry of 1: products
+// of entries neither overflow nor vanish, and floats can hold the result.
+void set_normal_matrix(View& view) {
+    const double size = largest_entry(view.linear);
+    const DMat3 unit = size > 0 ? view.linear / size : DMat3(0);
+    const DMat3 normal = cofactor(unit);
+    const double largest = largest_entry(normal);
+    view.mirrored = determinant(unit) < 0;
+    if (!(largest > 0)) return; // a model scaled to a line or point: any normal will do
+    view.normal = normal / (view.mirrored ? -largest : largest);
 }
 
 void set_projection(View& view, const CameraOptions& camera, double tan_half, double aspect,
@@ -98,11 +110,8 @@ void set_projection(View& view, const CameraOptions& camera, double tan_half, do
     // Reversed, infinite: depth = near / distance keeps its relative precision everywhere, so near
     // may be small; it is a fixed share of the distance and never cuts what a viewer looks at.
     view.near_distance = distance * 0x1p-14;
-    // The model's sphere in view space: the columns of `linear` bound how far it can stretch.
-    double stretch = 0;
-    for (int c = 0; c < 3; ++c)
-        stretch += dot3(view.linear[c], view.linear[c]);
-    const double reach = scanout::sqrt(stretch) * 1.001 + 0x1p-20;
+    // The model's sphere in view space lies within `reach` of its centre.
+    const double reach = largest_entry(view.linear) * 3.001 + 0x1p-20; // |linear p| <= 3 max |p|
     view.depth_origin = view.translation.z - reach;
     view.depth_scale = 1 / (2 * reach);
 }
@@ -126,6 +135,8 @@ std::optional<NamedView> named_view(std::string_view name) {
 
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
                        const CameraOptions& camera, const Orbit& orbit, int width, int height) {
+    if (!(camera.distance >= 0))
+        return fail(Exit::usage, "the camera's distance must be positive, not {}", camera.distance);
     if (!(camera.fov_degrees > 0) || !(camera.fov_degrees < 180))
         return fail(Exit::usage, "the field of view must lie between 0 and 180 degrees, not {}",
                     camera.fov_degrees);
@@ -160,9 +171,7 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
         !finite(view.translation) || !std::isfinite(distance))
         return fail(Exit::usage,
                     "the camera or the model's transform holds a number that is not finite");
-    const double det = determinant(view.linear);
-    view.mirrored = det < 0;
-    view.normal = normal_matrix(view.linear, det);
+    set_normal_matrix(view);
     set_projection(view, camera, tan_half, aspect, distance);
     return view;
 }
