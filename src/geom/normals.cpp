@@ -1,7 +1,7 @@
 #include "geom/normals.h"
 
-#include "geom/framing.h"
 #include "geom/triangulate.h"
+#include "math/rotation.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -41,10 +41,8 @@ std::int64_t round_to_integer(double x) {
     return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5));
 }
 
-// Zero when v is zero or not finite.
 DVec3 unit_or_zero(const DVec3& v) {
-    const double length = sqrt(dot3(v, v));
-    return length > 0 && is_finite(v) ? v / length : DVec3(0);
+    return normalized(v, DVec3(0));
 }
 
 FixedNormal to_fixed(const DVec3& unit) {

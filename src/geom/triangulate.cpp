@@ -1,5 +1,6 @@
 #include "geom/triangulate.h"
 
+#include "geom/point_grid.h"
 #include "math/predicates.h"
 
 #include <algorithm>
@@ -65,29 +66,22 @@ class EarClipper {
 public:
     EarClipper(std::span<const DVec2> points, std::vector<std::uint32_t>& out)
         : p_(points), out_(out), left_(static_cast<std::uint32_t>(points.size())),
-          next_(points.size()), previous_(points.size()), reflex_(points.size()) {
-        for (std::uint32_t i = 0; i < left_; ++i) {
-            next_[i] = i + 1 < left_ ? i + 1 : 0;
-            previous_[i] = i > 0 ? i - 1 : left_ - 1;
-        }
-        make_grid();
-    }
+          next_(points.size()), previous_(points.size()), clipped_(points.size()),
+          waiting_(points.size()), reflex_(points.size()), grid_(points, link()) {}
 
     void run() {
         // Ears whose cut-off edge passes through a corner come later than all others, so that
         // corners on a straight edge become corners of real triangles; then those without area.
-        std::uint32_t at = 0;
-        int stage = 0;
-        while (left_ > 3 && stage < 3 && work_ < kMostWork) {
-            const bool some = sweep(at, static_cast<Stage>(stage));
+        int stage = kClean;
+        while (left_ > 3 && stage <= kFlat && work_ < kMostWork) {
+            const bool some = clip_all(static_cast<Stage>(stage));
             if (!some)
                 ++stage;
             else if (stage == kFlat)
                 stage = kClean;
         }
-        const std::uint32_t hub = at;
-        for (std::uint32_t i = next_[hub]; next_[i] != hub; i = next_[i])
-            emit(hub, i, next_[i]);
+        for (std::uint32_t i = next_[hub_]; next_[i] != hub_; i = next_[i])
+            emit(hub_, i, next_[i]);
     }
 
 private:
@@ -100,25 +94,34 @@ private:
         out_.insert(out_.end(), {a, b, c});
     }
 
-    // Once round from `at`, clipping what the stage allows. After a clip the next corner is passed
-    // over, which keeps triangles from all meeting at one corner.
-    bool sweep(std::uint32_t& at, Stage stage) {
+    // Clips what the stage allows: round after round over the corners whose neighbours have
+    // changed, since no other corner can have become an ear. A corner whose neighbour was clipped
+    // waits for the next round, which keeps triangles from all meeting at one corner.
+    bool clip_all(Stage stage) {
+        queue_.clear();
+        for (std::uint32_t i = next_[hub_], n = left_; n > 0; --n, i = next_[i])
+            queue_.push_back(i);
         bool some = false;
-        for (std::uint32_t steps = left_; steps > 0 && left_ > 3 && work_ < kMostWork; --steps) {
-            const std::uint32_t a = previous_[at], c = next_[at];
-            // A corner on top of its neighbour encloses nothing: cut it off at once, whatever the
-            // stage.
-            const bool same = p_[a] == p_[at] || p_[c] == p_[at];
-            if (same || (stage == kFlat ? turn(at) == 0 : is_ear(at, stage))) {
-                clip(at);
+        while (!queue_.empty()) {
+            next_queue_.clear();
+            for (const std::uint32_t b : queue_) {
+                if (left_ == 3 || work_ >= kMostWork) return true;
+                ++work_;
+                if (clipped_[b] || waiting_[b] || !may_clip(b, stage)) continue;
+                clip(b);
                 some = true;
-                at = next_[c];
-            } else {
-                at = c;
             }
-            ++work_;
+            for (const std::uint32_t b : next_queue_)
+                waiting_[b] = false;
+            std::swap(queue_, next_queue_);
         }
         return some;
+    }
+
+    bool may_clip(std::uint32_t b, Stage stage) {
+        // A corner on top of its neighbour encloses nothing: it goes at once, whatever the stage.
+        if (p_[previous_[b]] == p_[b] || p_[next_[b]] == p_[b]) return true;
+        return stage == kFlat ? turn(b) == 0 : is_ear(b, stage);
     }
 
     void clip(std::uint32_t b) {
@@ -126,10 +129,16 @@ private:
         emit(a, b, c);
         next_[a] = c;
         previous_[c] = a;
+        clipped_[b] = true;
         reflex_[b] = false;
+        hub_ = c;
         --left_;
-        if (reflex_[a]) reflex_[a] = turn(a) <= 0;
-        if (reflex_[c]) reflex_[c] = turn(c) <= 0;
+        for (const std::uint32_t neighbour : {a, c}) {
+            if (reflex_[neighbour]) reflex_[neighbour] = turn(neighbour) <= 0;
+            if (waiting_[neighbour]) continue;
+            waiting_[neighbour] = true;
+            next_queue_.push_back(neighbour);
+        }
     }
 
     bool is_ear(std::uint32_t b, Stage stage) {
@@ -137,24 +146,13 @@ private:
         const DVec2 &pa = p_[previous_[b]], &pb = p_[b], &pc = p_[next_[b]];
         const DVec2 lo(std::min({pa.x, pb.x, pc.x}), std::min({pa.y, pb.y, pc.y}));
         const DVec2 hi(std::max({pa.x, pb.x, pc.x}), std::max({pa.y, pb.y, pc.y}));
-        const int x1 = column(hi.x), y0 = row(lo.y), y1 = row(hi.y);
-        for (int x = column(lo.x); x <= x1; ++x)
-            for (int y = y0; y <= y1; ++y) {
-                std::uint32_t* const cell = &cells_[cell_begin_[index(x, y)]];
-                std::uint32_t& count = cell_count_[index(x, y)];
-                work_ += count + 1;
-                for (std::uint32_t i = 0; i < count; ++i) {
-                    const std::uint32_t v = cell[i];
-                    if (!reflex_[v]) { // it was clipped, or turns left by now
-                        cell[i--] = cell[--count];
-                        continue;
-                    }
-                    const DVec2& q = p_[v];
-                    if (q.x < lo.x || q.x > hi.x || q.y < lo.y || q.y > hi.y) continue;
-                    if (reaches_in(b, v, stage)) return false;
-                }
-            }
-        return true;
+        return grid_.visit(pa, pb, pc, work_, [&](std::uint32_t v) {
+            if (!reflex_[v]) return PointGrid::Visit::forget; // clipped, or turns left by now
+            const DVec2& q = p_[v];
+            const bool outside = q.x < lo.x || q.x > hi.x || q.y < lo.y || q.y > hi.y;
+            return outside || !reaches_in(b, v, stage) ? PointGrid::Visit::go_on
+                                                       : PointGrid::Visit::stop;
+        });
     }
 
     // Does the outline at corner v reach into the triangle at ear candidate b? It does where v lies
@@ -174,54 +172,29 @@ private:
         return leads_inside(p_[next_[v]]) || leads_inside(p_[previous_[v]]);
     }
 
-    // The corners that do not turn left, sorted into about as many cells.
-    void make_grid() {
-        std::uint32_t reflex = 0;
-        DVec2 lo = p_[0], hi = p_[0];
+    // Makes the ring. Gives the corners that do not turn left: straight ones, and a spike's tip,
+    // count with the concave.
+    std::vector<std::uint32_t> link() {
         for (std::uint32_t i = 0; i < left_; ++i) {
-            reflex_[i] = turn(i) <= 0;
-            reflex += reflex_[i];
-            lo = {std::min(lo.x, p_[i].x), std::min(lo.y, p_[i].y)};
-            hi = {std::max(hi.x, p_[i].x), std::max(hi.y, p_[i].y)};
+            next_[i] = i + 1 < left_ ? i + 1 : 0;
+            previous_[i] = i > 0 ? i - 1 : left_ - 1;
         }
-        side_ = 1;
-        while (side_ < 1024 && side_ * side_ < static_cast<int>(reflex / 4))
-            side_ *= 2;
-        origin_ = lo;
-        per_unit_ = {hi.x > lo.x ? side_ / (hi.x - lo.x) : 0,
-                     hi.y > lo.y ? side_ / (hi.y - lo.y) : 0};
-
-        const std::size_t cells = static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_);
-        cell_count_.assign(cells, 0);
-        cell_begin_.assign(cells, 0);
-        cells_.resize(reflex + 1); // + 1: an empty last cell has an address too
+        std::vector<std::uint32_t> found;
         for (std::uint32_t i = 0; i < left_; ++i)
-            if (reflex_[i]) ++cell_count_[index_of(i)];
-        for (std::size_t i = 1; i < cells; ++i)
-            cell_begin_[i] = cell_begin_[i - 1] + cell_count_[i - 1];
-        std::fill(cell_count_.begin(), cell_count_.end(), 0);
-        for (std::uint32_t i = 0; i < left_; ++i)
-            if (reflex_[i]) cells_[cell_begin_[index_of(i)] + cell_count_[index_of(i)]++] = i;
+            if ((reflex_[i] = turn(i) <= 0)) found.push_back(i);
+        return found;
     }
-    // Both never fall as x or y grows, so a point within a box lies within the box's cells.
-    int column(double x) const { return cell_of((x - origin_.x) * per_unit_.x); }
-    int row(double y) const { return cell_of((y - origin_.y) * per_unit_.y); }
-    int cell_of(double t) const {
-        return t >= side_ ? side_ - 1 : t >= 0 ? static_cast<int>(t) : 0;
-    }
-    std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * side_ + x); }
-    std::size_t index_of(std::uint32_t i) const { return index(column(p_[i].x), row(p_[i].y)); }
 
     std::span<const DVec2> p_;
     std::vector<std::uint32_t>& out_;
     std::uint32_t left_; // corners in the ring
     std::vector<std::uint32_t> next_, previous_;
-    std::vector<std::uint8_t> reflex_; // in the ring, and does not turn left
+    std::vector<std::uint8_t> clipped_, waiting_; // no longer in the ring; in next_queue_
+    std::vector<std::uint8_t> reflex_;            // in the ring, and does not turn left
+    std::vector<std::uint32_t> queue_, next_queue_;
+    std::uint32_t hub_ = 0; // some corner of the ring
     std::uint64_t work_ = 0;
-
-    int side_ = 1; // the grid has side_ x side_ cells
-    DVec2 origin_{0}, per_unit_{0};
-    std::vector<std::uint32_t> cell_begin_, cell_count_, cells_;
+    PointGrid grid_; // of the reflex corners; last, since it is made from the others
 };
 
 } // namespace
