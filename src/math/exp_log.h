@@ -97,8 +97,8 @@ constexpr Dd log2_dd(double x) {
 
 // 2^(x.hi + x.lo), rounded once where the result is normal; beyond the range 0 or infinity.
 constexpr double exp2_dd(Dd x) {
-    if (x.hi >= 1024.0) return kInfinity;
-    if (x.hi <= -1075.0) return 0.0;
+    if (x.hi > 1024.0) return kInfinity; // at 1024 the low part decides
+    if (x.hi < -1075.0) return 0.0;
     const int n = static_cast<int>(x.hi * 32.0 + (x.hi < 0 ? -0.5 : 0.5));
     // 2^x = 2^exponent 2^(i/32) e^u, |u| < 0.0109; x.hi - n/32 is exact
     const int i = n & 31;

@@ -4,7 +4,7 @@
 // Double precision, for cameras, models and tables. Measured against MPFR
 // (tests/math/transcendental_test.cpp), greatest error in ulps of a normal result: 0.53 sin, cos,
 // exp2, pow, sin_degrees, cos_degrees; 0.55 tan; 0.501 atan2, acos, log2, cbrt, radians, degrees.
-// Subnormal results may round twice: 0.75. Exact results are exact (pow(3, 4), log2 of a power of
+// Subnormal results may round twice: 0.76. Exact results are exact (pow(3, 4), log2 of a power of
 // two). Special values follow C99 Annex F unless a line says otherwise; every NaN is the same,
 // positive one.
 //

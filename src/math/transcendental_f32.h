@@ -89,7 +89,7 @@ F exp2_lanes(F x) {
     return select(x >= F(-126.0F), in_range, F(0.0F));
 }
 
-// x^y for x in [0, infinity), y >= 0 finite; x <= 0 or NaN gives 0, except y == 0, which gives 1.
+// x^y for x in [0, infinity), y >= 0 finite; x below 2^-126 or NaN counts as 0. y == 0 gives 1.
 template <class F>
 F pow_lanes(F x, F y) {
     return select(y == F(0.0F), F(1.0F), exp2_lanes(y * log2_lanes(x)));
