@@ -25,7 +25,7 @@ struct BuildResult {
 // shown is shown, an empty mesh included. Indices of the PolygonMesh must lie within its arrays.
 //
 // Vertices that are equal bit for bit (-0 counts as 0) are one; they are numbered in the order of
-// first use: by triangles, then lines, then points.
+// first use: by the faces' corners, then lines, then points.
 BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, const std::string& name,
                        Warnings& warnings);
 
