@@ -1,0 +1,31 @@
+// Text and panels on top of a finished picture. Everything is clipped to the picture.
+#pragma once
+
+#include "app/font.h"
+#include "image/image.h"
+
+#include <string_view>
+
+namespace scanout::app {
+
+// The cell of font_regular and font_bold at scale 1.
+constexpr int kGlyphWidth = 9;
+constexpr int kGlyphHeight = 15;
+
+// Pixels from the left of the first cell to the right of the last. One cell a code point; a byte
+// that is not UTF-8 is a cell of its own.
+int text_width(std::string_view utf8, int scale = 1, const Font& font = font_regular);
+
+// Draws one line with its upper left corner at (x, y), each font pixel as scale x scale pixels of
+// exactly `colour`; the background stays. Control characters, broken UTF-8 and what the font does
+// not have become boxes. Returns the line's cells clipped to the picture; no pixel outside is
+// touched. scale >= 1.
+image::Rect draw_text(image::Image& image, int x, int y, std::string_view utf8, image::Rgba8 colour,
+                      int scale = 1, const Font& font = font_regular);
+
+// Lays `colour` over the rectangle with colour.a / 255 as its weight (black with a = 160 darkens):
+// each channel is the rounded mean of the codes, alpha is left alone. Returns the rectangle
+// clipped.
+image::Rect draw_panel(image::Image& image, const image::Rect& area, image::Rgba8 colour);
+
+} // namespace scanout::app
