@@ -1,0 +1,133 @@
+// The bits of every function at fixed points: frames are hashed and kept, so a change here changes
+// them all. The hashes hold for g++ and clang++, x86-64 and Arm, any optimisation. When one must
+// change, say in the commit which frames change with it.
+#include "math/bits.h"
+#include "math/predicates.h"
+#include "math/rotation.h"
+#include "math/srgb.h"
+#include "math/transcendental.h"
+#include "math/transcendental_f32.h"
+#include "oracle.h"
+
+#include <gtest/gtest.h>
+
+namespace scanout::test {
+namespace {
+
+// FNV-1a over 64-bit words.
+class Hash {
+public:
+    void add(std::uint64_t word) { value_ = (value_ ^ word) * 0x100000001b3; }
+    void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
+    void add(float x) { add(std::uint64_t{std::bit_cast<std::uint32_t>(x)}); }
+    void add(const DMat3& m) {
+        for (int i = 0; i < 9; ++i)
+            add(m[i / 3][i % 3]);
+    }
+    std::uint64_t value() const { return value_; }
+
+private:
+    std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+constexpr int kPoints = 20000;
+constexpr double kOdd[] = {0.0,   -0.0,      1.0,        -1.0, 0x1p-1074,
+                           1e308, kInfinity, -kInfinity, kNaN, -kNaN};
+
+std::uint64_t hash_of(double (*f)(double), int low, int high) {
+    Hash hash;
+    Points points(9);
+    for (int i = 0; i < kPoints; ++i)
+        hash.add(f(points.any_size(low, high)));
+    for (const double x : kOdd)
+        hash.add(f(x));
+    return hash.value();
+}
+
+std::uint64_t hash_of(double (*f)(double, double), int low, int high) {
+    Hash hash;
+    Points points(10);
+    for (int i = 0; i < kPoints; ++i) {
+        const double a = points.any_size(low, high);
+        const double b = points.any_size(low, high);
+        hash.add(f(a, b));
+        const double c = points.unit();
+        const double d = points.uniform(-100, 100);
+        hash.add(f(c, d));
+    }
+    for (const double a : kOdd)
+        for (const double b : kOdd)
+            hash.add(f(a, b));
+    return hash.value();
+}
+
+TEST(SameBits, DoubleFunctionsKeepTheirBits) {
+    EXPECT_EQ(hash_of(sin, -40, 30), 10146443569292837288U);
+    EXPECT_EQ(hash_of(cos, -40, 30), 5188696758535647502U);
+    EXPECT_EQ(hash_of(tan, -40, 30), 452803514336529391U);
+    EXPECT_EQ(hash_of(sin_degrees, -40, 80), 6357124593895246796U);
+    EXPECT_EQ(hash_of(cos_degrees, -40, 80), 16120232659894492464U);
+    EXPECT_EQ(hash_of(atan2, -40, 40), 4523869294879996212U);
+    EXPECT_EQ(hash_of(acos, -40, 0), 1784543607437776447U);
+    EXPECT_EQ(hash_of(exp2, -40, 11), 18183026374322958925U);
+    EXPECT_EQ(hash_of(log2, -1074, 1023), 1035370213487106311U);
+    EXPECT_EQ(hash_of(pow, -10, 10), 5507107378466134067U);
+    EXPECT_EQ(hash_of(cbrt, -1074, 1023), 13172762930386994111U);
+    EXPECT_EQ(hash_of(sqrt, -1074, 1023), 944938711630870487U);
+    EXPECT_EQ(hash_of(radians, -1074, 1023), 9846320687802057712U);
+    EXPECT_EQ(hash_of(degrees, -1074, 1023), 6581857646515012362U);
+}
+
+TEST(SameBits, FloatFunctionsKeepTheirBits) {
+    Hash log_hash, exp_hash, pow_hash;
+    for (std::uint64_t bits = 0; bits <= 0xffffffff; bits += 65521) {
+        const auto x = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        log_hash.add(log2_f32(x));
+        exp_hash.add(exp2_f32(x));
+        for (const float y : {0.0F, 0.7F, 30.0F, 9999.0F})
+            pow_hash.add(pow_f32(x, y));
+    }
+    for (int i = 0; i < kPoints; ++i) {
+        const float x = static_cast<float>(i) * (1.0F / kPoints);
+        exp_hash.add(exp2_f32(x * 254.0F - 126.0F));
+        pow_hash.add(pow_f32(x, 50.0F));
+    }
+    EXPECT_EQ(log_hash.value(), 5351844892416175468U);
+    EXPECT_EQ(exp_hash.value(), 2581018194385337584U);
+    EXPECT_EQ(pow_hash.value(), 9425972173393568652U);
+}
+
+TEST(SameBits, SrgbRotationsAndPredicatesKeepTheirBits) {
+    Hash srgb;
+    for (int code = 0; code < 256; ++code)
+        srgb.add(srgb_decode(static_cast<std::uint8_t>(code)));
+    for (std::uint64_t bits = 0; bits <= 0xffffffff; bits += 10007)
+        srgb.add(
+            std::uint64_t{srgb_encode(std::bit_cast<float>(static_cast<std::uint32_t>(bits)))});
+    EXPECT_EQ(srgb.value(), 1582086944627212184U);
+
+    Hash matrices;
+    Hash signs;
+    Points points(11);
+    for (int i = 0; i < kPoints; ++i) {
+        for (const auto rotation : {rotation_x, rotation_y, rotation_z})
+            matrices.add(rotation(points.uniform(-400, 400)));
+        DMat3 m(0);
+        for (int j = 0; j < 9; ++j)
+            m[j / 3][j % 3] = points.any_size(-5, 5);
+        matrices.add(cofactor(m));
+        matrices.add(determinant(m));
+        const DVec3 n = normalized(m[0]);
+        matrices.add(dot3(n, m[1]));
+        DVec2 corners[3]; // of a coarse grid that doubles cannot hold: most triples are close to a
+                          // line
+        for (int j = 0; j < 6; ++j)
+            corners[j / 2][j % 2] = static_cast<double>(points.bits() & 7) * 0.1;
+        signs.add(static_cast<std::uint64_t>(orient2d(corners[0], corners[1], corners[2]) + 1));
+    }
+    EXPECT_EQ(matrices.value(), 9367904355429003926U);
+    EXPECT_EQ(signs.value(), 7827306269942179141U);
+}
+
+} // namespace
+} // namespace scanout::test
