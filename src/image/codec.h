@@ -14,10 +14,11 @@ namespace scanout::image {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture.
+// PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture. An empty
+// picture has no PNG (Exit::internal).
 Result<Bytes> encode_png(const Image& image);
-Bytes encode_ppm(const Image& image);  // P6: alpha is dropped
-Bytes encode_pam(const Image& image);  // P7, RGB_ALPHA
+Bytes encode_ppm(const Image& image); // P6: alpha is dropped
+Bytes encode_pam(const Image& image); // P7, RGB_ALPHA
 
 // At most this many pixels and this many on a side are decoded: a decompression bomb stops here.
 struct DecodeLimits {
@@ -27,9 +28,11 @@ struct DecodeLimits {
 
 // PNG (libpng), JPEG (libjpeg-turbo), BMP and TGA (stb_image), PPM and PAM (8 bits), told apart by
 // content; `name` is used in messages and, for TGA, which has no magic number, by its extension.
-// Greyscale, palette and 16-bit files become RGBA8. Errors: Exit::unreadable, "name: reason".
+// Greyscale, palette and 16-bit files become RGBA8; gamma and colour profiles are not applied,
+// codes count as sRGB. A file that ends before its last pixel is refused. Errors: Exit::unreadable,
+// "name: reason".
 Result<Image> decode(std::span<const std::uint8_t> file, const std::string& name,
                      const DecodeLimits& limits = {});
 Result<Image> load(const std::string& path, const DecodeLimits& limits = {});
 
-}  // namespace scanout::image
+} // namespace scanout::image

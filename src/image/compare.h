@@ -9,15 +9,17 @@ namespace scanout::image {
 
 struct Difference {
     bool same_size = false;
-    int max_difference = 0;             // largest difference of any channel, in codes
-    std::int64_t differing_pixels = 0;  // pixels in which some channel differs
-    std::int64_t over_tolerance = 0;    // pixels in which some channel differs by more than asked
+    int max_difference = 0;            // largest difference of any channel, in codes
+    std::int64_t differing_pixels = 0; // pixels in which some channel differs
+    std::int64_t over_tolerance = 0;   // pixels in which some channel differs by more than asked
 };
 
-// over_tolerance counts pixels with a channel difference > max_difference_allowed.
+// over_tolerance counts pixels with a channel difference > max_difference_allowed. Pictures of
+// different sizes are not compared further: the counts stay 0.
 Difference compare(const Image& a, const Image& b, int max_difference_allowed = 0);
 
-// |a - b| per channel, times `gain`, on black; the larger size of both where sizes differ.
+// |a - b| per channel, times `gain`, opaque, on black; a difference of alpha counts in every
+// channel. The larger size of both where sizes differ: what only one of them has is white.
 Image difference_image(const Image& a, const Image& b, int gain = 16);
 
-}  // namespace scanout::image
+} // namespace scanout::image

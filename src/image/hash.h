@@ -9,6 +9,6 @@
 namespace scanout::image {
 
 std::uint64_t frame_hash(const Image& image);
-std::string hash_text(std::uint64_t hash);  // 16 hexadecimal digits
+std::string hash_text(std::uint64_t hash); // 16 hexadecimal digits
 
-}  // namespace scanout::image
+} // namespace scanout::image

@@ -25,7 +25,9 @@ public:
     int height() const { return height_; }
     bool empty() const { return pixels_.empty(); }
 
-    std::span<Rgba8> row(int y) { return {pixels_.data() + offset(y), static_cast<std::size_t>(width_)}; }
+    std::span<Rgba8> row(int y) {
+        return {pixels_.data() + offset(y), static_cast<std::size_t>(width_)};
+    }
     std::span<const Rgba8> row(int y) const {
         return {pixels_.data() + offset(y), static_cast<std::size_t>(width_)};
     }
@@ -37,7 +39,9 @@ public:
     friend bool operator==(const Image&, const Image&) = default;
 
 private:
-    std::size_t offset(int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_); }
+    std::size_t offset(int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    }
     int width_ = 0, height_ = 0;
     std::vector<Rgba8> pixels_;
 };
@@ -51,4 +55,4 @@ struct Rect {
     friend bool operator==(const Rect&, const Rect&) = default;
 };
 
-}  // namespace scanout::image
+} // namespace scanout::image

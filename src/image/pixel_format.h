@@ -1,5 +1,5 @@
-// The pixel layouts of displays: any channel offsets and widths in 16, 24 or 32 bits, little endian.
-// One function turns the back buffer into the bytes of a display, for every display and for
+// The pixel layouts of displays: any channel offsets and widths in 16, 24 or 32 bits, little
+// endian. One function turns the back buffer into the bytes of a display, for every display and for
 // `render --pixel-format` alike.
 #pragma once
 
@@ -15,37 +15,41 @@
 namespace scanout::image {
 
 struct Channel {
-    int offset = 0;  // bit of the lowest digit
-    int bits = 0;    // 0: the display has no such channel
+    int offset = 0; // bit of the lowest digit
+    int bits = 0;   // 0: the display has no such channel
     friend bool operator==(const Channel&, const Channel&) = default;
 };
 
 struct PixelFormat {
-    int bits_per_pixel = 32;  // 16, 24 or 32
+    int bits_per_pixel = 32; // 16, 24 or 32
     Channel red{16, 8}, green{8, 8}, blue{0, 8}, alpha{24, 0};
     int bytes_per_pixel() const { return bits_per_pixel / 8; }
     friend bool operator==(const PixelFormat&, const PixelFormat&) = default;
 };
 
-// xrgb8888 xbgr8888 argb8888 rgb888 bgr888 rgb565 bgr565 xrgb1555 rgba8888 ...; the command line's names.
+// xrgb8888 xbgr8888 argb8888 rgb888 bgr888 rgb565 bgr565 xrgb1555 rgba8888 ...; the command line's
+// names.
 struct NamedPixelFormat {
     std::string_view name;
     PixelFormat format;
 };
 std::span<const NamedPixelFormat> pixel_formats();
-Result<PixelFormat> pixel_format(std::string_view name);  // Exit::usage with the list of names
-std::string name_of(const PixelFormat& format);           // a listed name, or offsets in words
+Result<PixelFormat> pixel_format(std::string_view name); // Exit::usage with the list of names
+std::string name_of(const PixelFormat& format);          // a listed name, or offsets in words
 
-// Can this layout be written? (16, 24 or 32 bits, channels of 4 to 8 bits inside the pixel)
+// Can this layout be written? (16, 24 or 32 bits; red, green and blue of 4 to 8 bits and alpha of 0
+// to 8 inside the pixel, without overlap.) Errors: Exit::no_display, since displays bring odd
+// layouts.
 Result<void> check(const PixelFormat& format);
 
 // Writes one row: each channel is round(code * (2^bits - 1) / 255), unused bits are 0, alpha full.
 // out holds at least row.size() * bytes_per_pixel() bytes.
 void encode_row(const PixelFormat& format, std::span<const Rgba8> row, std::uint8_t* out);
-// What a display shows for those bytes: channels widened to 8 bits by repeating their upper digits.
+// What a display shows for those bytes: channels widened to 8 bits by repeating their upper digits,
+// alpha 255. Both take formats that check() passed.
 void decode_row(const PixelFormat& format, const std::uint8_t* in, std::span<Rgba8> row);
 
 // encode then decode: the picture as the display shows it.
 Image as_displayed(const PixelFormat& format, const Image& image);
 
-}  // namespace scanout::image
+} // namespace scanout::image
