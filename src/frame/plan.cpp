@@ -51,8 +51,7 @@ SceneFacts facts(const scene::Scene& scene) {
         const scene::Material& material = scene.materials[i];
         if (material.map_diffuse.texture >= 0 && !mesh.uv.empty())
             facts.textured_triangles += uses[i];
-        const Vec3 ks = material.specular;
-        if (ks.x > 0 || ks.y > 0 || ks.z > 0) facts.specular_triangles += uses[i];
+        if (has_highlight(material)) facts.specular_triangles += uses[i];
     }
     return facts;
 }
@@ -82,7 +81,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                facts.specular_triangles > 0 ? "blinn_phong" : "lambert"));
     use(reflection);
     plan.reasons.push_back(
-        fmt::format("reflection {}: {} of {} triangles have a Ks that is not black",
+        fmt::format("reflection {}: {} of {} triangles have a highlight (Ks not black, Ns above 0)",
                     reflection->card.name, facts.specular_triangles, facts.triangles));
     plan.attributes.colour = facts.vertex_colours;
     plan.reasons.push_back(facts.vertex_colours ? "vertex colours on: the file gives them"

@@ -16,7 +16,7 @@ namespace scanout::frame {
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
     std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
-    std::size_t specular_triangles = 0; // material's Ks is not black
+    std::size_t specular_triangles = 0; // material has a highlight
     bool vertex_colours = false;
 };
 SceneFacts facts(const scene::Scene& scene);

@@ -12,10 +12,9 @@ namespace {
 
 void run(Block& b, const FrameState& frame) {
     diffuse(b, frame);
+    if (!b.lit || !scene::has_highlight(*b.material)) return;
     const Vec3 ks = b.material->specular;
-    if (!b.lit || (ks.x == 0 && ks.y == 0 && ks.z == 0)) return;
-    // A file that gives Ks without Ns would get a highlight everywhere: at least the widest cosine.
-    const float exponent = std::max(b.material->shininess, 1.0F);
+    const float exponent = b.material->shininess;
     for (int i = 0; i < b.count; ++i) {
         const float rx = frame.orthographic ? 0.0F : b.ray_x[i],
                     ry = frame.orthographic ? 0.0F : b.ray_y[i];
