@@ -1,4 +1,5 @@
 // scanout list WHAT: what there is on this machine and in this program, on standard output.
+#include "app/bindings.h"
 #include "app/commands.h"
 #include "app/nearest.h"
 #include "app/options.h"
@@ -77,6 +78,10 @@ void list_targets(const Settings&) {
     fmt::print("scalar   plain C++, for every processor (the only one so far)\n");
 }
 
+void list_keys(const Settings&) {
+    fmt::print("{}", keys_text());
+}
+
 void list_options(const Settings&) {
     fmt::print("{}", options_markdown());
 }
@@ -89,7 +94,7 @@ constexpr std::array kTopics = {
     Topic{"displays", list_displays}, Topic{"connectors", list_connectors},
     Topic{"modes", list_modes},       Topic{"techniques", list_techniques},
     Topic{"formats", list_formats},   Topic{"targets", list_targets},
-    Topic{"options", list_options},
+    Topic{"keys", list_keys},         Topic{"options", list_options},
 };
 
 } // namespace

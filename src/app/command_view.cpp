@@ -1,10 +1,125 @@
-// scanout view: the viewer.
+// scanout view: opens a display (DRM, then the frame buffer) and runs the viewer on it.
 #include "app/commands.h"
+#include "app/view_session.h"
+#include "platform/drm/display.h"
+#include "platform/linux-fb/display.h"
+#include "platform/session.h"
+#include "port/headless.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <unistd.h>
 
 namespace scanout::app {
+namespace {
 
-Result<Exit> run_view(const Settings&, std::uint64_t) {
-    return fail(Exit::no_display, "the viewer is not part of this build; use `scanout render`");
+// What can be refused without touching a display is refused first.
+Result<void> check(const Settings& s) {
+    if (s.arguments.empty())
+        return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
+    if (s.arguments.size() == 1 && ::access(s.arguments.front().c_str(), R_OK) != 0)
+        return fail(Exit::unreadable, "{}: cannot be opened: {}", s.arguments.front(),
+                    std::strerror(errno));
+    if (!s.record.empty() && !s.replay.empty())
+        return fail(Exit::usage, "--record and --replay: give one of them");
+    if (s.pixel_format && s.backend != Backend::headless)
+        return fail(Exit::usage,
+                    "--pixel-format: a display has its own; it goes with --backend headless");
+    return {};
+}
+
+Result<void> show(const Settings& settings, SessionParts parts, const char* backend,
+                  std::uint64_t start_bytes) {
+    const port::DisplayInfo& info = parts.display.info();
+    if (settings.verbose)
+        say(fmt::format("display {} {} {}x{} {}", backend, info.name, info.width, info.height,
+                        image::name_of(info.format)));
+    if (!settings.record.empty()) {
+        TRY(parts.recorder, Recorder::create(settings.record));
+    }
+    if (!settings.replay.empty()) {
+        TRY(parts.script, load_script(settings.replay));
+    }
+    TRY(const std::unique_ptr<ViewSession> session,
+        ViewSession::create(settings, std::move(parts)));
+    TRY_VOID(session->run());
+    return write_report(settings, to_json(session->report(start_bytes)));
+}
+
+Result<void> show_headless(const Settings& settings, std::uint64_t start_bytes) {
+    const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
+    TRY(port::HeadlessDisplay display,
+        port::HeadlessDisplay::create(settings.frame.width, settings.frame.height, format));
+    TRY(console::Signals signals, console::Signals::create());
+    if (settings.replay.empty() && !settings.quiet)
+        say("scanout: headless: nothing is shown; Ctrl-C ends it (--replay FILE plays actions)");
+    Jobs jobs(settings.threads);
+    const auto suspend = [](std::vector<port::Event>&) -> Result<void> {
+        ::kill(::getpid(), SIGSTOP);
+        return {};
+    };
+    return show(settings, {display, signals, jobs, suspend, {}, {}, !settings.replay.empty()},
+                "headless", start_bytes);
+}
+
+struct OpenDisplay {
+    std::unique_ptr<port::Display> display;
+    const char* backend = "";
+};
+
+// The first display that opens. What was refused before it is said with --verbose; what was refused
+// when none is left is the error.
+Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
+    const bool names_fb = s.device.starts_with("/dev/fb");
+    const bool names_drm = !s.device.empty() && !names_fb;
+    std::string refused;
+    const auto refuse = [&](const char* name, const Error& error) {
+        if (s.verbose) say(fmt::format("{}: {}", name, error.what));
+        refused += fmt::format("{}{}: {}", refused.empty() ? "" : "; ", name, error.what);
+    };
+    if (s.backend != Backend::fbdev && !names_fb) {
+        auto display = drm::create({s.device, s.connector, s.mode}, seat);
+        if (display) return OpenDisplay{*std::move(display), "drm"};
+        refuse("DRM", display.error());
+    }
+    if (s.backend != Backend::drm && !names_drm) {
+        linux_fb::Options options;
+        if (names_fb) options.device = s.device;
+        auto display = linux_fb::create(options, seat);
+        if (display) return OpenDisplay{*std::move(display), "fbdev"};
+        refuse("framebuffer", display.error());
+    }
+    return fail(Exit::no_display, "no display: {}", refused);
+}
+
+Result<void> show_on_console(const Settings& settings, std::uint64_t start_bytes) {
+    TRY(const std::unique_ptr<console::Session> session, console::Session::open());
+    TRY(const OpenDisplay open, open_display(settings, session->seat()));
+    TRY_VOID(session->open_input());
+    if (settings.verbose)
+        for (const std::string& note : session->notes())
+            say(note);
+    Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
+    const auto suspend = [&](std::vector<port::Event>& events) { return session->suspend(events); };
+    return show(settings, {*open.display, *session, jobs, suspend, {}, {}, false}, open.backend,
+                start_bytes);
+}
+
+} // namespace
+
+Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
+    TRY_VOID(check(settings));
+    if (settings.backend == Backend::headless) {
+        TRY_VOID(show_headless(settings, start_bytes));
+        return Exit::ok;
+    }
+    const Result<void> shown = show_on_console(settings, start_bytes);
+    if (settings.verbose && (shown || shown.error().exit != Exit::no_display))
+        say("console restored");
+    if (!shown) return tl::unexpected(shown.error());
+    return Exit::ok;
 }
 
 } // namespace scanout::app

@@ -1,0 +1,193 @@
+#include "app/actions.h"
+
+#include "app/nearest.h"
+#include "base/check.h"
+
+#include <charconv>
+#include <vector>
+
+namespace scanout::app {
+namespace {
+
+using Id = ActionId;
+using State = const ViewerState&;
+
+std::string on_off(bool on) {
+    return on ? "on" : "off";
+}
+std::string drive_text(State s) {
+    return s.camera_mode ? "camera" : "model";
+}
+std::string view_text(State s) {
+    return s.look.view < 0 ? "" : std::string(view_angles(s.look.view).name);
+}
+std::string projection_text(State s) {
+    return std::string(name_of(s.look.projection));
+}
+std::string up_text(State s) {
+    return std::string(name_of(s.look.up));
+}
+std::string cull_text(State s) {
+    return std::string(name_of(s.look.cull));
+}
+std::string turntable_text(State s) {
+    return on_off(s.look.turntable);
+}
+std::string info_text(State s) {
+    return on_off(s.info);
+}
+
+// clang-format off
+// Rows stand in the order of ActionId. Columns: id, name, keys, sheet, help, numbers, repeats, state.
+constexpr auto kRows = std::to_array<ActionRow>({
+    {Id::rotate_left, "rotate_left", "Left", "Arrows", "rotate", 0, true},
+    {Id::rotate_right, "rotate_right", "Right", "", "rotate", 0, true},
+    {Id::rotate_up, "rotate_up", "Up", "", "rotate", 0, true},
+    {Id::rotate_down, "rotate_down", "Down", "", "rotate", 0, true},
+    {Id::move_left, "move_left", "Shift+Left", "Shift+arrows", "move", 0, true},
+    {Id::move_right, "move_right", "Shift+Right", "", "move", 0, true},
+    {Id::move_up, "move_up", "Shift+Up", "", "move", 0, true},
+    {Id::move_down, "move_down", "Shift+Down", "", "move", 0, true},
+    {Id::previous_file, "previous_file", "PageUp", "PgUp PgDn", "previous, next file"},
+    {Id::next_file, "next_file", "PageDown", "", "next file"},
+    {Id::scale_up, "scale_up", "+ = KP+", "+ -", "scale", 0, true},
+    {Id::scale_down, "scale_down", "- KP-", "", "scale", 0, true},
+    {Id::roll_left, "roll_left", "[", "[ ]", "roll", 0, true},
+    {Id::roll_right, "roll_right", "]", "", "roll", 0, true},
+    {Id::reset, "reset", "Home R", "Home R", "back to the start"},
+    {Id::toggle_drive, "toggle_drive", "O", "O", "drive model or camera", 0, false, drive_text},
+    {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front right top iso view", 0, false, view_text},
+    {Id::view_back, "view_back", "Ctrl+1 Ctrl+KP1", "Ctrl+1 3 7 9", "the opposite views"},
+    {Id::view_right, "view_right", "3 KP3", "", "right view"},
+    {Id::view_left, "view_left", "Ctrl+3 Ctrl+KP3", "", "left view"},
+    {Id::view_top, "view_top", "7 KP7", "", "top view"},
+    {Id::view_bottom, "view_bottom", "Ctrl+7 Ctrl+KP7", "", "bottom view"},
+    {Id::view_iso, "view_iso", "9 KP9", "", "iso view"},
+    {Id::view_iso_back, "view_iso_back", "Ctrl+9 Ctrl+KP9", "", "opposite of the iso view"},
+    {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text},
+    {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text},
+    {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text},
+    {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text},
+    {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text},
+    {Id::undo, "undo", "U", "U", "undo"},
+    {Id::reload, "reload", "F5", "F5", "read the file again"},
+    {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
+    {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
+    {Id::close, "close", "Escape", "Esc", "close help, else quit"},
+    {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C", "quit"},
+    {Id::suspend, "suspend", "Ctrl+Z", "Ctrl+Z", "suspend; fg comes back"},
+    {Id::drag_begin, "drag_begin", "", "", "a mouse button goes down"},
+    {Id::drag_rotate, "drag_rotate", "", "Left drag", "rotate", 2},
+    {Id::drag_move, "drag_move", "", "Shift/middle drag", "move", 2},
+    {Id::drag_roll, "drag_roll", "", "Ctrl+drag", "roll", 2},
+    {Id::drag_end, "drag_end", "", "", "the mouse button goes up"},
+    {Id::zoom_at, "zoom_at", "", "Wheel", "scale towards the pointer", 3},
+    {Id::pointer, "pointer", "", "", "the mouse pointer moves", 2},
+    {Id::frame, "frame", "", "", "in --replay files: write what is shown to a picture file"},
+});
+// clang-format on
+
+constexpr bool in_order() {
+    for (std::size_t i = 0; i < kRows.size(); ++i)
+        if (kRows[i].id != static_cast<Id>(i)) return false;
+    return kRows.size() == static_cast<std::size_t>(Id::frame) + 1;
+}
+static_assert(in_order());
+
+constexpr double kIsoElevation = 35.264389682754654; // atan(1 / sqrt 2): all axes equally long
+constexpr std::array<ViewAngles, 8> kViews = {{{"front", 0, 0},
+                                               {"back", 180, 0},
+                                               {"right", 90, 0},
+                                               {"left", 270, 0},
+                                               {"top", 0, 90},
+                                               {"bottom", 0, -90},
+                                               {"iso", 45, kIsoElevation},
+                                               {"opposite iso", 225, -kIsoElevation}}};
+
+std::string_view take_word(std::string_view& text) {
+    const std::size_t start = std::min(text.find_first_not_of(" \t"), text.size());
+    text.remove_prefix(start);
+    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
+    const std::string_view word = text.substr(0, end);
+    text.remove_prefix(end);
+    text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+    return word;
+}
+
+} // namespace
+
+std::span<const ActionRow> action_rows() {
+    return kRows;
+}
+
+const ActionRow& row_of(ActionId id) {
+    return kRows[static_cast<std::size_t>(id)];
+}
+
+const ActionRow* find_action(std::string_view name) {
+    for (const ActionRow& row : kRows)
+        if (row.name == name) return &row;
+    return nullptr;
+}
+
+std::string to_text(const Action& action) {
+    const ActionRow& row = row_of(action.id);
+    std::string text = (action.repeated ? "repeat " : "") + std::string(row.name);
+    for (int i = 0; i < row.numbers; ++i)
+        text += fmt::format(" {}", action.numbers[static_cast<std::size_t>(i)]);
+    if (!action.text.empty()) text += " " + action.text;
+    return text;
+}
+
+Result<Action> parse_action(std::string_view text) {
+    Action action;
+    std::string_view name = take_word(text);
+    if (name == "repeat") {
+        action.repeated = true;
+        name = take_word(text);
+    }
+    const ActionRow* row = find_action(name);
+    if (row == nullptr) {
+        std::vector<std::string_view> names;
+        for (const ActionRow& known : kRows)
+            names.push_back(known.name);
+        return fail(Exit::unreadable, "there is no action '{}'{}", name, did_you_mean(name, names));
+    }
+    action.id = row->id;
+    for (int i = 0; i < row->numbers; ++i) {
+        const std::string_view word = take_word(text);
+        const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(),
+                                                   action.numbers[static_cast<std::size_t>(i)]);
+        if (error != std::errc() || stop != word.data() + word.size())
+            return fail(Exit::unreadable, "{} wants {} whole numbers", name, row->numbers);
+    }
+    if (action.id == ActionId::frame) {
+        if (text.empty())
+            return fail(Exit::unreadable, "frame wants a file name, as in frame 1.png");
+        action.text = text;
+    } else if (!text.empty()) {
+        return fail(Exit::unreadable, "'{}' after {} is too much", text, name);
+    }
+    return action;
+}
+
+const ViewAngles& view_angles(int view) {
+    CHECK(view >= 0 && view < static_cast<int>(kViews.size()));
+    return kViews[static_cast<std::size_t>(view)];
+}
+
+std::string_view name_of(scene::UpAxis up) {
+    constexpr std::array<std::string_view, 6> kNames = {"y", "-y", "z", "-z", "x", "-x"};
+    return kNames[static_cast<std::size_t>(up)];
+}
+
+std::string_view name_of(scene::Projection projection) {
+    return projection == scene::Projection::perspective ? "perspective" : "orthographic";
+}
+
+std::string_view name_of(frame::Cull cull) {
+    constexpr std::array<std::string_view, 3> kNames = {"none", "back", "front"};
+    return kNames[static_cast<std::size_t>(cull)];
+}
+
+} // namespace scanout::app

@@ -1,0 +1,72 @@
+// The actions of the viewer, by name: the one way to change what it shows. Keys and mouse are bound
+// to them, recordings are made of them, and the help sheet lists them.
+#pragma once
+
+#include "app/viewer_state.h"
+#include "base/result.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace scanout::app {
+
+// clang-format off
+enum class ActionId : std::uint8_t {
+    rotate_left, rotate_right, rotate_up, rotate_down,
+    move_left, move_right, move_up, move_down,
+    previous_file, next_file,
+    scale_up, scale_down,
+    roll_left, roll_right,
+    reset, toggle_drive,
+    view_front, view_back, view_right, view_left, view_top, view_bottom, view_iso, view_iso_back,
+    toggle_projection, up_axis_next, cull_next,
+    toggle_info, toggle_turntable, undo, reload, screenshot, toggle_help, close, quit, suspend,
+    drag_begin, drag_rotate, drag_move, drag_roll, drag_end, zoom_at, pointer,
+    frame,
+};
+// clang-format on
+
+// One row an action.
+struct ActionRow {
+    ActionId id;
+    std::string_view name;  // in recordings
+    std::string_view keys;  // default keys, separated by spaces; empty: mouse or recordings only
+    std::string_view sheet; // how the help sheet names the keys; empty: on an earlier row's line
+    std::string_view help;
+    int numbers = 0;      // whole numbers that follow the name in a recording
+    bool repeats = false; // while its key is held
+    std::string (*state)(const ViewerState&) = nullptr; // for the help sheet: how it stands now
+};
+
+std::span<const ActionRow> action_rows();
+const ActionRow& row_of(ActionId id);
+const ActionRow* find_action(std::string_view name); // null: there is none
+
+struct Action {
+    ActionId id{};
+    std::array<int, 3> numbers{};
+    std::string text;      // frame: the file's name
+    bool repeated = false; // made by a held key: undone together with its first press
+    friend bool operator==(const Action&, const Action&) = default;
+};
+
+// "drag_rotate 120 -33", "repeat rotate_left", "frame a.png": one line of a recording, without the
+// step. parse_action reads it back; its error says what is wrong, not where.
+std::string to_text(const Action& action);
+Result<Action> parse_action(std::string_view text);
+
+// The views of the keys 1 3 7 9, by ActionId - view_front: camera angles in degrees.
+struct ViewAngles {
+    std::string_view name;
+    double azimuth_degrees, elevation_degrees;
+};
+const ViewAngles& view_angles(int view);
+
+std::string_view name_of(scene::UpAxis up);
+std::string_view name_of(scene::Projection projection);
+std::string_view name_of(frame::Cull cull);
+
+} // namespace scanout::app

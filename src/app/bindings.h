@@ -1,0 +1,77 @@
+// Keys and mouse -> actions. The keys stand in the table of actions; this file knows how keys are
+// spelt, how a held key repeats, and how the mouse drags.
+#pragma once
+
+#include "app/actions.h"
+#include "port/input.h"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace scanout::app {
+
+// A key as the table spells it: "Shift+Left", "Ctrl+C", "KP+", "?".
+struct Key {
+    std::uint32_t keysym = 0; // of xkbcommon; letters in lower case
+    bool shift = false, control = false;
+    friend bool operator==(const Key&, const Key&) = default;
+};
+std::optional<Key> parse_key(std::string_view text); // empty: no such key
+
+// What a key press is bound to. Letters and named keys go by the unshifted key, so that Caps Lock
+// does not matter; signs such as + and ? by what the layout makes of the key.
+std::optional<ActionId> bound_to(const port::Event& event);
+
+// `list keys`: one line an action.
+std::string keys_text();
+
+inline constexpr int kRepeatDelaySteps = 36; // 600 ms
+inline constexpr int kRepeatsPerSecond = 25;
+inline constexpr int kMostRepeatsAtOnce = 8; // after a stall
+
+// Turns the machine's events into actions. Holds what a hand holds: a key, a button, a modifier.
+class Binder {
+public:
+    Binder(int width, int height, bool moves_pointer);
+
+    // The actions of a batch of events, in order. Motions that follow each other become one.
+    void bind(std::span<const port::Event> events, std::int64_t step, std::vector<Action>& actions);
+
+    // A held key that repeats: its next step, and whether the batch lets go of it.
+    std::optional<std::int64_t> next_repeat() const;
+    void let_go(std::span<const port::Event> events);
+    // The repeats that are due at `step`, at most one.
+    std::optional<Action> repeat(std::int64_t step);
+
+    // The console went away, and with it the releases: nothing is held any more.
+    void release_all(std::vector<Action>& actions);
+
+private:
+    struct Held {
+        ActionId id{};
+        std::uint32_t keycode = 0;
+        std::int64_t first_step = 0; // of the first repeat
+        int count = 0;               // repeats made so far
+    };
+    void key(const port::Event& event, std::int64_t step, std::vector<Action>& actions);
+    void button(const port::Event& event, std::vector<Action>& actions);
+    void motion(const port::Event& event);
+    void scroll(const port::Event& event, std::vector<Action>& actions);
+    void flush_motion(std::vector<Action>& actions);
+
+    int width_, height_;
+    bool moves_pointer_;
+    bool shift_ = false, control_ = false;
+    std::optional<Held> held_;
+    double x_, y_;                   // the pointer, pixels
+    double drag_x_ = 0, drag_y_ = 0; // since the button went down, not held at the picture's edge
+    bool moved_ = false;
+    std::optional<port::Button> button_;
+    ActionId drag_ = ActionId::drag_rotate;
+    int scroll_rest_ = 0;
+};
+
+} // namespace scanout::app

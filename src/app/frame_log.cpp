@@ -1,0 +1,42 @@
+#include "app/frame_log.h"
+
+#include "app/picture.h"
+#include "image/hash.h"
+
+#include <cstdio>
+
+namespace scanout::app {
+
+void say(const std::string& line) {
+    std::fputs((line + "\n").c_str(), stderr);
+}
+
+void FrameLog::presented(const image::Image& frame, const frame::FrameStats& stats) {
+    const int index = count_++;
+    if (!settings_.verbose && !settings_.json) return;
+    const std::uint64_t hash = image::frame_hash(image::as_displayed(format_, frame));
+    if (settings_.json) records_.push_back({index, hash, frame.width(), frame.height(), stats});
+    if (settings_.verbose)
+        pending_ = fmt::format("frame {} hash {} {}", index, image::hash_text(hash),
+                               image::name_of(format_));
+}
+
+void FrameLog::reached() {
+    if (pending_.empty()) return;
+    say(pending_);
+    if (pending_.starts_with("frame 0 ")) say("ready");
+    pending_.clear();
+}
+
+Result<void> FrameLog::dump(const image::Image& frame, const std::string& path) const {
+    TRY(const PictureFormat format, picture_format(path, PictureFormat::by_name));
+    const image::Image shown = image::as_displayed(format_, frame);
+    const bool raw = format == PictureFormat::raw;
+    TRY(const image::Bytes bytes, encode(raw ? frame : shown, format, format_));
+    TRY_VOID(write_picture(path, bytes));
+    fmt::print(settings_.json == "-" ? stderr : stdout, "frame {} hash {}\n", path,
+               image::hash_text(image::frame_hash(shown)));
+    return {};
+}
+
+} // namespace scanout::app

@@ -1,0 +1,42 @@
+// What the viewer tells about its frames: a line for each that reached the display (--verbose),
+// hashes (--json), and the picture files that a recording names. Hashes and files show what the
+// display shows: the frame went through its pixel format.
+#pragma once
+
+#include "app/report.h"
+#include "app/settings.h"
+#include "base/result.h"
+#include "image/image.h"
+#include "port/display.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+class FrameLog {
+public:
+    FrameLog(const Settings& settings, const port::DisplayInfo& display)
+        : settings_(settings), format_(display.format) {}
+
+    // `frame` was handed to the display.
+    void presented(const image::Image& frame, const frame::FrameStats& stats);
+    // The frame handed over last is on the screen: says so, once.
+    void reached();
+    Result<void> dump(const image::Image& frame, const std::string& path) const;
+
+    int count() const { return count_; }
+    std::vector<FrameRecord> take_records() { return std::move(records_); }
+
+private:
+    const Settings& settings_;
+    image::PixelFormat format_;
+    int count_ = 0;
+    std::string pending_;
+    std::vector<FrameRecord> records_;
+};
+
+// One write(2) a line, so that lines of several processes do not mix.
+void say(const std::string& line);
+
+} // namespace scanout::app

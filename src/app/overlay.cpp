@@ -1,0 +1,94 @@
+#include "app/overlay.h"
+
+#include "app/actions.h"
+#include "app/text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr image::Rgba8 kText{235, 235, 235, 255};
+constexpr image::Rgba8 kPanel{0, 0, 0, 176};
+constexpr int kMargin = 6; // font pixels around a block of text
+
+// Letters grow with the picture: twice as large from 2560x1920 on.
+int text_scale(int width, int height) {
+    return std::max(1, std::min(width / 640, height / 480) / 2);
+}
+
+struct Block {
+    int width, height; // with its margin
+};
+
+Block size_of(const std::vector<std::string>& lines, int scale) {
+    int widest = 0;
+    for (const std::string& line : lines)
+        widest = std::max(widest, text_width(line, scale));
+    return {widest + 2 * kMargin * scale,
+            (static_cast<int>(lines.size()) * kGlyphHeight + 2 * kMargin) * scale};
+}
+
+void draw_block(image::Image& picture, const std::vector<std::string>& lines, int x, int y,
+                int scale) {
+    const Block block = size_of(lines, scale);
+    draw_panel(picture, {x, y, x + block.width, y + block.height}, kPanel);
+    int line_y = y + kMargin * scale;
+    for (const std::string& line : lines) {
+        draw_text(picture, x + kMargin * scale, line_y, line, kText, scale);
+        line_y += kGlyphHeight * scale;
+    }
+}
+
+void draw_in_the_middle(image::Image& picture, const std::vector<std::string>& lines, int scale) {
+    const Block block = size_of(lines, scale);
+    draw_block(picture, lines, std::max(0, (picture.width() - block.width) / 2),
+               std::max(0, (picture.height() - block.height) / 2), scale);
+}
+
+} // namespace
+
+std::vector<std::string> help_sheet(const ViewerState& state) {
+    std::vector<std::string> lines;
+    for (const ActionRow& row : action_rows()) {
+        if (row.sheet.empty()) continue;
+        const std::string now = row.state != nullptr ? row.state(state) : std::string();
+        lines.push_back(fmt::format("{:<18} {:<26} {}", row.sheet, row.help, now));
+    }
+    return lines;
+}
+
+std::vector<std::string> broken_into_lines(const std::string& text, std::size_t letters) {
+    std::vector<std::string> lines;
+    std::string_view rest = text;
+    while (rest.size() > std::max<std::size_t>(letters, 1)) {
+        const std::size_t space = rest.rfind(' ', letters);
+        const bool fits = space != std::string_view::npos && space > 0;
+        const std::size_t end = fits ? space : std::max<std::size_t>(letters, 1);
+        lines.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end + (fits ? 1 : 0));
+    }
+    if (!rest.empty()) lines.emplace_back(rest);
+    return lines;
+}
+
+std::size_t letters_across(int width, int height) {
+    const int scale = text_scale(width, height);
+    return static_cast<std::size_t>(
+        std::max(1, (width - 2 * kMargin * scale) / (kGlyphWidth * scale)));
+}
+
+void draw_overlay(image::Image& picture, const Overlay& overlay) {
+    const int scale = text_scale(picture.width(), picture.height());
+    if (!overlay.info.empty()) draw_block(picture, overlay.info, 0, 0, scale);
+    if (!overlay.message.empty()) {
+        const std::vector<std::string> lines = {overlay.message};
+        draw_block(picture, lines, 0, picture.height() - size_of(lines, scale).height, scale);
+    }
+    if (!overlay.notice.empty()) draw_in_the_middle(picture, overlay.notice, scale);
+    if (!overlay.help.empty()) draw_in_the_middle(picture, overlay.help, scale);
+}
+
+} // namespace scanout::app

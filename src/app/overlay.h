@@ -1,0 +1,32 @@
+// What lies on the picture: the help sheet, the information lines, a message, a notice in the
+// middle. All text, in the bitmap font; nothing here depends on the clock unless its text does.
+#pragma once
+
+#include "app/viewer_state.h"
+#include "image/image.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+struct Overlay {
+    std::vector<std::string> help;   // the sheet's lines; empty: closed
+    std::vector<std::string> info;   // lines at the upper left
+    std::string message;             // a line at the lower left
+    std::vector<std::string> notice; // lines in the middle: loading, errors
+    friend bool operator==(const Overlay&, const Overlay&) = default;
+};
+
+// The help sheet from the table of actions: keys, what they do, how it stands now.
+std::vector<std::string> help_sheet(const ViewerState& state);
+
+// `text` in lines of at most `letters` letters, broken at spaces where there are any.
+std::vector<std::string> broken_into_lines(const std::string& text, std::size_t letters);
+
+// How many letters stand side by side in a picture of this size.
+std::size_t letters_across(int width, int height);
+
+void draw_overlay(image::Image& picture, const Overlay& overlay);
+
+} // namespace scanout::app

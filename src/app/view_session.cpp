@@ -1,0 +1,439 @@
+#include "app/view_session.h"
+
+#include "app/picture.h"
+#include "base/check.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include <sys/epoll.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr int kMessageSteps = 3 * kStepsPerSecond;
+constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will not come
+
+Result<void> watch(const Fd& epoll, int fd) {
+    if (fd < 0) return {};
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.fd = fd;
+    if (::epoll_ctl(epoll.get(), EPOLL_CTL_ADD, fd, &event) != 0)
+        return fail(Exit::internal, "epoll_ctl: {}", std::strerror(errno));
+    return {};
+}
+
+std::chrono::nanoseconds refresh_period(const port::Display& display) {
+    const double hz = display.info().refresh_hz;
+    return std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 / (hz > 1 ? hz : 60)));
+}
+
+} // namespace
+
+Result<std::unique_ptr<ViewSession>> ViewSession::create(const Settings& settings,
+                                                         SessionParts parts) {
+    Fd epoll(::epoll_create1(EPOLL_CLOEXEC));
+    if (!epoll.valid()) return fail(Exit::internal, "epoll: {}", std::strerror(errno));
+    Fd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    if (!timer.valid()) return fail(Exit::internal, "timerfd: {}", std::strerror(errno));
+    for (const int fd : {timer.get(), parts.display.event_fd(), parts.input.event_fd()})
+        TRY_VOID(watch(epoll, fd));
+    return std::unique_ptr<ViewSession>(
+        new ViewSession(settings, std::move(parts), std::move(epoll), std::move(timer)));
+}
+
+ViewSession::ViewSession(const Settings& settings, SessionParts parts, Fd epoll, Fd timer)
+    : settings_(settings), parts_(std::move(parts)), epoll_(std::move(epoll)),
+      timer_(std::move(timer)),
+      steady_(settings.no_times || !settings.record.empty() || !settings.replay.empty()),
+      viewer_(settings, parts_.display.info().width, parts_.display.info().height,
+              static_cast<int>(settings.arguments.size())),
+      binder_(parts_.display.info().width, parts_.display.info().height, !settings.no_pointer),
+      renderer_(parts_.jobs), composer_(parts_.display.info().width, parts_.display.info().height),
+      log_(settings, parts_.display.info()),
+      background_(parts_.display.info().width, parts_.display.info().height,
+                  settings.frame.background) {}
+
+Result<void> ViewSession::run() {
+    TRY_VOID(load(false));
+    if (parts_.instant) return run_instantly();
+    while (!quit_) {
+        TRY_VOID(follow_display());
+        const Time now = std::chrono::steady_clock::now();
+        TRY_VOID(advance(now));
+        if (quit_) break;
+        TRY_VOID(draw_if_due(now));
+        TRY_VOID(wait());
+    }
+    return {};
+}
+
+// A frame for every step that the script names, then what remains when nothing moves any more.
+Result<void> ViewSession::run_instantly() {
+    const std::size_t entries = parts_.script ? parts_.script->size() : 0;
+    while (!quit_) {
+        TRY_VOID(play_script());
+        if (wants_frame()) TRY_VOID(draw(wanted()));
+        if (quit_ || frame_file_) continue;
+        TRY_VOID(take_input());
+        if (next_entry_ < entries)
+            viewer_.advance_to((*parts_.script)[next_entry_].step);
+        else if (viewer_.state().pointer.visible)
+            viewer_.advance_to(viewer_.state().pointer.hide_step);
+        else
+            quit_ = !wants_frame();
+    }
+    return {};
+}
+
+// ---- Time -------------------------------------------------------------------------------------
+
+std::optional<std::int64_t> ViewSession::next_step() const {
+    std::optional<std::int64_t> next;
+    const auto consider = [&](std::int64_t step) { next = next ? std::min(*next, step) : step; };
+    if (viewer_.moving()) consider(viewer_.next_step());
+    if (const auto repeat = binder_.next_repeat()) consider(*repeat);
+    if (!message_.empty()) consider(message_hides_);
+    if (parts_.script && next_entry_ < parts_.script->size())
+        consider((*parts_.script)[next_entry_].step);
+    return next;
+}
+
+Result<void> ViewSession::advance(Time now) {
+    if (!lost_ && !frame_file_) TRY_VOID(play_script());
+    if (lost_ || frame_file_ || !next_step()) {
+        clock_.stop();
+        return {};
+    }
+    clock_.run(now, viewer_.step_number());
+    TRY_VOID(pass_steps(clock_.step_at(now)));
+    if (frame_file_ || !next_step()) clock_.stop();
+    return {};
+}
+
+Result<void> ViewSession::pass_steps(std::int64_t target) {
+    int repeats = 0;
+    while (viewer_.step_number() < target && !quit_ && !frame_file_) {
+        std::int64_t next = std::min(target, next_step().value_or(target));
+        next = std::max(next, viewer_.step_number() + 1);
+        viewer_.advance_to(next);
+        while (const std::optional<Action> repeat = binder_.repeat(next))
+            if (++repeats <= kMostRepeatsAtOnce) TRY_VOID(take(*repeat));
+        if (!message_.empty() && next >= message_hides_) message_.clear();
+        TRY_VOID(play_script());
+    }
+    return {};
+}
+
+// Takes the script's actions that are due; stops at a frame, which has to be drawn first.
+Result<void> ViewSession::play_script() {
+    if (!parts_.script) return {};
+    const Script& script = *parts_.script;
+    while (next_entry_ < script.size() && !frame_file_ && !quit_ &&
+           script[next_entry_].step <= viewer_.step_number())
+        TRY_VOID(take(script[next_entry_++].action));
+    return {};
+}
+
+Result<void> ViewSession::follow_display() {
+    const bool was_lost = std::exchange(lost_, parts_.display.lost());
+    if (lost_ && !was_lost) {
+        std::vector<Action> actions;
+        binder_.release_all(actions);
+        for (const Action& action : actions)
+            TRY_VOID(take(action));
+    }
+    if (was_lost && !lost_) repaint_ = true;
+    if (!lost_ && parts_.display.ready()) log_.reached();
+    return {};
+}
+
+// ---- Actions ----------------------------------------------------------------------------------
+
+Result<void> ViewSession::take_input() {
+    events_.clear();
+    TRY_VOID(parts_.input.dispatch(events_));
+    if (settings_.verbose && parts_.input.description() != input_described_) {
+        input_described_ = parts_.input.description();
+        say("input " + input_described_);
+    }
+    if (events_.empty()) return {};
+    if (!parts_.instant) {
+        binder_.let_go(events_);
+        TRY_VOID(advance(std::chrono::steady_clock::now()));
+    }
+    std::vector<Action> actions;
+    binder_.bind(events_, viewer_.step_number(), actions);
+    const bool script_plays = parts_.script && next_entry_ < parts_.script->size();
+    for (const Action& action : actions) {
+        const bool leaves = action.id == ActionId::quit || action.id == ActionId::close ||
+                            action.id == ActionId::suspend;
+        if (!script_plays || leaves) TRY_VOID(take(action));
+    }
+    return {};
+}
+
+Result<void> ViewSession::take(const Action& action) {
+    if (quit_) return {};
+    const TimedAction timed{viewer_.step_number(), action};
+    if (settings_.verbose && !parts_.script)
+        say(fmt::format("action {} {}", timed.step, to_text(action)));
+    if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
+    message_.clear();
+    switch (viewer_.apply(action, model_ ? &model_->scene.mesh : nullptr)) {
+    case Effect::none:
+        break;
+    case Effect::load_file:
+        return load(false);
+    case Effect::reload:
+        return load(true);
+    case Effect::screenshot:
+        return write_screenshot();
+    case Effect::frame:
+        frame_file_ = action.text;
+        break;
+    case Effect::suspend:
+        clock_.stop();
+        return parts_.suspend(events_);
+    case Effect::quit:
+        quit_ = true;
+        break;
+    }
+    return {};
+}
+
+void ViewSession::show_message(const std::string& text) {
+    say(text);
+    if (steady_) return; // a file's number depends on the folder
+    message_ = text;
+    message_hides_ = viewer_.step_number() + kMessageSteps;
+}
+
+// The picture alone, without help, information and pointer, in the first free file name.
+Result<void> ViewSession::write_screenshot() {
+    if (!model_) return {};
+    TRY_VOID(render());
+    const std::string& path = model_->scene.path;
+    std::string name = path.substr(path.rfind('/') + 1);
+    name = name.substr(0, name.rfind('.'));
+    for (int number = 1; number < 1000; ++number) {
+        const std::string file = fmt::format("scanout-{}-{:03}.png", name, number);
+        if (::access(file.c_str(), F_OK) == 0) continue;
+        TRY(const image::Bytes bytes, image::encode_png(*picture_));
+        const Result<void> written = write_picture(file, bytes);
+        show_message(written ? "wrote " + file : written.error().what);
+        return {};
+    }
+    show_message(fmt::format("scanout-{}-001.png to -999.png exist already", name));
+    return {};
+}
+
+// ---- Files ------------------------------------------------------------------------------------
+
+Result<void> ViewSession::load(bool again) {
+    const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
+    load_start_ = std::chrono::steady_clock::now();
+    Result<LoadedModel> model =
+        load_model(path, [this](double share) { return report_progress(share); });
+    if (quit_) return {};
+    ++generation_;
+    clock_.stop(); // the time that loading took does not turn the model
+    if (!model) {
+        const bool hopeless = settings_.arguments.size() == 1 && !again;
+        if (hopeless) return tl::unexpected(model.error());
+        say("scanout: " + model.error().what);
+        error_ = model.error().what;
+        model_.reset();
+        return {};
+    }
+    error_.clear();
+    model_ = *std::move(model);
+    facts_ = frame::facts(model_->scene);
+    print_warnings(model_->warnings, settings_);
+    // Options that no technique answers to, and cameras that see nothing, are faults of the
+    // command.
+    TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_));
+    if (settings_.verbose)
+        for (const std::string& reason : plan.reasons)
+            say(reason);
+    TRY_VOID(viewer_.view(model_->scene.mesh));
+    return {};
+}
+
+// While a file is read: a notice on the display once that takes long, and a look at the keys.
+bool ViewSession::report_progress(double share) {
+    if (parts_.instant) return true;
+    constexpr std::chrono::milliseconds kPatience{300};
+    const Time now = std::chrono::steady_clock::now();
+    if (now - std::max(load_start_, last_draw_) < kPatience) return true;
+    if (wants_to_leave()) return false;
+    lost_ = parts_.display.lost();
+    if (lost_ || !parts_.display.ready() || !parts_.display.dispatch()) return true;
+    const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
+    Overlay notice;
+    notice.notice = {fmt::format("reading {}  {} %", path, static_cast<int>(share * 100))};
+    composer_.set_picture(picture_ != nullptr ? *picture_ : background_,
+                          [&](image::Image& picture) { draw_overlay(picture, notice); });
+    repaint_ = true;
+    last_draw_ = now;
+    return present().has_value();
+}
+
+bool ViewSession::wants_to_leave() {
+    events_.clear();
+    if (!parts_.input.dispatch(events_)) return true;
+    for (const port::Event& event : events_) {
+        const auto action = event.kind == port::EventKind::key && event.pressed
+                                ? bound_to(event)
+                                : std::optional<ActionId>();
+        if (event.kind == port::EventKind::quit || action == ActionId::quit ||
+            action == ActionId::close)
+            quit_ = true;
+    }
+    return quit_;
+}
+
+// ---- Frames -----------------------------------------------------------------------------------
+
+ViewSession::Shown ViewSession::wanted() const {
+    Shown wanted{viewer_.state().look, generation_, overlay(), std::nullopt};
+    wanted.look.turntable = false; // turning or not, this picture is the same
+    const PointerState& pointer = viewer_.state().pointer;
+    if (pointer.visible && !settings_.no_pointer) wanted.pointer = PixelPlace{pointer.x, pointer.y};
+    return wanted;
+}
+
+Overlay ViewSession::overlay() const {
+    const ViewerState& state = viewer_.state();
+    const port::DisplayInfo& display = parts_.display.info();
+    Overlay overlay;
+    if (state.help) overlay.help = help_sheet(state);
+    overlay.message = message_;
+    if (!error_.empty())
+        overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
+    if (!state.info) return overlay;
+    const std::string& path = settings_.arguments[static_cast<std::size_t>(state.file)];
+    overlay.info.push_back(fmt::format("{}  ({} of {})", path.substr(path.rfind('/') + 1),
+                                       state.file + 1, settings_.arguments.size()));
+    if (model_)
+        overlay.info.push_back(fmt::format(
+            "{} triangles  {} vertices  {} warnings  {}x{}", model_->scene.counts.triangles,
+            model_->scene.counts.vertices, model_->warnings.size(), display.width, display.height));
+    overlay.info.push_back(fmt::format(
+        "{}  up {}  cull {}  {} mode", name_of(state.look.projection), name_of(state.look.up),
+        name_of(state.look.cull), state.camera_mode ? "camera" : "model"));
+    return overlay;
+}
+
+Result<void> ViewSession::render() {
+    if (!model_) {
+        picture_ = &background_;
+        return {};
+    }
+    frame::FrameOptions options = settings_.frame;
+    options.width = background_.width();
+    options.height = background_.height();
+    options.cull = viewer_.state().look.cull;
+    TRY(const frame::FramePlan plan, frame::plan(options, facts_));
+    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
+    picture_ = &renderer_.render(model_->scene, view, plan);
+    return {};
+}
+
+Result<void> ViewSession::draw(const Shown& wanted) {
+    const bool new_picture = picture_ == nullptr || !(wanted.look == shown_.look) ||
+                             wanted.generation != shown_.generation;
+    if (new_picture) TRY_VOID(render());
+    if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) {
+        Overlay overlay = wanted.overlay;
+        if (!overlay.info.empty() && !steady_)
+            overlay.info.push_back(fmt::format("{:.1f} ms  {:.0f} fps", renderer_.stats().total_ms,
+                                               frames_per_second_));
+        composer_.set_picture(*picture_,
+                              [&](image::Image& picture) { draw_overlay(picture, overlay); });
+    }
+    composer_.set_pointer(wanted.pointer);
+    TRY_VOID(present());
+    shown_ = wanted;
+    repaint_ = false;
+    if (const auto file = std::exchange(frame_file_, std::nullopt))
+        TRY_VOID(log_.dump(composer_.frame(), *file));
+    return {};
+}
+
+Result<void> ViewSession::present() {
+    const std::vector<image::Rect> damage = composer_.take_damage();
+    TRY_VOID(parts_.display.present(composer_.frame(), damage));
+    log_.presented(composer_.frame(), renderer_.stats());
+    if (parts_.display.ready()) log_.reached();
+    return {};
+}
+
+Result<void> ViewSession::draw_if_due(Time now) {
+    if (lost_ || !parts_.display.ready() || !wants_frame()) return {};
+    if (!parts_.display.paced() && now < due_) return {};
+    const double passed = std::chrono::duration<double>(now - last_draw_).count();
+    frames_per_second_ = passed > 0 && passed < 0.5 ? 1 / passed : 0;
+    last_draw_ = now;
+    // Half a period of slack: a late wake-up does not make every frame after it late as well.
+    const std::chrono::nanoseconds period = refresh_period(parts_.display);
+    due_ = std::max(due_ + period, now + period / 2);
+    return draw(wanted());
+}
+
+// Sleeps until there is something to do. With nothing that moves and nothing to draw no timer is
+// set, and only input, a flip or a signal ends the sleep.
+Result<void> ViewSession::wait() {
+    const bool ready = parts_.display.ready();
+    std::optional<Time> wake;
+    const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
+    if (const auto next = next_step(); next && !lost_ && !frame_file_)
+        consider(clock_.running() ? clock_.time_of(*next) : std::chrono::steady_clock::now());
+    if (ready && !lost_ && wants_frame()) consider(due_);
+    itimerspec spec{};
+    if (wake) {
+        const auto since_boot = std::max<std::int64_t>(
+            std::chrono::nanoseconds(wake->time_since_epoch()).count(), 1); // 0 would disarm it
+        spec.it_value.tv_sec = since_boot / 1'000'000'000;
+        spec.it_value.tv_nsec = since_boot % 1'000'000'000;
+    }
+    ::timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &spec, nullptr);
+
+    std::array<epoll_event, 4> events{};
+    const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()),
+                                   ready || lost_ ? -1 : kFlipTimeoutMs);
+    if (count < 0 && errno != EINTR)
+        return fail(Exit::internal, "epoll_wait: {}", std::strerror(errno));
+    for (int i = 0; i < count; ++i) {
+        const int fd = events[static_cast<std::size_t>(i)].data.fd;
+        if (fd == timer_.get()) {
+            std::uint64_t expirations = 0;
+            [[maybe_unused]] const ssize_t n = ::read(fd, &expirations, sizeof expirations);
+        } else if (fd == parts_.input.event_fd()) {
+            TRY_VOID(take_input());
+        }
+    }
+    // Also without an event: this is where a flip that never came counts as done.
+    return parts_.display.dispatch();
+}
+
+RunReport ViewSession::report(std::uint64_t start_bytes) {
+    RunReport report;
+    if (model_) {
+        report.model_path = model_->scene.path;
+        report.counts = model_->scene.counts;
+        report.warnings = model_->warnings;
+        report.load_ms = model_->load_ms;
+    }
+    report.frames = log_.take_records();
+    report.start_bytes = start_bytes;
+    report.threads = parts_.jobs.threads();
+    return report;
+}
+
+} // namespace scanout::app

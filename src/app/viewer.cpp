@@ -1,0 +1,324 @@
+#include "app/viewer.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scanout::app {
+namespace {
+
+constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
+constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
+constexpr int kZoomStep = 8; // levels: eight steps double the size
+constexpr std::size_t kHistory = 256;
+
+std::int64_t clamp_pan(double units) {
+    constexpr double kLimit = 0x1p52;
+    const double clamped = std::clamp(units, -kLimit, kLimit);
+    return static_cast<std::int64_t>(clamped + (clamped < 0 ? -0.5 : 0.5));
+}
+
+std::int64_t moved(std::int64_t pan, double by_units) {
+    return clamp_pan(static_cast<double>(pan) + by_units);
+}
+
+scene::UpAxis next_axis(scene::UpAxis up) {
+    using enum scene::UpAxis;
+    constexpr std::array kCycle = {plus_y, plus_z, plus_x, minus_y, minus_z, minus_x};
+    const auto here = std::find(kCycle.begin(), kCycle.end(), up) - kCycle.begin();
+    return kCycle[static_cast<std::size_t>(here + 1) % kCycle.size()];
+}
+
+bool is_view(ActionId id) {
+    return id >= ActionId::view_front && id <= ActionId::view_iso_back;
+}
+
+} // namespace
+
+Viewer::Viewer(const Settings& settings, int width, int height, int files)
+    : model_(settings.model), camera_(settings.camera), width_(width), height_(height),
+      files_(files) {
+    state_.look.projection = camera_.projection;
+    state_.look.up = camera_.up;
+    state_.look.cull = settings.frame.cull;
+    state_.pointer.x = width / 2;
+    state_.pointer.y = height / 2;
+}
+
+scene::CameraOptions Viewer::camera() const {
+    scene::CameraOptions camera = camera_;
+    camera.projection = state_.look.projection;
+    camera.up = state_.look.up;
+    if (state_.look.view >= 0) {
+        const ViewAngles& angles = view_angles(state_.look.view);
+        camera.azimuth_degrees = angles.azimuth_degrees;
+        camera.elevation_degrees = angles.elevation_degrees;
+        camera.distance = 0;
+        camera.eye.reset();
+        camera.target.reset();
+    }
+    return camera;
+}
+
+Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {
+    return scene::make_view(mesh, model_, state_.look.pose, camera(), state_.look.orbit, width_,
+                            height_);
+}
+
+Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
+    switch (action.id) {
+    case ActionId::previous_file:
+        return change_file(-1);
+    case ActionId::next_file:
+        return change_file(1);
+    case ActionId::toggle_drive:
+        state_.camera_mode = !state_.camera_mode;
+        return Effect::none;
+    case ActionId::toggle_info:
+        state_.info = !state_.info;
+        return Effect::none;
+    case ActionId::toggle_help:
+        state_.help = !state_.help;
+        return Effect::none;
+    case ActionId::close:
+        if (!state_.help) return Effect::quit;
+        state_.help = false;
+        return Effect::none;
+    case ActionId::undo:
+        if (!history_.empty()) {
+            state_.look = history_.back();
+            history_.pop_back();
+        }
+        return Effect::none;
+    case ActionId::pointer:
+        state_.pointer = {std::clamp(action.numbers[0], 0, width_ - 1),
+                          std::clamp(action.numbers[1], 0, height_ - 1), true,
+                          step_ + kPointerSteps};
+        return Effect::none;
+    case ActionId::drag_begin: {
+        const Result<scene::View> now =
+            mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
+        drag_ = Drag{state_.look, false, now ? scene::world_units_per_pixel(*now, height_) : 0};
+        return Effect::none;
+    }
+    case ActionId::drag_rotate:
+    case ActionId::drag_move:
+    case ActionId::drag_roll:
+        drag(action, mesh);
+        return Effect::none;
+    case ActionId::drag_end:
+        drag_.reset();
+        return Effect::none;
+    case ActionId::reload:
+        return Effect::reload;
+    case ActionId::screenshot:
+        return Effect::screenshot;
+    case ActionId::frame:
+        return Effect::frame;
+    case ActionId::suspend:
+        return Effect::suspend;
+    case ActionId::quit:
+        return Effect::quit;
+    default:
+        break;
+    }
+    const Look before = state_.look;
+    change_look(action, mesh);
+    if (!action.repeated && !(state_.look == before)) remember(before);
+    return Effect::none;
+}
+
+void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
+    Look& look = state_.look;
+    int& roll = state_.camera_mode ? look.orbit.roll : look.pose.roll;
+    switch (action.id) {
+    case ActionId::rotate_left:
+        return rotate(-kRotateStep, 0);
+    case ActionId::rotate_right:
+        return rotate(kRotateStep, 0);
+    case ActionId::rotate_up:
+        return rotate(0, kRotateStep);
+    case ActionId::rotate_down:
+        return rotate(0, -kRotateStep);
+    case ActionId::move_left:
+        return move(-kMoveStep, 0);
+    case ActionId::move_right:
+        return move(kMoveStep, 0);
+    case ActionId::move_up:
+        return move(0, kMoveStep);
+    case ActionId::move_down:
+        return move(0, -kMoveStep);
+    case ActionId::scale_up:
+        return zoom(kZoomStep);
+    case ActionId::scale_down:
+        return zoom(-kZoomStep);
+    case ActionId::roll_left:
+        roll = scene::wrap_angle(roll + kRotateStep);
+        return;
+    case ActionId::roll_right:
+        roll = scene::wrap_angle(roll - kRotateStep);
+        return;
+    case ActionId::zoom_at:
+        return zoom_at(action.numbers[0], action.numbers[1], action.numbers[2], mesh);
+    case ActionId::reset:
+        look.pose = {};
+        look.orbit = {};
+        look.view = -1;
+        return;
+    case ActionId::toggle_projection:
+        look.projection = look.projection == scene::Projection::perspective
+                              ? scene::Projection::orthographic
+                              : scene::Projection::perspective;
+        return;
+    case ActionId::up_axis_next:
+        look.up = next_axis(look.up);
+        return;
+    case ActionId::cull_next:
+        look.cull = static_cast<frame::Cull>((static_cast<int>(look.cull) + 1) % 3);
+        return;
+    case ActionId::toggle_turntable:
+        look.turntable = !look.turntable;
+        return;
+    default:
+        break;
+    }
+    if (is_view(action.id))
+        look_from(static_cast<int>(action.id) - static_cast<int>(ActionId::view_front));
+}
+
+void Viewer::remember(const Look& before) {
+    history_.push_back(before);
+    if (history_.size() > kHistory) history_.pop_front();
+}
+
+// In model mode the front of the model goes right and up; in camera mode the camera does.
+void Viewer::rotate(int right, int up) {
+    Look& look = state_.look;
+    if (state_.camera_mode) {
+        look.orbit.azimuth = scene::wrap_angle(look.orbit.azimuth + right);
+        look.orbit.elevation = clamped_elevation(std::int64_t{look.orbit.elevation} + up);
+    } else {
+        look.pose.yaw = scene::wrap_angle(look.pose.yaw + right);
+        look.pose.pitch = scene::wrap_angle(look.pose.pitch - up);
+    }
+}
+
+void Viewer::move(std::int64_t right, std::int64_t up) {
+    Look& look = state_.look;
+    std::int64_t& x = state_.camera_mode ? look.orbit.pan_x : look.pose.pan_x;
+    std::int64_t& y = state_.camera_mode ? look.orbit.pan_y : look.pose.pan_y;
+    x = moved(x, static_cast<double>(right));
+    y = moved(y, static_cast<double>(up));
+}
+
+void Viewer::zoom(int levels) {
+    int& level = state_.camera_mode ? state_.look.orbit.zoom : state_.look.pose.zoom;
+    level = scene::clamp_zoom(std::int64_t{level} + levels);
+}
+
+// The named views forget how the model and the camera are turned; size and place stay.
+void Viewer::look_from(int view) {
+    Look& look = state_.look;
+    look.view = view;
+    look.pose.yaw = look.pose.pitch = look.pose.roll = 0;
+    look.orbit.azimuth = look.orbit.elevation = look.orbit.roll = 0;
+}
+
+// The orbit adds to the camera's own elevation; together they stop at the poles.
+int Viewer::clamped_elevation(std::int64_t units) const {
+    const scene::CameraOptions now = camera();
+    if (now.eye) return scene::clamp_elevation(units);
+    constexpr double kPole = 90;
+    const auto to_units = [](double degrees) {
+        return static_cast<std::int64_t>(degrees * scene::kAngleUnitsPerDegree);
+    };
+    const double own = std::clamp(now.elevation_degrees, -kPole, kPole);
+    return static_cast<int>(std::clamp(units, to_units(-kPole - own), to_units(kPole - own)));
+}
+
+// 180 degrees for the picture's height, rounded: the same total gives the same angle, whatever the
+// steps in which the mouse went.
+std::int64_t Viewer::angle_of_pixels(int pixels) const {
+    constexpr std::int64_t kHalfTurn = scene::kFullTurn / 2;
+    const std::int64_t doubled = 2 * kHalfTurn * pixels;
+    return (doubled + (doubled < 0 ? -height_ : height_)) / (2 * std::int64_t{height_});
+}
+
+void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
+    if (!drag_) apply({ActionId::drag_begin, {}, {}, false}, mesh);
+    const Look& start = drag_->start;
+    Look& look = state_.look;
+    const auto [dx, dy, unused] = action.numbers;
+    if (action.id == ActionId::drag_move) {
+        const double units = drag_->units_per_pixel * scene::kPanUnitsPerRadius;
+        const double x = units * dx, y = -units * dy;
+        if (state_.camera_mode) {
+            look.orbit.pan_x = moved(start.orbit.pan_x, -x);
+            look.orbit.pan_y = moved(start.orbit.pan_y, -y);
+        } else {
+            look.pose.pan_x = moved(start.pose.pan_x, x);
+            look.pose.pan_y = moved(start.pose.pan_y, y);
+        }
+    } else {
+        const std::int64_t turn_x = angle_of_pixels(dx), turn_y = angle_of_pixels(dy);
+        if (action.id == ActionId::drag_roll) {
+            int& roll = state_.camera_mode ? look.orbit.roll : look.pose.roll;
+            roll = scene::wrap_angle((state_.camera_mode ? start.orbit.roll : start.pose.roll) -
+                                     turn_x);
+        } else if (state_.camera_mode) {
+            // What is seen follows the hand: the camera goes the other way.
+            look.orbit.azimuth = scene::wrap_angle(start.orbit.azimuth - turn_x);
+            look.orbit.elevation = clamped_elevation(start.orbit.elevation + turn_y);
+        } else {
+            look.pose.yaw = scene::wrap_angle(start.pose.yaw + turn_x);
+            look.pose.pitch = scene::wrap_angle(start.pose.pitch + turn_y);
+        }
+    }
+    if (!drag_->remembered && !(look == start)) {
+        remember(start);
+        drag_->remembered = true;
+    }
+}
+
+// Scales so that the point under the pixel (x, y), in the plane through the model's centre, stays.
+void Viewer::zoom_at(int levels, int x, int y, const geom::Mesh* mesh) {
+    const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
+    if (!now) return zoom(levels);
+    const double unit = scene::world_units_per_pixel(*now, height_);
+    const double right = (x + 0.5 - width_ * 0.5) * unit;
+    const double up = (height_ * 0.5 - y - 0.5) * unit;
+    if (!state_.camera_mode) {
+        // zoom_towards takes the model's centre to stand at its pan; it really stands here:
+        scene::Pose& pose = state_.look.pose;
+        const double pan_x = static_cast<double>(pose.pan_x) / scene::kPanUnitsPerRadius;
+        const double pan_y = static_cast<double>(pose.pan_y) / scene::kPanUnitsPerRadius;
+        return scene::zoom_towards(pose, levels, right - (now->translation.x - pan_x),
+                                   up - (now->translation.y - pan_y));
+    }
+    scene::Orbit& orbit = state_.look.orbit;
+    const int before = orbit.zoom;
+    zoom(levels);
+    const double kept = 1 - 1 / scene::zoom_scale(orbit.zoom - before);
+    orbit.pan_x = moved(orbit.pan_x, right * kept * scene::kPanUnitsPerRadius);
+    orbit.pan_y = moved(orbit.pan_y, up * kept * scene::kPanUnitsPerRadius);
+}
+
+Effect Viewer::change_file(int by) {
+    if (files_ < 2) return Effect::none;
+    state_.file = (state_.file + by + files_) % files_;
+    return Effect::load_file;
+}
+
+void Viewer::advance_to(std::int64_t step) {
+    if (step <= step_) return;
+    const std::int64_t passed = std::exchange(step_, step);
+    scene::Pose& pose = state_.look.pose;
+    if (turning())
+        pose.yaw = scene::wrap_angle(pose.yaw + (step - passed) * kTurntableUnitsPerStep);
+    if (step >= state_.pointer.hide_step) state_.pointer.visible = false;
+}
+
+std::int64_t Viewer::next_step() const {
+    return turning() ? step_ + 1 : state_.pointer.hide_step;
+}
+
+} // namespace scanout::app

@@ -1,0 +1,71 @@
+// The viewer without a machine: state, actions, undo and the steps of the virtual clock. It knows
+// no display, no file and no time; view_session.h gives it those.
+#pragma once
+
+#include "app/actions.h"
+#include "app/settings.h"
+#include "geom/mesh.h"
+
+#include <deque>
+#include <optional>
+
+namespace scanout::app {
+
+inline constexpr int kStepsPerSecond = 60;
+inline constexpr int kTurntableUnitsPerStep =
+    96; // 22.5 degrees a second; 960 steps are a full turn
+inline constexpr int kPointerSteps = 3 * kStepsPerSecond;
+
+// What an action asks of the session.
+enum class Effect : std::uint8_t { none, load_file, reload, screenshot, frame, suspend, quit };
+
+class Viewer {
+public:
+    // The picture's size, the command line's camera and model, the number of files.
+    Viewer(const Settings& settings, int width, int height, int files);
+
+    const ViewerState& state() const { return state_; }
+    std::int64_t step_number() const { return step_; }
+
+    // `mesh` is the model on show, null while there is none: then nothing can be dragged by pixels.
+    Effect apply(const Action& action, const geom::Mesh* mesh);
+
+    // Steps of the virtual clock pass: the turntable turns, the pointer hides.
+    void advance_to(std::int64_t step);
+    // True when steps change something: the clock has to run. next_step(): the first that does.
+    bool moving() const { return turning() || state_.pointer.visible; }
+    std::int64_t next_step() const;
+
+    // The matrices of the state; see scene::make_view for errors.
+    Result<scene::View> view(const geom::Mesh& mesh) const;
+
+private:
+    bool turning() const { return state_.look.turntable && !drag_; }
+    scene::CameraOptions camera() const;
+    void remember(const Look& before);
+    void change_look(const Action& action, const geom::Mesh* mesh);
+    void drag(const Action& action, const geom::Mesh* mesh);
+    void zoom_at(int levels, int x, int y, const geom::Mesh* mesh);
+    void rotate(int right, int up);
+    void move(std::int64_t right, std::int64_t up);
+    void zoom(int levels);
+    void look_from(int view);
+    int clamped_elevation(std::int64_t units) const;
+    std::int64_t angle_of_pixels(int pixels) const;
+    Effect change_file(int by);
+
+    scene::ModelTransform model_;
+    scene::CameraOptions camera_;
+    int width_, height_, files_;
+    ViewerState state_;
+    std::int64_t step_ = 0;
+    std::deque<Look> history_;
+    struct Drag {
+        Look start;
+        bool remembered = false;
+        double units_per_pixel = 0;
+    };
+    std::optional<Drag> drag_;
+};
+
+} // namespace scanout::app

@@ -1,0 +1,41 @@
+// What the viewer shows, as plain values: it changes by actions and by steps of the virtual clock,
+// and by nothing else.
+#pragma once
+
+#include "frame/options.h"
+#include "scene/pose.h"
+#include "scene/view.h"
+
+#include <cstdint>
+
+namespace scanout::app {
+
+// What undo brings back.
+struct Look {
+    scene::Pose pose;
+    scene::Orbit orbit;
+    int view = -1; // index into kViews; -1: the command line's camera
+    scene::Projection projection = scene::Projection::perspective;
+    scene::UpAxis up = scene::UpAxis::plus_y;
+    frame::Cull cull = frame::Cull::none;
+    bool turntable = false;
+    friend bool operator==(const Look&, const Look&) = default;
+};
+
+struct PointerState {
+    int x = 0, y = 0; // pixels
+    bool visible = false;
+    std::int64_t hide_step = 0;
+    friend bool operator==(const PointerState&, const PointerState&) = default;
+};
+
+struct ViewerState {
+    Look look;
+    bool camera_mode = false; // keys and mouse drive the camera instead of the model
+    bool help = false, info = false;
+    int file = 0;
+    PointerState pointer;
+    friend bool operator==(const ViewerState&, const ViewerState&) = default;
+};
+
+} // namespace scanout::app
