@@ -30,7 +30,8 @@ Result<std::unique_ptr<Device>> open_card(const std::string& path, console::Seat
 }
 
 Result<std::unique_ptr<KmsDisplay>> open_one(const std::string& path, const OpenCard& open,
-                                             const Options& options, const console::Seat& seat) {
+                                             const Options& options, const console::Seat& seat,
+                                             const Timeouts& timeouts) {
     TRY(std::unique_ptr<Device> device, open(path));
     TRY(Choice choice, choose(*device, options));
     if (!device->has_dumb_buffers())
@@ -40,17 +41,18 @@ Result<std::unique_ptr<KmsDisplay>> open_one(const std::string& path, const Open
                     "another program draws there (it is DRM master): quit it, or switch to a text "
                     "console ({})",
                     std::strerror(error));
-    return KmsDisplay::create(std::move(device), std::move(choice), path, seat);
+    return KmsDisplay::create(std::move(device), std::move(choice), path, seat, timeouts);
 }
 
 } // namespace
 
 Result<std::unique_ptr<KmsDisplay>> open_first(const std::vector<std::string>& paths,
                                                const OpenCard& open, const Options& options,
-                                               const console::Seat& seat) {
+                                               const console::Seat& seat,
+                                               const Timeouts& timeouts) {
     std::string reasons;
     for (const std::string& path : paths) {
-        auto display = open_one(path, open, options, seat);
+        auto display = open_one(path, open, options, seat, timeouts);
         if (display || display.error().exit == Exit::usage) return display;
         reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", path, display.error().what);
     }

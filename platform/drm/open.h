@@ -17,6 +17,7 @@ using OpenCard = std::function<Result<std::unique_ptr<Device>>(const std::string
 
 Result<std::unique_ptr<KmsDisplay>> open_first(const std::vector<std::string>& paths,
                                                const OpenCard& open, const Options& options,
-                                               const console::Seat& seat);
+                                               const console::Seat& seat,
+                                               const Timeouts& timeouts = {});
 
 } // namespace scanout::drm

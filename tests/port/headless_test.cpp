@@ -1,0 +1,70 @@
+#include "port/copy.h"
+#include "port/headless.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace scanout::port {
+namespace {
+
+image::Image picture(int width, int height, std::uint32_t seed) {
+    image::Image image(width, height);
+    for (image::Rgba8& pixel : image.pixels()) {
+        seed = seed * 1664525 + 1013904223;
+        pixel = {static_cast<std::uint8_t>(seed >> 24), static_cast<std::uint8_t>(seed >> 16),
+                 static_cast<std::uint8_t>(seed >> 8), 255};
+    }
+    return image;
+}
+
+RC_GTEST_PROP(HeadlessDisplay, shows_the_frame_as_a_display_of_its_format_would, ()) {
+    const auto formats = image::pixel_formats();
+    const auto& format = formats[*rc::gen::inRange<std::size_t>(0, formats.size())].format;
+    const int width = *rc::gen::inRange(1, 20), height = *rc::gen::inRange(1, 20);
+    auto display = HeadlessDisplay::create(width, height, format);
+    RC_ASSERT(display.has_value());
+    const image::Image frame = picture(width, height, *rc::gen::arbitrary<std::uint32_t>());
+    RC_ASSERT(display->present(frame, {}).has_value());
+    RC_ASSERT(display->shown() == image::as_displayed(format, frame));
+    RC_ASSERT(display->frames() == 1U);
+}
+
+TEST(HeadlessDisplay, takes_damaged_pixels_only_after_the_first_frame) {
+    auto display = HeadlessDisplay::create(9, 7, {});
+    ASSERT_TRUE(display);
+    const image::Image one = picture(9, 7, 1), two = picture(9, 7, 2);
+    ASSERT_TRUE(display->present(one, {}));
+    const image::Rect damage{2, 3, 5, 4};
+    ASSERT_TRUE(display->present(two, {&damage, 1}));
+    for (int y = 0; y < 7; ++y)
+        for (int x = 0; x < 9; ++x)
+            EXPECT_EQ(display->shown().at(x, y), (x >= 2 && x < 5 && y == 3 ? two : one).at(x, y));
+}
+
+TEST(HeadlessDisplay, refuses_sizes_and_formats_that_no_display_has) {
+    for (const auto& [width, height] :
+         {std::pair{0, 5}, {5, 0}, {-1, 5}, {16385, 5}, {5, 1 << 30}}) {
+        const auto display = HeadlessDisplay::create(width, height, {});
+        ASSERT_FALSE(display);
+        EXPECT_EQ(display.error().exit, Exit::usage);
+    }
+    EXPECT_FALSE(HeadlessDisplay::create(4, 4, {.bits_per_pixel = 8}));
+}
+
+TEST(CopyDamage, cuts_damage_to_the_frame_and_writes_no_byte_beside_it) {
+    const image::Image frame = picture(5, 4, 1);
+    const image::PixelFormat format;
+    constexpr std::size_t kPitch = 27;
+    std::vector<std::uint8_t> memory(kPitch * 6, 0xEE);
+    std::vector<std::uint8_t> expected = memory;
+    std::uint8_t* const first = memory.data() + kPitch;
+    for (int y = 0; y < 4; ++y)
+        image::encode_row(format, frame.row(y),
+                          expected.data() + kPitch * static_cast<std::size_t>(y + 1));
+    const image::Rect rects[] = {{-5, -9, 100, 50}, {3, 3, 3, 9}, {7, 0, 9, 2}, {4, 2, 1, 3}};
+    copy_damage(format, frame, rects, first, kPitch);
+    EXPECT_EQ(memory, expected);
+}
+
+} // namespace
+} // namespace scanout::port
