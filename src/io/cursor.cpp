@@ -5,21 +5,24 @@
 namespace scanout::io {
 
 bool Cursor::skip_rare_blank() {
-    if (*at == '\\') return skip_continuation();
+    if (*at == '\\') {
+        const char* line_end = behind_continuation();
+        if (line_end == nullptr) return false;
+        at = line_end;
+        next_line();
+        return true;
+    }
     if (!is_blank(*at)) return false;
     if (*at == '\0' && nul_line == 0) nul_line = line;
     ++at;
     return true;
 }
 
-bool Cursor::skip_continuation() {
+const char* Cursor::behind_continuation() const {
     const char* p = at + 1;
     while (p != end && is_blank(*p))
-        ++p; // blanks behind the backslash are forgiven
-    if (p != end && *p != '\n' && *p != '\r') return false;
-    at = p;
-    next_line();
-    return true;
+        ++p;
+    return p == end || *p == '\n' || *p == '\r' ? p : nullptr;
 }
 
 std::string Cursor::rest() {

@@ -57,22 +57,30 @@ struct Cursor {
         return at_line_end();
     }
 
-    // The characters up to the next blank or line end.
+    // A word ends at a blank, a line end or a backslash that continues the line.
+    bool at_word_end() const {
+        return at_line_end() || is_blank(*at) || (*at == '\\' && behind_continuation() != nullptr);
+    }
+
     std::string_view word() {
         const char* begin = at;
-        while (!at_line_end() && !is_blank(*at))
+        while (!at_word_end())
             ++at;
         return {begin, static_cast<std::size_t>(at - begin)};
     }
 
-    // A number that ends where its word ends. On a fault the cursor stays before the number.
+    // A number that ends where its word ends. On a fault the cursor and `value` stay.
     NumberFault number(double& value) {
         const char* begin = at;
-        const NumberFault fault = read_number(at, end, value);
+        double read = 0;
+        const NumberFault fault = read_number(at, end, read);
         if (fault != NumberFault::none) return fault;
-        if (at_statement_end() || is_blank(*at) || *at == '\\') return NumberFault::none;
-        at = begin;
-        return NumberFault::not_a_number;
+        if (!at_word_end()) {
+            at = begin;
+            return NumberFault::not_a_number;
+        }
+        value = read;
+        return NumberFault::none;
     }
 
     // The rest of the statement, continuation lines joined, without blanks at its ends. Names
@@ -82,7 +90,8 @@ struct Cursor {
 
 private:
     bool skip_rare_blank();
-    bool skip_continuation();
+    // The line end behind the backslash at the cursor, over blanks; null when none follows.
+    const char* behind_continuation() const;
 };
 
 } // namespace scanout::io

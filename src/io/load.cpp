@@ -13,6 +13,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 namespace scanout::io {
 namespace {
@@ -20,6 +21,21 @@ namespace {
 constexpr std::array kFormats = {
     Format{".obj", "Wavefront OBJ with MTL materials: polygons, lines, points"},
     Format{".stl", "STL, binary and ASCII: triangles"},
+};
+
+// A model's arrays are large and short-lived. glibc takes the first that is freed as a sign to put
+// the following ones into the heap, where holes between them stay resident: 3.3 times the file at
+// the peak instead of 2.9. While this lives, large blocks are mapped, so that what is freed leaves
+// the process; afterwards blocks up to 32 MB, such as frame buffers, are kept for reuse again.
+class LargeBlocksMapped {
+public:
+    LargeBlocksMapped() { ::mallopt(M_MMAP_THRESHOLD, 256 * 1024); }
+    ~LargeBlocksMapped() {
+        ::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+        ::mallopt(M_TRIM_THRESHOLD, 64 << 20);
+    }
+    LargeBlocksMapped(const LargeBlocksMapped&) = delete;
+    LargeBlocksMapped& operator=(const LargeBlocksMapped&) = delete;
 };
 
 // What every reader hands on to the common end.
@@ -125,6 +141,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
 } // namespace
 
 Result<scene::Scene> load(const std::string& path, const LoadOptions& options, Warnings& warnings) {
+    const LargeBlocksMapped mapped;
     try {
         return load_or_throw(path, options, warnings);
     } catch (const std::bad_alloc&) {

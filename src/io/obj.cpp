@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
 #include <limits>
-#include <new>
 
 namespace scanout::io {
 namespace {
@@ -31,18 +31,18 @@ bool contains(const std::array<std::string_view, N>& words, std::string_view wor
     return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-// What a file repeats it will go on repeating: when `values` could overflow before the next
-// checkpoint, makes room for the rest of the file at the rate of the last interval. Doubling would
-// hold the old and the new copy at once; room that is never written costs no memory.
+// What a file repeats it will go on repeating: makes room for the rest of the file at the rate of
+// the last interval. Doubling would hold the old and the new copy at once, late, when they are
+// large; room that is never written costs no memory.
 template <class T>
 void reserve_at_rate(std::vector<T>& values, std::size_t& before, double intervals_left) {
-    const std::size_t rate = values.size() - before;
+    const std::size_t rate = values.size() > before ? values.size() - before : 0;
     before = values.size();
-    if (rate == 0 || values.capacity() - values.size() >= 2 * rate) return;
+    const double expected = static_cast<double>(rate) * intervals_left;
+    if (static_cast<double>(values.capacity() - values.size()) >= expected) return;
     try {
-        values.reserve(values.size() + 2 * rate +
-                       static_cast<std::size_t>(1.1 * static_cast<double>(rate) * intervals_left));
-    } catch (const std::bad_alloc&) {
+        values.reserve(values.size() + static_cast<std::size_t>(1.25 * expected) + rate);
+    } catch (const std::exception&) {
         return; // so much address space is not to be had: the vector grows by itself
     }
 }
@@ -282,7 +282,7 @@ void ObjReader::use_material() {
 }
 
 void ObjReader::checkpoint() {
-    if (at_.at < next_checkpoint_) return;
+    if (at_.at < next_checkpoint_ || stop_) return;
     if (progress_ &&
         !progress_(static_cast<double>(at_.at - file_.data()) / static_cast<double>(file_.size())))
         return stop("loading was cancelled");

@@ -67,10 +67,6 @@ std::int32_t ObjReader::resolve_optional(std::int64_t index, std::size_t count,
     return resolved;
 }
 
-bool ObjReader::at_word_end() const {
-    return at_.at_statement_end() || Cursor::is_blank(*at_.at) || *at_.at == '\\';
-}
-
 // v, v/vt, v//vn or v/vt/vn; a slash with nothing behind it is forgiven. A texture coordinate or
 // normal that does not exist is left away: the face can still be shown.
 bool ObjReader::corner(geom::Corner& corner) {
@@ -79,15 +75,15 @@ bool ObjReader::corner(geom::Corner& corner) {
     if (!read_integer(at_.at, at_.end, index)) return false;
     corner.position = resolve(index, m.positions.size());
     if (corner.position < 0) return false;
-    if (at_.done() || *at_.at != '/') return at_word_end();
+    if (at_.done() || *at_.at != '/') return at_.at_word_end();
     ++at_.at;
     if (read_integer(at_.at, at_.end, index))
         corner.uv = resolve_optional(index, m.uvs.size(), "texture coordinate");
-    if (at_.done() || *at_.at != '/') return at_word_end();
+    if (at_.done() || *at_.at != '/') return at_.at_word_end();
     ++at_.at;
     if (read_integer(at_.at, at_.end, index))
         corner.normal = resolve_optional(index, m.normals.size(), "normal");
-    return at_word_end();
+    return at_.at_word_end();
 }
 
 void ObjReader::face() {
@@ -276,10 +272,10 @@ void ObjReader::all_vertices_as_points() {
         if (geom::is_finite(m.positions[i]))
             m.point_vertices.push_back(static_cast<std::uint32_t>(i));
     m.point_material.assign(m.point_vertices.size(), -1);
-    warnings_.add(
-        "points",
-        fmt::format("{}: has no face that can be drawn; its {} vertices are shown as points", path_,
-                    m.point_vertices.size()));
+    warnings_.add("points",
+                  fmt::format("{}: has no face, line or point that can be drawn; its vertices "
+                              "({}) are shown as points",
+                              path_, m.point_vertices.size()));
 }
 
 } // namespace scanout::io

@@ -60,7 +60,6 @@ private:
     // ahead.
     std::int32_t resolve(std::int64_t index, std::size_t count);
     std::int32_t resolve_optional(std::int64_t index, std::size_t count, std::string_view what);
-    bool at_word_end() const;
     void check_forward_references();
     bool check_forward_face(std::size_t face, std::size_t line);
     std::size_t line_end(std::size_t line) const;

@@ -1,0 +1,228 @@
+#include "folder.h"
+#include "io/materials.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace scanout::io {
+namespace {
+
+using test::all_lines;
+using test::Folder;
+using test::warned;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+std::vector<std::string> names(const Folder& folder, const std::string& text) {
+    FileFinder finder;
+    return library_names(finder, folder.path("."), text);
+}
+
+TEST(LibraryNames, WhatExistsDecidesWhereANameEnds) {
+    const Folder folder;
+    for (const char* name : {"a.mtl", "b.mtl", "my file.mtl", "x y.mtl", "a b"})
+        folder.write(name, "");
+    EXPECT_THAT(names(folder, "a.mtl"), ElementsAre("a.mtl"));
+    EXPECT_THAT(names(folder, "a.mtl b.mtl"), ElementsAre("a.mtl", "b.mtl"));
+    EXPECT_THAT(names(folder, "a.mtl\tb.mtl"), ElementsAre("a.mtl", "b.mtl"));
+    EXPECT_THAT(names(folder, "my file.mtl"), ElementsAre("my file.mtl"));
+    EXPECT_THAT(names(folder, "a.mtl my file.mtl b.mtl"),
+                ElementsAre("a.mtl", "my file.mtl", "b.mtl"));
+    EXPECT_THAT(names(folder, "\"my file.mtl\" a.mtl"), ElementsAre("my file.mtl", "a.mtl"));
+    EXPECT_THAT(names(folder, "my\\ file.mtl x\\ y.mtl"), ElementsAre("my file.mtl", "x y.mtl"));
+    EXPECT_THAT(names(folder, "a b"), ElementsAre("a b"));
+    EXPECT_THAT(names(folder, "gone.mtl a.mtl gone too.mtl"),
+                ElementsAre("gone.mtl", "a.mtl", "gone too.mtl"));
+    EXPECT_THAT(names(folder, "gone"), ElementsAre("gone"));
+    EXPECT_THAT(names(folder, ""), IsEmpty());
+    EXPECT_THAT(names(folder, "\"open"), ElementsAre("\"open"));
+}
+
+TEST(FileFinder, ForgivesBackslashesAndCase) {
+    const Folder folder;
+    folder.write("Maps/Wood Dark.JPG", "1");
+    folder.write("both.png", "1");
+    folder.write("BOTH.png", "1");
+    folder.write("back\\slash.png", "1");
+    FileFinder finder;
+    const auto find = [&](const char* name) {
+        return finder.find(folder.path("."), name).value_or("-");
+    };
+    const auto at = [&](const char* name) { return folder.path(std::string("./") + name); };
+    EXPECT_EQ(find("Maps/Wood Dark.JPG"), at("Maps/Wood Dark.JPG"));
+    EXPECT_EQ(find("maps\\wood dark.jpg"), at("Maps/Wood Dark.JPG"));
+    EXPECT_EQ(find(".\\MAPS\\WOOD DARK.jpg"), at("./Maps/Wood Dark.JPG"));
+    EXPECT_EQ(find("maps/../maps/wood dark.jpg"), at("Maps/../Maps/Wood Dark.JPG"));
+    EXPECT_EQ(find("both.png"), at("both.png")) << "as it stands comes first";
+    EXPECT_EQ(find("Both.png"), at("BOTH.png")) << "then the first in byte order";
+    EXPECT_EQ(find("back\\slash.png"), at("back\\slash.png"));
+    EXPECT_EQ(find("wood dark.jpg"), "-");
+    EXPECT_EQ(find(""), "-");
+    EXPECT_EQ(find(std::string(5000, 'a').c_str()), "-");
+    EXPECT_FALSE(finder.find(folder.path("."), std::string_view("both.png\0", 9)));
+    EXPECT_EQ(finder.find_anywhere(folder.path("Maps"), folder.path("."), "C:\\Users\\me\\both.png")
+                  .value_or("-"),
+              at("both.png"));
+    EXPECT_FALSE(finder.find_anywhere(folder.path("Maps"), folder.path("."), "C:\\Users\\me\\"));
+}
+
+TEST(FolderOf, IsWhatStandsBeforeTheLastSlash) {
+    EXPECT_EQ(folder_of("a/b/c.obj"), "a/b");
+    EXPECT_EQ(folder_of("c.obj"), "");
+    EXPECT_EQ(folder_of("/c.obj"), "/");
+}
+
+struct Loaded {
+    Materials materials;
+    Warnings warnings;
+};
+
+Loaded load(const Folder& folder, const std::string& obj_text) {
+    Loaded l;
+    const auto obj = read_obj("v 0 0 0\n" + obj_text, folder.path("m.obj"), l.warnings);
+    EXPECT_TRUE(obj);
+    l.warnings = Warnings();
+    l.materials = load_materials(*obj, folder.path("m.obj"), l.warnings);
+    return l;
+}
+
+TEST(Materials, OnlyThoseThatAreUsedAreKeptInTheOrderOfFirstUse) {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\nKd 0 1 0\nnewmtl c\nmap_Kd gone.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl b\nusemtl none\nusemtl a\nusemtl b\n");
+    ASSERT_EQ(l.materials.materials.size(), 2u);
+    EXPECT_EQ(l.materials.materials[0].name, "b");
+    EXPECT_EQ(l.materials.materials[1].name, "a");
+    EXPECT_THAT(l.materials.of_name, ElementsAre(0, -1, 1));
+    EXPECT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
+    EXPECT_TRUE(warned(l.warnings, {"m.obj:4: ", "'none' is not defined"}));
+}
+
+TEST(Materials, TheLibraryMayFollowItsUse) {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl a\nKd 1 0 0\n");
+    EXPECT_THAT(load(folder, "usemtl a\nmtllib m.mtl\n").materials.of_name, ElementsAre(0));
+}
+
+TEST(Materials, AMissingLibraryIsOneLine) {
+    const Folder folder;
+    const Loaded l = load(folder, "mtllib gone.mtl\nmtllib gone.mtl\nusemtl a\nusemtl b\n");
+    EXPECT_THAT(l.materials.of_name, ElementsAre(-1, -1));
+    ASSERT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
+    EXPECT_TRUE(warned(l.warnings, {"m.obj:2: ", "gone.mtl", "not there"}));
+}
+
+TEST(Materials, SeveralLibrariesAreReadInOrderAndTheFirstDefinitionCounts) {
+    const Folder folder;
+    folder.write("1.mtl", "newmtl a\nKd 1 0 0\n");
+    folder.write("2.mtl", "newmtl a\nKd 0 1 0\nnewmtl b\nKd 0 0 1\n");
+    const Loaded l = load(folder, "mtllib 1.mtl 2.mtl\nmtllib 1.mtl\nusemtl a\nusemtl b\n");
+    ASSERT_EQ(l.materials.materials.size(), 2u);
+    EXPECT_EQ(l.materials.materials[0].diffuse, Vec3(1, 0, 0));
+    EXPECT_EQ(l.materials.materials[1].diffuse, Vec3(0, 0, 1));
+    EXPECT_EQ(all_lines(l.warnings), folder.path("2.mtl") +
+                                         ":1: material 'a' is defined already; the first "
+                                         "definition is used\n");
+}
+
+TEST(Materials, LibrariesThatNameEachOtherOrTheModelEnd) {
+    const Folder folder;
+    folder.write("a.mtl", "newmtl a\nKd 1 0 0\nmtllib b.mtl\n");
+    folder.write("b.mtl", "mtllib a.mtl\nnewmtl b\n");
+    folder.write("m.obj", "mtllib m.obj\n");
+    const Loaded l = load(folder, "mtllib a.mtl\nmtllib m.obj\nusemtl a\n");
+    EXPECT_EQ(l.materials.materials.size(), 1u);
+    EXPECT_TRUE(warned(l.warnings, {"m.obj: holds no material"}));
+}
+
+TEST(Materials, LibrariesThatAreNoFilesAreRefused) {
+    const Folder folder;
+    folder.write("folder.mtl/keep", "");
+    ASSERT_EQ(::mkfifo(folder.path("pipe.mtl").c_str(), 0600), 0);
+    const Loaded l =
+        load(folder, "mtllib folder.mtl\nmtllib pipe.mtl\nmtllib /dev/zero\nusemtl a\n");
+    EXPECT_THAT(l.materials.of_name, ElementsAre(-1));
+    EXPECT_TRUE(warned(l.warnings, {"folder.mtl: is a folder", "2 more"})) << all_lines(l.warnings);
+}
+
+TEST(Materials, ThousandsOfLibrariesAreNotLookedFor) {
+    const Folder folder;
+    std::string text;
+    for (int i = 0; i < 5000; ++i)
+        text += fmt::format("mtllib a{} b{} c d e f g h i j k l m n o p q r\n", i, i);
+    const Loaded l = load(folder, text + "usemtl a\n");
+    EXPECT_TRUE(warned(l.warnings, {"more than 256 material libraries"}));
+    EXPECT_LE(l.warnings.lines().size(), 2u);
+}
+
+TEST(Textures, AFileThatSeveralMaterialsNameIsDecodedOnce) {
+    const Folder folder;
+    folder.write_picture("Maps/Wood.png", 3, 2, {10, 20, 30, 255});
+    folder.write("m.mtl", "newmtl a\nmap_Kd Maps/Wood.png\nnewmtl b\nmap_Kd .\\maps\\wood.PNG\n"
+                          "newmtl c\nmap_Kd -clamp on Maps/../Maps/Wood.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\n");
+    EXPECT_EQ(all_lines(l.warnings), "");
+    ASSERT_EQ(l.materials.textures.size(), 1u);
+    EXPECT_EQ(l.materials.textures[0].image.width(), 3);
+    EXPECT_EQ(l.materials.textures[0].image.at(2, 1), (image::Rgba8{10, 20, 30, 255}));
+    for (const scene::Material& m : l.materials.materials)
+        EXPECT_EQ(m.map_diffuse.texture, 0);
+    EXPECT_EQ(l.materials.bytes, std::filesystem::file_size(folder.path("m.mtl")) + 3 * 2 * 4);
+}
+
+TEST(Textures, AreFoundBesideTheLibraryThenBesideTheModel) {
+    const Folder folder;
+    folder.write_picture("mtl/here.png", 1, 1, {});
+    folder.write_picture("there.png", 2, 1, {});
+    folder.write("mtl/m.mtl", "newmtl a\nmap_Kd here.png\nnewmtl b\nmap_Kd there.png\n");
+    const Loaded l = load(folder, "mtllib mtl/m.mtl\nusemtl a\nusemtl b\n");
+    EXPECT_EQ(all_lines(l.warnings), "");
+    ASSERT_EQ(l.materials.textures.size(), 2u);
+    EXPECT_EQ(l.materials.textures[1].image.width(), 2);
+}
+
+TEST(Textures, EachThatFailsIsOneLineAndItsMaterialIsPlain) {
+    const Folder folder;
+    folder.write("text.png", "this is secret text");
+    folder.write(
+        "m.mtl",
+        "newmtl a\nmap_Kd gone.png\nnewmtl b\nmap_Kd text.png\nnewmtl c\nmap_Kd gone.png\n"
+        "newmtl d\nmap_Kd ../../../../../../../../dev/zero\nnewmtl e\nmap_Kd file:///etc/shadow\n");
+    const Loaded l =
+        load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\nusemtl d\nusemtl e\n");
+    EXPECT_THAT(l.materials.textures, IsEmpty());
+    ASSERT_EQ(l.materials.materials.size(), 5u);
+    for (const scene::Material& m : l.materials.materials)
+        EXPECT_EQ(m.map_diffuse.texture, -1);
+    EXPECT_EQ(l.warnings.lines().size(), 4u) << all_lines(l.warnings);
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl: texture 'gone.png' is not there"}));
+    EXPECT_TRUE(warned(l.warnings, {"zero: is not a regular file"}));
+    EXPECT_EQ(all_lines(l.warnings).find("secret"), std::string::npos);
+}
+
+TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
+    const Folder folder;
+    std::string mtl, obj = "mtllib m.mtl\n";
+    for (int i = 0; i < 300; ++i) {
+        mtl += fmt::format("newmtl m{}\nmap_Kd gone{}.png\n", i, i);
+        obj += fmt::format("usemtl m{}\n", i);
+    }
+    folder.write("m.mtl", mtl);
+    const Loaded l = load(folder, obj);
+    EXPECT_EQ(l.warnings.lines().size(), 21u);
+    EXPECT_TRUE(warned(l.warnings, {"gone20.png", "279 more"}));
+}
+
+TEST(Materials, WhatIsNotDrawnYetIsOneLineALibrary) {
+    const Folder folder;
+    folder.write(
+        "m.mtl",
+        "newmtl a\nmap_bump b.png\nnewmtl b\nmap_Ks s.png\nmap_bump c.png\nnewmtl c\nd 0.5\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\n");
+    EXPECT_EQ(all_lines(l.warnings),
+              folder.path("m.mtl") + ": map_bump, map_Ks are read but not drawn yet\n");
+}
+
+} // namespace
+} // namespace scanout::io

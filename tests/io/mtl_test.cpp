@@ -1,0 +1,160 @@
+#include "folder.h"
+#include "io/mtl.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scanout::io {
+namespace {
+
+using test::all_lines;
+using test::warned;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+struct Read {
+    std::vector<MtlMaterial> materials;
+    Warnings warnings;
+    const scene::Material& first() const { return materials.at(0).material; }
+};
+
+Read read(const std::string& text) {
+    Read r;
+    r.materials = read_mtl(text, "x.mtl", r.warnings);
+    return r;
+}
+
+Read read_one(const std::string& statements) {
+    return read("newmtl m\n" + statements + "\n");
+}
+
+TEST(Mtl, ReadsEveryValue) {
+    const Read r =
+        read_one("  Kd 0.1 0.2 0.3\r\n\tKa 1 2 3\nKs .5 .5 .5\nKe 0 1 0\nTf 0.9 0.8 0.7\nNs 96.5\n"
+                 "Ni 1.45\nillum 7\nd 0.25");
+    EXPECT_EQ(all_lines(r.warnings), "");
+    const scene::Material& m = r.first();
+    EXPECT_EQ(m.name, "m");
+    EXPECT_EQ(m.diffuse, Vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_EQ(m.ambient, Vec3(1, 2, 3));
+    EXPECT_EQ(m.specular, Vec3(0.5f));
+    EXPECT_EQ(m.emission, Vec3(0, 1, 0));
+    EXPECT_EQ(m.transmission, Vec3(0.9f, 0.8f, 0.7f));
+    EXPECT_EQ(m.shininess, 96.5f);
+    EXPECT_EQ(m.refraction, 1.45f);
+    EXPECT_EQ(m.illumination, 7);
+    EXPECT_EQ(m.opacity, 0.25f);
+    EXPECT_THAT(r.materials[0].not_drawn, ElementsAre("d (transparency)", "Ke"));
+}
+
+TEST(Mtl, NamesMayHoldBlanksAndEndWithTabs) {
+    const Read r = read("newmtl\ta b  c\t\t\r\nKd 1 0 0\r\n newmtl d\rKd 0 1 0");
+    ASSERT_EQ(r.materials.size(), 2u);
+    EXPECT_EQ(r.materials[0].material.name, "a b  c");
+    EXPECT_EQ(r.materials[1].material.name, "d");
+    EXPECT_EQ(r.materials[1].line, 3u);
+    EXPECT_EQ(r.materials[1].material.diffuse, Vec3(0, 1, 0));
+}
+
+TEST(Mtl, DissolveAndTransparencyAgreeOnWhatCanBeSeen) {
+    const auto opacity = [](const std::string& text) { return read_one(text).first().opacity; };
+    EXPECT_EQ(opacity(""), 1);
+    EXPECT_EQ(opacity("d 0.75"), 0.75f);
+    EXPECT_EQ(opacity("d -halo 0.5"), 0.5f);
+    EXPECT_EQ(opacity("Tr 0.25"), 0.75f);
+    EXPECT_EQ(opacity("Tr 0"), 1);
+    EXPECT_EQ(opacity("Tr 1.000000"), 1)
+        << "a material that cannot be seen is not what the exporter meant";
+    EXPECT_EQ(opacity("d 0.75\nTr 0.5"), 0.75f) << "d wins";
+    EXPECT_EQ(opacity("Tr 0.5\nd 0.75"), 0.75f) << "in any order";
+    EXPECT_EQ(opacity("d 1\nTr 1"), 1);
+    EXPECT_EQ(opacity("d 7"), 1);
+    EXPECT_EQ(opacity("d -7"), 0);
+}
+
+TEST(Mtl, ColoursThatAreNotThreeNumbersKeepTheDefaultAndSaySo) {
+    EXPECT_EQ(read_one("Kd 0.5").first().diffuse, Vec3(0.5f)) << "one number is a grey";
+    for (const char* bad : {"Kd", "Kd 0.1 0.2", "Kd nan 0 0", "Kd 0 inf 0", "Kd 1e400 0 0", "Kd x",
+                            "Kd spectral file.rfl 1", "Kd xyz 0.3 0.3 0.3"}) {
+        const Read r = read_one(bad);
+        EXPECT_EQ(r.first().diffuse, scene::Material().diffuse) << bad;
+        EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: ", "default"})) << bad << all_lines(r.warnings);
+    }
+    EXPECT_EQ(read_one("Kd -1 2 1e30").first().diffuse, Vec3(0, 2, 1e6f))
+        << "finite in all that follows";
+}
+
+TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
+    const Read r = read_one("map_Kd -o 0.1 -s 2 3 -t 1 2 3 -clamp on -blendu off -blendv off -cc "
+                            "on -mm 0.1 0.3 -boost 2 "
+                            "-texres 512 some dir\\my file 01.png\n"
+                            "map_bump -imfchan r bump 2.jpg -bm 1.5\nrefl -type sphere "
+                            "sky.tga\nnorm -bm 3 -colorspace linear n.png\n"
+                            "map_Ka a.png\nmap_Ks b.png\nmap_Ns c.png\nmap_d d.png\nmap_Ke "
+                            "e.png\ndisp f.png\ndecal g.png");
+    EXPECT_EQ(all_lines(r.warnings), "");
+    const scene::TextureMap& kd = r.first().map_diffuse;
+    EXPECT_EQ(kd.path, "some dir\\my file 01.png");
+    EXPECT_EQ(kd.offset, Vec3(0.1f, 0, 0));
+    EXPECT_EQ(kd.scale, Vec3(2, 3, 1));
+    EXPECT_EQ(kd.turbulence, Vec3(1, 2, 3));
+    EXPECT_TRUE(kd.clamp && kd.colour_correction && !kd.blend_u && !kd.blend_v);
+    EXPECT_EQ(kd.base, 0.1f);
+    EXPECT_EQ(kd.gain, 0.3f);
+    EXPECT_EQ(kd.boost, 2);
+    EXPECT_EQ(kd.resolution, 512);
+    EXPECT_EQ(r.first().map_bump.path, "bump 2.jpg");
+    EXPECT_EQ(r.first().map_bump.bump_multiplier, 1.5f) << "an option behind the name";
+    EXPECT_EQ(r.first().map_bump.channel, 'r');
+    EXPECT_EQ(r.first().map_reflection.reflection_type, "sphere");
+    EXPECT_EQ(r.first().map_normal.path, "n.png");
+    EXPECT_EQ(r.first().map_normal.bump_multiplier, 3);
+    EXPECT_EQ(r.first().map_decal.path, "g.png");
+    EXPECT_THAT(r.materials[0].not_drawn,
+                ElementsAre("map_Ka", "map_Ks", "map_Ns", "map_d", "map_Ke", "map_bump", "norm",
+                            "disp", "decal", "refl", "map_Kd -t", "map_Kd -mm", "map_Kd -boost",
+                            "map_Kd -cc", "map_Kd -blendu off", "map_Kd -blendv off",
+                            "map_Kd -texres"));
+}
+
+TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
+    EXPECT_EQ(read_one("map_Kd -s 1 1 1 01.png").first().map_diffuse.path, "01.png");
+    EXPECT_EQ(read_one("map_Kd a -b.png").first().map_diffuse.path, "a -b.png");
+    EXPECT_EQ(read_one("map_Kd a -s.png").first().map_diffuse.path, "a -s.png");
+    EXPECT_EQ(read_one("map_Kd -unknown 3 a.png").first().map_diffuse.path, "-unknown 3 a.png");
+    EXPECT_EQ(read_one("map_Kd \"a b.png\"").first().map_diffuse.path, "a b.png");
+    EXPECT_EQ(read_one("map_Kd .\\a.jpg").first().map_diffuse.path, ".\\a.jpg");
+    const Read none = read_one("map_Kd\nmap_bump -bm 1");
+    EXPECT_FALSE(none.first().map_diffuse.given());
+    EXPECT_FALSE(none.first().map_bump.given());
+    EXPECT_TRUE(warned(none.warnings, {"x.mtl:2: map_Kd names no file", "1 more"}));
+}
+
+TEST(Mtl, AMapWithoutAColourShowsItsOwnColours) {
+    EXPECT_EQ(read_one("map_Kd a.png").first().diffuse, Vec3(1));
+    EXPECT_EQ(read_one("map_Kd a.png\nKd 0.5 0 0").first().diffuse, Vec3(0.5f, 0, 0));
+}
+
+TEST(Mtl, NoMessageQuotesTheFile) {
+    const Read r =
+        read("secret password\nnewmtl m\nroot:x:0:0\nKd secret\nmap_Kd -bm secret\nNs hidden\n");
+    EXPECT_FALSE(r.warnings.empty());
+    for (const char* word : {"secret", "root", "hidden", "password"})
+        EXPECT_EQ(all_lines(r.warnings).find(word), std::string::npos) << all_lines(r.warnings);
+    const Read other = read("root:x:0:0:root:/root:/bin/bash\n");
+    EXPECT_THAT(other.materials, IsEmpty());
+    EXPECT_TRUE(other.warnings.empty());
+}
+
+TEST(Mtl, KnownValuesThatAreNotDrawnAreNamed) {
+    EXPECT_THAT(read_one("Pr 0.2\nPm 0.3\nmap_Pr r.tex\nKt 1 1 1").materials[0].not_drawn,
+                ElementsAre("Pr", "Pm", "map_Pr", "Kt"));
+    EXPECT_THAT(read_one("Kd 1 1 1\nKa 1 1 1\nKs 0 0 0\nKe 0 0 0\nd 1\nillum 2\nmap_Kd -o 1 -s 2 "
+                         "-clamp on a.png")
+                    .materials[0]
+                    .not_drawn,
+                IsEmpty());
+}
+
+} // namespace
+} // namespace scanout::io
