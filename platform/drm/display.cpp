@@ -57,7 +57,7 @@ Result<std::unique_ptr<KmsDisplay>> open_first(const std::vector<std::string>& p
         reasons += fmt::format("{}{}: {}", reasons.empty() ? "" : "; ", path, display.error().what);
     }
     if (reasons.empty()) reasons = "there is no /dev/dri/card*";
-    return fail(Exit::no_display, "DRM: {}", reasons);
+    return fail(Exit::no_display, "{}", reasons);
 }
 
 Result<std::unique_ptr<port::Display>> create(const Options& options, console::Seat& seat) {
