@@ -190,12 +190,10 @@ private:
     void make_flat() {
         for (std::size_t f = 0; f < m_.faces(); ++f) {
             if (!faces_.usable(f) || faces_.smoothing(f) != kSmoothingOff) continue;
-            last_sum_ = {};
             const Sum normal{faces_.normal(f).x, faces_.normal(f).y, faces_.normal(f).z};
             for (std::size_t c = m_.face_begin[f]; c < m_.face_end(f); ++c)
                 set(static_cast<std::uint32_t>(c), normal, faces_.normal(f));
         }
-        last_sum_ = {};
     }
 
     struct Item {
@@ -248,7 +246,6 @@ private:
                 set(item.corner, sum, item.normal);
         else
             make_by_crease(group);
-        last_sum_ = {}; // the next group's normals are its own
     }
 
     // Sufficient: all within half the crease angle of their sum are within it of each other.
@@ -320,8 +317,7 @@ private:
     double half_crease_cos_;
     std::vector<Item> items_, sorted_;
     std::vector<Direction> directions_;
-    Sum last_sum_; // what the last entry of the normals was made of; zero: nothing that may be
-                   // shared
+    Sum last_sum_; // what the last entry of the normals was made of
 };
 
 } // namespace

@@ -35,19 +35,13 @@ private:
     int u_, v_;
 };
 
-// Every corner turns left, and the outline goes round once: along it the direction changes between
-// rightward and leftward twice (a pentagram turns left everywhere too, but goes round twice).
-// Corners on a straight edge do not count as convex: a fan would make them into a T-junction.
-bool is_strictly_convex(std::span<const DVec2> p) {
+// True of convex outlines, and of some that cross themselves: no cut of those is right. Corners on
+// a straight edge do not turn: a fan would make a T-junction of them.
+bool every_corner_turns_left(std::span<const DVec2> p) {
     const std::size_t n = p.size();
-    int changes = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-        const DVec2 &a = p[i], &b = p[i + 1 < n ? i + 1 : 0], &c = p[i + 2 < n ? i + 2 : i + 2 - n];
-        if (orient2d(a, b, c) <= 0) return false;
-        const auto rightward = [](const DVec2& d) { return d.x > 0 || (d.x == 0 && d.y > 0); };
-        changes += rightward(b - a) != rightward(c - b);
-    }
-    return changes == 2;
+    for (std::size_t i = 0; i < n; ++i)
+        if (orient2d(p[i], p[(i + 1) % n], p[(i + 2) % n]) <= 0) return false;
+    return true;
 }
 
 // Of a quadrilateral's two diagonals the one that cuts it into two triangles that turn left; corner
@@ -211,7 +205,7 @@ void triangulate(std::span<const DVec3> polygon, std::vector<std::uint32_t>& out
 
     if (n == 4 && diagonal_is_13(points)) {
         out.insert(out.end(), {1, 2, 3, 1, 3, 0});
-    } else if (n <= 4 || is_strictly_convex(points)) {
+    } else if (n <= 4 || every_corner_turns_left(points)) {
         for (std::uint32_t i = 2; i < n; ++i)
             out.insert(out.end(), {0, i - 1, i});
     } else {

@@ -315,6 +315,16 @@ TEST(Build, UvsAndColoursAreEmptyWhenNothingHasThem) {
     EXPECT_EQ(m.position.size(), 24u); // sharp edges
 }
 
+TEST(Build, VerticesOfDifferentColourStayApart) {
+    PolygonMesh polygons;
+    polygons.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 0}};
+    polygons.colours = {Vec3(1, 0, 0), Vec3(0), Vec3(0), Vec3(0, 0, 1)};
+    add_face(polygons, {0, 1, 2});
+    add_face(polygons, {3, 1, 2});
+    EXPECT_EQ(build(std::move(polygons)).mesh.colour,
+              (std::vector<Vec3>{Vec3(1, 0, 0), Vec3(0), Vec3(0), Vec3(0, 0, 1)}));
+}
+
 TEST(Build, LinesAndPointsHaveVerticesOfTheirOwn) {
     PolygonMesh polygons;
     polygons.positions = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}};

@@ -127,6 +127,7 @@ TEST(Framing, NothingAndASinglePointHaveADefaultSize) {
     EXPECT_EQ(f.radius, 0.5);
     EXPECT_EQ(f.exponent, 0);
     EXPECT_EQ(f.normalise(DVec3(7, 8, 9)), DVec3(0));
+    EXPECT_EQ(framing_of({DVec3(kDenormal)}, {true}).centre, DVec3(kDenormal));
 }
 
 } // namespace

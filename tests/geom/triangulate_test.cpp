@@ -1,6 +1,7 @@
 #include "geom/triangulate.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -138,6 +139,58 @@ Outline keyhole(std::uint32_t seed, int holes, bool one_hub) {
     return p;
 }
 
+// A square with a tree of slits: the outline walks along every slit twice, and whatever lies on the
+// grid is touched again and again. `size` x `size` grid points, all in the tree, sheared at random.
+Outline slit_square(std::uint32_t seed, int size) {
+    std::mt19937 random(seed);
+    const auto at = [&](int x, int y) { return y * size + x; };
+    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(size * size)); // of the tree
+    std::vector<int> reached{at(0, 0)};
+    std::vector<bool> in_tree(neighbours.size());
+    in_tree[0] = true;
+    for (std::size_t left = neighbours.size() - 1; left > 0;) {
+        const int from = reached[random() % reached.size()], x = from % size, y = from / size;
+        const int dx = std::array{1, 0, -1, 0}[random() % 4],
+                  dy = std::array{0, 1, 0, -1}[random() % 4];
+        if ((dx != 0) == (dy != 0) || x + dx < 0 || x + dx >= size || y + dy < 0 || y + dy >= size)
+            continue;
+        const int to = at(x + dx, y + dy);
+        if (in_tree[static_cast<std::size_t>(to)]) continue;
+        in_tree[static_cast<std::size_t>(to)] = true;
+        neighbours[static_cast<std::size_t>(from)].push_back(to);
+        neighbours[static_cast<std::size_t>(to)].push_back(from);
+        reached.push_back(to);
+        --left;
+    }
+    const auto point = [&](int i) { return Point{1 + i % size, 1 + i / size}; };
+    Outline p{{0, 0}, {1, 1}};
+    // Along the tree with the inside on the left: the next slit is the first one clockwise from the
+    // one that we came by.
+    const auto quarter = [&](int from, int to) {
+        const int d = to - from;
+        return d == 1 ? 0 : d == size ? 1 : d == -1 ? 2 : 3;
+    };
+    int here = 0, back = 3; // the cut from the corner (0, 0) comes from below
+    while (p.size() < 5 * neighbours.size() + 5) {
+        int best = -1, best_turn = 5;
+        for (const int to : neighbours[static_cast<std::size_t>(here)]) {
+            const int turn = (back - quarter(here, to) + 3) % 4 + 1; // quarters clockwise, 1 to 4
+            if (turn < best_turn) best_turn = turn, best = to;
+        }
+        if (here == 0 && best_turn > back % 4 + 1) break; // the cut comes first
+        back = quarter(best, here);
+        here = best;
+        p.push_back(point(here));
+    }
+    p.insert(p.end(), {{0, 0}, {size + 1, 0}, {size + 1, size + 1}, {0, size + 1}});
+    const std::int64_t a = 1 + random() % 4, b = random() % 4, c = random() % 2,
+                       d = 1 + random() % 4;
+    if (a * d - b * c <= 0) return p;
+    for (Point& q : p)
+        q = {a * q.x + b * q.y, c * q.x + d * q.y};
+    return p;
+}
+
 Outline shuffled_start(Outline p, std::uint32_t seed) {
     std::rotate(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(seed % p.size()), p.end());
     return p;
@@ -180,6 +233,27 @@ RC_GTEST_PROP(Triangulate, CombsAreCovered, (std::uint32_t seed)) {
 RC_GTEST_PROP(Triangulate, HolesJoinedByACutStayHoles, (std::uint32_t seed, bool one_hub)) {
     RC_ASSERT(fault_of(shuffled_start(keyhole(seed, *rc::gen::inRange(1, 12), one_hub), seed)) ==
               "");
+}
+
+RC_GTEST_PROP(Triangulate, ASquareFullOfSlitsIsCovered, (std::uint32_t seed)) {
+    const int size = *rc::gen::inRange(1, 8);
+    const Outline p = slit_square(seed, size);
+    RC_ASSERT(p.size() == static_cast<std::size_t>(2 * size * size + 4));
+    RC_ASSERT(fault_of(shuffled_start(p, seed)) == "");
+}
+
+RC_GTEST_PROP(Triangulate, AClockwiseOutlineGivesClockwiseTriangles, (std::uint32_t seed)) {
+    Outline p = star(seed, 30, 1000);
+    const Int128 area = area2(p);
+    std::reverse(p.begin(), p.end());
+    const std::vector<std::uint32_t> t = triangles_of(p);
+    Int128 sum = 0;
+    for (std::size_t i = 0; i < t.size(); i += 3) {
+        const Int128 a = area2(p[t[i]], p[t[i + 1]], p[t[i + 2]]);
+        RC_ASSERT(a <= Int128{0});
+        sum -= a;
+    }
+    RC_ASSERT(sum == area);
 }
 
 RC_GTEST_PROP(Triangulate, AnyOutlineGivesAllTrianglesOfARing, (std::uint32_t seed)) {
@@ -269,29 +343,32 @@ TEST(Triangulate, AConcaveQuadrilateralIsCutFromItsConcaveCorner) {
     }
 }
 
-TEST(Triangulate, CornersOnStraightEdgesBecomeCornersOfRealTriangles) {
-    // A triangle with three corners more on each edge: none of its triangles need be without area.
+// A triangle with any number of further corners on its edges: none of its triangles need be without
+// area, but for those that a corner on top of another one makes.
+RC_GTEST_PROP(Triangulate, CornersOnStraightEdgesBecomeCornersOfRealTriangles,
+              (std::uint32_t seed)) {
+    std::mt19937 random(seed);
+    const Outline corners{{0, 0}, {400, 10}, {30, 300}};
     Outline p;
-    for (const auto& [a, b] :
-         {std::pair<Point, Point>{{0, 0}, {40, 0}}, {{40, 0}, {0, 40}}, {{0, 40}, {0, 0}}})
-        for (std::int64_t k = 0; k < 4; ++k)
-            p.push_back({a.x + (b.x - a.x) / 4 * k, a.y + (b.y - a.y) / 4 * k});
-    for (std::uint32_t start = 0; start < p.size(); ++start) {
-        const Outline q = shuffled_start(p, start);
-        EXPECT_EQ(fault_of(q), "");
-        const std::vector<std::uint32_t> t = triangles_of(q);
-        for (std::size_t i = 0; i < t.size(); i += 3)
-            EXPECT_GT(area2(q[t[i]], q[t[i + 1]], q[t[i + 2]]), Int128{0}) << start;
+    int doubled = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Point &a = corners[i], &b = corners[(i + 1) % 3];
+        p.push_back(a);
+        for (std::int64_t k = 1; k < 10; ++k) {
+            const bool some = random() % (2 + i) == 0 && i != seed % 4, twice = random() % 8 == 0;
+            if (some)
+                p.insert(p.end(), 1 + twice,
+                         {a.x + (b.x - a.x) / 10 * k, a.y + (b.y - a.y) / 10 * k});
+            doubled += some && twice;
+        }
     }
-}
-
-TEST(Triangulate, APentagramIsNotTakenForConvex) {
-    Outline p;
-    for (int i = 0; i < 5; ++i) {
-        const double angle = 2 * 3.14159265358979 * (2 * i) / 5;
-        p.push_back({std::lround(1000 * std::cos(angle)), std::lround(1000 * std::sin(angle))});
-    }
-    EXPECT_EQ(fault_of_topology(5, triangles_of(p)), "");
+    const Outline q = shuffled_start(p, seed / 7);
+    RC_ASSERT(fault_of(q) == "");
+    const std::vector<std::uint32_t> t = triangles_of(q);
+    int without_area = 0;
+    for (std::size_t i = 0; i < t.size(); i += 3)
+        without_area += area2(q[t[i]], q[t[i + 1]], q[t[i + 2]]) == Int128{0};
+    RC_ASSERT(without_area == doubled);
 }
 
 TEST(Triangulate, PolygonsWithoutAreaGiveTheirTriangles) {
