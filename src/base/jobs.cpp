@@ -95,12 +95,12 @@ void Jobs::run(int count, Thunk thunk, void* function) {
 namespace tbb = oneapi::tbb;
 
 struct Jobs::Pool {
-    // The global limit lets an arena have more workers than the machine has cores: tests run 16.
-    explicit Pool(int threads)
-        : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)),
-          arena(threads) {}
+    explicit Pool(int threads) : arena(threads) {
+        // Lets an arena have more workers than the machine has cores: tests run 16. One limit for all,
+        // since oneTBB obeys the smallest one alive: a Jobs(1) would make every other serial.
+        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 256);
+    }
     int threads() const { return arena.max_concurrency(); }
-    tbb::global_control limit;
     tbb::task_arena arena;
 };
 

@@ -85,6 +85,13 @@ TEST(Jobs, RunAtTheSameTime) {
     }
 }
 
+TEST(Jobs, RunAtTheSameTimeBesideOthersWithFewerThreads) {
+    const Jobs one(1);
+    Jobs four(4);
+    const Jobs two(2);
+    EXPECT_TRUE(two_indices_meet(four));
+}
+
 TEST(Jobs, SeeWhatTheCallerWroteAndTheCallerSeesWhatTheyWrote) {
     Jobs jobs(4);
     std::vector<long> cells(64, 0); // plain memory: a missing barrier is a race under tsan
