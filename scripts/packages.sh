@@ -11,6 +11,7 @@ packages_build=(
     xkb-data # read when the viewer starts
 )
 packages_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev python3)
+packages_bench=(libbenchmark-dev)
 packages_clang=(clang-14 libclang-rt-14-dev)
 packages_lint=(clang-format-14 clang-tidy-14)
 packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)
