@@ -1,0 +1,216 @@
+#include "shade/block.h"
+
+#include <cmath>
+#include <limits>
+
+namespace scanout::shade::test {
+namespace {
+
+constexpr int kVertices = 3 * kLanes; // three of its own a lane
+
+struct Attributes3 {
+    std::vector<Vec3> normal{kVertices}, colour{kVertices};
+    std::vector<Vec2> uv{kVertices};
+};
+
+// What a lane interpolates: exact areas and distances, as doubles; the block gets them rounded.
+struct ExactLane {
+    double area[3], inverse_w[3];
+};
+
+double exact(const ExactLane& lane, double f0, double f1, double f2) {
+    // f = sum(b f / w) / sum(b / w) with 64 bits of mantissa; every product of doubles is
+    // rounded by 2^-64 and nothing cancels in the weights.
+    const double f[3] = {f0, f1, f2};
+    long double top = 0, bottom = 0;
+    for (int k = 0; k < 3; ++k) {
+        const long double weight = static_cast<long double>(lane.area[k]) * lane.inverse_w[k];
+        top += weight * f[k];
+        bottom += weight;
+    }
+    return static_cast<double>(top / bottom);
+}
+
+ExactLane random_lane(Random& random, double w_ratio, int kind) {
+    ExactLane lane{};
+    for (int k = 0; k < 3; ++k) {
+        // Areas as the rasteriser gives them: whole numbers up to 2^49, sometimes 0 (on an edge).
+        lane.area[k] = std::floor(std::exp2(random.in(0, 49)));
+        lane.inverse_w[k] = 1 / std::exp2(random.unit() * std::log2(w_ratio));
+    }
+    lane.inverse_w[0] = 1; // the whole ratio
+    lane.inverse_w[2] = 1 / w_ratio;
+    if (kind % 4 == 1) lane.area[kind / 4 % 3] = 0;
+    if (kind % 4 == 2) lane.area[kind / 4 % 3] = lane.area[(kind / 4 + 1) % 3] = 0;
+    return lane;
+}
+
+class Interpolation : public testing::Test {
+protected:
+    void run(Random& random, double w_ratio, int round) {
+        for (int i = 0; i < kLanes; ++i) {
+            lane[i] = random_lane(random, w_ratio, round * kLanes + i);
+            for (int k = 0; k < 3; ++k) {
+                block->vertex[k][i] = static_cast<std::uint32_t>(3 * i + k);
+                block->area[k][i] = static_cast<float>(lane[i].area[k]);
+                block->inverse_w[k][i] = static_cast<float>(lane[i].inverse_w[k]);
+            }
+        }
+        frame.normal = data.normal;
+        frame.uv = data.uv;
+        frame.colour = data.colour;
+        frame.attributes = {true, true, true};
+        block->texture = &texture;
+        stage("interpolate", "perspective").run(*block, frame);
+    }
+    scene::Material material = scanout::test::plain(Vec3(1));
+    scene::Texture texture = scanout::test::checkers();
+    std::unique_ptr<Block> block = new_block(material);
+    FrameState frame = identity_frame();
+    Attributes3 data;
+    ExactLane lane[kLanes];
+};
+
+TEST_F(Interpolation, IsWithinTwoToTheMinusTwentyOfTheRangeAtEveryRatioOfDistances) {
+    Random random(1);
+    for (const double ratio : {1.0, 10.0, 1e3, 1e6}) {
+        double worst = 0;
+        for (int round = 0; round < 1000; ++round) {
+            for (Vec2& uv : data.uv)
+                uv = {static_cast<float>(random.in(-4, 4)), static_cast<float>(random.in(0, 1))};
+            for (Vec3& c : data.colour)
+                c = {random.in(0, 1), random.in(0, 1e-3), random.in(0, 1e6)};
+            run(random, ratio, round);
+            for (int i = 0; i < kLanes; ++i) {
+                const auto check = [&](float got, float f0, float f1, float f2) {
+                    const double range = std::max({f0, f1, f2}) - std::min({f0, f1, f2});
+                    const double error = std::abs(got - exact(lane[i], f0, f1, f2));
+                    // The attribute itself is a float: half its last place is no one's fault.
+                    const double size = std::max({std::abs(f0), std::abs(f1), std::abs(f2)});
+                    worst = std::max(worst, (error - size * 0x1p-24) / range * 0x1p20);
+                };
+                const Vec2* uv = &data.uv[static_cast<std::size_t>(3 * i)];
+                const Vec3* c = &data.colour[static_cast<std::size_t>(3 * i)];
+                check(block->u[i], uv[0].x, uv[1].x, uv[2].x);
+                check(block->v[i], uv[0].y, uv[1].y, uv[2].y);
+                for (int k = 0; k < 3; ++k)
+                    check(block->albedo[k][i], c[0][k], c[1][k], c[2][k]);
+            }
+        }
+        EXPECT_LE(worst, 1) << ratio;
+        RecordProperty("worst_ratio_" + std::to_string(static_cast<int>(ratio)),
+                       testing::PrintToString(worst));
+    }
+}
+
+TEST_F(Interpolation, NeverLeavesTheRangeOfItsVertices) {
+    Random random(2);
+    for (int round = 0; round < 2000; ++round) {
+        for (Vec2& uv : data.uv) {
+            uv = {static_cast<float>(random.in(-4, 4)), random.bits() % 2 == 0 ? 0.0F : 1.0F};
+            if (random.bits() % 8 == 0) uv.x = static_cast<float>(random.in(-1, 1) * 1e30);
+        }
+        run(random, round % 2 == 0 ? 1 : 1e6, round);
+        for (int i = 0; i < kLanes; ++i) {
+            const Vec2* uv = &data.uv[static_cast<std::size_t>(3 * i)];
+            ASSERT_LE(block->u[i], std::max({uv[0].x, uv[1].x, uv[2].x}));
+            ASSERT_GE(block->u[i], std::min({uv[0].x, uv[1].x, uv[2].x}));
+            ASSERT_LE(block->v[i], 1);
+            ASSERT_GE(block->v[i], 0);
+        }
+    }
+}
+
+TEST_F(Interpolation, KeepsWhatIsConstantAndTheValueAtAVertex) {
+    Random random(3);
+    for (int round = 0; round < 500; ++round) {
+        const auto value = static_cast<float>(random.in(-1e3, 1e3));
+        for (Vec2& uv : data.uv)
+            uv = {value, static_cast<float>(random.in(-1, 1))};
+        run(random, 1e4, round);
+        for (int i = 0; i < kLanes; ++i) {
+            ASSERT_EQ(block->u[i], value);
+            const ExactLane& l = lane[i];
+            for (int k = 0; k < 3; ++k) {
+                const bool corner = l.area[(k + 1) % 3] == 0 && l.area[(k + 2) % 3] == 0;
+                const float there = data.uv[static_cast<std::size_t>(3 * i + k)].y;
+                ASSERT_TRUE(!corner || std::abs(block->v[i] - there) <= 0x1p-22F) << i;
+            }
+        }
+    }
+}
+
+TEST_F(Interpolation, NormalsAreUnitAndOnTheSideThatTheEyeSees) {
+    Random random(4);
+    double worst = 0;
+    for (int round = 0; round < 200; ++round) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            const DVec3 towards = random.in_cube(1);
+            for (int k = 0; k < 3; ++k)
+                block->facing[k][i] = static_cast<float>(towards[k]);
+            for (std::size_t k = 0; k < 3; ++k) {
+                DVec3 n = random.in_cube(1);
+                if (round % 5 == 0) n = n * 1e-3; // not even near unit length
+                data.normal[3 * i + k] = Vec3(n);
+            }
+            if (round % 10 == 1) // opposite normals cancel
+                data.normal[3 * i + 1] = data.normal[3 * i + 2] = -data.normal[3 * i];
+        }
+        const double angle = random.in(0, 3), s = std::sin(angle), c = std::cos(angle);
+        const float turn[3][3] = {{static_cast<float>(c), 0, static_cast<float>(s)},
+                                  {0, 1, 0},
+                                  {static_cast<float>(-s), 0, static_cast<float>(c)}};
+        std::copy(&turn[0][0], &turn[0][0] + 9, &frame.normal_matrix[0][0]);
+        run(random, 1, round);
+        for (int i = 0; i < kLanes; ++i) {
+            const double x = block->normal[0][i], y = block->normal[1][i], z = block->normal[2][i];
+            worst = std::max(worst, std::abs(std::sqrt(x * x + y * y + z * z) - 1));
+            double sum[3] = {};
+            const Vec3* n = &data.normal[static_cast<std::size_t>(3 * i)];
+            for (int axis = 0; axis < 3; ++axis)
+                sum[axis] = exact(lane[i], n[0][axis], n[1][axis], n[2][axis]);
+            const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+            const double side = sum[0] * block->facing[0][i] + sum[1] * block->facing[1][i] +
+                                sum[2] * block->facing[2][i];
+            if (length < 1e-4 || std::abs(side) < 1e-4 * length) continue;
+            const double sign = side < 0 ? -1 / length : 1 / length;
+            const double tolerance = 1e-6 / length;
+            ASSERT_NEAR(x, sign * (turn[0][0] * sum[0] + turn[0][2] * sum[2]), tolerance);
+            ASSERT_NEAR(y, sign * sum[1], tolerance);
+            ASSERT_NEAR(z, sign * (turn[2][0] * sum[0] + turn[2][2] * sum[2]), tolerance);
+        }
+    }
+    EXPECT_LE(worst, 1e-6);
+    RecordProperty("worst_length_error", testing::PrintToString(worst));
+}
+
+TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
+    Random random(5);
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    const Vec3 bad[] = {Vec3(0), Vec3(1e-40F), Vec3(1e30F), Vec3(nan, 0, 1)};
+    for (std::size_t i = 0; i < data.normal.size(); ++i)
+        data.normal[i] = bad[i / 3 % 4];
+    run(random, 10, 0);
+    for (int i = 0; i < kLanes; ++i) {
+        const double x = block->normal[0][i], y = block->normal[1][i], z = block->normal[2][i];
+        if (i % 4 == 2) continue; // 1e30 squared is beyond float: the loader's normals are unit
+        EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-6) << i;
+    }
+}
+
+TEST_F(Interpolation, MultipliesDiffuseAndVertexColours) {
+    Random random(6);
+    material.diffuse = {0.25F, 0.5F, 2};
+    for (Vec3& c : data.colour)
+        c = {0.5F, 1, 0.125F};
+    run(random, 1, 0);
+    EXPECT_EQ(block->albedo[0][5], 0.125F);
+    EXPECT_EQ(block->albedo[1][5], 0.5F);
+    EXPECT_EQ(block->albedo[2][5], 0.25F);
+    frame.attributes.colour = false;
+    stage("interpolate", "perspective").run(*block, frame);
+    EXPECT_EQ(block->albedo[2][5], 2);
+}
+
+} // namespace
+} // namespace scanout::shade::test

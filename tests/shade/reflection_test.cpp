@@ -1,0 +1,187 @@
+#include "shade/block.h"
+#include "techniques.h"
+
+#include <cmath>
+#include <set>
+#include <string>
+
+namespace scanout::shade::test {
+namespace {
+
+// DESIGN 1, word for word: 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
+double formula(const Block& b, int i, int channel, std::span<const scene::Light> lights,
+               bool orthographic, bool highlight) {
+    const double n[3] = {b.normal[0][i], b.normal[1][i], b.normal[2][i]};
+    const double ray[3] = {orthographic ? 0 : b.ray_x[i], orthographic ? 0 : b.ray_y[i], -1};
+    const double length = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + 1);
+    double colour = 0.15 * b.albedo[channel][i];
+    for (const scene::Light& light : lights) {
+        double n_l = 0, n_h = 0, h_h = 0;
+        for (int k = 0; k < 3; ++k) {
+            const double l = light.towards[k], h = l - ray[k] / length;
+            n_l += n[k] * l;
+            n_h += n[k] * h;
+            h_h += h * h;
+        }
+        colour +=
+            static_cast<double>(light.colour[channel]) * b.albedo[channel][i] * std::max(n_l, 0.0);
+        if (highlight && h_h > 0 && n_h > 0)
+            colour += static_cast<double>(light.colour[channel]) * b.material->specular[channel] *
+                      std::pow(n_h / std::sqrt(h_h), static_cast<double>(b.material->shininess));
+    }
+    return colour;
+}
+
+void randomise(Block& b, Random& random) {
+    for (int i = 0; i < kLanes; ++i) {
+        DVec3 n = random.in_cube(1);
+        const double length = std::sqrt(dot3(n, n));
+        for (int k = 0; k < 3; ++k) {
+            b.normal[k][i] = static_cast<float>(n[k] / length);
+            b.albedo[k][i] = static_cast<float>(random.in(0, 1));
+        }
+        b.ray_x[i] = static_cast<float>(random.in(-1, 1));
+        b.ray_y[i] = static_cast<float>(random.in(-1, 1));
+    }
+}
+
+double worst_error(std::string_view name, float shininess, bool orthographic, std::uint64_t seed) {
+    Random random(seed);
+    const scene::Material material =
+        scanout::test::plain(Vec3(1), Vec3(0.3F, 0.9F, 0.5F), shininess);
+    auto b = new_block(material);
+    FrameState frame = identity_frame();
+    frame.orthographic = orthographic;
+    double worst = 0;
+    for (int round = 0; round < 1000; ++round) {
+        // The default lights, and any others.
+        std::vector<scene::Light> lights(scene::default_lights().begin(),
+                                         scene::default_lights().end());
+        if (round % 2 == 1) {
+            for (scene::Light& light : lights) {
+                const DVec3 l = random.in_cube(1);
+                light.towards = Vec3(l / std::sqrt(dot3(l, l)));
+            }
+        }
+        frame.lights = lights;
+        randomise(*b, random);
+        stage("reflection", name).run(*b, frame);
+        for (int i = 0; i < kLanes; ++i)
+            for (int c = 0; c < 3; ++c)
+                worst = std::max(worst,
+                                 std::abs(b->colour[c][i] - formula(*b, i, c, lights, orthographic,
+                                                                    name != "lambert")));
+    }
+    return worst;
+}
+
+TEST(Reflection, LambertIsTheFormula) {
+    const double worst = worst_error("lambert", 20, false, 1);
+    EXPECT_LE(worst, 1e-5);
+    RecordProperty("worst", testing::PrintToString(worst));
+}
+
+TEST(Reflection, BlinnPhongIsTheFormula) {
+    for (const float shininess : {0.5F, 1.0F, 2.0F, 20.0F, 100.0F}) {
+        for (const bool orthographic : {false, true}) {
+            const double worst = worst_error("blinn_phong", shininess, orthographic, 2);
+            EXPECT_LE(worst, 1e-5) << shininess;
+            RecordProperty("worst_" + std::to_string(static_cast<int>(shininess)) +
+                               (orthographic ? "_orthographic" : ""),
+                           testing::PrintToString(worst));
+        }
+    }
+    // cos^Ns turns an error of the cosine into Ns times as much: half an ulp of 1 at Ns 1000.
+    const double sharp = worst_error("blinn_phong", 1000, false, 3);
+    EXPECT_LE(sharp, 1e-4);
+    RecordProperty("worst_1000", testing::PrintToString(sharp));
+}
+
+TEST(Reflection, WithoutAHighlightBlinnPhongIsLambertToTheBit) {
+    Random random(4);
+    const Vec3 black(0), white(1);
+    for (const auto& [ks, ns] : {std::pair{black, 50.0F}, {white, 0.0F}}) {
+        const scene::Material material = scanout::test::plain(Vec3(1), ks, ns);
+        auto matt = new_block(material), glossy = new_block(material);
+        FrameState frame = identity_frame();
+        frame.lights = scene::default_lights();
+        randomise(*matt, random);
+        *glossy = *matt;
+        stage("reflection", "lambert").run(*matt, frame);
+        stage("reflection", "blinn_phong").run(*glossy, frame);
+        for (int i = 0; i < kLanes; ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(matt->colour[c][i], glossy->colour[c][i]);
+    }
+}
+
+TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
+    Random random(5);
+    const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
+    FrameState frame = identity_frame();
+    frame.lights = scene::default_lights();
+    for (const char* name : {"lambert", "blinn_phong"}) {
+        auto b = new_block(material);
+        randomise(*b, random);
+        b->lit = false;
+        stage("reflection", name).run(*b, frame);
+        for (int i = 0; i < kLanes; ++i)
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(b->colour[c][i], b->albedo[c][i]);
+    }
+}
+
+TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
+    const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
+    auto b = new_block(material);
+    const scene::Light behind[] = {{{0, 0, -1}, Vec3(1)}};
+    FrameState frame = identity_frame();
+    frame.lights = behind;
+    stage("reflection", "blinn_phong").run(*b, frame);
+    for (int i = 0; i < kLanes; ++i)
+        EXPECT_EQ(b->colour[0][i], scene::kAmbient);
+}
+
+TEST(DefaultLights, AreUnitAndInFrontOfTheModel) {
+    for (const scene::Light& light : scene::default_lights()) {
+        const DVec3 l(light.towards);
+        EXPECT_NEAR(dot3(l, l), 1, 1e-6);
+        EXPECT_GT(l.z, 0.25);
+    }
+    // The key comes from above left, the fill from the right.
+    EXPECT_LT(scene::default_lights()[0].towards.x, 0);
+    EXPECT_GT(scene::default_lights()[0].towards.y, 0);
+    EXPECT_GT(scene::default_lights()[1].towards.x, 0);
+}
+
+TEST(Catalogue, HasEveryNameOfTheTableOnceWithAWholeCard) {
+#define SCANOUT_NAME(name) #name,
+    const std::pair<std::string_view, std::vector<std::string_view>> axes[] = {
+        {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
+        {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}}};
+#undef SCANOUT_NAME
+    std::size_t total = 0;
+    std::set<const Stage*> stages;
+    for (const auto& [axis, names] : axes) {
+        for (const std::string_view name : names) {
+            const Stage* found = find(axis, name);
+            ASSERT_NE(found, nullptr) << axis << ' ' << name;
+            EXPECT_EQ(found->card.axis, axis);
+            EXPECT_EQ(found->card.name, name);
+            EXPECT_FALSE(found->card.blurb.empty()) << name;
+            EXPECT_FALSE(found->card.source.empty()) << name;
+            EXPECT_NE(found->run, nullptr);
+            stages.insert(found);
+            ++total;
+        }
+    }
+    EXPECT_EQ(stages.size(), total);
+    EXPECT_EQ(catalogue().size(), total);
+    EXPECT_EQ(find("texture", "lambert"), nullptr);
+    EXPECT_EQ(find("texture", ""), nullptr);
+    EXPECT_EQ(find("", "bilinear"), nullptr);
+}
+
+} // namespace
+} // namespace scanout::shade::test

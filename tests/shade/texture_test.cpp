@@ -1,0 +1,265 @@
+#include "shade/block.h"
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace scanout::shade::test {
+namespace {
+
+constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+
+// sRGB by its formula, in double.
+double linear_of(int code) {
+    const double c = code / 255.0;
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+}
+
+scene::Texture noise(int width, int height, std::uint64_t seed) {
+    Random random(seed);
+    scene::Texture texture{"noise", image::Image(width, height)};
+    for (image::Rgba8& p : texture.image.pixels()) {
+        const std::uint64_t bits = random.bits();
+        p = {static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8),
+             static_cast<std::uint8_t>(bits >> 16), 255};
+    }
+    return texture;
+}
+
+struct Sampler {
+    explicit Sampler(const scene::Texture& t, bool clamp = false) : texture(t) {
+        material.map_diffuse.clamp = clamp;
+        block->texture = &texture;
+    }
+    // Up to a block of coordinates at once.
+    void sample(std::string_view filter, const std::vector<Vec2>& uv) {
+        block->count = static_cast<int>(uv.size());
+        for (int i = 0; i < block->count; ++i) {
+            block->u[i] = uv[static_cast<std::size_t>(i)].x;
+            block->v[i] = uv[static_cast<std::size_t>(i)].y;
+            for (auto& channel : block->albedo)
+                channel[i] = 1;
+        }
+        stage("texture", filter).run(*block, {});
+    }
+    Vec3 one(std::string_view filter, float u, float v) {
+        sample(filter, {Vec2(u, v)});
+        return {block->albedo[0][0], block->albedo[1][0], block->albedo[2][0]};
+    }
+    const scene::Texture& texture;
+    scene::Material material = scanout::test::textured(0);
+    std::unique_ptr<Block> block = new_block(material);
+};
+
+std::vector<Vec2> random_uv(Random& random, double size) {
+    std::vector<Vec2> uv(kLanes);
+    for (Vec2& t : uv)
+        t = {static_cast<float>(random.in(-size, size)),
+             static_cast<float>(random.in(-size, size))};
+    return uv;
+}
+
+std::vector<std::string> filters() {
+    std::vector<std::string> names;
+    for (const Stage* s : catalogue())
+        if (s->card.axis == "texture") names.emplace_back(s->card.name);
+    return names;
+}
+
+TEST(Texture, AConstantOneStaysConstantUnderEveryFilter) {
+    Random random(1);
+    for (const std::string& filter : filters()) {
+        for (const bool clamp : {false, true}) {
+            const scene::Texture grey{"grey", image::Image(5, 3, {100, 200, 7, 255})};
+            Sampler sampler(grey, clamp);
+            const Vec3 first = sampler.one(filter, 0.5F, 0.5F);
+            EXPECT_NEAR(first.x, linear_of(100), 1e-7);
+            EXPECT_NEAR(first.y, linear_of(200), 1e-7);
+            EXPECT_NEAR(first.z, linear_of(7), 1e-7);
+            for (const double size : {0.1, 2.0, 1e5, 1e30}) {
+                sampler.sample(filter, random_uv(random, size));
+                for (int i = 0; i < kLanes; ++i)
+                    for (int c = 0; c < 3; ++c)
+                        ASSERT_EQ(sampler.block->albedo[c][i], first[c]) << filter << ' ' << size;
+            }
+        }
+    }
+}
+
+TEST(Texture, NearestGivesExactlyTheTexelThatTheSampleFallsInto) {
+    Random random(2);
+    const scene::Texture texture = noise(13, 7, 3);
+    for (const bool clamp : {false, true}) {
+        Sampler sampler(texture, clamp);
+        for (int round = 0; round < 2000; ++round) {
+            const std::vector<Vec2> uv = random_uv(random, round % 2 == 0 ? 1 : 3);
+            sampler.sample("nearest", uv);
+            for (int i = 0; i < kLanes; ++i) {
+                const auto texel = [&](double t, int size) {
+                    if (clamp) t = std::min(std::max(t, 0.0), 1.0);
+                    t = (t - std::floor(t) == 0 && clamp && t == 1 ? 1 : t - std::floor(t)) * size;
+                    // Too near to a border to say, in float.
+                    if (std::abs(t - std::round(t)) < 1e-5 && t != 0 && t != size) return -1;
+                    return std::min(static_cast<int>(std::floor(t)), size - 1);
+                };
+                const Vec2& at = uv[static_cast<std::size_t>(i)];
+                const int x = texel(at.x, 13), y = texel(at.y, 7);
+                if (x < 0 || y < 0) continue;
+                const image::Rgba8 expected = texture.image.at(x, 6 - y); // v runs up
+                ASSERT_NEAR(sampler.block->albedo[0][i], linear_of(expected.r), 1e-7);
+                ASSERT_NEAR(sampler.block->albedo[1][i], linear_of(expected.g), 1e-7);
+                ASSERT_NEAR(sampler.block->albedo[2][i], linear_of(expected.b), 1e-7);
+            }
+        }
+    }
+}
+
+TEST(Texture, NearestGivesOnlyValuesThatTheTextureHas) {
+    Random random(3);
+    const scene::Texture texture = noise(16, 16, 4);
+    std::set<float> red;
+    for (const image::Rgba8& p : texture.image.pixels())
+        red.insert(static_cast<float>(linear_of(p.r)));
+    Sampler sampler(texture);
+    for (int round = 0; round < 4000; ++round) {
+        sampler.sample("nearest", random_uv(random, std::exp2(random.in(-10, 100))));
+        for (int i = 0; i < kLanes; ++i)
+            ASSERT_TRUE(red.count(sampler.block->albedo[0][i]) == 1);
+    }
+}
+
+TEST(Texture, BilinearIsTheOverlapOfATexelSizedSquare) {
+    Random random(4);
+    const scene::Texture texture = noise(8, 4, 5);
+    double worst = 0;
+    for (const bool clamp : {false, true}) {
+        Sampler sampler(texture, clamp);
+        for (int round = 0; round < 4000; ++round) {
+            const std::vector<Vec2> uv = random_uv(random, 1.5);
+            sampler.sample("bilinear", uv);
+            for (int i = 0; i < kLanes; ++i) {
+                const Vec2& at = uv[static_cast<std::size_t>(i)];
+                const double u = clamp ? std::min(std::max<double>(at.x, 0), 1.0) : at.x,
+                             v = clamp ? std::min(std::max<double>(at.y, 0), 1.0) : at.y;
+                const double x = u * 8 - 0.5, y = v * 4 - 0.5;
+                double sum = 0, low = 1, high = 0;
+                for (int j = 0; j < 2; ++j) {
+                    for (int k = 0; k < 2; ++k) {
+                        const int tx = static_cast<int>(std::floor(x)) + k,
+                                  ty = static_cast<int>(std::floor(y)) + j;
+                        const auto address = [&](int t, int size) {
+                            return clamp ? std::min(std::max(t, 0), size - 1)
+                                         : ((t % size) + size) % size;
+                        };
+                        const double texel =
+                            linear_of(texture.image.at(address(tx, 8), 3 - address(ty, 4)).g);
+                        sum += texel * (1 - std::abs(x - tx)) * (1 - std::abs(y - ty));
+                        low = std::min(low, texel);
+                        high = std::max(high, texel);
+                    }
+                }
+                const double got = sampler.block->albedo[1][i];
+                worst = std::max(worst, std::abs(got - sum));
+                ASSERT_GE(got, low * (1 - 0x1p-22));
+                ASSERT_LE(got, high * (1 + 0x1p-22));
+            }
+        }
+    }
+    EXPECT_LE(worst, 4e-6); // half a texel's 2^-21 of the coordinate, times the steepest step
+    RecordProperty("worst", testing::PrintToString(worst));
+}
+
+TEST(Texture, BilinearStaysWithinItsTexelsAndIsExactAtTheirCentres) {
+    Random random(5);
+    const scene::Texture texture = noise(16, 8, 6);
+    Sampler sampler(texture);
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 16; ++x)
+            EXPECT_NEAR(sampler
+                            .one("bilinear", (static_cast<float>(x) + 0.5F) / 16,
+                                 (static_cast<float>(y) + 0.5F) / 8)
+                            .x,
+                        linear_of(texture.image.at(x, 7 - y).r), 1e-7);
+    float low = 1, high = 0;
+    for (const image::Rgba8& p : texture.image.pixels()) {
+        low = std::min(low, static_cast<float>(linear_of(p.b)));
+        high = std::max(high, static_cast<float>(linear_of(p.b)));
+    }
+    for (int round = 0; round < 8000; ++round) { // a million samples
+        sampler.sample("bilinear", random_uv(random, std::exp2(random.in(-10, 60))));
+        for (int i = 0; i < kLanes; ++i) {
+            ASSERT_GE(sampler.block->albedo[2][i], low * (1 - 0x1p-23F));
+            ASSERT_LE(sampler.block->albedo[2][i], high * (1 + 0x1p-23F));
+        }
+    }
+}
+
+TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
+    // One row: texel i has the value i. A run under the address sanitizer sees every other read.
+    scene::Texture row{"row", image::Image(4, 1)};
+    for (int x = 0; x < 4; ++x)
+        row.image.at(x, 0) = {static_cast<std::uint8_t>(x + 1), 0, 0, 255};
+    struct Case {
+        float u;
+        int repeat, clamp;
+    };
+    const float before_0 = -std::numeric_limits<float>::denorm_min();
+    const Case cases[] = {{0, 0, 0},        {-0.0F, 0, 0},    {1, 0, 3},     {0.9999999F, 3, 3},
+                          {0.25F, 1, 1},    {-0.25F, 3, 0},   {-1, 0, 0},    {2, 0, 3},
+                          {kNaN, 0, 0},     {kInf, 0, 3},     {-kInf, 0, 0}, {1e30F, 0, 3},
+                          {-1e30F, 0, 0},   {before_0, 0, 0}, {1e9F, 0, 3},  {-1e-9F, 0, 0},
+                          {100000.5F, 2, 3}};
+    for (const Case& c : cases) {
+        for (const bool clamp : {false, true}) {
+            Sampler sampler(row, clamp);
+            const int expected = clamp ? c.clamp : c.repeat;
+            EXPECT_NEAR(sampler.one("nearest", c.u, 0.5F).x, linear_of(expected + 1), 1e-9)
+                << c.u << (clamp ? " clamped" : " repeated");
+            const float filtered = sampler.one("bilinear", c.u, c.u).x;
+            EXPECT_TRUE(filtered >= static_cast<float>(linear_of(1)) * (1 - 0x1p-22F) &&
+                        filtered <= static_cast<float>(linear_of(4)) * (1 + 0x1p-22F))
+                << c.u << ": " << filtered;
+            EXPECT_FALSE(std::isnan(sampler.one("bilinear", 0.3F, c.u).x));
+        }
+    }
+}
+
+TEST(Texture, OfOneTexelIsReadEverywhere) {
+    const scene::Texture dot{"dot", image::Image(1, 1, {77, 77, 77, 255})};
+    Random random(6);
+    for (const std::string& filter : filters())
+        for (const bool clamp : {false, true}) {
+            Sampler sampler(dot, clamp);
+            sampler.sample(filter, random_uv(random, 5));
+            for (int i = 0; i < kLanes; ++i)
+                ASSERT_NEAR(sampler.block->albedo[0][i], linear_of(77), 1e-8);
+        }
+}
+
+TEST(Texture, OffsetAndScaleOfTheMapMoveTheCoordinates) {
+    const scene::Texture texture = noise(8, 8, 7);
+    Sampler moved(texture), plain(texture);
+    moved.material.map_diffuse.scale = {2, 4, 1};
+    moved.material.map_diffuse.offset = {0.25F, -0.5F, 0};
+    Random random(7);
+    for (const Vec2& uv : random_uv(random, 2))
+        for (const std::string& filter : filters())
+            EXPECT_EQ(moved.one(filter, uv.x, uv.y),
+                      plain.one(filter, uv.x * 2 + 0.25F, uv.y * 4 - 0.5F));
+}
+
+TEST(Texture, MultipliesTheAlbedo) {
+    const scene::Texture white{"white", image::Image(2, 2, {255, 255, 255, 255})};
+    Sampler sampler(white);
+    for (const std::string& filter : filters()) {
+        sampler.sample(filter, {Vec2(0.3F, 0.3F)});
+        EXPECT_EQ(sampler.block->albedo[0][0], 1);
+        sampler.block->albedo[0][0] = 0.125F;
+        stage("texture", filter).run(*sampler.block, {});
+        EXPECT_EQ(sampler.block->albedo[0][0], 0.125F);
+    }
+}
+
+} // namespace
+} // namespace scanout::shade::test
