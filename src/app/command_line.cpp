@@ -71,6 +71,7 @@ void declare(CLI::App& parser, Given& given) {
     }
     parser.add_option(names, given.texts)
         ->expected(1)
+        ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
 }
 

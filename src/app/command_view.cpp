@@ -34,7 +34,7 @@ Result<void> show(const Settings& settings, SessionParts parts, const char* back
                   std::uint64_t start_bytes) {
     const port::DisplayInfo& info = parts.display.info();
     if (settings.verbose)
-        say(fmt::format("display {} {} {}x{} {}", backend, info.name, info.width, info.height,
+        say(fmt::format("display {} {}, {}x{} {}", backend, info.name, info.width, info.height,
                         image::name_of(info.format)));
     if (!settings.record.empty()) {
         TRY(parts.recorder, Recorder::create(settings.record));

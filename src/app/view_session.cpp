@@ -142,14 +142,18 @@ Result<void> ViewSession::play_script() {
 
 Result<void> ViewSession::follow_display() {
     const bool was_lost = std::exchange(lost_, parts_.display.lost());
-    if (lost_ && !was_lost) {
-        std::vector<Action> actions;
-        binder_.release_all(actions);
-        for (const Action& action : actions)
-            TRY_VOID(take(action));
-    }
+    if (lost_ && !was_lost) TRY_VOID(let_go_of_all());
     if (was_lost && !lost_) repaint_ = true;
     if (!lost_ && parts_.display.ready()) log_.reached();
+    return {};
+}
+
+// The console goes away, and with it the releases of what is held.
+Result<void> ViewSession::let_go_of_all() {
+    std::vector<Action> actions;
+    binder_.release_all(actions);
+    for (const Action& action : actions)
+        TRY_VOID(take(action));
     return {};
 }
 
@@ -199,6 +203,7 @@ Result<void> ViewSession::take(const Action& action) {
         break;
     case Effect::suspend:
         clock_.stop();
+        TRY_VOID(let_go_of_all());
         return parts_.suspend(events_);
     case Effect::quit:
         quit_ = true;

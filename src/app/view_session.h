@@ -64,6 +64,7 @@ private:
     Result<void> pass_steps(std::int64_t target);
     std::optional<std::int64_t> next_step() const;
     Result<void> follow_display();
+    Result<void> let_go_of_all();
     Result<void> run_instantly();
     Result<void> write_screenshot();
     void show_message(const std::string& text);

@@ -1,0 +1,216 @@
+#include "app/command_line.h"
+#include "app/help.h"
+#include "app/nearest.h"
+#include "app/options.h"
+#include "app/values.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace scanout::app {
+namespace {
+
+Result<Settings> parse(std::vector<std::string> words) {
+    Result<CommandLine> line = parse_command_line(std::move(words));
+    if (!line) return tl::unexpected(line.error());
+    return std::move(line->settings);
+}
+
+std::string error_of(std::vector<std::string> words) {
+    const Result<Settings> settings = parse(std::move(words));
+    if (settings) return "(no error)";
+    EXPECT_EQ(settings.error().exit, Exit::usage);
+    EXPECT_EQ(settings.error().what.find('\n'), std::string::npos) << "an error is one line";
+    return settings.error().what;
+}
+
+// What a default must leave unchanged, as far as options with defaults reach.
+auto values(const Settings& s) {
+    return std::tuple(s.frame.width, s.frame.height, s.frame.samples, s.frame.background,
+                      s.frame.cull, s.frame.texture, s.frame.reflection, s.camera.azimuth_degrees,
+                      s.camera.elevation_degrees, s.camera.distance, s.camera.fov_degrees,
+                      s.camera.projection, s.camera.up, s.model.scale, s.model.rotate_degrees,
+                      s.model.translate, s.threads, s.target, s.frames, s.backend, s.max_difference,
+                      s.max_pixels);
+}
+
+TEST(Options, TheDefaultOfEachIsWhatAnUntouchedRunUses) {
+    int held = 0;
+    for (const Option& row : options()) {
+        if (row.default_text.empty()) continue;
+        Settings settings;
+        ASSERT_TRUE(apply(row, row.default_text, settings)) << row.name;
+        EXPECT_TRUE(values(settings) == values(Settings())) << row.name;
+        ++held;
+    }
+    EXPECT_GT(held, 15);
+}
+
+TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
+    for (const Command command :
+         {Command::view, Command::render, Command::compare, Command::list}) {
+        std::set<std::string_view> names;
+        std::set<char> letters = {'h'};
+        for (const Option& row : options()) {
+            if (!belongs(row, command)) continue;
+            EXPECT_TRUE(names.insert(row.name).second) << row.name;
+            EXPECT_TRUE(row.letter == 0 || letters.insert(row.letter).second) << row.name;
+        }
+    }
+}
+
+TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
+    const std::string table = options_markdown();
+    for (const Option& row : options()) {
+        const std::string name = "--" + std::string(row.name);
+        EXPECT_FALSE(row.help.empty()) << name;
+        EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << name;
+        for (const Command command :
+             {Command::view, Command::render, Command::compare, Command::list})
+            EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
+                          help_for(command).find(name + "[") != std::string::npos ||
+                          help_for(command).find(name + "\n") != std::string::npos,
+                      belongs(row, command))
+                << name;
+    }
+}
+
+TEST(Options, NumbersAreTakenInTheirRangeAndRefusedOutsideIt) {
+    for (const Option& row : options()) {
+        if (!(row.most > row.least)) continue;
+        Settings settings;
+        EXPECT_TRUE(apply(row, fmt::format("{}", row.least), settings)) << row.name;
+        EXPECT_TRUE(apply(row, fmt::format("{:.0f}", row.most), settings)) << row.name;
+        EXPECT_FALSE(apply(row, fmt::format("{}", row.least - 1), settings)) << row.name;
+        EXPECT_FALSE(apply(row, fmt::format("{:.0f}", row.most + 1), settings)) << row.name;
+        EXPECT_FALSE(apply(row, "99999999999999999999999", settings)) << row.name;
+        EXPECT_FALSE(apply(row, "4x", settings)) << row.name;
+        EXPECT_FALSE(apply(row, "", settings)) << row.name;
+        EXPECT_FALSE(apply(row, "nan", settings)) << row.name;
+    }
+}
+
+TEST(Options, EachSpellingOfAValueMeansTheSame) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"render", "a.obj", "-o", "x.png"},
+          {"render", "-ox.png", "a.obj"},
+          {"render", "--output=x.png", "a.obj"},
+          {"render", "--output", "y.png", "a.obj", "-o", "x.png"}}) {
+        const Result<Settings> settings = parse(words);
+        ASSERT_TRUE(settings) << settings.error().what;
+        EXPECT_EQ(settings->output, "x.png");
+        EXPECT_EQ(settings->arguments, std::vector<std::string>{"a.obj"});
+    }
+}
+
+TEST(Options, NegativeNumbersAreValuesAndNotOptions) {
+    const Result<Settings> settings =
+        parse({"render", "a.obj", "--camera", "-30,-20.5,3", "--rotate", "-1,+2,-3"});
+    ASSERT_TRUE(settings) << settings.error().what;
+    EXPECT_EQ(settings->camera.azimuth_degrees, -30);
+    EXPECT_EQ(settings->camera.elevation_degrees, -20.5);
+    EXPECT_EQ(settings->camera.distance, 3);
+    EXPECT_EQ(settings->model.rotate_degrees, DVec3(-1, 2, -3));
+}
+
+TEST(Options, AModelAfterABareJsonIsNotTakenForTheFileToWrite) {
+    Result<Settings> settings = parse({"render", "--json", "a.obj"});
+    ASSERT_TRUE(settings) << settings.error().what;
+    EXPECT_EQ(settings->json, "-");
+    EXPECT_EQ(settings->arguments, std::vector<std::string>{"a.obj"});
+    settings = parse({"render", "a.obj", "--json", "out.json"});
+    ASSERT_TRUE(settings);
+    EXPECT_EQ(settings->json, "out.json");
+    EXPECT_EQ(parse({"render", "a.obj", "--json=x"})->json, "x");
+    EXPECT_FALSE(parse({"render", "a.obj"})->json.has_value());
+}
+
+TEST(Options, ATargetWithCommasIsAPointAndElseAnInstructionSet) {
+    const Result<Settings> settings =
+        parse({"render", "a.obj", "--target", "1,2,3", "--eye", "4,5,6"});
+    ASSERT_TRUE(settings) << settings.error().what;
+    EXPECT_EQ(*settings->camera.target, DVec3(1, 2, 3));
+    EXPECT_EQ(settings->target, "auto");
+    EXPECT_EQ(parse({"render", "a.obj", "--target", "scalar"})->target, "scalar");
+    EXPECT_NE(error_of({"render", "a.obj", "--target", "scalr"}).find("did you mean 'scalar'"),
+              std::string::npos);
+}
+
+TEST(Options, TheFirstWordIsACommandOrAModel) {
+    EXPECT_EQ(parse({"a.obj", "b.obj"})->command, Command::view);
+    EXPECT_EQ(parse({"view", "a.obj"})->command, Command::view);
+    EXPECT_EQ(parse({"--size", "9x9", "a.obj"}).value().command, Command::view);
+    EXPECT_EQ(parse({"compare", "a.png", "b.png"})->command, Command::compare);
+    EXPECT_NE(error_of({"rendr", "a.obj"}).find("did you mean 'render'"), std::string::npos);
+    EXPECT_NE(error_of({"zzzzzzz"}).find("--help"), std::string::npos);
+    EXPECT_NE(error_of({}).find("--help"), std::string::npos);
+}
+
+TEST(Options, AMisspeltOptionIsAnsweredWithTheNearestName) {
+    EXPECT_NE(error_of({"render", "a.obj", "--smaples", "4"}).find("did you mean '--samples'"),
+              std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "--cul=back"}).find("did you mean '--cull'"),
+              std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "--cull", "bakc"}).find("did you mean 'back'"),
+              std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "--max-diff", "4"}).find("does not belong"),
+              std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "-Z"}).find("-Z"), std::string::npos);
+}
+
+TEST(Options, WhatPlacesTheCameraTwiceOrHalfIsRefused) {
+    EXPECT_NE(error_of({"render", "a.obj", "--eye", "1,2,3"}).find("--look-at"), std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "--look-at", "1,2,3"}).find("--eye"), std::string::npos);
+    EXPECT_NE(error_of({"render", "a.obj", "--view", "iso", "--camera", "1,2"}).find("one of them"),
+              std::string::npos);
+}
+
+TEST(Values, ImpossibleSizesAreRefused) {
+    for (const char* text :
+         {"", "x", "640", "640x", "x480", "0x480", "640x0", "-1x5", "640x480x2", "16385x1",
+          "1x16385", "16384x16384", "99999999999999999999x1", "6 40x480", "1e3x5"})
+        EXPECT_FALSE(parse_size(text)) << text;
+    EXPECT_EQ(parse_size("16384x8192")->width, 16384);
+    EXPECT_EQ(parse_size("1x1")->height, 1);
+}
+
+TEST(Values, ColoursAreHexadecimalOrNamed) {
+    EXPECT_EQ(*parse_colour("#102030"), (image::Rgba8{0x10, 0x20, 0x30, 255}));
+    EXPECT_EQ(*parse_colour("#fA0"), (image::Rgba8{0xff, 0xaa, 0x00, 255}));
+    EXPECT_EQ(*parse_colour("white"), (image::Rgba8{255, 255, 255, 255}));
+    for (const char* text : {"", "#", "#12", "#12345g", "#1234567", "whit", "102030"})
+        EXPECT_FALSE(parse_colour(text)) << text;
+}
+
+RC_GTEST_PROP(Values, AnyTextIsReadOrRefusedAndNeverThrows, (const std::string& text)) {
+    (void)parse_integer(text);
+    (void)parse_real(text);
+    (void)parse_list(text, 1, 3);
+    (void)parse_size(text);
+    (void)parse_colour(text);
+    Settings settings;
+    for (const Option& row : options())
+        (void)apply(row, text, settings);
+}
+
+RC_GTEST_PROP(Nearest, DistanceIsAMetricAsFarAsSpellingNeedsOne,
+              (const std::string& a, const std::string& b)) {
+    RC_ASSERT(edit_distance(a, a) == 0);
+    RC_ASSERT(edit_distance(a, b) == edit_distance(b, a));
+    RC_ASSERT((edit_distance(a, b) == 0) == (a == b));
+    RC_ASSERT(edit_distance(a, a + "x") == 1);
+}
+
+TEST(Nearest, OneSwapOneLetterMoreOrLessCountsOne) {
+    EXPECT_EQ(edit_distance("samples", "smaples"), 1);
+    EXPECT_EQ(edit_distance("cull", "cul"), 1);
+    EXPECT_EQ(edit_distance("view", "vieew"), 1);
+    const std::array<std::string_view, 2> names = {"render", "compare"};
+    EXPECT_EQ(nearest_name("rendre", names), "render");
+    EXPECT_EQ(nearest_name("xyz", names), "");
+}
+
+} // namespace
+} // namespace scanout::app

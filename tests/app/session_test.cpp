@@ -1,0 +1,321 @@
+#include "app/view_session.h"
+#include "image/codec.h"
+#include "image/hash.h"
+#include "port/headless.h"
+#include "support/temporary_folder.h"
+
+#include <chrono>
+
+#include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+#include <xkbcommon/xkbcommon-keysyms.h>
+
+namespace scanout::app {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kCube =
+    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+    "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+
+port::Event press(std::uint32_t keysym) {
+    port::Event event;
+    event.kind = port::EventKind::key;
+    event.keysym = event.base_keysym = event.keycode = keysym;
+    event.pressed = event.repeats = true;
+    return event;
+}
+
+// Gives its events one after the other, each after a pause, and then quits.
+class TimedInput final : public port::Input {
+public:
+    struct Entry {
+        std::chrono::milliseconds pause;
+        std::vector<port::Event> events;
+    };
+    explicit TimedInput(std::vector<Entry> entries)
+        : entries_(std::move(entries)), timer_(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK)) {
+        arm();
+    }
+    int event_fd() const override { return timer_.get(); }
+    Result<void> dispatch(std::vector<port::Event>& events) override {
+        std::uint64_t expirations = 0;
+        if (::read(timer_.get(), &expirations, sizeof expirations) != sizeof expirations) return {};
+        const std::vector<port::Event>& due = entries_[next_++].events;
+        events.insert(events.end(), due.begin(), due.end());
+        arm();
+        return {};
+    }
+    std::string description() const override { return "timed"; }
+
+private:
+    void arm() {
+        if (next_ == entries_.size()) return;
+        itimerspec spec{};
+        spec.it_value.tv_nsec = entries_[next_].pause.count() * 1'000'000 % 1'000'000'000;
+        spec.it_value.tv_sec = entries_[next_].pause.count() / 1000;
+        ::timerfd_settime(timer_.get(), 0, &spec, nullptr);
+    }
+    std::vector<Entry> entries_;
+    std::size_t next_ = 0;
+    Fd timer_;
+};
+
+port::Event quit() {
+    port::Event event;
+    event.kind = port::EventKind::quit;
+    return event;
+}
+
+double cpu_seconds() {
+    timespec time{};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec) * 1e-9;
+}
+
+class Session : public ::testing::Test {
+protected:
+    Session() {
+        settings.arguments = {folder.write("cube.obj", kCube)};
+        settings.quiet = true;
+    }
+    port::HeadlessDisplay make_display(const image::PixelFormat& format = {}) {
+        return std::move(*port::HeadlessDisplay::create(160, 120, format));
+    }
+    // Runs until the input quits; how many frames were presented.
+    std::size_t run(std::vector<TimedInput::Entry> entries) {
+        port::HeadlessDisplay display = make_display();
+        TimedInput input(std::move(entries));
+        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        EXPECT_TRUE(session);
+        const Result<void> ended = (*session)->run();
+        EXPECT_TRUE(ended) << ended.error().what;
+        return display.frames();
+    }
+    // Plays a script at once; leaves its pictures in the folder.
+    Result<void> play(const std::string& text, port::Display& display) {
+        TimedInput input({{1h, {quit()}}});
+        TRY(const Script script, parse_script("scanout-actions 1\n" + text, "script"));
+        settings.replay = "script";
+        TRY(const auto session,
+            ViewSession::create(settings, {display, input, jobs, {}, {}, script, true}));
+        return session->run();
+    }
+    // The picture of `scanout render` for the same settings.
+    image::Image rendered(const scene::Pose& pose) {
+        Warnings warnings;
+        const LoadedModel model = *load_model(settings.arguments.front(), {});
+        frame::FrameOptions options = settings.frame;
+        options.width = 160;
+        options.height = 120;
+        const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene));
+        const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
+                                                   settings.camera, {}, 160, 120);
+        frame::Renderer renderer(jobs);
+        return renderer.render(model.scene, view, plan);
+    }
+
+    test::TemporaryFolder folder;
+    Settings settings;
+    Jobs jobs{2};
+};
+
+TEST_F(Session, NothingIsDrawnWhenNothingChangesAndTheProcessSleeps) {
+    const double before = cpu_seconds();
+    EXPECT_EQ(run({{1500ms, {quit()}}}), 1U) << "the first frame alone";
+    EXPECT_LT(cpu_seconds() - before, 0.5) << "1.5 s of waiting";
+}
+
+TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
+    port::Event release = press(XKB_KEY_Left);
+    release.pressed = false;
+    EXPECT_EQ(run({{50ms, {press(XKB_KEY_Left), release}},
+                   {300ms, {press(XKB_KEY_x)}},
+                   {300ms, {quit()}}}),
+              2U);
+}
+
+TEST_F(Session, MovingDrawsAtMostOnceARefresh) {
+    const std::size_t frames =
+        run({{50ms, {press(XKB_KEY_space)}}, {1000ms, {press(XKB_KEY_space)}}, {400ms, {quit()}}});
+    EXPECT_GT(frames, 3U);
+    EXPECT_LE(frames, 66U) << "60 a second, the first, and one on either side";
+}
+
+TEST_F(Session, AHeldKeyRepeatsUntilItIsReleased) {
+    port::Event release = press(XKB_KEY_Left);
+    release.pressed = false;
+    const std::string file = folder.file("held.txt");
+    settings.record = file;
+    port::HeadlessDisplay display = make_display();
+    TimedInput input({{20ms, {press(XKB_KEY_Left)}}, {1000ms, {release}}, {500ms, {quit()}}});
+    auto session = ViewSession::create(
+        settings, {display, input, jobs, {}, std::move(*Recorder::create(file)), {}, false});
+    ASSERT_TRUE((*session)->run());
+    const Script script = *load_script(file);
+    int first = 0, repeated = 0;
+    for (const TimedAction& action : script)
+        if (action.action.id == ActionId::rotate_left)
+            ++(action.action.repeated ? repeated : first);
+    EXPECT_EQ(first, 1);
+    EXPECT_GE(repeated, 1) << "600 ms of the 1000";
+    EXPECT_LE(repeated, 25) << "none after the release";
+    EXPECT_EQ(script.back().action.id, ActionId::quit);
+}
+
+TEST_F(Session, AReplayedFrameIsTheFrameThatRenderDraws) {
+    port::HeadlessDisplay display = make_display();
+    const std::string start = folder.file("start.png"), turned = folder.file("turned.png");
+    ASSERT_TRUE(
+        play("frame " + start + "\n+1 rotate_left\nrotate_up\n+1 frame " + turned + "\n", display));
+    scene::Pose pose;
+    EXPECT_EQ(*image::load(start), rendered(pose));
+    pose.yaw = scene::wrap_angle(-5 * scene::kAngleUnitsPerDegree);
+    pose.pitch = scene::wrap_angle(-5 * scene::kAngleUnitsPerDegree);
+    EXPECT_EQ(*image::load(turned), rendered(pose));
+    EXPECT_NE(*image::load(start), *image::load(turned));
+}
+
+TEST_F(Session, AFrameOfANarrowDisplayIsWhatThatDisplayShows) {
+    const image::PixelFormat narrow = *image::pixel_format("rgb565");
+    port::HeadlessDisplay display = make_display(narrow);
+    const std::string file = folder.file("narrow.png"), raw = folder.file("narrow.raw");
+    ASSERT_TRUE(play("frame " + file + "\nframe " + raw + "\n", display));
+    EXPECT_EQ(*image::load(file), image::as_displayed(narrow, rendered({})));
+    EXPECT_EQ(display.shown(), *image::load(file));
+    const std::string bytes = folder.read("narrow.raw");
+    EXPECT_TRUE(
+        std::equal(bytes.begin(), bytes.end(), display.bytes().begin(), display.bytes().end(),
+                   [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }));
+}
+
+TEST_F(Session, WhatWasRecordedLiveReplaysToTheSameLastFrame) {
+    const std::string file = folder.file("live.txt");
+    port::Event motion, button;
+    motion.kind = port::EventKind::motion;
+    motion.x = 13;
+    motion.y = -7;
+    button.kind = port::EventKind::button;
+    button.pressed = true;
+    port::Event up = button;
+    up.pressed = false;
+    settings.record = file;
+    port::HeadlessDisplay live = make_display();
+    TimedInput input({{20ms, {press(XKB_KEY_space)}},
+                      {300ms, {press(XKB_KEY_space), button, motion}},
+                      {50ms, {motion, up, press(XKB_KEY_i)}},
+                      {50ms, {press(XKB_KEY_h)}},
+                      {400ms, {quit()}}});
+    auto session = ViewSession::create(
+        settings, {live, input, jobs, {}, std::move(*Recorder::create(file)), {}, false});
+    ASSERT_TRUE((*session)->run());
+    port::HeadlessDisplay again = make_display();
+    settings.record.clear();
+    std::string text = folder.read("live.txt");
+    text.erase(0, text.find('\n') + 1);
+    ASSERT_TRUE(play(text, again));
+    EXPECT_EQ(live.shown(), again.shown());
+    EXPECT_NE(again.shown(), rendered({}));
+}
+
+TEST_F(Session, AModelThatCannotBeReadEndsASessionOfOneAndShowsItsErrorAmongSeveral) {
+    const std::string good = settings.arguments.front(), bad = folder.write("bad.obj", "nothing\n");
+    port::HeadlessDisplay display = make_display();
+    settings.arguments = {bad};
+    const Result<void> alone = play("quit\n", display);
+    ASSERT_FALSE(alone);
+    EXPECT_EQ(alone.error().exit, Exit::unreadable);
+    settings.arguments = {good, bad};
+    const std::string error = folder.file("error.png"), back = folder.file("back.png");
+    ASSERT_TRUE(
+        play("next_file\nframe " + error + "\n+1 next_file\nframe " + back + "\n", display));
+    EXPECT_EQ(*image::load(back), rendered({}));
+    EXPECT_NE(*image::load(error), *image::load(back));
+    // Text on the background.
+    EXPECT_NE(*image::load(error), image::Image(160, 120, settings.frame.background));
+}
+
+// A display that is taken away for a while, and that counts.
+class FlakyDisplay final : public port::Display {
+public:
+    FlakyDisplay() {
+        info_.width = 160;
+        info_.height = 120;
+    }
+    const port::DisplayInfo& info() const override { return info_; }
+    bool ready() const override { return true; }
+    Result<void> present(const image::Image&, std::span<const image::Rect>) override {
+        EXPECT_FALSE(lost_) << "nothing is drawn while the console is away";
+        ++frames;
+        return {};
+    }
+    bool paced() const override { return false; }
+    int event_fd() const override { return -1; }
+    Result<void> dispatch() override { return {}; }
+    bool lost() const override { return lost_; }
+    void lose(bool lost) { lost_ = lost; }
+    int frames = 0;
+
+private:
+    port::DisplayInfo info_;
+    bool lost_ = false;
+};
+
+// Takes the display away and gives it back with its events, as a console's session does.
+class SwitchingInput final : public port::Input {
+public:
+    SwitchingInput(TimedInput& timed, FlakyDisplay& display) : timed_(timed), display_(display) {}
+    int event_fd() const override { return timed_.event_fd(); }
+    Result<void> dispatch(std::vector<port::Event>& events) override {
+        const std::size_t before = events.size();
+        TRY_VOID(timed_.dispatch(events));
+        if (events.size() == before) return {};
+        ++count_;
+        if (count_ <= 2) display_.lose(count_ == 1);
+        frames.push_back(display_.frames);
+        return {};
+    }
+    std::string description() const override { return "switching"; }
+    std::vector<int> frames;
+
+private:
+    TimedInput& timed_;
+    FlakyDisplay& display_;
+    int count_ = 0;
+};
+
+TEST_F(Session, AConsoleThatComesBackIsDrawnAtOnceEvenIfNothingChanged) {
+    FlakyDisplay display;
+    TimedInput timed({{200ms, {press(XKB_KEY_x)}}, {200ms, {press(XKB_KEY_x)}}, {300ms, {quit()}}});
+    SwitchingInput input(timed, display);
+    auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+    ASSERT_TRUE((*session)->run());
+    EXPECT_EQ(input.frames, (std::vector<int>{1, 1, 2}))
+        << "at leaving, at coming back, at the end";
+}
+
+TEST_F(Session, CtrlZSuspendsAndGoesOn) {
+    int suspended = 0;
+    port::HeadlessDisplay display = make_display();
+    port::Event suspend;
+    suspend.kind = port::EventKind::suspend;
+    TimedInput input({{20ms, {suspend}}, {100ms, {quit()}}});
+    auto session = ViewSession::create(settings, {display,
+                                                  input,
+                                                  jobs,
+                                                  [&](std::vector<port::Event>&) -> Result<void> {
+                                                      ++suspended;
+                                                      return {};
+                                                  },
+                                                  {},
+                                                  {},
+                                                  false});
+    ASSERT_TRUE((*session)->run());
+    EXPECT_EQ(suspended, 1);
+}
+
+} // namespace
+} // namespace scanout::app

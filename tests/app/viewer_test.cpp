@@ -1,0 +1,298 @@
+#include "app/viewer.h"
+
+#include <cmath>
+#include <cstring>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace scanout::app {
+namespace {
+
+using Id = ActionId;
+
+geom::Mesh triangle() {
+    geom::Mesh mesh;
+    mesh.position = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
+    mesh.normal.assign(3, Vec3(0, 0, 1));
+    mesh.index = {0, 1, 2};
+    mesh.material = {-1};
+    mesh.face = {0};
+    mesh.radius = 1;
+    return mesh;
+}
+
+struct Bench {
+    explicit Bench(const Settings& settings = {}) : viewer(settings, 640, 480, 3) {}
+    Effect act(Id id, std::array<int, 3> numbers = {}) {
+        return viewer.apply({id, numbers, {}, false}, &mesh);
+    }
+    const Look& look() const { return viewer.state().look; }
+    scene::View view() const { return *viewer.view(mesh); }
+    geom::Mesh mesh = triangle();
+    Viewer viewer;
+};
+
+struct Pair {
+    Id forth, back;
+};
+constexpr std::array kPairs = {
+    Pair{Id::rotate_left, Id::rotate_right}, Pair{Id::rotate_up, Id::rotate_down},
+    Pair{Id::move_left, Id::move_right},     Pair{Id::move_up, Id::move_down},
+    Pair{Id::scale_up, Id::scale_down},      Pair{Id::roll_left, Id::roll_right}};
+
+RC_GTEST_PROP(Viewer, ForthAndBackInAnyOrderIsTheIdentity, (bool camera)) {
+    Bench bench;
+    if (camera) bench.act(Id::toggle_drive);
+    std::vector<Id> path;
+    // Elevation stops at the poles and the scale at its limits: short walks stay within.
+    for (const Pair& pair : kPairs) {
+        const int count = *rc::gen::inRange(0, 8);
+        path.insert(path.end(), static_cast<std::size_t>(count), pair.forth);
+    }
+    const Look start = bench.look();
+    for (const Id id : path)
+        bench.act(id);
+    for (const Id id : path)
+        for (const Pair& pair : kPairs)
+            if (pair.forth == id) bench.act(pair.back);
+    RC_ASSERT(bench.look() == start);
+}
+
+TEST(Viewer, AThousandFullTurnsEndWhereTheyBegan) {
+    for (const bool camera : {false, true}) {
+        Bench bench;
+        if (camera) bench.act(Id::toggle_drive);
+        bench.act(Id::roll_left);
+        const scene::View before = bench.view();
+        for (int i = 0; i < 1000 * 72; ++i)
+            bench.act(Id::rotate_left);
+        const scene::View after = bench.view();
+        EXPECT_EQ(std::memcmp(&before.linear, &after.linear, sizeof before.linear), 0)
+            << "camera " << camera;
+    }
+}
+
+// HARD-CASES 22. libm's exp2l is the oracle.
+TEST(Viewer, AMillionZoomStepsStayWithinFourUlpOfTheClosedForm) {
+    Bench bench;
+    std::uint32_t random = 1;
+    std::int64_t expected = 0;
+    for (int i = 0; i < 1'000'000; ++i) {
+        random = random * 1664525U + 1013904223U;
+        const bool up = (random >> 31) != 0;
+        bench.act(up ? Id::scale_up : Id::scale_down);
+        expected = scene::clamp_zoom(expected + (up ? 8 : -8));
+    }
+    ASSERT_EQ(bench.look().pose.zoom, expected);
+    const double scale = scene::zoom_scale(bench.look().pose.zoom);
+    const auto exact = static_cast<double>(std::exp2(static_cast<long double>(expected) / 64));
+    const double ulp = std::nextafter(exact, 1e300) - exact;
+    EXPECT_LE(std::abs(scale - exact), 4 * ulp);
+}
+
+TEST(Viewer, ScaleStopsAtItsLimitsAndComesBackFromThem) {
+    Bench bench;
+    for (int i = 0; i < 1000; ++i)
+        bench.act(Id::scale_up);
+    EXPECT_EQ(bench.look().pose.zoom, scene::kMaxZoomLevel);
+    EXPECT_TRUE(bench.viewer.view(bench.mesh));
+    for (int i = 0; i < 2000; ++i)
+        bench.act(Id::scale_down);
+    EXPECT_EQ(bench.look().pose.zoom, -scene::kMaxZoomLevel);
+    EXPECT_TRUE(bench.viewer.view(bench.mesh));
+}
+
+// HARD-CASES 24: a drag counts from where it began, so a closed loop is no turn at all.
+RC_GTEST_PROP(Viewer, ADragThatReturnsToItsStartChangesNothing, (bool camera, int kind)) {
+    const std::array kinds = {Id::drag_rotate, Id::drag_move, Id::drag_roll};
+    const Id id = kinds[static_cast<std::size_t>(std::abs(kind % 3))];
+    Bench bench;
+    if (camera) bench.act(Id::toggle_drive);
+    bench.act(Id::rotate_up);
+    const Look start = bench.look();
+    bench.act(Id::drag_begin);
+    for (int i = 0; i < 20; ++i)
+        bench.act(id, {*rc::gen::inRange(-5000, 5000), *rc::gen::inRange(-5000, 5000), 0});
+    bench.act(id, {0, 0, 0});
+    bench.act(Id::drag_end);
+    RC_ASSERT(bench.look() == start);
+}
+
+TEST(Viewer, ADragOverThePicturesHeightIsHalfATurnInHoweverManySteps) {
+    for (const int steps : {1, 3, 480}) {
+        Bench bench;
+        bench.act(Id::drag_begin);
+        for (int i = 1; i <= steps; ++i)
+            bench.act(Id::drag_rotate, {480 * i / steps, 0, 0});
+        EXPECT_EQ(bench.look().pose.yaw, scene::kFullTurn / 2) << steps;
+    }
+}
+
+TEST(Viewer, AMoveDragKeepsTheModelsCentreUnderThePointer) {
+    for (const bool camera : {false, true})
+        for (const bool orthographic : {false, true}) {
+            Bench bench;
+            if (camera) bench.act(Id::toggle_drive);
+            if (orthographic) bench.act(Id::toggle_projection);
+            bench.act(Id::drag_begin);
+            bench.act(Id::drag_move, {100, -50, 0});
+            const scene::View view = bench.view();
+            const double unit = scene::world_units_per_pixel(view, 480);
+            EXPECT_NEAR(view.translation.x / unit, 100, 1e-3);
+            EXPECT_NEAR(view.translation.y / unit, 50, 1e-3);
+        }
+}
+
+TEST(Viewer, TheWheelKeepsThePointUnderThePointer) {
+    for (const bool camera : {false, true}) {
+        Bench bench;
+        if (camera) bench.act(Id::toggle_drive);
+        bench.act(Id::move_right);
+        const int x = 500, y = 100;
+        // The point of the model that lies under the pixel, relative to the model's centre and in
+        // units of its size, must be the same afterwards.
+        const auto under = [&] {
+            const scene::View view = bench.view();
+            const double unit = scene::world_units_per_pixel(view, 480);
+            const double size = scene::zoom_scale(bench.look().pose.zoom);
+            return DVec2(((x + 0.5 - 320) * unit - view.translation.x) / size,
+                         ((240 - y - 0.5) * unit - view.translation.y) / size);
+        };
+        const DVec2 before = under();
+        bench.act(Id::zoom_at, {24, x, y});
+        EXPECT_NEAR(under().x, before.x, 1e-5) << camera;
+        EXPECT_NEAR(under().y, before.y, 1e-5) << camera;
+        EXPECT_EQ(camera ? bench.look().orbit.zoom : bench.look().pose.zoom, 24);
+    }
+}
+
+// HARD-CASES 25.
+TEST(Viewer, TheCameraStopsAtThePolesAndTurnsBackAtOnce) {
+    Settings settings;
+    settings.camera.elevation_degrees = 20;
+    Bench bench(settings);
+    bench.act(Id::toggle_drive);
+    for (int i = 0; i < 100; ++i)
+        bench.act(Id::rotate_up);
+    EXPECT_EQ(bench.look().orbit.elevation, 70 * scene::kAngleUnitsPerDegree);
+    const Look top = bench.look();
+    bench.act(Id::rotate_down);
+    EXPECT_EQ(top.orbit.elevation - bench.look().orbit.elevation, 5 * scene::kAngleUnitsPerDegree);
+}
+
+RC_GTEST_PROP(Viewer, UndoBringsBackEveryEarlierLook, ()) {
+    Bench bench;
+    std::vector<Look> looks = {bench.look()};
+    for (int i = 0; i < 30; ++i) {
+        const auto id = static_cast<Id>(*rc::gen::inRange(0, static_cast<int>(Id::toggle_info)));
+        bench.act(id);
+        if (!(bench.look() == looks.back())) looks.push_back(bench.look());
+    }
+    for (std::size_t i = looks.size(); i-- > 1;) {
+        RC_ASSERT(bench.look() == looks[i]);
+        bench.act(Id::undo);
+    }
+    RC_ASSERT(bench.look() == looks.front());
+    bench.act(Id::undo);
+    RC_ASSERT(bench.look() == looks.front());
+}
+
+TEST(Viewer, ADragAndAHeldKeyAreUndoneAtOnce) {
+    Bench bench;
+    const Look start = bench.look();
+    bench.act(Id::drag_begin);
+    for (int i = 1; i < 50; ++i)
+        bench.act(Id::drag_rotate, {i, i, 0});
+    bench.act(Id::drag_end);
+    const Look dragged = bench.look();
+    bench.act(Id::rotate_left);
+    for (int i = 0; i < 20; ++i)
+        bench.viewer.apply({Id::rotate_left, {}, {}, true}, &bench.mesh);
+    bench.act(Id::undo);
+    EXPECT_EQ(bench.look(), dragged);
+    bench.act(Id::undo);
+    EXPECT_EQ(bench.look(), start);
+}
+
+TEST(Viewer, TheTurntableTurnsByStepsHoweverTheyAreCut) {
+    Bench once, often;
+    once.act(Id::toggle_turntable);
+    often.act(Id::toggle_turntable);
+    once.viewer.advance_to(777);
+    for (int step = 1; step <= 777; ++step)
+        often.viewer.advance_to(step);
+    EXPECT_EQ(once.look(), often.look());
+    EXPECT_EQ(once.look().pose.yaw, scene::wrap_angle(std::int64_t{777} * kTurntableUnitsPerStep));
+    once.viewer.advance_to(scene::kFullTurn / kTurntableUnitsPerStep);
+    EXPECT_EQ(once.look().pose.yaw, 0) << "960 steps are a full turn";
+}
+
+TEST(Viewer, ThePointerHidesAfterThreeSecondsWithoutMotion) {
+    Bench bench;
+    EXPECT_FALSE(bench.viewer.moving());
+    bench.act(Id::pointer, {10, 20, 0});
+    bench.viewer.advance_to(100);
+    bench.act(Id::pointer, {11, 20, 0});
+    bench.viewer.advance_to(279);
+    EXPECT_TRUE(bench.viewer.state().pointer.visible);
+    bench.viewer.advance_to(280);
+    EXPECT_FALSE(bench.viewer.state().pointer.visible);
+    EXPECT_FALSE(bench.viewer.moving());
+}
+
+TEST(Viewer, NamedViewsLookFromTheSideOfTheirName) {
+    Settings settings;
+    settings.camera.azimuth_degrees = 33;
+    settings.camera.eye = DVec3(1, 2, 3);
+    settings.camera.target = DVec3(0, 0, 0);
+    struct Row {
+        Id id;
+        DVec3 towards_eye; // unit, world
+    };
+    for (const Row& row : {Row{Id::view_front, {0, 0, 1}}, Row{Id::view_back, {0, 0, -1}},
+                           Row{Id::view_right, {1, 0, 0}}, Row{Id::view_left, {-1, 0, 0}},
+                           Row{Id::view_top, {0, 1, 0}}, Row{Id::view_bottom, {0, -1, 0}}}) {
+        Bench bench(settings);
+        bench.act(Id::rotate_left);
+        bench.act(row.id);
+        const DVec3 seen = bench.view().linear * row.towards_eye; // of a model of radius 1
+        EXPECT_NEAR(seen.z, 1, 1e-12) << row_of(row.id).name;
+    }
+}
+
+TEST(Viewer, FilesGoRoundAndASingleFileStays) {
+    Bench bench;
+    EXPECT_EQ(bench.act(Id::previous_file), Effect::load_file);
+    EXPECT_EQ(bench.viewer.state().file, 2);
+    EXPECT_EQ(bench.act(Id::next_file), Effect::load_file);
+    EXPECT_EQ(bench.viewer.state().file, 0);
+    Viewer single(Settings(), 640, 480, 1);
+    EXPECT_EQ(single.apply({Id::next_file, {}, {}, false}, nullptr), Effect::none);
+}
+
+TEST(Viewer, EscapeClosesTheHelpAndElseQuits) {
+    Bench bench;
+    bench.act(Id::toggle_help);
+    EXPECT_EQ(bench.act(Id::close), Effect::none);
+    EXPECT_FALSE(bench.viewer.state().help);
+    EXPECT_EQ(bench.act(Id::close), Effect::quit);
+}
+
+RC_GTEST_PROP(Viewer, NoSequenceOfActionsMakesACameraThatSeesNothing, (bool no_mesh)) {
+    Bench bench;
+    for (int i = 0; i < 60; ++i) {
+        const auto id = static_cast<Id>(*rc::gen::inRange(0, static_cast<int>(Id::frame)));
+        const Action action{
+            id,
+            {*rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>(), *rc::gen::arbitrary<int>()},
+            {},
+            false};
+        bench.viewer.apply(action, no_mesh ? nullptr : &bench.mesh);
+        bench.viewer.advance_to(bench.viewer.step_number() + *rc::gen::inRange(0, 1000));
+        RC_ASSERT(bench.viewer.view(bench.mesh).has_value());
+    }
+}
+
+} // namespace
+} // namespace scanout::app
