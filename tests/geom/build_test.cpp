@@ -317,12 +317,17 @@ TEST(Build, UvsAndColoursAreEmptyWhenNothingHasThem) {
 
 TEST(Build, VerticesOfDifferentColourStayApart) {
     PolygonMesh polygons;
-    polygons.positions = {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, {0, 0, 0}};
-    polygons.colours = {Vec3(1, 0, 0), Vec3(0), Vec3(0), Vec3(0, 0, 1)};
-    add_face(polygons, {0, 1, 2});
-    add_face(polygons, {3, 1, 2});
-    EXPECT_EQ(build(std::move(polygons)).mesh.colour,
-              (std::vector<Vec3>{Vec3(1, 0, 0), Vec3(0), Vec3(0), Vec3(0, 0, 1)}));
+    polygons.positions = {{2, 0, 0}, {0, 2, 0}};
+    polygons.colours = {Vec3(0), Vec3(0)};
+    for (int i = 0; i < 1000; ++i) { // so many that some meet in the table
+        polygons.positions.push_back({0, 0, 0});
+        polygons.colours.push_back(Vec3(static_cast<float>(i), 1, 0));
+        add_face(polygons, {0, 1, i + 2});
+    }
+    const Mesh m = build(std::move(polygons)).mesh;
+    ASSERT_EQ(m.position.size(), 1002u);
+    for (std::size_t t = 0; t < 1000; ++t)
+        EXPECT_EQ(m.colour[m.index[3 * t + 2]].x, static_cast<float>(t));
 }
 
 TEST(Build, LinesAndPointsHaveVerticesOfTheirOwn) {

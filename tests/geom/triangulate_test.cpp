@@ -371,6 +371,14 @@ RC_GTEST_PROP(Triangulate, CornersOnStraightEdgesBecomeCornersOfRealTriangles,
     RC_ASSERT(without_area == doubled);
 }
 
+TEST(Triangulate, AHoleThatTouchesTheOutlineTwiceStaysAHole) {
+    // At a corner, through which the outline goes twice, and in the middle of an edge: the ear at
+    // (10, 0) has no corner inside, but the hole's edges go through it.
+    const Outline p{{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 0}, {5, 8}, {10, 5}};
+    for (std::uint32_t start = 0; start < p.size(); ++start)
+        EXPECT_EQ(fault_of(shuffled_start(p, start)), "") << start;
+}
+
 TEST(Triangulate, PolygonsWithoutAreaGiveTheirTriangles) {
     EXPECT_EQ(fault_of_topology(6, triangles_of({{1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}, {1, 1}})),
               "");
