@@ -1,0 +1,209 @@
+// The program as a user meets it: words in, files, text and exit codes out.
+#include "app/report.h"
+#include "image/codec.h"
+#include "image/hash.h"
+#include "support/temporary_folder.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+class Program : public ::testing::Test {
+protected:
+    struct Outcome {
+        int code;
+        std::string out, err;
+    };
+    // `words` as a shell reads them; $m is a model, $d the folder.
+    Outcome run(const std::string& words) {
+        const std::string command =
+            "m='" + model + "'; d='" + folder.file("") + "'; '" SCANOUT_BINARY "' " + words + " >" +
+            folder.file("stdout") + " 2>" + folder.file("stderr") + " </dev/null";
+        const int status = std::system(command.c_str());
+        EXPECT_TRUE(WIFEXITED(status)) << words;
+        return {WEXITSTATUS(status), folder.read("stdout"), folder.read("stderr")};
+    }
+    // The exit code, and that the error is one line.
+    int refused(const std::string& words) {
+        const Outcome outcome = run(words);
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1)
+            << words << ": " << outcome.err;
+        EXPECT_TRUE(outcome.err.starts_with("scanout: ")) << outcome.err;
+        EXPECT_EQ(outcome.out, "") << words;
+        return outcome.code;
+    }
+    std::string hash_of(const std::string& words) {
+        const Outcome outcome = run("render $m --size 64x48 --hash " + words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    }
+
+    test::TemporaryFolder folder;
+    std::string model = folder.write("model.obj", kTetrahedron);
+};
+
+TEST_F(Program, HelpAndVersionGoToStandardOutput) {
+    EXPECT_NE(run("--help").out.find("scanout render"), std::string::npos);
+    EXPECT_NE(run("--version").out.find("scanout "), std::string::npos);
+    for (const char* command : {"view", "render", "compare", "list"}) {
+        const Outcome outcome = run(std::string(command) + " --help");
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_EQ(outcome.err, "");
+        EXPECT_NE(outcome.out.find("--help"), std::string::npos) << command;
+    }
+    for (const char* what :
+         {"techniques", "formats", "targets", "keys", "options", "displays", "connectors", "modes"})
+        EXPECT_EQ(run(std::string("list ") + what).code, 0) << what;
+}
+
+TEST_F(Program, WrongUseIsExitTwo) {
+    for (const char* words : {"",
+                              "rendr $m",
+                              "render",
+                              "render $m",
+                              "render $m $m --hash",
+                              "render $m --hash --size 0x0",
+                              "render $m --hash --size 20000x20000",
+                              "render $m --hash --samples 3",
+                              "render $m -o $d/x.obj",
+                              "render $m -o $d/x.png --turntable 3",
+                              "render $m -o - --hash",
+                              "render $m -o - --json --format ppm",
+                              "render $m --hash --texture none-such",
+                              "render $m --hash --eye 1,1,1 --look-at 1,1,1",
+                              "compare $m",
+                              "list",
+                              "list keyz",
+                              "view",
+                              "view $m --record $d/a --replay $d/b",
+                              "view $m --backend vulkan",
+                              "render $m --hash --pixel-format rgb999"})
+        EXPECT_EQ(refused(words), 2) << words;
+}
+
+TEST_F(Program, FilesThatCannotBeUsedAreExitThree) {
+    folder.write("empty.obj", "# nothing\n");
+    folder.write("model.xyz", kTetrahedron);
+    folder.write("bad.txt", "scanout-actions 1\n0 fly\n");
+    for (const char* words :
+         {"render $d/absent.obj --hash", "render $d/empty.obj --hash", "render $d/model.xyz --hash",
+          "render $d --hash", "render $m -o $d/no/such/folder/x.png", "compare $d/a.png $d/b.png",
+          "view $d/absent.obj", "view $m --backend headless --replay $d/absent",
+          "view $m --backend headless --replay $d/bad.txt", "render $m -o /dev/full --format ppm"})
+        EXPECT_EQ(refused(words), 3) << words;
+}
+
+TEST_F(Program, AFailedWriteLeavesNothingBehind) {
+    const std::size_t before = folder.count();
+    std::filesystem::create_directory(folder.file("x.png"));
+    EXPECT_EQ(refused("render $m --size 32x32 -o $d/x.png"), 3);
+    EXPECT_EQ(folder.count(), before + 3) << "the folder, stdout and stderr";
+}
+
+TEST_F(Program, StandardOutputGetsTheBytesOfTheFile) {
+    for (const char* format : {"png", "ppm", "pam", "raw"}) {
+        EXPECT_EQ(run(std::string("render $m --size 33x21 -o $d/a.") + format).code, 0);
+        const Outcome outcome = run(std::string("render $m --size 33x21 -o - --format ") + format);
+        EXPECT_EQ(outcome.out, folder.read(std::string("a.") + format)) << format;
+        EXPECT_FALSE(outcome.out.empty());
+    }
+}
+
+TEST_F(Program, ThePictureDoesNotDependOnThreads) {
+    EXPECT_EQ(hash_of("--threads 1"), hash_of("--threads 3"));
+    EXPECT_NE(hash_of("--threads 1"), hash_of("--view iso"));
+    EXPECT_EQ(hash_of("--view right"), hash_of("--camera 90,0"));
+    EXPECT_EQ(hash_of("").size(), 17U);
+}
+
+TEST_F(Program, APixelFormatGivesTheBytesOfADisplayAndTheHashOfWhatItShows) {
+    ASSERT_EQ(run("render $m --size 64x48 --view iso -o $d/full.png").code, 0);
+    ASSERT_EQ(run("render $m --size 64x48 --view iso -o $d/narrow.png --pixel-format rgb565").code,
+              0);
+    ASSERT_EQ(run("render $m --size 64x48 --view iso -o $d/narrow.raw --pixel-format rgb565").code,
+              0);
+    const image::PixelFormat narrow = *image::pixel_format("rgb565");
+    const image::Image shown = image::as_displayed(narrow, *image::load(folder.file("full.png")));
+    EXPECT_EQ(*image::load(folder.file("narrow.png")), shown);
+    EXPECT_EQ(folder.read("narrow.raw").size(), 64U * 48U * 2U);
+    EXPECT_EQ(hash_of("--view iso --pixel-format rgb565"),
+              image::hash_text(image::frame_hash(shown)) + "\n");
+}
+
+TEST_F(Program, ATurntableNumbersItsPicturesAndBeginsWithThePlainOne) {
+    ASSERT_EQ(run("render $m --size 40x30 --turntable 11 -o $d/t-{n}.png").code, 0);
+    ASSERT_EQ(run("render $m --size 40x30 -o $d/plain.png").code, 0);
+    EXPECT_EQ(folder.read("t-00.png"), folder.read("plain.png"));
+    EXPECT_NE(folder.read("t-01.png"), folder.read("plain.png"));
+    EXPECT_FALSE(folder.read("t-10.png").empty());
+    EXPECT_TRUE(folder.read("t-11.png").empty());
+}
+
+TEST_F(Program, JsonHoldsWhatTheDesignNames) {
+    const Outcome outcome = run("render $m --size 64x48 --frames 3 --json --threads 2");
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto json = nlohmann::json::parse(outcome.out);
+    EXPECT_EQ(json["model"]["vertices"], 4);
+    EXPECT_EQ(json["model"]["faces"], 4);
+    EXPECT_EQ(json["model"]["triangles"], 4);
+    EXPECT_EQ(json["model"]["skipped"], 0);
+    EXPECT_GT(json["model"]["bytes"], 0);
+    ASSERT_EQ(json["frames"].size(), 3U);
+    EXPECT_EQ(json["frames"][2]["hash"].get<std::string>() + "\n", hash_of(""));
+    EXPECT_EQ(json["frames"][0]["width"], 64);
+    EXPECT_EQ(json["frames"][0]["height"], 48);
+    EXPECT_EQ(json["triangles"]["submitted"], 4);
+    EXPECT_LE(json["ms"]["min"], json["ms"]["median"]);
+    EXPECT_LE(json["ms"]["median"], json["ms"]["p95"]);
+    for (const char* key : {"load", "first", "encode", "stages"})
+        EXPECT_TRUE(json["ms"].contains(key)) << key;
+    EXPECT_GT(json["rss_start_bytes"], 100'000);
+    EXPECT_GT(json["peak_rss_bytes"], json["rss_start_bytes"]);
+    EXPECT_EQ(json["threads"], 2);
+    EXPECT_EQ(json["target"], "scalar");
+    EXPECT_TRUE(json["warnings"].empty());
+}
+
+TEST_F(Program, CompareSaysSameSizesDifferOrPixelsDiffer) {
+    const auto write = [&](const char* name, const image::Image& picture) {
+        const image::Bytes bytes = *image::encode_png(picture);
+        folder.write(name, std::string(bytes.begin(), bytes.end()));
+    };
+    image::Image picture(8, 6, {10, 20, 30, 255});
+    write("a.png", picture);
+    write("small.png", image::Image(7, 6, {10, 20, 30, 255}));
+    picture.at(3, 2).g = 25;
+    write("b.png", picture);
+    EXPECT_EQ(run("compare $d/a.png $d/a.png").code, 0);
+    EXPECT_EQ(run("compare $d/a.png $d/small.png").code, 21);
+    const Outcome differs = run("compare $d/b.png $d/a.png --json");
+    EXPECT_EQ(differs.code, 22);
+    const auto json = nlohmann::json::parse(differs.out);
+    EXPECT_EQ(json["max_difference"], 5);
+    EXPECT_EQ(json["differing_pixels"], 1);
+    EXPECT_EQ(*image::load(folder.file("b-got.png")), picture);
+    EXPECT_EQ(image::load(folder.file("b-expected.png"))->at(3, 2).g, 20);
+    EXPECT_EQ(image::load(folder.file("b-difference.png"))->at(3, 2).g, 80);
+    EXPECT_EQ(run("compare $d/b.png $d/a.png --max-diff 4").code, 22);
+    EXPECT_EQ(run("compare $d/b.png $d/a.png --max-diff 5").code, 0);
+    EXPECT_EQ(run("compare $d/b.png $d/a.png --max-pixels 1").code, 0);
+}
+
+TEST(Report, PercentilesAreTheNearestRank) {
+    EXPECT_EQ(percentile({}, 0.5), 0);
+    EXPECT_EQ(percentile({3, 1, 2}, 0), 1);
+    EXPECT_EQ(percentile({3, 1, 2}, 0.5), 2);
+    EXPECT_EQ(percentile({4, 1, 2, 3}, 0.5), 2);
+    EXPECT_EQ(percentile({4, 1, 2, 3}, 0.95), 4);
+}
+
+} // namespace
+} // namespace scanout::app
