@@ -36,7 +36,7 @@ constexpr Dd kAtanTable[] = {
 Dd octant_angle(Dd y, Dd x) {
     const double quotient = y.hi / x.hi;
     if (quotient < 0x1p-60) return {quotient};
-    const int i = static_cast<int>(quotient * 16.0 + 0.5);
+    const int i = static_cast<int>(nearest_integer(quotient * 16.0));
     const Dd c = {i / 16.0};
     const Dd t = i == 0 ? y / x : (y - c * x) / (x + c * y);
     const double z = t.hi * t.hi;

@@ -23,6 +23,11 @@ constexpr double with_sign_of(double size, double sign) {
     return sign_bit(sign) ? -magnitude(size) : magnitude(size);
 }
 
+// An integer nearest to x (a tie's neighbour may round either way), |x| < 2^52; lround is libm's.
+constexpr std::int64_t nearest_integer(double x) {
+    return static_cast<std::int64_t>(x + (x < 0 ? -0.5 : 0.5));
+}
+
 // 2^exponent, exponent in [-1022, 1023].
 constexpr double power_of_two(int exponent) {
     return std::bit_cast<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);

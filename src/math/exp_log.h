@@ -84,7 +84,7 @@ constexpr Dd log2_dd(double x) {
         m *= 0.5;
         ++exponent;
     }
-    const int i = static_cast<int>(m * 32.0 + 0.5);
+    const int i = static_cast<int>(nearest_integer(m * 32.0));
     const double c = i / 32.0;
     // ln(m / c) = 2 atanh(s) = 2 (s + s^3/3 + s^5/5 + ...), |s| < 0.0112
     const Dd s = Dd{m - c} / two_sum(m, c);
@@ -99,7 +99,7 @@ constexpr Dd log2_dd(double x) {
 constexpr double exp2_dd(Dd x) {
     if (x.hi > 1024.0) return kInfinity; // at 1024 the low part decides
     if (x.hi < -1075.0) return 0.0;
-    const int n = static_cast<int>(x.hi * 32.0 + (x.hi < 0 ? -0.5 : 0.5));
+    const int n = static_cast<int>(nearest_integer(x.hi * 32.0));
     // 2^x = 2^exponent 2^(i/32) e^u, |u| < 0.0109; x.hi - n/32 is exact
     const int i = n & 31;
     const int exponent = (n - i) / 32;

@@ -27,7 +27,7 @@ Reduced reduce_radians(double x) {
     constexpr double kFirst = 0x1.921fb54442d18p+0; // pi/2 = first + second + third
     constexpr double kSecond = 0x1.1a62633145c07p-54;
     constexpr double kThird = -0x1.f1976b7ed8fbcp-110;
-    const auto n = static_cast<std::int64_t>(x * kTwoByPi + (x < 0 ? -0.5 : 0.5));
+    const auto n = nearest_integer(x * kTwoByPi);
     if (n == 0) return {0, Dd{x}};
     const auto turns = static_cast<double>(n);
     const Dd first = two_product(turns, kFirst);
@@ -55,7 +55,7 @@ struct ReducedDegrees {
 
 ReducedDegrees reduce_degrees(double degrees) {
     if (degrees >= 0x1p53) degrees = huge_modulo_360(degrees);
-    const auto n = static_cast<std::int64_t>(degrees / 90.0 + 0.5);
+    const auto n = nearest_integer(degrees / 90.0);
     return {static_cast<int>(n & 3), degrees - 90.0 * static_cast<double>(n)};
 }
 
