@@ -122,7 +122,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.back_buffer = image::Image(o.width, o.height);
     const Stopwatch total;
     const raster::ScreenTransform transform(view, o.width, o.height);
-    s.geometry.run(s.jobs, scene.mesh, transform, {o.width, o.height, kept(o.cull), view.mirrored});
+    s.geometry.run(s.jobs, scene.mesh, transform,
+                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples});
     const double geometry_ms = total.milliseconds();
 
     const shade::FrameState frame = frame_state(scene, view, plan);

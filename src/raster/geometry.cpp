@@ -14,12 +14,14 @@ struct Geometry::Task {
 };
 
 void Geometry::Batch::clear(int tiles) {
-    triangles.clear();
+    triangles_drawn = 0;
+    pieces.clear();
     segments.clear();
     points.clear();
     bins.resize(static_cast<std::size_t>(tiles));
     for (Bin& bin : bins) {
         bin.triangles.clear();
+        bin.pieces.clear();
         bin.segments.clear();
         bin.points.clear();
     }
@@ -39,6 +41,8 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     height_ = options.height;
     across_ = (width_ + kTileSize - 1) / kTileSize;
     down_ = (height_ + kTileSize - 1) / kTileSize;
+    extent_ = extent_of(sample_pattern(options.samples));
+    mesh_ = &mesh;
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)
@@ -68,44 +72,32 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     run_all(mesh.points(), &Geometry::add_point);
 }
 
+std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
+    const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
+    return {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
+}
+
+bool Geometry::kept(const Task& task, const Triangle& triangle, bool clockwise,
+                    image::Rect& bounds) const {
+    // Counter-clockwise is front, unless the view mirrors.
+    const bool front = !clockwise != task.options.mirrored;
+    if (task.options.keep == Facing::front && !front) return false;
+    if (task.options.keep == Facing::back && front) return false;
+    bounds = pixel_bounds(triangle, width_, height_, extent_);
+    return !bounds.empty();
+}
+
 void Geometry::add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const {
-    const std::uint32_t* index = task.mesh.index.data() + std::size_t{triangle} * 3;
-    const ScreenVertex v[3] = {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
+    const std::array<ScreenVertex, 3> v = corners(triangle);
     const std::uint32_t any = v[0].flags | v[1].flags | v[2].flags;
     if ((v[0].flags & v[1].flags & v[2].flags & kOutsideMask) != 0 || (any & kNotFinite) != 0)
         return;
-    if ((any & kNeedsClip) != 0)
-        add_clipped(task, batch, triangle);
-    else
-        add_snapped(task, batch, v, triangle, std::nullopt);
-}
-
-// clockwise: of the whole triangle; pieces of a clipped triangle face where the whole does,
-// whatever snapping did to them. Not given: taken from the vertices.
-void Geometry::add_snapped(const Task& task, Batch& batch, const ScreenVertex* v, std::uint32_t id,
-                           std::optional<bool> clockwise) const {
-    const std::array<std::int32_t, 3> x = {v[0].x, v[1].x, v[2].x}, y = {v[0].y, v[1].y, v[2].y};
-    const std::int64_t area = signed_area(x, y);
-    if (area == 0) return; // snapped to nothing: covers no sample (HARD-CASES R6, 4)
-    // Counter-clockwise is front; on the screen y runs down, so front has a negative area.
-    const bool front = !clockwise.value_or(area > 0) != task.options.mirrored;
-    if (task.options.keep == Facing::front && !front) return;
-    if (task.options.keep == Facing::back && front) return;
-    const CanonicalOrder order = canonical_order(x, y);
-    Triangle t{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t from = order.vertex[i];
-        t.x[i] = x[from];
-        t.y[i] = y[from];
-        t.depth[i] = v[from].depth;
-    }
-    t.id = id;
-    t.flipped = (area < 0) != order.odd;
-    const image::Rect bounds = pixel_bounds(t, width_, height_);
-    if (bounds.empty()) return;
-    const auto number = static_cast<std::uint32_t>(batch.triangles.size());
-    batch.triangles.push_back(t);
-    for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].triangles.push_back(number); });
+    if ((any & kNeedsClip) != 0) return add_clipped(task, batch, triangle);
+    const std::optional<SetUp> ready = set_up(v, triangle);
+    image::Rect bounds;
+    if (!ready || !kept(task, ready->triangle, ready->clockwise, bounds)) return;
+    ++batch.triangles_drawn;
+    for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].triangles.push_back(triangle); });
 }
 
 void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const {
@@ -129,9 +121,16 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
     };
     const auto end = corner.begin() + static_cast<std::ptrdiff_t>(count);
     std::rotate(corner.begin(), std::min_element(corner.begin(), end, before), end);
+    // Pieces face where the whole does, whatever snapping did to them.
+    const bool clockwise = whole.clockwise != whole.order.odd;
     for (std::size_t i = 2; i < count; ++i) {
-        const ScreenVertex piece[3] = {corner[0], corner[i - 1], corner[i]};
-        add_snapped(task, batch, piece, triangle, whole.clockwise != whole.order.odd);
+        const std::optional<SetUp> piece = set_up({corner[0], corner[i - 1], corner[i]}, triangle);
+        image::Rect bounds;
+        if (!piece || !kept(task, piece->triangle, clockwise, bounds)) continue;
+        ++batch.triangles_drawn;
+        const auto number = static_cast<std::uint32_t>(batch.pieces.size());
+        batch.pieces.push_back(piece->triangle);
+        for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].pieces.push_back(number); });
     }
 }
 
@@ -176,8 +175,11 @@ image::Rect Geometry::tile_area(int tile) const {
 void Geometry::draw(int tile, VisibilityTile& out) const {
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        for (const std::uint32_t i : bin.triangles)
-            out.draw(batch.triangles[i]);
+        for (const std::uint32_t id : bin.triangles)
+            if (const std::optional<SetUp> ready = set_up(corners(id), id))
+                out.draw(ready->triangle);
+        for (const std::uint32_t i : bin.pieces)
+            out.draw(batch.pieces[i]);
         for (const std::uint32_t i : bin.segments)
             out.draw(batch.segments[i]);
         for (const std::uint32_t i : bin.points)
@@ -188,7 +190,7 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
 std::uint64_t Geometry::triangles_drawn() const {
     std::uint64_t drawn = 0;
     for (const Batch& batch : batches_)
-        drawn += batch.triangles.size();
+        drawn += batch.triangles_drawn;
     return drawn;
 }
 

@@ -1,7 +1,5 @@
 #include "raster/primitive.h"
 
-#include "raster/screen.h"
-
 #include <algorithm>
 #include <utility>
 
@@ -57,10 +55,32 @@ image::Rect clamped(int x0, int y0, int x1, int y1, int width, int height) {
 
 } // namespace
 
-image::Rect pixel_bounds(const Triangle& t, int width, int height) {
+std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& v, std::uint32_t id) {
+    const std::array<std::int32_t, 3> x = {v[0].x, v[1].x, v[2].x}, y = {v[0].y, v[1].y, v[2].y};
+    const std::int64_t area = signed_area(x, y);
+    if (area == 0) return std::nullopt;
+    const CanonicalOrder order = canonical_order(x, y);
+    Triangle t{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::size_t from = order.vertex[i];
+        t.x[i] = x[from];
+        t.y[i] = y[from];
+        t.depth[i] = v[from].depth;
+    }
+    t.id = id;
+    t.flipped = (area < 0) != order.odd;
+    return SetUp{t, area > 0};
+}
+
+// The first and the last pixel whose samples, between low and high, may lie in [min, max].
+image::Rect pixel_bounds(const Triangle& t, int width, int height, const SampleExtent& extent) {
     const auto [min_x, max_x] = std::minmax({t.x[0], t.x[1], t.x[2]});
-    return clamped(floor_pixel(min_x), floor_pixel(t.y[0]), floor_pixel(max_x) + 1,
-                   floor_pixel(t.y[2]) + 1, width, height);
+    const auto first = [](std::int32_t min, std::int32_t high) {
+        return floor_pixel(min - high + kSubpixel - 1);
+    };
+    const auto last = [](std::int32_t max, std::int32_t low) { return floor_pixel(max - low); };
+    return clamped(first(min_x, extent.high.x), first(t.y[0], extent.high.y),
+                   last(max_x, extent.low.x) + 1, last(t.y[2], extent.low.y) + 1, width, height);
 }
 
 image::Rect pixel_bounds(const Segment& s, int width, int height) {

@@ -4,9 +4,12 @@
 #pragma once
 
 #include "image/image.h"
+#include "raster/sample_pattern.h"
+#include "raster/screen.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 namespace scanout::raster {
 
@@ -60,8 +63,18 @@ struct CanonicalOrder {
 CanonicalOrder canonical_order(const std::array<std::int32_t, 3>& x,
                                const std::array<std::int32_t, 3>& y);
 
-// The pixels that may hold a sample of the primitive, within a picture of the given size.
-image::Rect pixel_bounds(const Triangle& triangle, int width, int height);
+// A triangle from three snapped vertices in any order; nothing when it snapped to zero area and so
+// covers no sample (HARD-CASES R6, 4). clockwise: on the screen, in the order given.
+struct SetUp {
+    Triangle triangle;
+    bool clockwise;
+};
+std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& vertex, std::uint32_t id);
+
+// The pixels that may hold a sample of the primitive, within a picture of the given size; empty
+// when no sample can lie in the triangle's box.
+image::Rect pixel_bounds(const Triangle& triangle, int width, int height,
+                         const SampleExtent& extent = {});
 image::Rect pixel_bounds(const Segment& segment, int width, int height);
 image::Rect pixel_bounds(const Point& point, int width, int height);
 

@@ -2,6 +2,7 @@
 // coverage at every sample stays exact in 16.8 fixed point.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -32,6 +33,19 @@ inline constexpr std::array<SampleOffset, 16> kSixteen = {
 } // namespace detail
 
 inline constexpr SampleOffset kPixelCentre = detail::kOne[0];
+
+// The box around a pattern's samples, both ends included; of a whole pixel when nothing is known.
+struct SampleExtent {
+    SampleOffset low{0, 0}, high{255, 255};
+};
+constexpr SampleExtent extent_of(std::span<const SampleOffset> pattern) {
+    SampleExtent extent{{255, 255}, {0, 0}};
+    for (const SampleOffset& s : pattern) {
+        extent.low = {std::min(extent.low.x, s.x), std::min(extent.low.y, s.y)};
+        extent.high = {std::max(extent.high.x, s.x), std::max(extent.high.y, s.y)};
+    }
+    return extent;
+}
 
 // samples: 1, 2, 4, 8 or 16; anything else gives an empty span.
 constexpr std::span<const SampleOffset> sample_pattern(int samples) {

@@ -11,6 +11,7 @@ void VisibilityTile::reset(const image::Rect& area, int samples) {
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
+    extent_ = extent_of(pattern_);
     touched_ = false;
     const std::size_t size = static_cast<std::size_t>(kTileSize * kTileSize) * count();
     depth_.assign(size, 0.0F);
@@ -23,7 +24,7 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
 }
 
 void VisibilityTile::draw(const Triangle& t) {
-    const image::Rect box = inside(pixel_bounds(t, area_.x1, area_.y1));
+    const image::Rect box = inside(pixel_bounds(t, area_.x1, area_.y1, extent_));
     if (box.empty()) return;
     const Edges e = edges_of(t);
     const auto area = static_cast<double>(e.area);

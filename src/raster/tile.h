@@ -54,6 +54,7 @@ private:
     image::Rect area_;
     int samples_ = 1;
     std::span<const SampleOffset> pattern_;
+    SampleExtent extent_;
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;

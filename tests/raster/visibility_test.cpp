@@ -183,7 +183,7 @@ Snapshot draw(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int w
               int samples = 1, Facing keep = Facing::any) {
     Geometry geometry;
     geometry.run(jobs, mesh, ScreenTransform(view, width, height),
-                 {width, height, keep, view.mirrored});
+                 {width, height, keep, view.mirrored, samples});
     Snapshot all;
     VisibilityTile tile;
     for (int i = 0; i < geometry.tiles(); ++i) {
