@@ -86,6 +86,8 @@ Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes) {
     return no_seat();
 }
 
-std::unique_ptr<Seat> no_seat() { return std::make_unique<DirectSeat>(); }
+std::unique_ptr<Seat> no_seat() {
+    return std::make_unique<DirectSeat>();
+}
 
 } // namespace scanout::console

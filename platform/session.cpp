@@ -139,7 +139,11 @@ Result<void> Session::dispatch(std::vector<port::Event>& events) {
 }
 
 Result<void> Session::suspend(std::vector<port::Event>& events) {
-    TRY_VOID(seat_->text());
+    // Where the console cannot be given back, stopping would leave a dead screen: go on instead.
+    if (const auto text = seat_->text(); !text) {
+        notes_.push_back(text.error().what);
+        return {};
+    }
     TRY_VOID(pause(events));
     ::kill(::getpid(), SIGSTOP);
     // Continued here. A console that is not on the screen now comes back by the seat's own events.

@@ -33,7 +33,8 @@ public:
     Result<void> open_input();
 
     // Gives the console back to the shell and stops the process until it is continued (Ctrl-Z).
-    // Call on EventKind::suspend. Appends the releases of what was held.
+    // Call on EventKind::suspend. Appends the releases of what was held. Does nothing where the
+    // console belongs to a seat server that does not let us give it back.
     Result<void> suspend(std::vector<port::Event>& events);
 
     int event_fd() const override { return epoll_.get(); }

@@ -60,7 +60,8 @@ KmsDisplay::KmsDisplay(std::unique_ptr<Device> device, Choice choice, const cons
       activations_(seat.activations()) {
     info_.width = choice_.mode.hdisplay;
     info_.height = choice_.mode.vdisplay;
-    info_.refresh_hz = refresh_hz(choice_.mode);
+    const double hz = refresh_hz(choice_.mode);
+    info_.refresh_hz = hz >= 1 ? hz : 60;
 }
 
 // 32 bits, which nearly every driver has; else 16. Both buffers have the same layout.
