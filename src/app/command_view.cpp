@@ -30,25 +30,36 @@ Result<void> check(const Settings& s) {
     return {};
 }
 
+// --record and --replay, opened before the display is: a fault in them is said on a text console.
+struct Tapes {
+    std::optional<Recorder> recorder;
+    std::optional<Script> script;
+};
+
+Result<Tapes> open_tapes(const Settings& settings) {
+    Tapes tapes;
+    if (!settings.record.empty()) {
+        TRY(tapes.recorder, Recorder::create(settings.record));
+    }
+    if (!settings.replay.empty()) {
+        TRY(tapes.script, load_script(settings.replay));
+    }
+    return tapes;
+}
+
 Result<void> show(const Settings& settings, SessionParts parts, const char* backend,
                   std::uint64_t start_bytes) {
     const port::DisplayInfo& info = parts.display.info();
     if (settings.verbose)
         say(fmt::format("display {} {}, {}x{} {}", backend, info.name, info.width, info.height,
                         image::name_of(info.format)));
-    if (!settings.record.empty()) {
-        TRY(parts.recorder, Recorder::create(settings.record));
-    }
-    if (!settings.replay.empty()) {
-        TRY(parts.script, load_script(settings.replay));
-    }
     TRY(const std::unique_ptr<ViewSession> session,
         ViewSession::create(settings, std::move(parts)));
     TRY_VOID(session->run());
     return write_report(settings, to_json(session->report(start_bytes)));
 }
 
-Result<void> show_headless(const Settings& settings, std::uint64_t start_bytes) {
+Result<void> show_headless(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
     const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
     TRY(port::HeadlessDisplay display,
         port::HeadlessDisplay::create(settings.frame.width, settings.frame.height, format));
@@ -60,7 +71,10 @@ Result<void> show_headless(const Settings& settings, std::uint64_t start_bytes) 
         ::kill(::getpid(), SIGSTOP);
         return {};
     };
-    return show(settings, {display, signals, jobs, suspend, {}, {}, !settings.replay.empty()},
+    const bool instant = tapes.script.has_value();
+    return show(settings,
+                {display, signals, jobs, suspend, std::move(tapes.recorder),
+                 std::move(tapes.script), instant},
                 "headless", start_bytes);
 }
 
@@ -94,7 +108,7 @@ Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
     return fail(Exit::no_display, "no display: {}", refused);
 }
 
-Result<void> show_on_console(const Settings& settings, std::uint64_t start_bytes) {
+Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
     TRY(const std::unique_ptr<console::Session> session, console::Session::open());
     TRY(const OpenDisplay open, open_display(settings, session->seat()));
     TRY_VOID(session->open_input());
@@ -103,19 +117,22 @@ Result<void> show_on_console(const Settings& settings, std::uint64_t start_bytes
             say(note);
     Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
     const auto suspend = [&](std::vector<port::Event>& events) { return session->suspend(events); };
-    return show(settings, {*open.display, *session, jobs, suspend, {}, {}, false}, open.backend,
-                start_bytes);
+    return show(settings,
+                {*open.display, *session, jobs, suspend, std::move(tapes.recorder),
+                 std::move(tapes.script), false},
+                open.backend, start_bytes);
 }
 
 } // namespace
 
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
     TRY_VOID(check(settings));
+    TRY(Tapes tapes, open_tapes(settings));
     if (settings.backend == Backend::headless) {
-        TRY_VOID(show_headless(settings, start_bytes));
+        TRY_VOID(show_headless(settings, std::move(tapes), start_bytes));
         return Exit::ok;
     }
-    const Result<void> shown = show_on_console(settings, start_bytes);
+    const Result<void> shown = show_on_console(settings, std::move(tapes), start_bytes);
     if (settings.verbose && (shown || shown.error().exit != Exit::no_display))
         say("console restored");
     if (!shown) return tl::unexpected(shown.error());

@@ -60,6 +60,7 @@ ViewSession::ViewSession(const Settings& settings, SessionParts parts, Fd epoll,
                   settings.frame.background) {}
 
 Result<void> ViewSession::run() {
+    describe_input();
     TRY_VOID(load(false));
     if (parts_.instant) return run_instantly();
     while (!quit_) {
@@ -159,13 +160,17 @@ Result<void> ViewSession::let_go_of_all() {
 
 // ---- Actions ----------------------------------------------------------------------------------
 
+// Devices come and go.
+void ViewSession::describe_input() {
+    if (!settings_.verbose || parts_.input.description() == input_described_) return;
+    input_described_ = parts_.input.description();
+    say("input " + input_described_);
+}
+
 Result<void> ViewSession::take_input() {
     events_.clear();
     TRY_VOID(parts_.input.dispatch(events_));
-    if (settings_.verbose && parts_.input.description() != input_described_) {
-        input_described_ = parts_.input.description();
-        say("input " + input_described_);
-    }
+    describe_input();
     if (events_.empty()) return {};
     if (!parts_.instant) {
         binder_.let_go(events_);

@@ -58,6 +58,7 @@ private:
 
     // Actions and time.
     Result<void> take(const Action& action);
+    void describe_input();
     Result<void> take_input();
     Result<void> play_script();
     Result<void> advance(Time now);

@@ -84,22 +84,16 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
         state_.help = false;
         return Effect::none;
     case ActionId::undo:
-        if (!history_.empty()) {
-            state_.look = history_.back();
-            history_.pop_back();
-        }
+        undo();
         return Effect::none;
     case ActionId::pointer:
         state_.pointer = {std::clamp(action.numbers[0], 0, width_ - 1),
                           std::clamp(action.numbers[1], 0, height_ - 1), true,
                           step_ + kPointerSteps};
         return Effect::none;
-    case ActionId::drag_begin: {
-        const Result<scene::View> now =
-            mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
-        drag_ = Drag{state_.look, false, now ? scene::world_units_per_pixel(*now, height_) : 0};
+    case ActionId::drag_begin:
+        begin_drag(mesh);
         return Effect::none;
-    }
     case ActionId::drag_rotate:
     case ActionId::drag_move:
     case ActionId::drag_roll:
@@ -185,6 +179,12 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
         look_from(static_cast<int>(action.id) - static_cast<int>(ActionId::view_front));
 }
 
+void Viewer::undo() {
+    if (history_.empty()) return;
+    state_.look = history_.back();
+    history_.pop_back();
+}
+
 void Viewer::remember(const Look& before) {
     history_.push_back(before);
     if (history_.size() > kHistory) history_.pop_front();
@@ -243,8 +243,13 @@ std::int64_t Viewer::angle_of_pixels(int pixels) const {
     return (doubled + (doubled < 0 ? -height_ : height_)) / (2 * std::int64_t{height_});
 }
 
+void Viewer::begin_drag(const geom::Mesh* mesh) {
+    const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
+    drag_ = Drag{state_.look, false, now ? scene::world_units_per_pixel(*now, height_) : 0};
+}
+
 void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
-    if (!drag_) apply({ActionId::drag_begin, {}, {}, false}, mesh);
+    if (!drag_) begin_drag(mesh);
     const Look& start = drag_->start;
     Look& look = state_.look;
     const auto [dx, dy, unused] = action.numbers;

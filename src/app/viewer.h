@@ -43,7 +43,9 @@ private:
     bool turning() const { return state_.look.turntable && !drag_; }
     scene::CameraOptions camera() const;
     void remember(const Look& before);
+    void undo();
     void change_look(const Action& action, const geom::Mesh* mesh);
+    void begin_drag(const geom::Mesh* mesh);
     void drag(const Action& action, const geom::Mesh* mesh);
     void zoom_at(int levels, int x, int y, const geom::Mesh* mesh);
     void rotate(int right, int up);
