@@ -31,12 +31,12 @@ struct Cursor {
     // Moves to the next word of the statement, over continuation lines.
     void skip_blanks() {
         while (at != end) {
-            if (*at == ' ' || *at == '\t')
+            if (*at == ' ' || *at == '\t') {
                 ++at;
-            else if (static_cast<unsigned char>(*at) > ' ' && *at != '\\')
-                return;
-            else if (!skip_rare_blank())
-                return;
+                continue;
+            }
+            const bool plain = static_cast<unsigned char>(*at) > ' ' && *at != '\\';
+            if (plain || !skip_rare_blank()) return;
         }
     }
 

@@ -13,8 +13,8 @@
 namespace scanout::io {
 namespace {
 
-constexpr std::ptrdiff_t kFirstInterval = 64 * 1024;
-constexpr std::ptrdiff_t kInterval = 1024 * 1024;
+constexpr std::ptrdiff_t kFirstInterval = std::ptrdiff_t{64} * 1024;
+constexpr std::ptrdiff_t kInterval = std::ptrdiff_t{1024} * 1024;
 
 constexpr std::array<std::string_view, 24> kFreeForm = {
     "vp",    "cstype", "deg",  "bmat", "step", "curv", "curv2", "surf",

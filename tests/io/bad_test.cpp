@@ -188,7 +188,7 @@ TEST(Bad, EveryFileOfTheSharedCollectionEndsAtOnceInASceneOrALine) {
     std::printf("read %zu files, %zu of them show something\n", paths.size(), shown);
     EXPECT_GE(paths.size(), 90u);
     EXPECT_GE(shown, 55u);
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef SCANOUT_SANITIZED
     EXPECT_LT(peak_resident_bytes(), 500'000'000u);
 #endif
 }

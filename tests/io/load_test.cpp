@@ -154,7 +154,7 @@ TEST(Load, NoLocaleChangesANumber) {
     ::unsetenv("LOCPATH");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#ifndef SCANOUT_SANITIZED
 // Peak memory of load() over the memory before, in bytes of the file; in a process of its own,
 // since a peak never falls again.
 double peak_in_files(const std::string& path) {
