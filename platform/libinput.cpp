@@ -5,10 +5,8 @@
 #include <libudev.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstdarg>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 
@@ -42,14 +40,9 @@ DeviceFacts facts_of(int fd) {
     return facts;
 }
 
-void on_log(libinput* context, libinput_log_priority, const char* format, va_list arguments) {
-    std::array<char, 256> line{};
-    std::vsnprintf(line.data(), line.size(), format, arguments);
-    std::string text(line.data());
-    while (!text.empty() && text.back() == '\n')
-        text.pop_back();
-    *static_cast<std::string*>(libinput_get_user_data(context)) = std::move(text);
-}
+// By default libinput writes its complaints (such as "system too slow") to the console that we draw
+// on. What we can act on comes back as errors and missing devices.
+void drop_log(libinput*, libinput_log_priority, const char*, va_list) {}
 
 // Motion must be device units, and a touchpad's tap is a click, as users expect.
 void configure(libinput_device* device) {
@@ -127,7 +120,7 @@ Result<void> Libinput::open_by_udev() {
     if (!udev_) return fail(Exit::no_display, "libinput: udev cannot be asked");
     context_.reset(libinput_udev_create_context(&kInterface, this, udev_.get()));
     if (!context_) return fail(Exit::no_display, "libinput: no context");
-    libinput_log_set_handler(context_.get(), on_log);
+    libinput_log_set_handler(context_.get(), drop_log);
     if (libinput_udev_assign_seat(context_.get(), "seat0") != 0)
         return fail(Exit::no_display, "libinput: seat0 cannot be assigned");
     backend_ = "udev";
@@ -142,7 +135,7 @@ Result<void> Libinput::open_by_path() {
         interface_of<Libinput, &Libinput::open_restricted, &Libinput::close_restricted>();
     context_.reset(libinput_path_create_context(&kInterface, this));
     if (!context_) return fail(Exit::no_display, "libinput: no context");
-    libinput_log_set_handler(context_.get(), on_log);
+    libinput_log_set_handler(context_.get(), drop_log);
     backend_ = "path";
     bool unknown = false;
     for (int i = 0; i < 32; ++i) {

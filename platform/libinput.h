@@ -64,7 +64,6 @@ private:
     std::map<std::string, DeviceFacts> facts_;   // opened, by the kernel's name (event3)
     std::map<std::string, DeviceFacts> devices_; // those that libinput uses
     std::map<std::string, int> refused_;         // path -> errno
-    std::string message_;                        // libinput's last complaint
     std::unique_ptr<udev, Free> udev_;
     std::unique_ptr<libinput, Free> context_;
 };
