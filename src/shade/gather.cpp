@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <utility>
 
 namespace scanout::shade {
 
@@ -173,18 +175,51 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
                          [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
 }
 
+namespace {
+
+// A line or point in a pixel: its vertices and their perspective-correct weights.
+struct UnlitLane {
+    std::array<std::uint32_t, 3> vertex;
+    std::array<float, 3> weight{1, 0, 0};
+};
+
+UnlitLane unlit_lane(const GatherInput& in, std::uint32_t id, int x, int y) {
+    const geom::Mesh& mesh = *in.mesh;
+    const std::size_t line = id - mesh.triangles();
+    if (line >= mesh.lines()) {
+        const std::uint32_t at = mesh.point_index[line - mesh.lines()];
+        return {{at, at, at}};
+    }
+    std::uint32_t from = mesh.line_index[line * 2], to = mesh.line_index[line * 2 + 1];
+    if (!in.frame->attributes.colour) return {{from, from, from}}; // nothing varies along it
+    raster::ClipVertex a = in.transform->to_clip(mesh.position[from]),
+                       b = in.transform->to_clip(mesh.position[to]);
+    if (std::tie(b.y, b.x, b.w) < std::tie(a.y, a.x, a.w)) { // whichever the file names first
+        std::swap(a, b);
+        std::swap(from, to);
+    }
+    // The line p = a + t (b - a) where it passes the pixel's centre on its longer axis: linear in t
+    // before the divide, so ends behind the eye do no harm.
+    const bool along_x = std::abs(b.x * a.w - a.x * b.w) >= std::abs(b.y * a.w - a.y * b.w);
+    const double centre = (along_x ? x : y) + 0.5;
+    const double before = (along_x ? a.x : a.y) - centre * a.w,
+                 after = (along_x ? b.x : b.y) - centre * b.w;
+    const double t = before == after ? 0.0 : before / (before - after);
+    const double share = t > 0 ? (t < 1 ? t : 1.0) : 0.0;
+    return {{from, to, to}, {static_cast<float>(1 - share), static_cast<float>(share), 0}};
+}
+
+} // namespace
+
 void Gatherer::fill_lane(const raster::VisibilityTile& tile, const GatherInput& in,
                          const Fragment& f, int lane) {
     Block& b = *block_;
     const int x = tile.area().x0 + f.pixel % kTileSize, y = tile.area().y0 + f.pixel / kTileSize;
     if (!f.lit) {
-        const geom::Mesh& mesh = *in.mesh;
-        const std::uint32_t line = f.id - static_cast<std::uint32_t>(mesh.triangles());
-        const std::uint32_t vertex = line < mesh.lines() ? mesh.line_index[std::size_t{line} * 2]
-                                                         : mesh.point_index[line - mesh.lines()];
-        for (int i = 0; i < 3; ++i) {
-            b.vertex[i][lane] = vertex;
-            b.area[i][lane] = i == 0 ? 1.0F : 0.0F;
+        const UnlitLane unlit = unlit_lane(in, f.id, x, y);
+        for (std::size_t i = 0; i < 3; ++i) {
+            b.vertex[i][lane] = unlit.vertex[i];
+            b.area[i][lane] = unlit.weight[i];
             b.inverse_w[i][lane] = 1;
         }
         return;
