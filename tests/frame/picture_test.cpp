@@ -1,0 +1,401 @@
+#include "image/compare.h"
+#include "support/scenes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace scanout::test {
+namespace {
+
+using image::Image;
+using image::Rgba8;
+
+std::int64_t covered(const Image& picture, const Rgba8& background) {
+    return std::count_if(picture.pixels().begin(), picture.pixels().end(),
+                         [&](const Rgba8& p) { return !(p == background); });
+}
+
+// sRGB by its formula.
+int encoded(double linear) {
+    const double x = std::min(std::max(linear, 0.0), 1.0);
+    return static_cast<int>(
+        std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
+}
+
+// A square that fills the picture and more, facing the eye.
+Shot full_screen(int samples, int material = 0) {
+    Shot s = shot("full screen", 70, 50);
+    s.scene.materials = {plain({0.5F, 0.25F, 0.75F}), textured(0)};
+    s.scene.textures = {checkers()};
+    add_square(s.scene.mesh, 3, 0, material);
+    s.options.samples = samples;
+    return s;
+}
+
+TEST(Picture, OfAnEmptyMeshIsTheBackground) {
+    Shot s = shot("empty", 100, 70);
+    s.options.background = {1, 2, 3, 4};
+    for (const int samples : {1, 4}) {
+        s.options.samples = samples;
+        EXPECT_EQ(draw(s), Image(100, 70, {1, 2, 3, 4}));
+    }
+}
+
+TEST(Picture, OfALitPlaneHasTheColourOfTheFormula) {
+    const Image picture = draw(full_screen(1));
+    double light = 0.15;
+    for (const scene::Light& l : scene::default_lights())
+        light += static_cast<double>(l.colour.x) * l.towards.z;
+    for (const Rgba8& p : picture.pixels()) {
+        ASSERT_EQ(p.r, encoded(0.5 * light));
+        ASSERT_EQ(p.g, encoded(0.25 * light));
+        ASSERT_EQ(p.b, encoded(0.75 * light));
+        ASSERT_EQ(p.a, 255);
+    }
+}
+
+TEST(Picture, OfAPlaneIsTheSameFromBothSides) {
+    // Turned by half a turn about y, and wound or mirrored either way.
+    const Image front = draw(full_screen(1));
+    Shot back = full_screen(1);
+    back.pose.yaw = scene::kFullTurn / 2;
+    EXPECT_EQ(draw(back), front);
+    Shot wound = full_screen(1);
+    for (std::size_t i = 0; i < wound.scene.mesh.index.size(); i += 3)
+        std::swap(wound.scene.mesh.index[i], wound.scene.mesh.index[i + 1]);
+    EXPECT_EQ(draw(wound), front);
+    Shot inward = full_screen(1);
+    for (Vec3& n : inward.scene.mesh.normal)
+        n = -n;
+    EXPECT_EQ(draw(inward), front);
+    Shot mirrored = full_screen(1);
+    mirrored.model.scale = {-1, 1, 1};
+    EXPECT_EQ(draw(mirrored), front);
+}
+
+TEST(Picture, OfAMirroredModelIsTheMirroredPicture) {
+    // A model that is not symmetric, lit by one light on the axis: mirrored in x, the picture is
+    // too.
+    Shot s = soup("soup", 60, 0.7, 9);
+    s.scene.mesh.normal.assign(s.scene.mesh.normal.size(), {0, 0, 1});
+    s.options.reflection = "lambert";
+    Shot mirrored = s;
+    mirrored.model.scale = {-1, 1, 1};
+    for (const frame::Cull cull : {frame::Cull::none, frame::Cull::back, frame::Cull::front}) {
+        s.options.cull = mirrored.options.cull = cull;
+        const Image a = draw(s), b = draw(mirrored);
+        std::int64_t differ = 0;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                differ += a.at(x, y) == b.at(a.width() - 1 - x, y) ? 0 : 1;
+        // Ties on pixel centres go to the other side, and colours round elsewhere.
+        EXPECT_LE(differ, a.width() * a.height() / 100);
+        EXPECT_GT(covered(a, s.options.background), 1000);
+    }
+}
+
+TEST(Picture, HasTheSameBitsAtEveryThreadCountAndEveryTime) {
+    for (const Shot& s :
+         {soup("soup", 2000, 0.8, 1), soup("inside", 200, 5, 2), solids("solids")}) {
+        const Image one = draw(s, 1);
+        EXPECT_GT(covered(one, s.options.background), 500);
+        for (const int threads : {2, 3, 7, 16})
+            for (int run = 0; run < 3; ++run)
+                ASSERT_EQ(draw(s, threads), one) << s.name << ' ' << threads;
+    }
+}
+
+TEST(Picture, DoesNotDependOnTheFrameBefore) {
+    Jobs jobs(2);
+    frame::Renderer renderer(jobs);
+    const Shot shots[] = {solids("a"), soup("b", 300, 2, 3), wires("c"), near_clip("d"),
+                          bowl("e", frame::Cull::back)};
+    for (int round = 0; round < 2; ++round) {
+        for (const Shot& s : shots) {
+            const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
+                                               s.options.width, s.options.height);
+            const auto plan = frame::plan(s.options, frame::facts(s.scene));
+            ASSERT_TRUE(view && plan);
+            ASSERT_EQ(renderer.render(s.scene, *view, *plan), draw(s)) << s.name;
+        }
+    }
+}
+
+// A scene without coincident faces, under many orders of the same data.
+TEST(Picture, DoesNotDependOnTheOrderOfTheFile) {
+    for (Shot s : {soup("soup", 400, 0.8, 4), soup("around the eye", 150, 5, 5)}) {
+        s.options.samples = 4;
+        s.options.cull = frame::Cull::back;
+        const Image first = draw(s);
+        Random random(6);
+        for (int round = 0; round < 6; ++round) {
+            Shot other = s;
+            geom::Mesh &mesh = other.scene.mesh, &from = s.scene.mesh;
+            // Triangles in another order, each begun at another vertex; vertices renumbered.
+            std::vector<std::size_t> order(from.triangles());
+            std::iota(order.begin(), order.end(), 0);
+            std::vector<std::uint32_t> number(from.position.size());
+            std::iota(number.begin(), number.end(), 0);
+            const auto shuffle = [&](auto& list) {
+                for (std::size_t i = list.size() - 1; i > 0; --i)
+                    std::swap(list[i],
+                              list[static_cast<std::size_t>(random.whole(0, static_cast<int>(i)))]);
+            };
+            shuffle(order);
+            shuffle(number);
+            for (std::size_t v = 0; v < number.size(); ++v) {
+                mesh.position[number[v]] = from.position[v];
+                mesh.normal[number[v]] = from.normal[v];
+                mesh.colour[number[v]] = from.colour[v];
+            }
+            for (std::size_t t = 0; t < order.size(); ++t) {
+                mesh.material[t] = from.material[order[t]];
+                const auto begin = static_cast<std::size_t>(random.whole(0, 2));
+                for (std::size_t k = 0; k < 3; ++k)
+                    mesh.index[3 * t + k] = number[from.index[3 * order[t] + (begin + k) % 3]];
+            }
+            ASSERT_EQ(draw(other), first) << s.name;
+        }
+        // Without culling the winding may turn too.
+        Shot any = s;
+        any.options.cull = frame::Cull::none;
+        const Image wound = draw(any);
+        for (std::size_t t = 0; t < any.scene.mesh.index.size(); t += 6)
+            std::swap(any.scene.mesh.index[t], any.scene.mesh.index[t + 2]);
+        ASSERT_EQ(draw(any), wound) << s.name;
+    }
+}
+
+TEST(Picture, OfALineDoesNotDependOnItsDirection) {
+    Shot s = wires("wires");
+    s.camera.eye = DVec3(0.2, 0.3, 0.4); // in the cube: some edges pass behind the eye
+    s.camera.target = DVec3(0);
+    s.camera.fov_degrees = 100;
+    const Image first = draw(s);
+    EXPECT_GT(covered(first, s.options.background), 40);
+    for (std::size_t i = 0; i < s.scene.mesh.line_index.size(); i += 2)
+        std::swap(s.scene.mesh.line_index[i], s.scene.mesh.line_index[i + 1]);
+    EXPECT_EQ(draw(s), first);
+}
+
+TEST(Picture, OfALineMixesTheColoursOfItsEnds) {
+    Shot s = shot("line", 65, 9);
+    geom::Mesh& mesh = s.scene.mesh;
+    const std::uint32_t left = add_vertex(mesh, {-0.9F, 0, 0}),
+                        right = add_vertex(mesh, {0.9F, 0, 0});
+    add_line(mesh, left, right);
+    mesh.colour = {{1, 0, 0}, {0, 0, 1}};
+    s.camera.projection = scene::Projection::orthographic;
+    s.camera.distance = 1 / std::tan(22.5 * std::numbers::pi / 180) / 7.5;
+    const Image picture = draw(s);
+    int before = 256, seen = 0;
+    for (int x = 0; x < 65; ++x) {
+        const Rgba8& p = picture.at(x, 4);
+        if (p == s.options.background) continue;
+        EXPECT_LT(p.r, before);
+        EXPECT_NEAR(std::pow(p.r / 255.0, 2.2) + std::pow(p.b / 255.0, 2.2), 0.8, 0.02);
+        before = p.r;
+        ++seen;
+    }
+    EXPECT_GT(seen, 40);
+}
+
+TEST(Picture, ForcingAHighlightThatNoMaterialHasChangesNoBit) {
+    Shot s = solids("matt");
+    s.options.reflection = "lambert";
+    const Image matt = draw(s);
+    s.options.reflection = "blinn_phong";
+    EXPECT_EQ(draw(s), matt);
+    s.options.reflection = "auto";
+    EXPECT_EQ(draw(s), matt);
+    // And one that a material has does.
+    s.scene.materials[0].specular = Vec3(0.5F);
+    s.scene.materials[0].shininess = 20;
+    EXPECT_NE(draw(s), matt);
+}
+
+TEST(Picture, WithManySamplesIsTheSameWhereOneTriangleCoversThePixels) {
+    for (const bool clipped : {false, true}) {
+        for (const int material : {0, 1}) {
+            Shot s = full_screen(1, material);
+            s.scene.mesh.index.resize(3); // one triangle
+            s.scene.mesh.material.resize(1);
+            s.scene.mesh.position = {{-1, -9, 0}, {9, 1, 0}, {-1, 9, 0}, {0, 0, 0}};
+            for (Vec3& p : s.scene.mesh.position)
+                p = clipped ? p * 1e6F + Vec3(-5, 0, 0) : p + Vec3(-3, 0, 0);
+            if (clipped)
+                for (Vec2& uv : s.scene.mesh.uv)
+                    uv = uv * 3e6F;
+            s.model.rotate_degrees = {0, 25, 0};
+            const Image one = draw(s);
+            EXPECT_EQ(covered(one, s.options.background), 70 * 50);
+            for (const int samples : {2, 4, 8, 16}) {
+                s.options.samples = samples;
+                EXPECT_EQ(draw(s), one) << samples << ' ' << material << ' ' << clipped;
+            }
+        }
+    }
+}
+
+TEST(Picture, WithManySamplesHasNoSeamBetweenTriangles) {
+    // Two triangles and one colour: along their common edge every pixel is made of both.
+    for (const int samples : {1, 2, 4, 8, 16}) {
+        const Image picture = draw(full_screen(samples));
+        const std::set<std::uint32_t> reds = [&] {
+            std::set<std::uint32_t> all;
+            for (const Rgba8& p : picture.pixels())
+                all.insert(p.r);
+            return all;
+        }();
+        EXPECT_EQ(reds.size(), 1U) << samples;
+    }
+}
+
+TEST(Picture, MixesEdgesInLinearLight) {
+    // A white square over a black background: a pixel of which k of 4 samples are white holds the
+    // code of k / 4, not k / 4 of the code.
+    Shot s = shot("edge", 64, 64);
+    float light = scene::kAmbient;
+    for (const scene::Light& l : scene::default_lights())
+        light += l.colour.x * l.towards.z;
+    s.scene.materials = {plain(Vec3(1 / light))};
+    add_square(s.scene.mesh, 0.5F, 0, 0);
+    s.pose.roll = 11 * scene::kAngleUnitsPerDegree;
+    s.options.background = {0, 0, 0, 255};
+    s.options.samples = 4;
+    const Image picture = draw(s);
+    const std::set<int> allowed = {0, encoded(0.25), encoded(0.5), encoded(0.75), 255};
+    std::set<int> seen;
+    for (const Rgba8& p : picture.pixels())
+        seen.insert(p.r);
+    EXPECT_EQ(seen, allowed);
+}
+
+TEST(Picture, CulledFrontAndCulledBackTogetherCoverWhatNothingCulledDoes) {
+    Shot s = bowl("bowl", frame::Cull::none);
+    const Image all = draw(s);
+    s.options.cull = frame::Cull::back;
+    const Image outside = draw(s);
+    s.options.cull = frame::Cull::front;
+    const Image inside = draw(s);
+    std::int64_t both = 0;
+    for (std::size_t i = 0; i < all.pixels().size(); ++i) {
+        const bool out = !(outside.pixels()[i] == s.options.background),
+                   in = !(inside.pixels()[i] == s.options.background);
+        ASSERT_EQ(!(all.pixels()[i] == s.options.background), out || in);
+        ASSERT_TRUE(all.pixels()[i] == (out ? outside : inside).pixels()[i] ||
+                    all.pixels()[i] == inside.pixels()[i]);
+        both += out && in ? 1 : 0;
+    }
+    EXPECT_GT(covered(outside, s.options.background), 50);
+    EXPECT_GT(both, 50);
+    // A closed solid shows no back, so culling backs changes nothing.
+    Shot solid = solids("solid");
+    const Image whole = draw(solid);
+    solid.options.cull = frame::Cull::back;
+    EXPECT_EQ(draw(solid), whole);
+}
+
+TEST(Picture, ShowsTheTextureTheRightWayUp) {
+    // The checkers' lower left is red and their lower right green.
+    Shot s = shot("texture", 64, 64);
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    add_square(s.scene.mesh, 0.7F, 0, 0);
+    const Image picture = draw(s);
+    const auto is = [&](int x, int y, char c) {
+        const Rgba8 p = picture.at(x, y);
+        return c == 'r' ? p.r > p.g + 40 && p.r > p.b + 40 : p.g > p.r + 40 && p.g > p.b + 40;
+    };
+    const auto edge = [&](int from, int step) {
+        while (picture.at(from, 32) == s.options.background)
+            from += step;
+        return from;
+    };
+    const int left = edge(0, 1) + 4, right = edge(63, -1) - 4;
+    int bottom = 63;
+    while (picture.at(32, bottom) == s.options.background)
+        --bottom;
+    EXPECT_TRUE(is(left, bottom - 3, 'r'));
+    EXPECT_TRUE(is(right, bottom - 3, 'g'));
+    EXPECT_FALSE(is(left, 63 - bottom + 3, 'r'));
+}
+
+TEST(Picture, OfEverySizeIsDrawn) {
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {1, 500}, {500, 1}, {257, 3}, {64, 64}, {65, 63}, {128, 129}}) {
+        for (Shot s : {solids("solids"), wires("wires"), textured_cube("cube", "bilinear")}) {
+            s.options.width = width;
+            s.options.height = height;
+            for (const int samples : {1, 16}) {
+                s.options.samples = samples;
+                const Image picture = draw(s, 2);
+                ASSERT_EQ(picture.width(), width);
+                ASSERT_EQ(picture.height(), height);
+            }
+        }
+        Shot full = full_screen(1);
+        full.options.width = width;
+        full.options.height = height;
+        full.camera.distance = 0.01;
+        EXPECT_EQ(covered(draw(full), full.options.background), width * height);
+    }
+}
+
+TEST(Picture, OfPointsShowsOnePixelEach) {
+    Shot s = shot("points", 64, 64);
+    for (int i = 0; i < 5; ++i) {
+        const float at = -0.6F + 0.3F * static_cast<float>(i);
+        add_point(s.scene.mesh, add_vertex(s.scene.mesh, {at, at, 0}), i % 2 == 0 ? 0 : -1);
+    }
+    s.scene.materials = {plain({1, 0, 0})};
+    const Image picture = draw(s);
+    EXPECT_EQ(covered(picture, s.options.background), 5);
+    EXPECT_EQ(std::count(picture.pixels().begin(), picture.pixels().end(), Rgba8{255, 0, 0, 255}),
+              3);
+    s.options.samples = 16; // a point is a whole pixel at every number of samples
+    EXPECT_EQ(draw(s), picture);
+}
+
+TEST(Picture, SurvivesHugeAndTinyZoom) {
+    for (const int zoom : {-scene::kMaxZoomLevel, scene::kMaxZoomLevel}) {
+        for (Shot s : {solids("solids"), wires("wires"), near_clip("floor")}) {
+            s.pose.zoom = zoom;
+            s.options.samples = 4;
+            const Image picture = draw(s, 2);
+            EXPECT_EQ(picture, draw(s, 1));
+            // Zoomed in without end, the eye stands in the cube and sees its inside everywhere.
+            EXPECT_TRUE(s.name != "solids" || zoom < 0 ||
+                        covered(picture, s.options.background) == 64 * 64);
+        }
+    }
+    for (const double scale : {1e-30, 1e-6, 1e30, 1e200}) {
+        Shot s = full_screen(1);
+        s.model.scale = DVec3(scale);
+        s.camera.distance = 2.6 * scale;
+        // The same picture at every scale of the scene
+        Shot plain_scale = full_screen(1);
+        plain_scale.camera.distance = 2.6;
+        EXPECT_EQ(draw(s), draw(plain_scale)) << scale;
+    }
+}
+
+TEST(Picture, CountsWhatItDid) {
+    frame::FrameStats stats;
+    Shot s = full_screen(4);
+    draw(s, 2, &stats);
+    EXPECT_EQ(stats.triangles_submitted, 2U);
+    EXPECT_GE(stats.triangles_drawn, 2U);
+    // Shaded once a pixel, twice where both triangles meet.
+    EXPECT_GE(stats.lanes_shaded, 70U * 50);
+    EXPECT_LE(stats.lanes_shaded, 70U * 50 + 140);
+    s.options.cull = frame::Cull::front;
+    draw(s, 2, &stats);
+    EXPECT_EQ(stats.triangles_drawn, 0U);
+    EXPECT_EQ(stats.lanes_shaded, 0U);
+}
+
+} // namespace
+} // namespace scanout::test

@@ -1,0 +1,163 @@
+#include "frame/plan.h"
+#include "support/scenes.h"
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scanout::frame {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::vector<std::string> stages(const FramePlan& plan) {
+    std::vector<std::string> names;
+    for (const shade::Stage* stage : plan.stages)
+        names.push_back(std::string(stage->card.axis) + " " + std::string(stage->card.name));
+    return names;
+}
+
+FramePlan plan_of(const SceneFacts& facts, const FrameOptions& options = {}) {
+    auto result = plan(options, facts);
+    EXPECT_TRUE(result) << result.error().what;
+    return result.value_or(FramePlan());
+}
+
+TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    EXPECT_THAT(stages(plan_of(facts)),
+                ElementsAre("interpolate perspective", "reflection lambert"));
+    EXPECT_FALSE(plan_of(facts).attributes.uv);
+    EXPECT_FALSE(plan_of(facts).attributes.colour);
+    EXPECT_TRUE(plan_of(facts).attributes.normal);
+    facts.textured_triangles = 3;
+    EXPECT_THAT(stages(plan_of(facts)),
+                ElementsAre("interpolate perspective", "texture bilinear", "reflection lambert"));
+    EXPECT_TRUE(plan_of(facts).attributes.uv);
+    facts.specular_triangles = 1;
+    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "texture bilinear",
+                                                    "reflection blinn_phong"));
+    facts.vertex_colours = true;
+    EXPECT_TRUE(plan_of(facts).attributes.colour);
+    // Lines and points are unlit: nothing is fetched for them but their colour.
+    SceneFacts wires;
+    wires.lines = 5;
+    EXPECT_FALSE(plan_of(wires).attributes.normal);
+    EXPECT_FALSE(plan_of(wires).attributes.uv);
+}
+
+TEST(Plan, NothingTexturedRunsNoTextureStageWhateverIsAsked) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    for (const char* filter : {"auto", "nearest", "bilinear"}) {
+        FrameOptions options;
+        options.texture = filter;
+        for (const std::string& stage : stages(plan_of(facts, options)))
+            EXPECT_THAT(stage, testing::Not(HasSubstr("texture")));
+    }
+}
+
+TEST(Plan, RunsWhatTheUserNames) {
+    SceneFacts facts;
+    facts.triangles = facts.textured_triangles = facts.specular_triangles = 10;
+    FrameOptions options;
+    options.texture = "nearest";
+    options.reflection = "lambert";
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "texture nearest", "reflection lambert"));
+}
+
+TEST(Plan, GivesAReasonForEveryDecision) {
+    SceneFacts facts;
+    facts.triangles = 40;
+    facts.textured_triangles = 30;
+    facts.specular_triangles = 20;
+    const FramePlan on = plan_of(facts);
+    EXPECT_THAT(on.reasons, Contains(StartsWith("texture bilinear: 30 of 40 triangles")));
+    EXPECT_THAT(on.reasons, Contains(StartsWith("reflection blinn_phong: 20 of 40 triangles")));
+    EXPECT_THAT(on.reasons, Contains(StartsWith("vertex colours off")));
+    const FramePlan off = plan_of({});
+    EXPECT_THAT(off.reasons, Contains(StartsWith("texture off")));
+    EXPECT_EQ(on.reasons.size(), off.reasons.size());
+    for (const std::string& reason : on.reasons)
+        EXPECT_EQ(reason.find('\n'), std::string::npos);
+}
+
+TEST(Plan, IsAPureFunction) {
+    SceneFacts facts;
+    facts.triangles = facts.textured_triangles = 7;
+    FrameOptions options;
+    options.samples = 4;
+    options.cull = Cull::back;
+    const FramePlan a = plan_of(facts, options), b = plan_of(facts, options);
+    EXPECT_EQ(a.stages, b.stages);
+    EXPECT_EQ(a.reasons, b.reasons);
+    EXPECT_EQ(a.options.samples, 4);
+    EXPECT_EQ(a.options.cull, Cull::back);
+}
+
+TEST(Plan, RefusesWhatDoesNotExist) {
+    const auto refusal = [](auto&& change) {
+        FrameOptions options;
+        change(options);
+        const auto result = plan(options, {});
+        if (result) return std::string("accepted");
+        EXPECT_EQ(result.error().exit, Exit::usage);
+        EXPECT_EQ(result.error().what.find('\n'), std::string::npos);
+        return result.error().what;
+    };
+    // Each message names the value and what there is instead.
+    const std::string texture = refusal([](FrameOptions& o) { o.texture = "trilinear"; });
+    EXPECT_THAT(texture, HasSubstr("trilinear"));
+    EXPECT_THAT(texture, HasSubstr("bilinear"));
+    EXPECT_THAT(texture, HasSubstr("nearest"));
+    const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "phong"; });
+    EXPECT_THAT(reflection, HasSubstr("blinn_phong"));
+    // A technique of another axis is none of this one.
+    EXPECT_NE(refusal([](FrameOptions& o) { o.texture = "lambert"; }), "accepted");
+    EXPECT_NE(refusal([](FrameOptions& o) { o.reflection = ""; }), "accepted");
+    for (const int side : {0, -1, kMaxSide + 1, 1 << 30}) {
+        EXPECT_THAT(refusal([&](FrameOptions& o) { o.width = side; }),
+                    HasSubstr(std::to_string(side)));
+        EXPECT_THAT(refusal([&](FrameOptions& o) { o.height = side; }),
+                    HasSubstr(std::to_string(kMaxSide)));
+    }
+    for (const int samples : {0, -1, 3, 5, 32})
+        EXPECT_THAT(refusal([&](FrameOptions& o) { o.samples = samples; }),
+                    HasSubstr("1, 2, 4, 8 or 16"));
+    EXPECT_EQ(refusal([](FrameOptions& o) { o.width = o.height = kMaxSide; }), "accepted");
+}
+
+TEST(Facts, CountWhatTheDataCallsFor) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    scene.textures = {test::checkers()};
+    scene::Material unreadable = test::textured(-1);
+    scene.materials = {test::plain(Vec3(1)), test::textured(0),
+                       test::plain(Vec3(1), {0, 0, 0.1F}, 10), unreadable,
+                       test::plain(Vec3(1), Vec3(1), 0)};
+    for (const int material : {-1, 0, 1, 1, 1, 2, 3, 4}) // a quad each
+        test::add_square(scene.mesh, 1, 0, material);
+    test::add_line(scene.mesh, 0, 1);
+    test::add_point(scene.mesh, 0);
+    const SceneFacts all = facts(scene);
+    EXPECT_EQ(all.triangles, 16U);
+    EXPECT_EQ(all.lines, 1U);
+    EXPECT_EQ(all.points, 1U);
+    EXPECT_EQ(all.textured_triangles, 6U);
+    EXPECT_EQ(all.specular_triangles, 2U); // Ns 0 is no highlight
+    EXPECT_FALSE(all.vertex_colours);
+    scene.mesh.uv.clear(); // a texture without coordinates shows nothing
+    EXPECT_EQ(facts(scene).textured_triangles, 0U);
+    scene.mesh.colour.resize(scene.mesh.position.size());
+    EXPECT_TRUE(facts(scene).vertex_colours);
+    EXPECT_EQ(facts(scene::Scene()).triangles, 0U);
+}
+
+} // namespace
+} // namespace scanout::frame

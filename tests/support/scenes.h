@@ -1,0 +1,183 @@
+// The scenes of the golden images and of the table of hashes: procedural, small, one for each thing
+// that can change in a picture.
+#pragma once
+
+#include "frame/renderer.h"
+#include "support/meshes.h"
+#include "support/random.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace scanout::test {
+
+struct Shot {
+    std::string name;
+    scene::Scene scene;
+    scene::CameraOptions camera;
+    scene::ModelTransform model;
+    scene::Pose pose;
+    frame::FrameOptions options;
+
+    friend void PrintTo(const Shot& s, std::ostream* out) { *out << s.name; }
+};
+
+inline image::Image draw(const Shot& shot, int threads = 1, frame::FrameStats* stats = nullptr) {
+    const auto view = scene::make_view(shot.scene.mesh, shot.model, shot.pose, shot.camera, {},
+                                       shot.options.width, shot.options.height);
+    if (!view) ADD_FAILURE() << shot.name << ": " << view.error().what;
+    const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
+    if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
+    if (!view || !plan) return {};
+    Jobs jobs(threads);
+    frame::Renderer renderer(jobs);
+    image::Image picture = renderer.render(shot.scene, *view, *plan);
+    if (stats != nullptr) *stats = renderer.stats();
+    return picture;
+}
+
+inline Shot shot(std::string name, int width = 64, int height = 64) {
+    Shot s;
+    s.name = std::move(name);
+    s.scene.mesh = empty_mesh();
+    s.options.width = width;
+    s.options.height = height;
+    return s;
+}
+
+// A sphere and a cube, red and green, seen from above right.
+inline Shot solids(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.8F, 0.1F, 0.05F}), plain({0.1F, 0.6F, 0.2F})};
+    add_cube(s.scene.mesh, 0.45F, 1);
+    add_sphere(s.scene.mesh, {0.45F, 0.35F, 0.3F}, 0.4F, 24, 12, 0);
+    s.scene.mesh.uv.clear();
+    s.camera.azimuth_degrees = 30;
+    s.camera.elevation_degrees = 25;
+    return s;
+}
+
+// A checkered cube, turned so that three faces show.
+inline Shot textured_cube(std::string name, const std::string& filter) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    add_cube(s.scene.mesh, 0.57F, 0);
+    s.camera.azimuth_degrees = 35;
+    s.camera.elevation_degrees = 30;
+    s.options.texture = filter;
+    return s;
+}
+
+// An open bowl: half a sphere, hollow side towards the eye and up.
+inline Shot bowl(std::string name, frame::Cull cull) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.2F, 0.4F, 0.9F})};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_sphere(mesh, Vec3(0), 0.9F, 24, 16, 0);
+    mesh.uv.clear();
+    const std::size_t half = mesh.index.size() / 2 / 3 * 3; // rings come from below
+    mesh.index.resize(half);
+    mesh.material.resize(half / 3);
+    mesh.face.resize(half / 3);
+    s.camera.elevation_degrees = 35;
+    s.options.cull = cull;
+    return s;
+}
+
+inline Shot glossy(std::string name, const std::string& reflection) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.7F, 0.35F, 0.1F}, Vec3(0.9F), 40)};
+    add_sphere(s.scene.mesh, Vec3(0), 0.95F, 32, 16, 0);
+    s.scene.mesh.uv.clear();
+    s.options.reflection = reflection;
+    return s;
+}
+
+// A wire cube with vertex colours, and points on its diagonal.
+inline Shot wires(std::string name) {
+    Shot s = shot(std::move(name));
+    geom::Mesh& mesh = s.scene.mesh;
+    for (int i = 0; i < 8; ++i) {
+        const Vec3 corner((i & 1) != 0 ? 0.55F : -0.55F, (i & 2) != 0 ? 0.55F : -0.55F,
+                          (i & 4) != 0 ? 0.55F : -0.55F);
+        add_vertex(mesh, corner);
+        mesh.colour.emplace_back(0.5F + corner.x / 1.2F, 0.5F + corner.y / 1.2F,
+                                 0.5F + corner.z / 1.2F);
+    }
+    for (std::uint32_t i = 0; i < 8; ++i)
+        for (std::uint32_t axis = 1; axis < 8; axis *= 2)
+            if ((i & axis) == 0) add_line(mesh, i, i | axis);
+    for (int i = -4; i <= 4; ++i) {
+        const auto at = static_cast<float>(i) / 8;
+        add_point(mesh, add_vertex(mesh, {at, at, -at}));
+        mesh.colour.emplace_back(1.0F, 0.9F, 0.2F);
+    }
+    s.camera.azimuth_degrees = 25;
+    s.camera.elevation_degrees = 20;
+    return s;
+}
+
+// A checkered floor that runs under and behind the eye.
+inline Shot near_clip(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}}, {0, 1, 0}, 0);
+    for (Vec2& uv : mesh.uv)
+        uv = {uv.x * 4, uv.y * 4};
+    s.camera.eye = DVec3(0.1, 0.1, 0.3);
+    s.camera.target = DVec3(0, 0, -0.4);
+    return s;
+}
+
+inline std::vector<Shot> golden_shots() {
+    std::vector<Shot> shots;
+    shots.push_back(textured_cube("texture_nearest", "nearest"));
+    shots.push_back(textured_cube("texture_bilinear", "bilinear"));
+    shots.push_back(glossy("reflection_lambert", "lambert"));
+    shots.push_back(glossy("reflection_blinn_phong", "blinn_phong"));
+    // A floor in perspective: affine interpolation would bend its lines at the diagonal.
+    shots.push_back(near_clip("interpolate_perspective"));
+    shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);
+    shots.push_back(near_clip("near_clip"));
+    shots.push_back(bowl("cull_none", frame::Cull::none));
+    shots.push_back(bowl("cull_back", frame::Cull::back));
+    shots.push_back(bowl("cull_front", frame::Cull::front));
+    shots.push_back(solids("perspective"));
+    shots.push_back(solids("orthographic"));
+    shots.back().camera.projection = scene::Projection::orthographic;
+    shots.push_back(wires("lines_and_points"));
+    shots.push_back(solids("samples_8"));
+    shots.back().options.samples = 8;
+    return shots;
+}
+
+// Triangles of every size, with colours and materials of their own, about an eye that may stand
+// among them.
+inline Shot soup(std::string name, int triangles, double size, std::uint64_t seed) {
+    Shot s = shot(std::move(name), 257, 131);
+    for (int i = 0; i < 5; ++i)
+        s.scene.materials.push_back(
+            plain({0.2F * static_cast<float>(i), 0.5F, 0.3F}, Vec3(i % 2 == 0 ? 0.5F : 0.0F), 30));
+    Random random(seed);
+    geom::Mesh& mesh = s.scene.mesh;
+    for (int t = 0; t < triangles; ++t) {
+        const DVec3 middle = random.in_cube(size);
+        std::uint32_t index[3];
+        for (std::uint32_t& i : index) {
+            const DVec3 p = middle + random.in_cube(size * 0.3);
+            const DVec3 n = random.in_cube(1);
+            i = add_vertex(mesh, Vec3(p), Vec3(n / std::sqrt(dot3(n, n))));
+            mesh.colour.emplace_back(random.in_cube(0.5) + DVec3(0.5));
+        }
+        add_triangle(mesh, index[0], index[1], index[2], random.whole(-1, 4));
+    }
+    return s;
+}
+
+} // namespace scanout::test
