@@ -9,7 +9,7 @@ PointGrid::PointGrid(std::span<const DVec2> points, std::span<const std::uint32_
         origin_ = {std::min(origin_.x, points[i].x), std::min(origin_.y, points[i].y)};
         hi = {std::max(hi.x, points[i].x), std::max(hi.y, points[i].y)};
     }
-    while (side_ < 1024 && static_cast<std::size_t>(side_ * side_ * 4) < members.size())
+    while (side_ < 1024 && index(0, side_) * 4 < members.size())
         side_ *= 2;
     per_unit_ = {hi.x > origin_.x ? side_ / (hi.x - origin_.x) : 0,
                  hi.y > origin_.y ? side_ / (hi.y - origin_.y) : 0};

@@ -67,7 +67,8 @@ private:
         return t >= side_ ? side_ - 1 : t >= 0 ? static_cast<int>(t) : 0;
     }
     std::size_t index(int column, int row) const {
-        return static_cast<std::size_t>(row * side_ + column);
+        return static_cast<std::size_t>(row) * static_cast<std::size_t>(side_) +
+               static_cast<std::size_t>(column);
     }
 
     int side_ = 1; // the grid has side_ x side_ cells
