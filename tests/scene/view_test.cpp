@@ -437,7 +437,7 @@ TEST(View, RefusesCamerasThatAreNone) {
     half.eye = DVec3(1, 2, 3);
     EXPECT_TRUE(refused(half));
     for (const double bad : {kNaN, kInf, -kInf}) {
-        CameraOptions eye, target, azimuth, elevation, distance, fov;
+        CameraOptions eye, target, azimuth, distance, fov;
         eye.eye = DVec3(bad, 0, 0), eye.target = DVec3(0);
         target.eye = DVec3(1, 0, 0), target.target = DVec3(0, bad, 0);
         azimuth.azimuth_degrees = bad;
