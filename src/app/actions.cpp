@@ -149,6 +149,7 @@ Result<Action> parse_action(std::string_view text) {
     const ActionRow* row = find_action(name);
     if (row == nullptr) {
         std::vector<std::string_view> names;
+        names.reserve(kRows.size());
         for (const ActionRow& known : kRows)
             names.push_back(known.name);
         return fail(Exit::unreadable, "there is no action '{}'{}", name, did_you_mean(name, names));

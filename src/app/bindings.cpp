@@ -105,8 +105,8 @@ std::string keys_text() {
 }
 
 Binder::Binder(int width, int height, bool moves_pointer)
-    : width_(width), height_(height), moves_pointer_(moves_pointer), x_(width / 2), y_(height / 2) {
-}
+    : width_(width), height_(height), moves_pointer_(moves_pointer), x_(std::floor(width * 0.5)),
+      y_(std::floor(height * 0.5)) {}
 
 void Binder::bind(std::span<const port::Event> events, std::int64_t step,
                   std::vector<Action>& actions) {

@@ -9,10 +9,10 @@
 
 namespace scanout::app {
 
-// Parses, runs, reports: everything but the program's start. `start_bytes`: the resident memory
-// before anything was done, for the reports.
-Exit run(int argc, char** argv, std::uint64_t start_bytes);
+// The whole program: parses, runs, reports.
+Exit run(int argc, char** argv);
 
+// `start_bytes`: the resident memory before anything was done, for the reports.
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes);
 Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes);
 Result<Exit> run_compare(const Settings& settings);

@@ -4,6 +4,7 @@
 #include "image/hash.h"
 
 #include <cstdio>
+#include <utility>
 
 namespace scanout::app {
 
@@ -13,6 +14,7 @@ void say(const std::string& line) {
 
 void FrameLog::presented(const image::Image& frame, const frame::FrameStats& stats) {
     const int index = count_++;
+    settled_ = false;
     if (!settings_.verbose && !settings_.json) return;
     const std::uint64_t hash = image::frame_hash(image::as_displayed(format_, frame));
     if (settings_.json) records_.push_back({index, hash, frame.width(), frame.height(), stats});
@@ -26,6 +28,15 @@ void FrameLog::reached() {
     say(pending_);
     if (pending_.starts_with("frame 0 ")) say("ready");
     pending_.clear();
+}
+
+void FrameLog::took(const std::string& action) {
+    settled_ = false;
+    if (settings_.verbose) say("action " + action);
+}
+
+void FrameLog::settled() {
+    if (!std::exchange(settled_, true) && settings_.verbose) say("settled");
 }
 
 Result<void> FrameLog::dump(const image::Image& frame, const std::string& path) const {

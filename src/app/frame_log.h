@@ -23,6 +23,10 @@ public:
     void presented(const image::Image& frame, const frame::FrameStats& stats);
     // The frame handed over last is on the screen: says so, once.
     void reached();
+    // An action came from input.
+    void took(const std::string& action);
+    // The screen shows all that was asked for: says so, once after each action and frame.
+    void settled();
     Result<void> dump(const image::Image& frame, const std::string& path) const;
 
     int count() const { return count_; }
@@ -33,6 +37,7 @@ private:
     image::PixelFormat format_;
     int count_ = 0;
     std::string pending_;
+    bool settled_ = false;
     std::vector<FrameRecord> records_;
 };
 

@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "base/memory.h"
 
 #include <csignal>
 #include <cstdio>
@@ -32,7 +33,8 @@ Result<Exit> parse_and_run(std::vector<std::string> arguments, std::uint64_t sta
 
 } // namespace
 
-Exit run(int argc, char** argv, std::uint64_t start_bytes) {
+Exit run(int argc, char** argv) {
+    const std::uint64_t start_bytes = resident_bytes();
     // A reader that goes away (`scanout ... | head`) is an error of write(), not the end by a
     // signal.
     std::signal(SIGPIPE, SIG_IGN);

@@ -190,8 +190,7 @@ Result<void> ViewSession::take_input() {
 Result<void> ViewSession::take(const Action& action) {
     if (quit_) return {};
     const TimedAction timed{viewer_.step_number(), action};
-    if (settings_.verbose && !parts_.script)
-        say(fmt::format("action {} {}", timed.step, to_text(action)));
+    if (!parts_.script) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
     message_.clear();
     switch (viewer_.apply(action, model_ ? &model_->scene.mesh : nullptr)) {
@@ -400,6 +399,7 @@ Result<void> ViewSession::draw_if_due(Time now) {
 // set, and only input, a flip or a signal ends the sleep.
 Result<void> ViewSession::wait() {
     const bool ready = parts_.display.ready();
+    if (ready && !lost_ && !wants_frame()) log_.settled();
     std::optional<Time> wake;
     const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
