@@ -5,8 +5,8 @@
 
 namespace scanout {
 
-static std::uint64_t status_kib(const char* key) {
-    std::FILE* file = std::fopen("/proc/self/status", "re");
+static std::uint64_t kib_in(const char* path, const char* key) {
+    std::FILE* file = std::fopen(path, "re");
     if (file == nullptr) return 0;
     char line[256];
     unsigned long long value = 0;
@@ -19,10 +19,13 @@ static std::uint64_t status_kib(const char* key) {
 }
 
 std::uint64_t resident_bytes() {
-    return status_kib("VmRSS:") * 1024;
+    return kib_in("/proc/self/status", "VmRSS:") * 1024;
 }
 std::uint64_t peak_resident_bytes() {
-    return status_kib("VmHWM:") * 1024;
+    return kib_in("/proc/self/status", "VmHWM:") * 1024;
+}
+std::uint64_t available_bytes() {
+    return kib_in("/proc/meminfo", "MemAvailable:") * 1024;
 }
 
 } // namespace scanout

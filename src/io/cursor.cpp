@@ -1,6 +1,7 @@
 #include "io/cursor.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace scanout::io {
 
@@ -23,6 +24,17 @@ const char* Cursor::behind_continuation() const {
     while (p != end && is_blank(*p))
         ++p;
     return p == end || *p == '\n' || *p == '\r' ? p : nullptr;
+}
+
+void Cursor::skip_nuls(std::size_t limit) {
+    const char* stop = static_cast<std::size_t>(end - at) > limit ? at + limit : end;
+    if (at != stop && *at == '\0' && nul_line == 0) nul_line = line;
+    for (std::uint64_t eight = 0; stop - at >= 8; at += 8) {
+        std::memcpy(&eight, at, 8);
+        if (eight != 0) break;
+    }
+    while (at != stop && *at == '\0')
+        ++at;
 }
 
 std::string Cursor::rest() {

@@ -57,6 +57,10 @@ struct Cursor {
         return at_line_end();
     }
 
+    // Moves over NUL bytes, at most `limit`: what was cut short on its way may end in gigabytes of
+    // them.
+    void skip_nuls(std::size_t limit);
+
     // A word ends at a blank, a line end or a backslash that continues the line.
     bool at_word_end() const {
         return at_line_end() || is_blank(*at) || (*at == '\\' && behind_continuation() != nullptr);

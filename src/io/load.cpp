@@ -1,6 +1,7 @@
 #include "io/load.h"
 
 #include "base/mapping.h"
+#include "base/memory.h"
 #include "io/materials.h"
 #include "io/obj.h"
 #include "io/stl.h"
@@ -36,6 +37,27 @@ public:
     }
     LargeBlocksMapped(const LargeBlocksMapped&) = delete;
     LargeBlocksMapped& operator=(const LargeBlocksMapped&) = delete;
+};
+
+// Watches what a reader's arrays take. The mesh that is built of them takes as much again, so they
+// may have half of the whole.
+class MemoryLimit {
+public:
+    explicit MemoryLimit(std::uint64_t bytes)
+        : before_(resident_bytes()), limit_(bytes != 0 ? bytes : available_bytes()) {}
+
+    // False from the moment on when too much is taken.
+    bool holds() {
+        const std::uint64_t now = resident_bytes();
+        exceeded_ = exceeded_ || (limit_ != 0 && now > before_ && now - before_ > limit_ / 2);
+        return !exceeded_;
+    }
+    bool was_exceeded() const { return exceeded_; }
+    std::uint64_t megabytes() const { return limit_ / 1'000'000; }
+
+private:
+    std::uint64_t before_, limit_;
+    bool exceeded_ = false;
 };
 
 // What every reader hands on to the common end.
@@ -104,14 +126,19 @@ Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings
         return fail(Exit::unreadable, "{}: the extension '{}' is not known; known are{}", path,
                     shown(extension), known_extensions());
     }
+    MemoryLimit memory(options.memory_bytes);
     // What is read leaves memory at once: the file never stands beside its mesh.
     const std::function<bool(double)> progress = [&](double share) {
         file.drop_before(static_cast<std::size_t>(share * static_cast<double>(file.size())));
-        return !options.progress || options.progress(share);
+        return memory.holds() && (!options.progress || options.progress(share));
     };
     const auto reader = extension == ".stl" ? read_stl_parts : read_obj_parts;
-    TRY(Parts parts, reader(file.text(), path, warnings, progress));
-    parts.counts.bytes = file.size() + parts.materials.bytes;
+    auto parts = reader(file.text(), path, warnings, progress);
+    if (memory.was_exceeded())
+        return fail(Exit::unreadable, "{}: needs more memory than the {} MB that it may take", path,
+                    memory.megabytes());
+    if (!parts) return parts;
+    parts->counts.bytes = file.size() + parts->materials.bytes;
     return parts;
 }
 

@@ -6,6 +6,7 @@
 #include "geom/build.h"
 #include "scene/scene.h"
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -18,6 +19,9 @@ struct LoadOptions {
     // Called now and then with the share of the file that is read, 0 to 1. Returning false cancels:
     // load() then fails with Exit::unreadable, "path: loading was cancelled".
     std::function<bool(double)> progress;
+    // Memory that a model may take while it is loaded; 0: what the machine has available. A model
+    // that takes more is refused: else it would drive the machine into swapping.
+    std::uint64_t memory_bytes = 0;
 };
 
 // The format is told by the extension (any case) and, for STL, by size and content. Errors are one

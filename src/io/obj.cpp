@@ -139,6 +139,8 @@ void ObjReader::finish_statement() {
         checkpoint();
     if (at_.at >= next_checkpoint_) checkpoint();
     at_.next_line();
+    for (; !at_.done() && *at_.at == '\0' && !stop_; checkpoint())
+        at_.skip_nuls(kInterval);
 }
 
 template <std::size_t N>

@@ -169,6 +169,20 @@ TEST(Bad, AFileOfZerosLargerThanMemoryIsRefusedAtOnce) {
     EXPECT_FALSE(load_soundly(path, warnings));
 }
 
+TEST(Bad, AFileThatWasCutShortAndEndsInZerosShowsItsStart) {
+    const Folder folder;
+    const std::string path = folder.write("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    std::filesystem::resize_file(path, std::uintmax_t{1} << 30);
+    Warnings warnings;
+    const auto scene = load_soundly(path, warnings);
+    ASSERT_TRUE(scene);
+    EXPECT_EQ(scene->counts.faces, 1u);
+    EXPECT_TRUE(warned(warnings, {"cut.obj:5: NUL bytes"})) << all_lines(warnings);
+#ifndef SCANOUT_SANITIZED
+    EXPECT_LT(peak_resident_bytes(), 500'000'000u);
+#endif
+}
+
 TEST(Bad, EveryFileOfTheSharedCollectionEndsAtOnceInASceneOrALine) {
     const std::filesystem::path root = SCANOUT_SOURCE_DIR "/../shared/assets/bad";
     if (!std::filesystem::exists(root)) GTEST_SKIP() << "the shared files are not here";

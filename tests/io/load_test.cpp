@@ -193,6 +193,25 @@ TEST(Load, NeedsAtMostThreeTimesTheFile) {
         EXPECT_GT(peak, 0.1) << "the measurement must measure something";
     }
 }
+
+TEST(Load, RefusesAModelThatWouldTakeMoreMemoryThanItMay) {
+    const Folder folder;
+    const std::string path = folder.path("grid.obj");
+    {
+        std::ofstream file(path, std::ios::binary);
+        test::write_grid(400, test::GridKind::positions,
+                         [&](const std::string& row) { file << row; });
+    }
+    LoadOptions options;
+    options.memory_bytes = 10'000'000;
+    Warnings warnings;
+    const auto scene = load(path, options, warnings);
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().exit, Exit::unreadable);
+    EXPECT_EQ(scene.error().what, path + ": needs more memory than the 10 MB that it may take");
+    options.memory_bytes = 1'000'000'000;
+    EXPECT_TRUE(load(path, options, warnings));
+}
 #endif
 
 } // namespace
