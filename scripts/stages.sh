@@ -2,9 +2,10 @@
 # The stages of ./test, in the order of CI. Together they have 30 minutes on two cores.
 # A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
 
-ci_stages=(unit asan tsan guests lint)
+ci_stages=(unit golden cli clang asan tsan guests fuzz lint)
 declare -A stage_needs=(
-    [unit]="build test" [asan]="build test" [tsan]="build test" [guests]="build guests"
+    [unit]="build test" [golden]="build test" [cli]="build test" [clang]="build test clang"
+    [fuzz]="build clang" [asan]="build test" [tsan]="build test" [guests]="build guests"
     [lint]="build test lint"
 )
 
@@ -52,6 +53,46 @@ stage_unit() {
     run_ctest test -L unit
 }
 
+stage_golden() {
+    configure test release
+    build test
+    run_ctest test -L golden
+}
+
+# The program from outside: README's commands, bad files, silhouettes, and ./run itself.
+stage_cli() {
+    configure test release
+    build test
+    run_ctest test -L cli
+    check check_run
+}
+
+# ./run without arguments, in a folder of its own: where there is no display it must leave a picture.
+check_run() {
+    if compgen -G '/dev/dri/card*' >/dev/null || [ -e /dev/fb0 ]; then
+        echo "0 0 1" >>"$counts" # it would take this machine's screen
+        return
+    fi
+    local folder
+    folder=$(mktemp -d)
+    local status=0
+    (cd "$folder" && "$root/run") &&
+        "$root/run" render "$root/models/spot/spot.obj" --camera 150,20 -o "$folder/again.png" &&
+        "$root/run" compare "$folder/scanout.png" "$folder/again.png" || status=1
+    rm -rf "$folder"
+    return $status
+}
+
+# The render core by the other compiler: the same hashes and pictures.
+stage_clang() {
+    configure clang release -DCMAKE_CXX_COMPILER=clang++-14
+    local tests=(test_math test_raster test_shade test_frame test_golden)
+    build clang "${tests[@]}"
+    local names
+    names=$(printf '%s|' "${tests[@]#test_}")
+    run_ctest clang -R "^(${names%|})\\."
+}
+
 stage_asan() {
     configure asan asan
     build asan
@@ -67,10 +108,31 @@ stage_tsan() {
     run_ctest tsan -L unit
 }
 
+# Each reader 25 seconds, two at a time; a crash, a hang or 1 GB is a failure.
+stage_fuzz() {
+    configure fuzz dev -DCMAKE_CXX_COMPILER=clang++-14 -DSCANOUT_TESTS=OFF -DSCANOUT_FUZZ=ON
+    build fuzz fuzz_obj fuzz_mtl fuzz_stl fuzz_image
+    local name corpus
+    for name in obj mtl stl image; do
+        while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+        corpus=build/fuzz/corpus-$name
+        mkdir -p "$corpus"
+        (
+            check "build/fuzz/tests/fuzz/fuzz_$name" -max_total_time=25 -rss_limit_mb=1024 -timeout=10 \
+                -artifact_prefix="build/fuzz/$name-" "$corpus" "tests/fuzz/seeds/$name" >"build/fuzz/$name.log" 2>&1
+            tail -n 1 "build/fuzz/$name.log"
+        ) &
+    done
+    wait
+}
+
 stage_guests() {
     configure test release
     build test scanout
-    tests/vm/guests.sh build/test/scanout
+    local status=0
+    python3 -B tests/vm/guests.py build/test/scanout build/test/guests | tee build/test/guests.log || status=$?
+    sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2 0/p' build/test/guests.log >>"$counts"
+    return $status
 }
 
 # Format of every file; clang-tidy over the program's own sources.

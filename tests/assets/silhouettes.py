@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """silhouettes.py SCANOUT ASSETS OUT: renders the OBJ and STL models of ASSETS/reference/COMMANDS.txt with the camera of
-each reference picture and compares silhouettes: intersection over union, 98 % or an exception that is explained here.
+each reference picture and compares silhouettes: intersection over union, 98 % or an exception that is explained here. Exit 77
+(skipped) where the assets are not there.
 
 The reference's camera looks along -z (up +y) or +y (up +z) at the focal point and is turned by azimuth, then elevation.
 """
@@ -101,6 +102,9 @@ def compare(assets, scanout, out, entry):
 def main():
     scanout, assets, out = sys.argv[1:4]
     only = sys.argv[4:]
+    if not os.path.isdir(os.path.join(assets, "reference")):
+        print("the asset set is not here")
+        sys.exit(77)
     os.makedirs(out, exist_ok=True)
     bad, checked = [], 0
     for entry in entries(assets):

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""readme.py SCANOUT ROOT: runs every command of README.md, as written, in an empty folder that holds the models.
+
+`./run ARGUMENTS` becomes SCANOUT ARGUMENTS. `./run` and `./test` alone are what CI does; the stage `cli` runs the first.
+A viewer command plays a recording that quits at once, because a test machine's screen is not ours to take.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SCANOUT, ROOT = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+QUIT = "scanout-actions 1\n0 rotate_left\n+1 quit\n"
+
+
+def commands(text):
+    """The command lines of the page: those of its sh blocks, and the run steps of the CI job."""
+    found = []
+    for block in re.findall(r"```sh\n(.*?)```", text, re.S):
+        found += [re.sub(r"\s+#.*", "", line) for line in block.splitlines() if line.strip()]
+    for block in re.findall(r"```yaml\n(.*?)```", text, re.S):
+        found += re.findall(r"- run: (\./run .*)", block)
+    return found
+
+
+def as_run_here(command):
+    words = command.split()
+    if words[0] != "./run" or len(words) == 1:
+        return None
+    rest = command[len("./run "):]
+    if words[1] not in ("render", "compare", "list") and "--backend" not in words:
+        rest += " --backend headless --replay quit.actions"
+    return f"'{SCANOUT}' {rest}"
+
+
+def fail(*lines):
+    print(*lines, sep="\n", file=sys.stderr)
+    sys.exit(1)
+
+
+def check_tables(page):
+    """The technique table names what the program has, in its order."""
+    listed = {}
+    for line in subprocess.run([SCANOUT, "list", "techniques"], check=True, capture_output=True, text=True).stdout.splitlines():
+        axis, name = line.split()[:2]
+        listed.setdefault(axis, []).append(name)
+    for axis, names in listed.items():
+        row = f"| {axis} | " + " ".join(f"`{n}`" for n in names) + " |"
+        if row not in page:
+            fail(f"README.md: the table of techniques wants the row {row}")
+
+
+def check_stages(page):
+    """Every stage that the page names is one of ./test."""
+    stages = set(re.findall(r"^stage_(\w+)\(\)", open(os.path.join(ROOT, "scripts/stages.sh")).read(), re.M))
+    named = set(re.findall(r"^\./test (\w+)", page, re.M))
+    named |= set(re.search(r"The other stages: `([^`]+)`", page)[1].split())
+    if named != stages:
+        fail(f"README.md names the stages {sorted(named)}, ./test has {sorted(stages)}")
+
+
+def main():
+    page = open(os.path.join(ROOT, "README.md")).read()
+    check_tables(page)
+    check_stages(page)
+    ran = 0
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("models", "tests"):
+            shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
+        open(os.path.join(folder, "quit.actions"), "w").write(QUIT)
+        for command in commands(page):
+            here = as_run_here(command)
+            if here is None:
+                continue
+            done = subprocess.run(["bash", "-c", here], cwd=folder, capture_output=True, timeout=60)
+            if done.returncode != 0:
+                fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
+            for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
+                if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0"))):
+                    fail(f"{command}: wrote no {output}")
+            if "-o spot.png --size" in command:
+                shutil.copy(os.path.join(folder, "spot.png"), os.path.join(folder, "picture.png"))
+            ran += 1
+        drawn = os.path.join(folder, "picture.png")
+        shown = os.path.join(ROOT, "models/spot/spot-by-scanout.png")
+        done = subprocess.run([SCANOUT, "compare", drawn, shown], capture_output=True, text=True)
+        if done.returncode != 0:
+            fail("README.md's picture is not what its command draws now:", done.stdout + done.stderr)
+    print(f"{ran} commands of README.md ran")
+    if ran < 20:
+        fail("README.md: too few commands found; has the form of its blocks changed?")
+
+
+if __name__ == "__main__":
+    main()
