@@ -8,7 +8,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace scanout;
     Warnings warnings;
-    auto stl = io::read_stl({reinterpret_cast<const char*>(data), size}, "x.stl", warnings, nullptr);
+    auto stl =
+        io::read_stl({reinterpret_cast<const char*>(data), size}, "x.stl", warnings, nullptr);
     fuzz::check_lines(warnings);
     if (!stl) return 0;
     CHECK_EQ(stl->facets, stl->polygons.faces());
