@@ -65,7 +65,7 @@ class Guest:
              "-device", "virtio-keyboard-pci", "-device", "virtio-mouse-pci", *devices],
             stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self._serial = bytearray()
-        self._position = 0
+        self.position = 0  # on the serial line: what stands before it has been waited for
         self._ended = False
         self._changed = threading.Condition()
         self._reader = threading.Thread(target=self._read, daemon=True)
@@ -115,33 +115,28 @@ class Guest:
         deadline = time.monotonic() + seconds
         with self._changed:
             while True:
-                match = compiled.search(self._serial, self._position)
+                match = compiled.search(self._serial, self.position)
                 if match:
-                    self._position = match.end()
+                    self.position = match.end()
                     return tuple(group.decode() for group in match.groups())
                 left = deadline - time.monotonic()
                 if left <= 0 or self._ended:
-                    tail = self._serial[self._position:][-2000:].decode(errors="replace")
+                    tail = self._serial[self.position:][-2000:].decode(errors="replace")
                     raise GuestError(f"{'the guest ended' if self._ended else f'{seconds} s passed'} without "
                                      f"/{pattern}/; the serial line since: {tail or '(nothing)'}")
                 self._changed.wait(left)
 
-    def settled(self, pattern, quiet=0.5, seconds=30):
-        """The last match of the pattern once no further one has come for `quiet` seconds."""
-        last = self.wait(pattern, seconds)
-        while True:
-            try:
-                last = self.wait(pattern, quiet)
-            except GuestError:
-                return last
+    def said_since(self, position):
+        return self._serial[position:self.position].decode(errors="replace")
 
     def sh(self, command, seconds=30):
         """Runs one line in the guest's shell; returns its output. A status other than 0 is an error."""
-        start = self._position
         self._qemu.stdin.write(command.encode() + b"\n")
         self._qemu.stdin.flush()
+        self.wait(r"^@begin\n", seconds)
+        start = self.position
         (status,) = self.wait(r"^@done (\d+)$", seconds)
-        output = self._serial[start:self._position].decode(errors="replace").rsplit("@done", 1)[0].lstrip("\n")
+        output = self.said_since(start).rsplit("@done", 1)[0]
         if status != "0":
             raise GuestError(f"`{command}` ended with {status}: {output}")
         return output

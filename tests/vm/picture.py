@@ -29,6 +29,11 @@ def read_ppm(path):
     return Picture(width, height, rgb)
 
 
+def write_ppm(path, picture):
+    with open(path, "wb") as file:
+        file.write(b"P6\n%d %d\n255\n" % picture[:2] + picture.rgb)
+
+
 def xxh64(data):
     """XXH64 with seed 0 (github.com/Cyan4973/xxHash, doc/xxhash_spec.md)."""
     mask = (1 << 64) - 1
