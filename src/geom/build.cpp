@@ -85,6 +85,11 @@ struct Usable {
     bool uv = false;
 
     explicit Usable(const PolygonMesh& m) : face(m.faces()), position(m.positions.size()) {
+        CHECK_EQ(m.face_material.size(), m.faces());
+        CHECK_EQ(m.line_material.size(), m.line_begin.size());
+        CHECK_EQ(m.point_material.size(), m.point_vertices.size());
+        CHECK(m.face_smoothing.empty() || m.face_smoothing.size() == m.faces());
+        CHECK(m.colours.empty() || m.colours.size() == m.positions.size());
         for (std::size_t f = 0; f < m.faces(); ++f) {
             const std::size_t begin = m.face_begin[f], end = m.face_end(f);
             face[f] = end >= begin + 3;
