@@ -44,7 +44,7 @@ inline PolygonMesh soup(std::uint32_t seed, int positions, int faces, bool with_
     };
     PolygonMesh mesh;
     for (int i = 0; i < positions; ++i)
-        mesh.positions.push_back(DVec3(below(2001) - 1000, below(2001) - 1000, below(2001) - 1000) /
+        mesh.positions.push_back(DVec3{below(2001) - 1000, below(2001) - 1000, below(2001) - 1000} /
                                  1000.0);
     for (int f = 0; f < faces; ++f) {
         std::vector<std::int32_t> corners(static_cast<std::size_t>(3 + below(3)));
