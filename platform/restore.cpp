@@ -16,7 +16,10 @@
 namespace scanout::console {
 namespace {
 
-constexpr std::array kFatalSignals{SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP};
+// Faults, and the timers and limits that end a program by default. Not SIGUSR1 and SIGUSR2: the
+// seat's server uses them.
+constexpr std::array kFatalSignals{SIGSEGV, SIGABRT, SIGBUS,    SIGFPE,  SIGILL, SIGSYS, SIGTRAP,
+                                   SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGIO,  SIGPWR};
 
 // Written by the main thread, read by handlers on any thread: a flag is set after what it guards.
 ConsoleState console_state;

@@ -32,8 +32,8 @@ bool some_display_exists() {
 
 } // namespace
 
-Result<std::unique_ptr<Session>> Session::open() {
-    if (!some_display_exists())
+Result<std::unique_ptr<Session>> Session::open(bool device_is_named) {
+    if (!device_is_named && !some_display_exists())
         return fail(Exit::no_display, "this machine has no display (neither /dev/dri/card* nor "
                                       "/dev/fb*): use `scanout render`, or "
                                       "--backend headless");

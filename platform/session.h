@@ -23,7 +23,8 @@ public:
     // on the console's text comes back on every way out of the process: destruction, exit(), a
     // fatal signal; a small guard process restores it after SIGKILL. Exit::no_display when this
     // machine has neither /dev/dri/card* nor /dev/fb*.
-    static Result<std::unique_ptr<Session>> open();
+    // device_is_named: the user says where to show, so it is tried whatever /dev holds.
+    static Result<std::unique_ptr<Session>> open(bool device_is_named = false);
     ~Session() override;
 
     Seat& seat() { return *seat_; }

@@ -52,6 +52,24 @@ const std::vector<Binding>& bindings() {
     return all;
 }
 
+// Without NumLock the keypad's digits are arrows and the like; the binding names the place.
+std::uint32_t without_num_lock(std::uint32_t keysym) {
+    switch (keysym) {
+    case XKB_KEY_KP_End:
+        return XKB_KEY_KP_1;
+    case XKB_KEY_KP_Page_Down:
+        return XKB_KEY_KP_3;
+    case XKB_KEY_KP_Begin:
+        return XKB_KEY_KP_5;
+    case XKB_KEY_KP_Home:
+        return XKB_KEY_KP_7;
+    case XKB_KEY_KP_Page_Up:
+        return XKB_KEY_KP_9;
+    default:
+        return keysym;
+    }
+}
+
 // The layout needed Shift to make this sign: the binding names the sign, not Shift.
 bool is_shifted_sign(const port::Event& event) {
     const bool letter = (event.keysym >= XKB_KEY_a && event.keysym <= XKB_KEY_z) ||
@@ -88,8 +106,8 @@ std::optional<ActionId> bound_to(const port::Event& event) {
     for (const Binding& binding : bindings()) {
         if (binding.key.control != event.control) continue;
         const bool sign = is_shifted_sign(event) && binding.key.keysym == event.keysym;
-        const bool key =
-            binding.key.keysym == event.base_keysym && binding.key.shift == event.shift;
+        const bool key = binding.key.keysym == without_num_lock(event.base_keysym) &&
+                         binding.key.shift == event.shift;
         if (sign || key) return binding.action;
     }
     return std::nullopt;

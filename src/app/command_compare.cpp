@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/picture.h"
 #include "app/report.h"
+#include "app/same_file.h"
 #include "image/compare.h"
 
 #include <sys/stat.h>
@@ -22,13 +23,17 @@ std::string prefix_of(const Settings& settings) {
     }
     struct stat info {};
     const bool folder = ::stat(asked.c_str(), &info) == 0 && S_ISDIR(info.st_mode);
-    return folder && !asked.ends_with('/') ? asked + "/" : asked;
+    if (folder) return asked.ends_with('/') ? asked : asked + "/";
+    const bool separated = asked.ends_with('/') || asked.ends_with('-') || asked.ends_with('.');
+    return separated ? asked : asked + "-";
 }
 
 Result<std::vector<std::string>> write_difference(const Settings& settings, const image::Image& got,
                                                   const image::Image& expected) {
     const std::string prefix = prefix_of(settings);
     std::vector<std::string> written;
+    TRY_VOID(keep_apart(settings.arguments,
+                        {prefix + "got.png", prefix + "expected.png", prefix + "difference.png"}));
     const auto write = [&](const char* name, const image::Image& picture) -> Result<void> {
         written.push_back(prefix + name + ".png");
         TRY(const image::Bytes bytes, image::encode_png(picture));

@@ -3,6 +3,7 @@
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/report.h"
+#include "app/same_file.h"
 #include "base/stopwatch.h"
 #include "image/hash.h"
 
@@ -41,6 +42,11 @@ Result<PictureFormat> check_output(const Settings& s) {
         return fail(Exit::usage, "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png",
                     s.output, pictures(s));
     }
+    std::vector<std::string> outputs;
+    for (int index = 0; index < pictures(s); ++index)
+        outputs.push_back(numbered(s.output, index, pictures(s)));
+    if (s.json) outputs.push_back(*s.json);
+    TRY_VOID(keep_apart(s.arguments, outputs));
     return format;
 }
 
@@ -104,8 +110,14 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
             fmt::print(stderr, "{}\n", reason);
 
     Jobs jobs(settings.threads);
-    RunReport report{model.scene.path, model.scene.counts, {}, model.load_ms, 0, model.warnings,
-                     start_bytes,      jobs.threads()};
+    RunReport report;
+    report.model_path = model.scene.path;
+    report.counts = model.scene.counts;
+    report.load_ms = model.load_ms;
+    report.load_times = model.load_times;
+    report.warnings = model.warnings;
+    report.start_bytes = start_bytes;
+    report.threads = jobs.threads();
     RenderRun run(settings, format, model.scene, plan, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));

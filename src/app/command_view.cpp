@@ -1,5 +1,6 @@
 // scanout view: opens a display (DRM, then the frame buffer) and runs the viewer on it.
 #include "app/commands.h"
+#include "app/same_file.h"
 #include "app/view_session.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
@@ -37,6 +38,9 @@ struct Tapes {
 };
 
 Result<Tapes> open_tapes(const Settings& settings) {
+    std::vector<std::string> inputs = settings.arguments;
+    inputs.push_back(settings.replay);
+    TRY_VOID(keep_apart(inputs, {settings.record, settings.json.value_or("")}));
     Tapes tapes;
     if (!settings.record.empty()) {
         TRY(tapes.recorder, Recorder::create(settings.record));
@@ -67,11 +71,11 @@ Result<void> show_headless(const Settings& settings, Tapes tapes, std::uint64_t 
     if (settings.replay.empty() && !settings.quiet)
         say("scanout: headless: nothing is shown; Ctrl-C ends it (--replay FILE plays actions)");
     Jobs jobs(settings.threads);
-    const auto suspend = [](std::vector<port::Event>&) -> Result<void> {
-        ::kill(::getpid(), SIGSTOP);
+    const bool instant = tapes.script.has_value();
+    const auto suspend = [instant](std::vector<port::Event>&) -> Result<void> {
+        if (!instant) ::kill(::getpid(), SIGSTOP); // nobody would wake a replay up again
         return {};
     };
-    const bool instant = tapes.script.has_value();
     return show(settings,
                 {display, signals, jobs, suspend, std::move(tapes.recorder),
                  std::move(tapes.script), instant},
@@ -109,7 +113,8 @@ Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
 }
 
 Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
-    TRY(const std::unique_ptr<console::Session> session, console::Session::open());
+    TRY(const std::unique_ptr<console::Session> session,
+        console::Session::open(!settings.device.empty()));
     TRY(const OpenDisplay open, open_display(settings, session->seat()));
     TRY_VOID(session->open_input());
     if (settings.verbose)

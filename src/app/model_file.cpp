@@ -15,8 +15,10 @@ Result<LoadedModel> load_model(const std::string& path,
     Warnings warnings;
     io::LoadOptions options;
     options.progress = progress;
+    io::LoadTimes times;
+    options.times = &times;
     TRY(scene::Scene scene, io::load(path, options, warnings));
-    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds()};
+    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times};
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings) {

@@ -4,6 +4,7 @@
 #include "app/settings.h"
 #include "base/result.h"
 #include "base/warnings.h"
+#include "io/load.h"
 #include "scene/scene.h"
 
 #include <functional>
@@ -16,6 +17,7 @@ struct LoadedModel {
     scene::Scene scene;
     std::vector<std::string> warnings;
     double load_ms = 0;
+    io::LoadTimes load_times; // its parts
 };
 
 // `progress` is called with the share that is read; false cancels.

@@ -90,10 +90,13 @@ Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
 }
 
 std::string numbered(const std::string& name, int number, int count) {
-    const std::size_t place = name.find("{n}");
-    if (place == std::string::npos) return name;
     const std::size_t digits = fmt::formatted_size("{}", std::max(count - 1, 0));
-    return name.substr(0, place) + fmt::format("{:0{}}", number, digits) + name.substr(place + 3);
+    const std::string text = fmt::format("{:0{}}", number, digits);
+    std::string numbered = name;
+    for (std::size_t place = numbered.find("{n}"); place != std::string::npos;
+         place = numbered.find("{n}", place + text.size()))
+        numbered.replace(place, 3, text);
+    return numbered;
 }
 
 Result<void> write_picture(const std::string& path, const image::Bytes& bytes) {

@@ -37,6 +37,8 @@ Json times(const RunReport& report) {
         return rounded(percentile(column(report.frames, member), 0.5));
     };
     return {{"load", rounded(report.load_ms)},
+            {"parse", rounded(report.load_times.parse)},
+            {"build", rounded(report.load_times.build)},
             {"first", rounded(total.empty() ? 0 : total.front())},
             {"median", rounded(percentile(total, 0.5))},
             {"min", rounded(percentile(total, 0))},

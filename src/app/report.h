@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "frame/renderer.h"
 #include "image/compare.h"
+#include "io/load.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct RunReport {
     scene::ModelCounts counts;
     std::vector<FrameRecord> frames;
     double load_ms = 0;
+    io::LoadTimes load_times;
     double encode_ms = 0; // of the first picture
     std::vector<std::string> warnings;
     std::uint64_t start_bytes = 0;

@@ -38,6 +38,7 @@ Exit run(int argc, char** argv) {
     // A reader that goes away (`scanout ... | head`) is an error of write(), not the end by a
     // signal.
     std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow likewise
     Result<Exit> result = Exit::internal;
     try {
         result = parse_and_run({argv + 1, argv + argc}, start_bytes);

@@ -71,7 +71,7 @@ Result<void> ViewSession::run() {
         TRY_VOID(draw_if_due(now));
         TRY_VOID(wait());
     }
-    return {};
+    return outcome();
 }
 
 // A frame for every step that the script names, then what remains when nothing moves any more.
@@ -89,7 +89,7 @@ Result<void> ViewSession::run_instantly() {
         else
             quit_ = !wants_frame();
     }
-    return {};
+    return outcome();
 }
 
 // ---- Time -------------------------------------------------------------------------------------
@@ -244,6 +244,12 @@ Result<void> ViewSession::write_screenshot() {
 
 // ---- Files ------------------------------------------------------------------------------------
 
+Result<void> ViewSession::outcome() const {
+    if (showed_model_ || error_.empty()) return {};
+    return fail(Exit::unreadable, "none of the {} models could be read; the last: {}",
+                settings_.arguments.size(), error_);
+}
+
 Result<void> ViewSession::load(bool again) {
     const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
     load_start_ = std::chrono::steady_clock::now();
@@ -261,6 +267,7 @@ Result<void> ViewSession::load(bool again) {
         return {};
     }
     error_.clear();
+    showed_model_ = true;
     model_ = *std::move(model);
     facts_ = frame::facts(model_->scene);
     print_warnings(model_->warnings, settings_);
@@ -439,6 +446,7 @@ RunReport ViewSession::report(std::uint64_t start_bytes) {
         report.counts = model_->scene.counts;
         report.warnings = model_->warnings;
         report.load_ms = model_->load_ms;
+        report.load_times = model_->load_times;
     }
     report.frames = log_.take_records();
     report.start_bytes = start_bytes;

@@ -53,6 +53,8 @@ private:
 
     // Files.
     Result<void> load(bool again);
+    // A session in which no model could be read has failed.
+    Result<void> outcome() const;
     bool report_progress(double share);
     bool wants_to_leave();
 
@@ -101,6 +103,7 @@ private:
     std::optional<LoadedModel> model_;
     frame::SceneFacts facts_;
     std::string error_; // why there is no model
+    bool showed_model_ = false;
     int generation_ = 0;
     std::size_t next_entry_ = 0;            // of the script
     std::optional<std::string> frame_file_; // a script's frame that is due

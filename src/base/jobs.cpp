@@ -3,6 +3,7 @@
 #include "base/check.h"
 
 #include <algorithm>
+#include <csignal>
 #include <thread>
 
 #if SCANOUT_JOBS_STD_THREAD
@@ -15,6 +16,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
+#include <oneapi/tbb/task_scheduler_observer.h>
 #endif
 
 namespace scanout {
@@ -24,12 +26,25 @@ static int resolve_threads(int threads) {
                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+// Workers leave the signals that end a program to the thread that made them, so that it can hold
+// them back while a file is written.
+static void leave_signals_to_main() {
+    sigset_t ending;
+    sigemptyset(&ending);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP})
+        sigaddset(&ending, signal);
+    ::pthread_sigmask(SIG_BLOCK, &ending, nullptr);
+}
+
 #if SCANOUT_JOBS_STD_THREAD
 
 struct Jobs::Pool {
     explicit Pool(int threads) {
         for (int worker = 1; worker < threads; ++worker)
-            threads_.emplace_back([this, worker] { work(worker); });
+            threads_.emplace_back([this, worker] {
+                leave_signals_to_main();
+                work(worker);
+            });
     }
     ~Pool() {
         {
@@ -94,14 +109,30 @@ void Jobs::run(int count, Thunk thunk, void* function) {
 
 namespace tbb = oneapi::tbb;
 
-struct Jobs::Pool {
-    explicit Pool(int threads) : arena(threads) {
-        // Lets an arena have more workers than the machine has cores: tests run 16. One limit for all,
-        // since oneTBB obeys the smallest one alive: a Jobs(1) would make every other serial.
-        static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 256);
+class WorkerSignals : public tbb::task_scheduler_observer {
+public:
+    explicit WorkerSignals(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
+        observe(true);
     }
+    ~WorkerSignals() override { observe(false); }
+    void on_scheduler_entry(bool is_worker) override {
+        if (is_worker) leave_signals_to_main();
+    }
+};
+
+// Lets an arena have more workers than the machine has cores: tests run 16. One limit for all,
+// since oneTBB obeys the smallest one alive: a Jobs(1) would make every other serial. Before any
+// arena.
+static int with_raised_limit(int threads) {
+    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, 256);
+    return threads;
+}
+
+struct Jobs::Pool {
+    explicit Pool(int threads) : arena(with_raised_limit(threads)), worker_signals(arena) {}
     int threads() const { return arena.max_concurrency(); }
     tbb::task_arena arena;
+    WorkerSignals worker_signals;
 };
 
 void Jobs::run(int count, Thunk thunk, void* function) {

@@ -47,11 +47,14 @@ void resolve(const image::Rect& area, int samples, const shade::TileColour& colo
                 continue;
             }
             const float rest = static_cast<float>(uncovered) * share;
-            target = {srgb_encode(colour.red[pixel] + back[0] * rest),
-                      srgb_encode(colour.green[pixel] + back[1] * rest),
-                      srgb_encode(colour.blue[pixel] + back[2] * rest),
-                      static_cast<std::uint8_t>(
-                          ((samples - uncovered) * 255 + uncovered * background.a) / samples)};
+            const int alpha = (samples - uncovered) * 255 + uncovered * background.a;
+            // Where the background lets through, PNG and PAM want the colour undiluted by it.
+            const float back_share = rest * static_cast<float>(background.a) / 255.0F;
+            const float whole = 255.0F * static_cast<float>(samples) / static_cast<float>(alpha);
+            target = {srgb_encode((colour.red[pixel] + back[0] * back_share) * whole),
+                      srgb_encode((colour.green[pixel] + back[1] * back_share) * whole),
+                      srgb_encode((colour.blue[pixel] + back[2] * back_share) * whole),
+                      static_cast<std::uint8_t>(alpha / samples)};
         }
     }
 }

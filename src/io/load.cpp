@@ -2,6 +2,7 @@
 
 #include "base/mapping.h"
 #include "base/memory.h"
+#include "base/stopwatch.h"
 #include "io/materials.h"
 #include "io/obj.h"
 #include "io/stl.h"
@@ -65,6 +66,7 @@ struct Parts {
     geom::PolygonMesh polygons;
     Materials materials;
     scene::ModelCounts counts;
+    LoadTimes times;
     double crease_limit_degrees = 180; // no crease angle above makes sense in this format
 };
 
@@ -90,9 +92,13 @@ void use_materials(geom::PolygonMesh& polygons, const std::vector<std::int32_t>&
 
 Result<Parts> read_obj_parts(std::string_view file, const std::string& path, Warnings& warnings,
                              const std::function<bool(double)>& progress) {
+    Stopwatch watch;
     TRY(ObjFile obj, read_obj(file, path, warnings, progress));
     Parts parts;
+    parts.times.parse = watch.milliseconds();
+    watch.restart();
     parts.materials = load_materials(obj, path, warnings);
+    parts.times.materials = watch.milliseconds();
     use_materials(obj.polygons, parts.materials.of_name);
     parts.counts.vertices = obj.polygons.positions.size();
     parts.counts.faces = obj.polygons.faces();
@@ -105,8 +111,10 @@ Result<Parts> read_obj_parts(std::string_view file, const std::string& path, War
 
 Result<Parts> read_stl_parts(std::string_view file, const std::string& path, Warnings& warnings,
                              const std::function<bool(double)>& progress) {
+    const Stopwatch watch;
     TRY(StlResult stl, read_stl(file, path, warnings, progress));
     Parts parts;
+    parts.times.parse = watch.milliseconds();
     parts.counts.vertices = stl.facets * 3;
     parts.counts.faces = stl.polygons.faces();
     parts.counts.skipped = stl.skipped;
@@ -147,8 +155,11 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     TRY(Parts parts, read(path, options, warnings));
     if (options.progress && !options.progress(1))
         return fail(Exit::unreadable, "{}: loading was cancelled", path);
+    const Stopwatch watch;
     geom::BuildResult built =
         geom::build_mesh(std::move(parts.polygons), options.build, path, warnings);
+    parts.times.build = watch.milliseconds();
+    if (options.times != nullptr) *options.times = parts.times;
     scene::Scene scene;
     scene.path = path;
     scene.mesh = std::move(built.mesh);

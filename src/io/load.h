@@ -14,11 +14,19 @@
 
 namespace scanout::io {
 
+// Where the time of load() went, milliseconds.
+struct LoadTimes {
+    double parse = 0;     // the model file's text or records
+    double materials = 0; // libraries and textures
+    double build = 0;     // the mesh
+};
+
 struct LoadOptions {
     geom::BuildOptions build;
     // Called now and then with the share of the file that is read, 0 to 1. Returning false cancels:
     // load() then fails with Exit::unreadable, "path: loading was cancelled".
     std::function<bool(double)> progress;
+    LoadTimes* times = nullptr; // filled when given
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model
     // that takes more is refused: else it would drive the machine into swapping.
     std::uint64_t memory_bytes = 0;

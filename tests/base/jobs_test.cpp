@@ -4,6 +4,7 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <csignal>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -126,6 +127,25 @@ TEST(Memory, CountsWhatIsTouched) {
         EXPECT_GT(resident_bytes(), before + kBytes / 2);
     }
     EXPECT_GT(peak_resident_bytes(), before + kBytes / 2);
+}
+
+// A signal that ends the program must find the thread that can hold it back.
+TEST(Jobs, WorkersLeaveTheEndingSignalsToTheirMaker) {
+    Jobs jobs(4);
+    const std::thread::id maker = std::this_thread::get_id();
+    std::atomic<int> seen = 0, open_to_signals = 0;
+    for (int round = 0; round < 200 && seen < 50; ++round)
+        jobs.for_each(400, [&](int index, int) {
+            work(index);
+            if (std::this_thread::get_id() == maker) return;
+            sigset_t mask;
+            ::pthread_sigmask(SIG_SETMASK, nullptr, &mask);
+            ++seen;
+            for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+                open_to_signals += sigismember(&mask, signal) == 0;
+        });
+    EXPECT_GT(seen, 0);
+    EXPECT_EQ(open_to_signals, 0);
 }
 
 } // namespace
