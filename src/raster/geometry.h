@@ -57,6 +57,7 @@ private:
     struct Task; // the arguments of one run
     void add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const;
     void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     // False when the triangle is culled or no sample can lie in it.
     bool kept(const Task& task, const Triangle& triangle, bool clockwise,
               image::Rect& bounds) const;
@@ -66,7 +67,6 @@ private:
     void for_tiles(const image::Rect& bounds, F&& f) const;
 
     int width_ = 0, height_ = 0, across_ = 0, down_ = 0;
-    std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     SampleExtent extent_;
     const geom::Mesh* mesh_ = nullptr; // of the last run
     std::vector<ScreenVertex> vertices_;

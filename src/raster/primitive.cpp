@@ -69,7 +69,7 @@ std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& v, std::uint32_t 
     }
     t.id = id;
     t.flipped = (area < 0) != order.odd;
-    return SetUp{t, area > 0};
+    return SetUp{t, order, area > 0};
 }
 
 // The first and the last pixel whose samples, between low and high, may lie in [min, max].

@@ -67,6 +67,7 @@ CanonicalOrder canonical_order(const std::array<std::int32_t, 3>& x,
 // covers no sample (HARD-CASES R6, 4). clockwise: on the screen, in the order given.
 struct SetUp {
     Triangle triangle;
+    CanonicalOrder order;
     bool clockwise;
 };
 std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& vertex, std::uint32_t id);

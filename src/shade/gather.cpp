@@ -1,10 +1,12 @@
 #include "shade/gather.h"
 
+#include "base/check.h"
 #include "raster/clip.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -96,27 +98,21 @@ const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint
     const geom::Mesh& mesh = *in.mesh;
     const std::uint32_t* index = mesh.index.data() + std::size_t{id} * 3;
     const auto vertices = in.geometry->vertices();
-    const raster::ScreenVertex* v[3] = {&vertices[index[0]], &vertices[index[1]],
-                                        &vertices[index[2]]};
-    s.exact = ((v[0]->flags | v[1]->flags | v[2]->flags) & raster::kNeedsClip) == 0;
+    const std::array<raster::ScreenVertex, 3> v = {vertices[index[0]], vertices[index[1]],
+                                                   vertices[index[2]]};
+    s.exact = ((v[0].flags | v[1].flags | v[2].flags) & raster::kNeedsClip) == 0;
     bool clockwise = false;
     if (s.exact) {
-        const std::array<std::int32_t, 3> x = {v[0]->x, v[1]->x, v[2]->x},
-                                          y = {v[0]->y, v[1]->y, v[2]->y};
-        const raster::CanonicalOrder order = raster::canonical_order(x, y);
-        const std::int64_t area = raster::signed_area(x, y);
-        raster::Triangle t{};
+        const std::optional<raster::SetUp> t = raster::set_up(v, id);
+        CHECK(t); // what is visible has an area
         for (std::size_t i = 0; i < 3; ++i) {
-            const std::size_t from = order.vertex[i];
-            t.x[i] = x[from];
-            t.y[i] = y[from];
+            const std::size_t from = t->order.vertex[i];
             s.vertex[i] = index[from];
-            s.inverse_w[i] = v[from]->inverse_w;
+            s.inverse_w[i] = v[from].inverse_w;
         }
-        t.flipped = (area < 0) != order.odd;
-        s.edges = raster::edges_of(t);
+        s.edges = raster::edges_of(t->triangle);
         // In the order that now holds, seen in object space, which a mirrored view turns round.
-        clockwise = !t.flipped;
+        clockwise = !t->triangle.flipped;
     } else {
         const raster::HomogeneousTriangle t =
             raster::homogeneous_triangle({in.transform->to_clip(mesh.position[index[0]]),

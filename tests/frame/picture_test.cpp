@@ -180,6 +180,26 @@ TEST(Picture, OfALineDoesNotDependOnItsDirection) {
     EXPECT_EQ(draw(s), first);
 }
 
+TEST(Picture, OfManyLinesDoesNotDependOnTheirDirections) {
+    // Enough pixels that a colour that is mixed from the other end, and rounds differently, shows.
+    Random random(7);
+    for (int round = 0; round < 20; ++round) {
+        Shot s = shot("lines", 257, 131);
+        geom::Mesh& mesh = s.scene.mesh;
+        for (std::uint32_t i = 0; i < 3000; ++i) {
+            add_vertex(mesh, Vec3(random.in_cube(1.2)));
+            mesh.colour.emplace_back(random.in_cube(0.5) + DVec3(0.5));
+            if (i % 2 == 1) add_line(mesh, i - 1, i);
+        }
+        s.camera.distance = round % 2 == 0 ? 3 : 0.3;
+        const Image first = draw(s);
+        EXPECT_GT(covered(first, s.options.background), 2000);
+        for (std::size_t i = 0; i < mesh.line_index.size(); i += 2)
+            std::swap(mesh.line_index[i], mesh.line_index[i + 1]);
+        ASSERT_EQ(draw(s), first) << round;
+    }
+}
+
 TEST(Picture, OfALineMixesTheColoursOfItsEnds) {
     Shot s = shot("line", 65, 9);
     geom::Mesh& mesh = s.scene.mesh;
@@ -323,6 +343,62 @@ TEST(Picture, ShowsTheTextureTheRightWayUp) {
     EXPECT_FALSE(is(left, 63 - bottom + 3, 'r'));
 }
 
+TEST(Picture, ShowsTheTexelsThatRaysHitOnAPlaneThroughTheEyesPlane) {
+    // A floor of noise that runs under and behind the eye: both its triangles are clipped, in each
+    // winding, and every pixel has the colour of the texel where its ray meets the floor.
+    Random random(8);
+    scene::Texture noise{"noise", image::Image(16, 16)};
+    for (Rgba8& p : noise.image.pixels())
+        p = {static_cast<std::uint8_t>(random.whole(40, 255)),
+             static_cast<std::uint8_t>(random.whole(40, 255)),
+             static_cast<std::uint8_t>(random.whole(40, 255)), 255};
+    const auto linear = [](int code) {
+        return code <= 10 ? code / 255.0 / 12.92 : std::pow((code / 255.0 + 0.055) / 1.055, 2.4);
+    };
+    int checked = 0;
+    for (const bool turned : {false, true}) {
+        for (const double height : {0.2, 0.05, -0.1}) { // from below, too
+            Shot s = shot("floor", 80, 60);
+            s.scene.materials = {textured(0)};
+            s.scene.textures = {noise};
+            s.options.texture = "nearest";
+            add_quad(s.scene.mesh, {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}}, {0, 1, 0},
+                     0);
+            if (turned)
+                for (std::size_t i = 0; i < 6; i += 3)
+                    std::swap(s.scene.mesh.index[i], s.scene.mesh.index[i + 2]);
+            const DVec3 eye(0.1, height, 0.2);
+            s.camera.eye = eye;
+            s.camera.target = eye + DVec3(0, 0, -1); // level: view axes are the world's
+            const Image picture = draw(s);
+            double light = 0.15;
+            for (const scene::Light& l : scene::default_lights())
+                light += l.colour.x * std::max(0.0, (height > 0 ? 1.0 : -1.0) * l.towards.y);
+            const double half = std::tan(22.5 * std::numbers::pi / 180);
+            for (int y = 0; y < 60; ++y) {
+                for (int x = 0; x < 80; ++x) {
+                    const double dx = (2 * (x + 0.5) / 80 - 1) * half * 80 / 60,
+                                 dy = (1 - 2 * (y + 0.5) / 60) * half;
+                    const double w = -height / dy;
+                    if (w < 0) continue;
+                    const double u = (eye.x + w * dx + 1) / 2 * 16, v = (1 - (eye.z - w)) / 2 * 16;
+                    const double room = w * w * 1e-2 + 1e-3; // the snapped edges' share of a pixel
+                    const auto whole = [&](double t) {
+                        return std::abs(t - std::round(t)) > room && t > 0 && t < 16;
+                    };
+                    if (!whole(u) || !whole(v)) continue;
+                    const Rgba8 texel =
+                        noise.image.at(static_cast<int>(u), 15 - static_cast<int>(v));
+                    ASSERT_NEAR(picture.at(x, y).r, encoded(light * linear(texel.r)), 1);
+                    ASSERT_NEAR(picture.at(x, y).g, encoded(light * linear(texel.g)), 1);
+                    ++checked;
+                }
+            }
+        }
+    }
+    EXPECT_GT(checked, 5000);
+}
+
 TEST(Picture, OfEverySizeIsDrawn) {
     for (const auto& [width, height] :
          {std::pair{1, 1}, {1, 500}, {500, 1}, {257, 3}, {64, 64}, {65, 63}, {128, 129}}) {
@@ -368,15 +444,15 @@ TEST(Picture, SurvivesHugeAndTinyZoom) {
             EXPECT_EQ(picture, draw(s, 1));
             // Zoomed in without end, the eye stands in the cube and sees its inside everywhere.
             EXPECT_TRUE(s.name != "solids" || zoom < 0 ||
-                        covered(picture, s.options.background) == 64 * 64);
+                        covered(picture, s.options.background) == std::int64_t{64} * 64);
         }
     }
     for (const double scale : {1e-30, 1e-6, 1e30, 1e200}) {
-        Shot s = full_screen(1);
+        Shot s = full_screen(1, 1);
         s.model.scale = DVec3(scale);
         s.camera.distance = 2.6 * scale;
         // The same picture at every scale of the scene
-        Shot plain_scale = full_screen(1);
+        Shot plain_scale = full_screen(1, 1);
         plain_scale.camera.distance = 2.6;
         EXPECT_EQ(draw(s), draw(plain_scale)) << scale;
     }

@@ -235,9 +235,9 @@ TEST(Clip, AFloorUnderTheCameraCoversEveryPixelBelowTheHorizonOnce) {
         std::vector<Vec3> vertex;
         for (int j = 0; j <= kCells; ++j)
             for (int i = 0; i <= kCells; ++i)
-                vertex.emplace_back((i - kCells / 2 + random.in(-0.2, 0.2)) * cell, -0.01,
+                vertex.emplace_back((i - kCells * 0.5 + random.in(-0.2, 0.2)) * cell, -0.01,
                                     -(j - 4 + random.in(-0.2, 0.2)) * cell);
-        std::vector<int> hits(kWidth * kHeight);
+        std::vector<int> hits(std::size_t{kWidth} * kHeight);
         Geometry geometry;
         VisibilityTile tile;
         for (std::size_t j = 0; j < kCells; ++j) {
@@ -253,8 +253,8 @@ TEST(Clip, AFloorUnderTheCameraCoversEveryPixelBelowTheHorizonOnce) {
                     geometry.draw(0, tile);
                     for (int y = 0; y < kHeight; ++y)
                         for (int x = 0; x < kWidth; ++x)
-                            hits[static_cast<std::size_t>(y * kWidth + x)] +=
-                                tile.ids(x, y)[0] == 0 ? 1 : 0;
+                            hits[static_cast<std::size_t>(y) * kWidth +
+                                 static_cast<std::size_t>(x)] += tile.ids(x, y)[0] == 0 ? 1 : 0;
                 }
             }
         }
@@ -268,7 +268,8 @@ TEST(Clip, AFloorUnderTheCameraCoversEveryPixelBelowTheHorizonOnce) {
                                     std::abs(side * w) < 7.5 * cell && w > 2 * view.near_distance;
                 const bool outside = slope > 0 || w > 12.5 * cell || w < -4.5 * cell ||
                                      std::abs(side * w) > 8.5 * cell;
-                const int count = hits[static_cast<std::size_t>(y * kWidth + x)];
+                const int count =
+                    hits[static_cast<std::size_t>(y) * kWidth + static_cast<std::size_t>(x)];
                 ASSERT_TRUE(!inside || count == 1) << cell << ' ' << x << ' ' << y;
                 ASSERT_TRUE(!outside || count == 0) << cell << ' ' << x << ' ' << y;
                 ASSERT_LE(count, 1);

@@ -67,17 +67,13 @@ private:
 // The triangle that the geometry stage makes of three snapped vertices; area 0 when it drops it.
 inline Triangle set_up(const Corners& v, std::uint32_t id,
                        const std::array<double, 3>& depth = {0.5, 0.5, 0.5}) {
-    const std::array<std::int32_t, 3> x = {v[0].x, v[1].x, v[2].x}, y = {v[0].y, v[1].y, v[2].y};
-    const CanonicalOrder order = canonical_order(x, y);
-    Triangle t{};
+    std::array<ScreenVertex, 3> vertex;
     for (std::size_t i = 0; i < 3; ++i) {
-        t.x[i] = x[order.vertex[i]];
-        t.y[i] = y[order.vertex[i]];
-        t.depth[i] = depth[order.vertex[i]];
+        vertex[i].x = v[i].x;
+        vertex[i].y = v[i].y;
+        vertex[i].depth = depth[i];
     }
-    t.id = id;
-    t.flipped = (signed_area(x, y) < 0) != order.odd;
-    return t;
+    return raster::set_up(vertex, id).value_or(SetUp{}).triangle;
 }
 inline bool has_area(const Corners& v) {
     return signed_area({v[0].x, v[1].x, v[2].x}, {v[0].y, v[1].y, v[2].y}) != 0;
