@@ -3,10 +3,11 @@
 # A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
 
 ci_stages=(unit golden cli clang asan tsan guests fuzz lint)
+long_stages=(analyze) # by name only
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [clang]="build test clang"
-    [fuzz]="build clang" [asan]="build test" [tsan]="build test" [guests]="build guests"
-    [lint]="build test lint"
+    [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
+    [lint]="build test lint" [analyze]="build test lint"
 )
 
 # configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.
@@ -88,47 +89,61 @@ check_run() {
     return $status
 }
 
+# run_modules FOLDER MODULE...: builds and runs the tests of these modules.
+run_modules() {
+    local folder=$1 names
+    shift
+    build "$folder" "${@/#/test_}"
+    names=$(printf '%s|' "$@")
+    run_ctest "$folder" -R "^(${names%|})\\."
+}
+
 # The render core by the other compiler: the same hashes and pictures.
 stage_clang() {
     configure clang release -DCMAKE_CXX_COMPILER=clang++-14
-    local tests=(test_math test_raster test_shade test_frame test_golden)
-    build clang "${tests[@]}"
-    local names
-    names=$(printf '%s|' "${tests[@]#test_}")
-    run_ctest clang -R "^(${names%|})\\."
+    run_modules clang math raster shade frame golden
 }
 
+# With sanitizers: clang++ at -O1, which builds in a third of g++'s time at -O2.
+sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only")
+
+# AddressSanitizer and UndefinedBehaviorSanitizer; the fuzz targets belong to the same build.
+configure_asan() { configure asan asan "${sanitized[@]}" -DSCANOUT_FUZZ=ON; }
+
 stage_asan() {
-    configure asan asan
+    configure_asan
     build asan
     export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1:check_initialization_order=1
     export UBSAN_OPTIONS=print_stacktrace=1
-    run_ctest asan -L unit
+    run_ctest asan -L 'unit|golden'
 }
 
+# The modules that run threads.
 stage_tsan() {
-    configure tsan tsan
-    build tsan
+    configure tsan tsan "${sanitized[@]}"
     export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
-    run_ctest tsan -L unit
+    run_modules tsan base raster frame golden app
 }
 
-# Each reader 25 seconds, two at a time; a crash, a hang or 1 GB is a failure.
+# Each reader 25 seconds, one on each core; a crash, a hang or 1 GB is a failure.
 stage_fuzz() {
-    configure fuzz dev -DCMAKE_CXX_COMPILER=clang++-14 -DSCANOUT_TESTS=OFF -DSCANOUT_FUZZ=ON
-    build fuzz fuzz_obj fuzz_mtl fuzz_stl fuzz_image
-    local name corpus
+    configure_asan
+    build asan fuzz_obj fuzz_mtl fuzz_stl fuzz_image
+    local name
     for name in obj mtl stl image; do
         while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
-        corpus=build/fuzz/corpus-$name
-        mkdir -p "$corpus"
-        (
-            check "build/fuzz/tests/fuzz/fuzz_$name" -max_total_time=25 -rss_limit_mb=1024 -timeout=10 \
-                -artifact_prefix="build/fuzz/$name-" "$corpus" "tests/fuzz/seeds/$name" >"build/fuzz/$name.log" 2>&1
-            tail -n 1 "build/fuzz/$name.log"
-        ) &
+        check fuzz "$name" &
     done
     wait
+}
+
+fuzz() {
+    local log=build/asan/fuzz-$1.log corpus=build/asan/corpus-$1 status=0
+    mkdir -p "$corpus"
+    "build/asan/tests/fuzz/fuzz_$1" -max_total_time=25 -rss_limit_mb=1024 -timeout=10 \
+        -artifact_prefix="build/asan/fuzz-$1-" "$corpus" "tests/fuzz/seeds/$1" >"$log" 2>&1 || status=$?
+    if [ $status = 0 ]; then tail -n 1 "$log"; else tail -n 60 "$log"; fi
+    return $status
 }
 
 stage_guests() {
@@ -140,11 +155,25 @@ stage_guests() {
     return $status
 }
 
-# Format of every file; clang-tidy over the program's own sources.
+# Format of every file; clang-tidy over the program's own sources, without its analyzer.
 stage_lint() {
     configure test release
     check check_format
-    check scripts/tidy.sh build/test
+    check tidy '-clang-analyzer-*'
+}
+
+# clang-tidy's analyzer: as long as all other checks together.
+stage_analyze() {
+    configure test release
+    check tidy '-*,clang-analyzer-*'
+}
+
+# tidy CHECKS: with these on top of .clang-tidy, all cores.
+tidy() {
+    local log=build/test/tidy.log status=0
+    run-clang-tidy-14 -quiet -p build/test -j "$(nproc)" -checks="$1" '/(src|platform)/' >"$log" 2>&1 || status=$?
+    grep -vE '^clang-tidy-14 |warnings? generated|^Suppressed |^Use -header-filter|^$' "$log" || true
+    return $status
 }
 
 check_format() {
