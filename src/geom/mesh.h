@@ -11,32 +11,33 @@
 namespace scanout::geom {
 
 struct Mesh {
-    // Vertices, one entry each. normal is of unit length. uv and colour are empty when no face has them.
+    // Vertices, one entry each. normal is of unit length. uv and colour are empty when no face has
+    // them.
     std::vector<Vec3> position;
     std::vector<Vec3> normal;
-    std::vector<Vec2> uv;      // v runs up; u and v of a face are moved by whole numbers towards 0
-    std::vector<Vec3> colour;  // linear
+    std::vector<Vec2> uv;     // v runs up; u and v of a face are moved by whole numbers towards 0
+    std::vector<Vec3> colour; // linear
 
     // Triangles in file order: three vertex indices each.
     std::vector<std::uint32_t> index;
-    std::vector<std::int32_t> material;  // one a triangle, -1 none
-    std::vector<std::uint32_t> face;     // one a triangle: the face of the file that it is part of
+    std::vector<std::int32_t> material; // one a triangle, -1 none
+    std::vector<std::uint32_t> face;    // one a triangle: the face of the file that it is part of
 
     std::vector<std::uint32_t> line_index;   // two vertex indices a segment
-    std::vector<std::int32_t> line_material;  // one a segment
+    std::vector<std::int32_t> line_material; // one a segment
     std::vector<std::uint32_t> point_index;  // one vertex index a point
     std::vector<std::int32_t> point_material;
 
     // The framing sphere: about the middle of the bounding box of the vertices that something uses
     // (of all vertices, when nothing does). By min and max alone: no order of vertices can move it.
-    DVec3 centre{0};        // file units
-    int exponent = 0;       // file units = normalised * 2^exponent
-    double radius = 0.5;    // normalised; 0.5 when the mesh is empty or a single point
-    DVec3 box_min{0}, box_max{0};  // file units
+    DVec3 centre{0};              // file units
+    int exponent = 0;             // file units = normalised * 2^exponent
+    double radius = 0.5;          // normalised; 0.5 when the mesh is empty or a single point
+    DVec3 box_min{0}, box_max{0}; // file units
 
     std::size_t triangles() const { return index.size() / 3; }
     std::size_t lines() const { return line_index.size() / 2; }
     std::size_t points() const { return point_index.size(); }
 };
 
-}  // namespace scanout::geom
+} // namespace scanout::geom

@@ -15,26 +15,28 @@ struct Corner {
 };
 
 // Smoothing groups: faces of one group share normals across their common vertices.
-inline constexpr std::uint32_t kSmoothingOff = 0;           // "s off": flat
-inline constexpr std::uint32_t kSmoothingUnset = 0xffffffff;  // no s statement: by crease angle
+inline constexpr std::uint32_t kSmoothingOff = 0;            // "s off": flat
+inline constexpr std::uint32_t kSmoothingUnset = 0xffffffff; // no s statement: by crease angle
 
 struct PolygonMesh {
-    std::vector<DVec3> positions;  // file units
-    std::vector<Vec3> colours;     // linear, one a position; empty when the file has none
-    std::vector<DVec2> uvs;        // v runs up
-    std::vector<Vec3> normals;     // any length; zero or not finite = missing
+    std::vector<DVec3> positions; // file units
+    std::vector<Vec3> colours;    // linear, one a position; empty when the file has none
+    std::vector<DVec2> uvs;       // v runs up
+    std::vector<Vec3> normals;    // any length; zero or not finite = missing
 
-    std::vector<Corner> corners;             // of all faces, one after the other
-    std::vector<std::uint32_t> face_begin;   // first corner of each face; faces end where the next begins
-    std::vector<std::int32_t> face_material;  // index of a scene material, -1 none; one a face
-    std::vector<std::uint32_t> face_smoothing;  // one a face, or empty when every face is kSmoothingUnset
+    std::vector<Corner> corners; // of all faces, one after the other
+    std::vector<std::uint32_t>
+        face_begin; // first corner of each face; faces end where the next begins
+    std::vector<std::int32_t> face_material; // index of a scene material, -1 none; one a face
+    std::vector<std::uint32_t>
+        face_smoothing; // one a face, or empty when every face is kSmoothingUnset
 
-    std::vector<std::uint32_t> line_vertices;  // polylines: position indices, one after the other
-    std::vector<std::uint32_t> line_begin;     // first entry of each polyline
-    std::vector<std::int32_t> line_material;   // one a polyline
+    std::vector<std::uint32_t> line_vertices; // polylines: position indices, one after the other
+    std::vector<std::uint32_t> line_begin;    // first entry of each polyline
+    std::vector<std::int32_t> line_material;  // one a polyline
 
     std::vector<std::uint32_t> point_vertices;
-    std::vector<std::int32_t> point_material;  // one a point
+    std::vector<std::int32_t> point_material; // one a point
 
     std::size_t faces() const { return face_begin.size(); }
     std::size_t face_end(std::size_t face) const {
@@ -42,4 +44,4 @@ struct PolygonMesh {
     }
 };
 
-}  // namespace scanout::geom
+} // namespace scanout::geom

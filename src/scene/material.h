@@ -39,8 +39,8 @@ struct Material {
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
-// Ns 0, or no Ns at all, would put a highlight everywhere: exporters that write it beside a bright Ks
-// (MeshLab does) mean none.
+// Ns 0, or no Ns at all, would put a highlight everywhere: exporters that write it beside a bright
+// Ks (MeshLab does) mean none.
 inline bool has_highlight(const Material& m) {
     return m.shininess > 0 && (m.specular.x > 0 || m.specular.y > 0 || m.specular.z > 0);
 }

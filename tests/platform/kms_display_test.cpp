@@ -189,7 +189,8 @@ TEST(KmsDisplay, is_paced_only_when_the_driver_counts_refreshes) {
 TEST(KmsDisplay, after_a_switch_of_the_console_sets_the_mode_and_shows_the_whole_frame) {
     Rig rig;
     ASSERT_TRUE(rig.open());
-    for (int i = 0; i < 3; ++i) ASSERT_TRUE(rig.present(noise(8, 4, 1), {}));  // both are up to date
+    for (int i = 0; i < 3; ++i)
+        ASSERT_TRUE(rig.present(noise(8, 4, 1), {})); // both are up to date
     rig.card.hold_events = true;
     ASSERT_TRUE(rig.present(noise(8, 4, 1), {}));
     rig.seat.set(false);
