@@ -101,6 +101,7 @@ constexpr std::array kTopics = {
 
 Result<Exit> run_list(const Settings& settings) {
     std::vector<std::string_view> names;
+    names.reserve(std::size(kTopics));
     for (const Topic& topic : kTopics)
         names.push_back(topic.name);
     if (settings.arguments.size() != 1)

@@ -270,7 +270,7 @@ void Gatherer::flush(const raster::VisibilityTile& tile, const GatherInput& in, 
 
 std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
                               TileColour& out) {
-    constexpr auto kPixels = static_cast<std::size_t>(kTileSize * kTileSize);
+    constexpr std::size_t kPixels = std::size_t{kTileSize} * kTileSize;
     for (auto* channel : {&out.red, &out.green, &out.blue})
         channel->assign(kPixels, 0.0F);
     out.covered.assign(kPixels, 0);
