@@ -16,7 +16,6 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
-#include <oneapi/tbb/task_scheduler_observer.h>
 #endif
 
 namespace scanout {
@@ -26,25 +25,33 @@ static int resolve_threads(int threads) {
                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// Workers leave the signals that end a program to the thread that made them, so that it can hold
-// them back while a file is written.
-static void leave_signals_to_main() {
-    sigset_t ending;
-    sigemptyset(&ending);
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP})
-        sigaddset(&ending, signal);
-    ::pthread_sigmask(SIG_BLOCK, &ending, nullptr);
-}
+// While this lives, signals that end a program are held back in the calling thread. Workers that
+// are made meanwhile inherit that, so a signal finds the thread that may hold it back at will, as
+// whoever writes a file does.
+class EndingSignalsHeld {
+public:
+    EndingSignalsHeld() {
+        sigset_t ending;
+        sigemptyset(&ending);
+        for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGTSTP})
+            sigaddset(&ending, signal);
+        ::pthread_sigmask(SIG_BLOCK, &ending, &before_);
+    }
+    ~EndingSignalsHeld() { ::pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+    EndingSignalsHeld(const EndingSignalsHeld&) = delete;
+    EndingSignalsHeld& operator=(const EndingSignalsHeld&) = delete;
+
+private:
+    sigset_t before_{};
+};
 
 #if SCANOUT_JOBS_STD_THREAD
 
 struct Jobs::Pool {
     explicit Pool(int threads) {
+        const EndingSignalsHeld held;
         for (int worker = 1; worker < threads; ++worker)
-            threads_.emplace_back([this, worker] {
-                leave_signals_to_main();
-                work(worker);
-            });
+            threads_.emplace_back([this, worker] { work(worker); });
     }
     ~Pool() {
         {
@@ -109,17 +116,6 @@ void Jobs::run(int count, Thunk thunk, void* function) {
 
 namespace tbb = oneapi::tbb;
 
-class WorkerSignals : public tbb::task_scheduler_observer {
-public:
-    explicit WorkerSignals(tbb::task_arena& arena) : tbb::task_scheduler_observer(arena) {
-        observe(true);
-    }
-    ~WorkerSignals() override { observe(false); }
-    void on_scheduler_entry(bool is_worker) override {
-        if (is_worker) leave_signals_to_main();
-    }
-};
-
 // Lets an arena have more workers than the machine has cores: tests run 16. One limit for all,
 // since oneTBB obeys the smallest one alive: a Jobs(1) would make every other serial. Before any
 // arena.
@@ -129,10 +125,9 @@ static int with_raised_limit(int threads) {
 }
 
 struct Jobs::Pool {
-    explicit Pool(int threads) : arena(with_raised_limit(threads)), worker_signals(arena) {}
+    explicit Pool(int threads) : arena(with_raised_limit(threads)) {}
     int threads() const { return arena.max_concurrency(); }
     tbb::task_arena arena;
-    WorkerSignals worker_signals;
 };
 
 void Jobs::run(int count, Thunk thunk, void* function) {
@@ -141,6 +136,7 @@ void Jobs::run(int count, Thunk thunk, void* function) {
             thunk(function, i, 0);
         return;
     }
+    const EndingSignalsHeld held; // oneTBB makes its workers when there is work
     pool_->arena.execute([&] {
         tbb::parallel_for(
             0, count,
