@@ -27,12 +27,12 @@ public:
     std::span<const SampleOffset> pattern() const { return pattern_; }
     bool empty() const { return !touched_; }
 
-    // x, y: pixels of the picture inside area(). One id and depth a sample.
-    std::span<const std::uint32_t> ids(int x, int y) const {
-        return {id_.data() + offset(x, y), count()};
+    // x, y: a pixel of the picture inside area().
+    std::uint32_t id(int x, int y, int sample = 0) const {
+        return id_[offset(x, y) + static_cast<std::size_t>(sample)];
     }
-    std::span<const float> depths(int x, int y) const {
-        return {depth_.data() + offset(x, y), count()};
+    float depth(int x, int y, int sample = 0) const {
+        return depth_[offset(x, y) + static_cast<std::size_t>(sample)];
     }
 
 private:

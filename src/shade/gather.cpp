@@ -135,9 +135,13 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     const auto triangles = static_cast<std::uint32_t>(mesh.triangles());
     const auto lines = static_cast<std::uint32_t>(mesh.lines());
     const image::Rect& area = tile.area();
+    std::array<std::uint32_t, 16> samples{};
     for (int y = area.y0; y < area.y1; ++y) {
         for (int x = area.x0; x < area.x1; ++x) {
-            const auto ids = tile.ids(x, y);
+            const std::span<std::uint32_t> ids(samples.data(),
+                                               static_cast<std::size_t>(tile.samples()));
+            for (std::size_t i = 0; i < ids.size(); ++i)
+                ids[i] = tile.id(x, y, static_cast<int>(i));
             const auto pixel =
                 static_cast<std::uint16_t>((y - area.y0) * kTileSize + (x - area.x0));
             for (std::size_t s = 0; s < ids.size(); ++s) {

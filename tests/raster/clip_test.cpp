@@ -213,7 +213,7 @@ TEST(Clip, TrianglesThroughTheEyesPlaneCoverWhatRaysHit) {
                     ++close;
                     continue;
                 }
-                ASSERT_EQ(tile.ids(x, y)[0] == 0, expected == 1) << i << ": " << x << ',' << y;
+                ASSERT_EQ(tile.id(x, y) == 0, expected == 1) << i << ": " << x << ',' << y;
                 covered += expected;
             }
         }
@@ -254,7 +254,7 @@ TEST(Clip, AFloorUnderTheCameraCoversEveryPixelBelowTheHorizonOnce) {
                     for (int y = 0; y < kHeight; ++y)
                         for (int x = 0; x < kWidth; ++x)
                             hits[static_cast<std::size_t>(y) * kWidth +
-                                 static_cast<std::size_t>(x)] += tile.ids(x, y)[0] == 0 ? 1 : 0;
+                                 static_cast<std::size_t>(x)] += tile.id(x, y) == 0 ? 1 : 0;
                 }
             }
         }
@@ -324,9 +324,9 @@ TEST(Clip, NoCoordinateIsTooBadToDraw) {
             geometry.draw(k, tile);
             for (int y = tile.area().y0; y < tile.area().y1; ++y) {
                 for (int x = tile.area().x0; x < tile.area().x1; ++x) {
-                    for (const float depth : tile.depths(x, y))
-                        ASSERT_FALSE(std::isnan(depth));
-                    for (const std::uint32_t id : tile.ids(x, y)) {
+                    for (int sample = 0; sample < tile.samples(); ++sample) {
+                        ASSERT_FALSE(std::isnan(tile.depth(x, y, sample)));
+                        const std::uint32_t id = tile.id(x, y, sample);
                         ASSERT_TRUE(id == kNoPrimitive || id < 60);
                         drawn += id != kNoPrimitive ? 1 : 0;
                     }

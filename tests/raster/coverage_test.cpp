@@ -33,8 +33,8 @@ public:
         std::size_t i = 0;
         for (int y = area_.y0; y < area_.y1; ++y)
             for (int x = area_.x0; x < area_.x1; ++x)
-                for (const std::uint32_t id : tile_.ids(x, y))
-                    hits_[i++] += id == 7 ? 1 : 0;
+                for (int sample = 0; sample < samples_; ++sample)
+                    hits_[i++] += tile_.id(x, y, sample) == 7 ? 1 : 0;
     }
     // Samples that are covered any number of times but once.
     std::int64_t faults() const {
@@ -285,7 +285,7 @@ int mismatches(const Corners& v, int samples, VisibilityTile& tile) {
         for (int y = 0; y < kSide; ++y) {
             auto e = exact.at(tile.pattern()[s].x, y * kSubpixel + tile.pattern()[s].y);
             for (int x = 0; x < kSide; ++x, exact.step_right(e))
-                wrong += (tile.ids(x, y)[s] == 3) != exact.inside(e);
+                wrong += (tile.id(x, y, static_cast<int>(s)) == 3) != exact.inside(e);
         }
     }
     return wrong;
@@ -328,7 +328,7 @@ TEST(Coverage, WholePixelShiftsMoveTheMaskAlong) {
         moved.draw(set_up(v, 1));
         for (int y = 16; y < kSide - 16; ++y)
             for (int x = 16; x < kSide - 16; ++x)
-                ASSERT_EQ(tile.ids(x, y)[0], moved.ids(x + dx, y + dy)[0]) << i;
+                ASSERT_EQ(tile.id(x, y), moved.id(x + dx, y + dy)) << i;
     }
 }
 

@@ -24,7 +24,7 @@ Pixels pixels(const Primitive& primitive, VisibilityTile& tile) {
     Pixels out;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)
-            if (tile.ids(x, y)[0] == 9) out.insert({x, y});
+            if (tile.id(x, y) == 9) out.insert({x, y});
     return out;
 }
 
@@ -97,10 +97,10 @@ TEST(Segment, DoesNotDependOnItsDirection) {
         const Pixels there = pixels(segment(a, b, da, db), tile);
         std::map<std::pair<int, int>, float> depth;
         for (const auto& [x, y] : there)
-            depth[{x, y}] = tile.depths(x, y)[0];
+            depth[{x, y}] = tile.depth(x, y);
         ASSERT_EQ(there, pixels(segment(b, a, db, da), tile)) << i;
         for (const auto& [x, y] : there)
-            ASSERT_EQ((depth[{x, y}]), tile.depths(x, y)[0]) << i;
+            ASSERT_EQ((depth[{x, y}]), tile.depth(x, y)) << i;
     }
 }
 
@@ -141,8 +141,8 @@ TEST(Segment, IsTheSameInEveryTile) {
             part.draw(s);
             for (int y = area.y0; y < area.y1; ++y)
                 for (int x = area.x0; x < area.x1; ++x) {
-                    ASSERT_EQ(part.ids(x, y)[0], whole.ids(x, y)[0]) << i;
-                    ASSERT_EQ(part.depths(x, y)[0], whole.depths(x, y)[0]) << i;
+                    ASSERT_EQ(part.id(x, y), whole.id(x, y)) << i;
+                    ASSERT_EQ(part.depth(x, y), whole.depth(x, y)) << i;
                 }
         }
     }
@@ -165,7 +165,7 @@ TEST(Segment, IsSeenOnTheSurfaceThatItLiesOn) {
         const Pixels line = pixels(s, tile);
         tile.draw(set_up(v, 1, depth));
         for (const auto& [x, y] : line)
-            (tile.ids(x, y)[0] == 9 ? seen : hidden) += 1;
+            (tile.id(x, y) == 9 ? seen : hidden) += 1;
     }
     RecordProperty("hidden_per_mille", static_cast<int>(hidden * 1000 / (hidden + seen)));
     // A pixel's centre lies up to half a pixel beside the line, where a surface that is steep

@@ -20,8 +20,10 @@ struct Snapshot {
 void append(Snapshot& s, const VisibilityTile& tile) {
     for (int y = tile.area().y0; y < tile.area().y1; ++y) {
         for (int x = tile.area().x0; x < tile.area().x1; ++x) {
-            s.id.insert(s.id.end(), tile.ids(x, y).begin(), tile.ids(x, y).end());
-            s.depth.insert(s.depth.end(), tile.depths(x, y).begin(), tile.depths(x, y).end());
+            for (int sample = 0; sample < tile.samples(); ++sample) {
+                s.id.push_back(tile.id(x, y, sample));
+                s.depth.push_back(tile.depth(x, y, sample));
+            }
         }
     }
 }
@@ -111,7 +113,7 @@ TEST(Visibility, TheNearestTriangleIsSeenAtEverySample) {
                     }
                 }
                 if (seen != kNoPrimitive && best - second < 1e-6L) continue;
-                ASSERT_EQ(tile.ids(x, y)[s], seen) << x << ' ' << y;
+                ASSERT_EQ(tile.id(x, y, static_cast<int>(s)), seen) << x << ' ' << y;
                 ++checked;
             }
         }
@@ -143,7 +145,7 @@ double depth_error(double w_ratio, int count, std::uint64_t seed) {
         };
         for (int y = 0; y < kTileSize; ++y) {
             for (int x = 0; x < kTileSize; ++x) {
-                if (tile.ids(x, y)[0] != 0) continue;
+                if (tile.id(x, y) != 0) continue;
                 const int sx = x * 256 + 128, sy = y * 256 + 128;
                 // Integer areas are exact in long double; the terms have one sign.
                 const auto e0 = static_cast<long double>(area(*b, *c, sx, sy)),
@@ -152,7 +154,7 @@ double depth_error(double w_ratio, int count, std::uint64_t seed) {
                 const long double exact =
                     (e0 * depth[0] + e1 * depth[1] + e2 * depth[2]) / (e0 + e1 + e2);
                 const long double relative =
-                    std::abs(static_cast<long double>(tile.depths(x, y)[0]) - exact) / exact;
+                    std::abs(static_cast<long double>(tile.depth(x, y)) - exact) / exact;
                 worst = std::max(worst, static_cast<double>(relative * 0x1p24L));
             }
         }
