@@ -4,6 +4,7 @@ find_package(tl-expected CONFIG REQUIRED)   # libexpected-dev
 find_package(fmt CONFIG REQUIRED)           # libfmt-dev
 find_package(TBB 2021 CONFIG REQUIRED)      # libtbb-dev
 find_package(glm CONFIG REQUIRED)           # libglm-dev
+find_package(hwy CONFIG REQUIRED)           # libhwy-dev
 find_package(PNG REQUIRED)                  # libpng-dev
 find_package(JPEG REQUIRED)                 # libjpeg62-turbo-dev
 find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev

@@ -5,7 +5,7 @@
 
 packages_build=(
     g++ cmake ninja-build pkg-config
-    libexpected-dev libfmt-dev libtbb-dev libglm-dev libpng-dev libjpeg62-turbo-dev libcli11-dev
+    libexpected-dev libfmt-dev libhwy-dev libtbb-dev libglm-dev libpng-dev libjpeg62-turbo-dev libcli11-dev
     nlohmann-json3-dev libxxhash-dev libstb-dev libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev
     libxkbcommon-dev
     xkb-data # read when the viewer starts

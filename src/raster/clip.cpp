@@ -10,48 +10,47 @@ namespace {
 constexpr int kPlanes = 5; // near first, then left, right, top, bottom of the guard band
 
 // Signed distance, >= 0 inside.
-double distance(int plane, const ClipVertex& v, double near_w) {
+double distance(int plane, const ClipVertex& v, const ClipBox& box) {
     switch (plane) {
     case 0:
-        return v.w - near_w;
+        return v.w - box.near_w;
     case 1:
-        return v.x + kGuardPixels * v.w;
+        return v.x - box.left * v.w;
     case 2:
-        return kGuardPixels * v.w - v.x;
+        return box.right * v.w - v.x;
     case 3:
-        return v.y + kGuardPixels * v.w;
+        return v.y - box.top * v.w;
     default:
-        return kGuardPixels * v.w - v.y;
+        return box.bottom * v.w - v.y;
     }
 }
 
 // d_in >= 0 > d_out, so the denominator is positive, rounding included (TOPICS T7).
-ClipVertex intersect(int plane, double near_w, const ClipVertex& in, double d_in,
+ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double d_in,
                      const ClipVertex& out, double d_out) {
     const double t = d_in / (d_in - d_out);
     ClipVertex v{in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
                  in.w + t * (out.w - in.w)};
     // On the plane exactly and never behind near, although the sum cancels where the inside vertex
     // is many powers of ten further away: the divide that follows must not meet w <= 0.
-    v.w = plane == 0 ? near_w : std::max(v.w, near_w);
-    const double guard = kGuardPixels * v.w;
-    if (plane == 1 || plane == 2) v.x = plane == 1 ? -guard : guard;
-    if (plane == 3 || plane == 4) v.y = plane == 3 ? -guard : guard;
+    v.w = plane == 0 ? box.near_w : std::max(v.w, box.near_w);
+    if (plane == 1 || plane == 2) v.x = (plane == 1 ? box.left : box.right) * v.w;
+    if (plane == 3 || plane == 4) v.y = (plane == 3 ? box.top : box.bottom) * v.w;
     return v;
 }
 
-void clip_plane(ClipPolygon& polygon, int plane, double near_w) {
+void clip_plane(ClipPolygon& polygon, int plane, const ClipBox& box) {
     ClipPolygon out;
     for (int i = 0; i < polygon.count; ++i) {
         const ClipVertex& a = polygon.vertex[static_cast<std::size_t>(i)];
         const ClipVertex& b = polygon.vertex[static_cast<std::size_t>((i + 1) % polygon.count)];
-        const double da = distance(plane, a, near_w), db = distance(plane, b, near_w);
+        const double da = distance(plane, a, box), db = distance(plane, b, box);
         const bool a_inside = da >= 0, b_inside = db >= 0;
         if (a_inside) out.vertex[static_cast<std::size_t>(out.count++)] = a;
         if (a_inside != b_inside) {
             out.vertex[static_cast<std::size_t>(out.count++)] =
-                a_inside ? intersect(plane, near_w, a, da, b, db)
-                         : intersect(plane, near_w, b, db, a, da);
+                a_inside ? intersect(plane, box, a, da, b, db)
+                         : intersect(plane, box, b, db, a, da);
         }
     }
     polygon = out;
@@ -87,17 +86,17 @@ HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex
     return t;
 }
 
-void clip(ClipPolygon& polygon, double near_w) {
+void clip(ClipPolygon& polygon, const ClipBox& box) {
     for (int plane = 0; plane < kPlanes && polygon.count >= 3; ++plane)
-        clip_plane(polygon, plane, near_w);
+        clip_plane(polygon, plane, box);
 }
 
-bool clip(ClipVertex& a, ClipVertex& b, double near_w) {
+bool clip(ClipVertex& a, ClipVertex& b, const ClipBox& box) {
     for (int plane = 0; plane < kPlanes; ++plane) {
-        const double da = distance(plane, a, near_w), db = distance(plane, b, near_w);
+        const double da = distance(plane, a, box), db = distance(plane, b, box);
         if (da < 0 && db < 0) return false;
-        if (da < 0) a = intersect(plane, near_w, b, db, a, da);
-        if (db < 0) b = intersect(plane, near_w, a, da, b, db);
+        if (da < 0) a = intersect(plane, box, b, db, a, da);
+        if (db < 0) b = intersect(plane, box, a, da, b, db);
     }
     return true;
 }

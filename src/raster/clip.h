@@ -31,10 +31,10 @@ struct ClipPolygon {
     int count = 0;
 };
 
-// polygon: inside near (w >= near_w) and the guard band afterwards; count < 3 when nothing is left.
-void clip(ClipPolygon& polygon, double near_w);
+// polygon: inside the box afterwards; count < 3 when nothing is left.
+void clip(ClipPolygon& polygon, const ClipBox& box);
 
 // A segment likewise; false when nothing is left.
-bool clip(ClipVertex& a, ClipVertex& b, double near_w);
+bool clip(ClipVertex& a, ClipVertex& b, const ClipBox& box);
 
 } // namespace scanout::raster

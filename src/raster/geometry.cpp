@@ -1,8 +1,10 @@
 #include "raster/geometry.h"
 
+#include "base/check.h"
 #include "raster/clip.h"
 
 #include <algorithm>
+#include <bit>
 #include <tuple>
 
 namespace scanout::raster {
@@ -30,18 +32,22 @@ void Geometry::Batch::clear(int tiles) {
 template <class F>
 void Geometry::for_tiles(const image::Rect& bounds, F&& f) const {
     if (bounds.empty()) return;
-    for (int y = bounds.y0 / kTileSize; y <= (bounds.y1 - 1) / kTileSize; ++y)
-        for (int x = bounds.x0 / kTileSize; x <= (bounds.x1 - 1) / kTileSize; ++x)
+    for (int y = bounds.y0 / tile_size_; y <= (bounds.y1 - 1) / tile_size_; ++y)
+        for (int x = bounds.x0 / tile_size_; x <= (bounds.x1 - 1) / tile_size_; ++x)
             f(static_cast<std::size_t>(y * across_ + x));
 }
 
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
                    const GeometryOptions& options) {
+    tile_size_ = options.tile_size;
+    CHECK(std::has_single_bit(static_cast<unsigned>(tile_size_)) && tile_size_ >= 8 &&
+          tile_size_ <= kTileSize);
     width_ = options.width;
     height_ = options.height;
-    across_ = (width_ + kTileSize - 1) / kTileSize;
-    down_ = (height_ + kTileSize - 1) / kTileSize;
-    extent_ = extent_of(sample_pattern(options.samples));
+    across_ = (width_ + tile_size_ - 1) / tile_size_;
+    down_ = (height_ + tile_size_ - 1) / tile_size_;
+    cull_ = {width_, height_, options.keep, options.mirrored,
+             extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
@@ -61,15 +67,20 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     const auto run_all = [&](std::size_t count, auto add) {
         jobs.for_each(chunks(count), [&](int chunk, int worker) {
             const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
-            const std::size_t end = std::min(count, begin + kChunk);
-            Batch& batch = batches_[static_cast<std::size_t>(worker)];
-            for (std::size_t i = begin; i < end; ++i)
-                (this->*add)(task, batch, static_cast<std::uint32_t>(i));
+            add(batches_[static_cast<std::size_t>(worker)], begin, std::min(count, begin + kChunk));
         });
     };
-    run_all(mesh.triangles(), &Geometry::add_triangle);
-    run_all(mesh.lines(), &Geometry::add_segment);
-    run_all(mesh.points(), &Geometry::add_point);
+    run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
+        add_triangles(task, batch, begin, end);
+    });
+    run_all(mesh.lines(), [&](Batch& batch, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            add_segment(task, batch, static_cast<std::uint32_t>(i));
+    });
+    run_all(mesh.points(), [&](Batch& batch, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            add_point(task, batch, static_cast<std::uint32_t>(i));
+    });
 }
 
 std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
@@ -77,31 +88,32 @@ std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
     return {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
 }
 
-bool Geometry::kept(const Task& task, const Triangle& triangle, bool clockwise,
-                    image::Rect& bounds) const {
-    // Counter-clockwise is front, unless the view mirrors.
-    const bool front = !clockwise != task.options.mirrored;
-    if (task.options.keep == Facing::front && !front) return false;
-    if (task.options.keep == Facing::back && front) return false;
-    bounds = pixel_bounds(triangle, width_, height_, extent_);
-    return !bounds.empty();
+void Geometry::add_triangles(const Task& task, Batch& batch, std::size_t begin,
+                             std::size_t end) const {
+    batch.kept.resize(end - begin);
+    batch.cut.resize(end - begin);
+    CullResult found{batch.kept, batch.cut};
+    cull(cull_, vertices_, std::span(task.mesh.index).subspan(begin * 3, (end - begin) * 3),
+         static_cast<std::uint32_t>(begin), found);
+    for (const KeptTriangle& t : found.kept.first(found.kept_count))
+        for_tiles({t.x0, t.y0, t.x1, t.y1},
+                  [&](std::size_t tile) { batch.bins[tile].triangles.push_back(t.triangle); });
+    batch.triangles_drawn += found.kept_count;
+    for (const std::uint32_t triangle : found.cut.first(found.cut_count))
+        add_clipped(task, batch, triangle);
 }
 
-void Geometry::add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const {
-    const std::array<ScreenVertex, 3> v = corners(triangle);
-    const std::uint32_t any = v[0].flags | v[1].flags | v[2].flags;
-    if ((v[0].flags & v[1].flags & v[2].flags & kOutsideMask) != 0 || (any & kNotFinite) != 0)
-        return;
-    if ((any & kNeedsClip) != 0) return add_clipped(task, batch, triangle);
-    const std::optional<SetUp> ready = set_up(v, triangle);
-    image::Rect bounds;
-    if (!ready || !kept(task, ready->triangle, ready->clockwise, bounds)) return;
-    ++batch.triangles_drawn;
-    for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].triangles.push_back(triangle); });
+std::uint32_t Geometry::flags(const Task& task, std::uint32_t vertex) const {
+    const ScreenVertex& v = vertices_[vertex];
+    return v.on_screen()
+               ? task.transform.classify(task.transform.to_clip(task.mesh.position[vertex]))
+               : v.flags();
 }
 
 void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const {
     const std::uint32_t* index = task.mesh.index.data() + std::size_t{triangle} * 3;
+    if ((flags(task, index[0]) & flags(task, index[1]) & flags(task, index[2]) & kOutsideMask) != 0)
+        return;
     ClipPolygon polygon;
     polygon.count = 3;
     for (std::size_t i = 0; i < 3; ++i)
@@ -109,7 +121,7 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
     const HomogeneousTriangle whole =
         homogeneous_triangle({polygon.vertex[0], polygon.vertex[1], polygon.vertex[2]});
     if (!whole.seen) return;
-    clip(polygon, task.transform.near_w());
+    clip(polygon, task.transform.box);
     const auto count = static_cast<std::size_t>(polygon.count);
     if (count < 3) return;
     std::array<ScreenVertex, std::tuple_size_v<decltype(polygon.vertex)>> corner;
@@ -122,11 +134,12 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
     const auto end = corner.begin() + static_cast<std::ptrdiff_t>(count);
     std::rotate(corner.begin(), std::min_element(corner.begin(), end, before), end);
     // Pieces face where the whole does, whatever snapping did to them.
-    const bool clockwise = whole.clockwise != whole.order.odd;
+    if (!faces_as_wanted(cull_, whole.clockwise != whole.order.odd)) return;
     for (std::size_t i = 2; i < count; ++i) {
         const std::optional<SetUp> piece = set_up({corner[0], corner[i - 1], corner[i]}, triangle);
-        image::Rect bounds;
-        if (!piece || !kept(task, piece->triangle, clockwise, bounds)) continue;
+        if (!piece) continue;
+        const image::Rect bounds = pixel_bounds(piece->triangle, width_, height_, cull_.extent);
+        if (bounds.empty()) continue;
         ++batch.triangles_drawn;
         const auto number = static_cast<std::uint32_t>(batch.pieces.size());
         batch.pieces.push_back(piece->triangle);
@@ -137,12 +150,13 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
 void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment) const {
     const std::uint32_t* index = task.mesh.line_index.data() + std::size_t{segment} * 2;
     ScreenVertex v[2] = {vertices_[index[0]], vertices_[index[1]]};
-    const std::uint32_t any = v[0].flags | v[1].flags;
-    if ((v[0].flags & v[1].flags & kOutsideMask) != 0 || (any & kNotFinite) != 0) return;
-    if ((any & kNeedsClip) != 0) {
+    const std::uint32_t of_first = flags(task, index[0]), of_second = flags(task, index[1]);
+    if ((of_first & of_second & kOutsideMask) != 0) return;
+    if (((of_first | of_second) & kNotFinite) != 0) return;
+    if (((of_first | of_second) & kNeedsClip) != 0) {
         ClipVertex a = task.transform.to_clip(task.mesh.position[index[0]]);
         ClipVertex b = task.transform.to_clip(task.mesh.position[index[1]]);
-        if (!clip(a, b, task.transform.near_w())) return;
+        if (!clip(a, b, task.transform.box)) return;
         v[0] = task.transform.to_screen(a);
         v[1] = task.transform.to_screen(b);
     }
@@ -158,7 +172,7 @@ void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment
 
 void Geometry::add_point(const Task& task, Batch& batch, std::uint32_t point) const {
     const ScreenVertex& v = vertices_[task.mesh.point_index[point]];
-    if (v.flags != 0) return;
+    if (!v.on_screen()) return;
     const Point p{v.x, v.y, v.depth,
                   static_cast<std::uint32_t>(task.mesh.triangles() + task.mesh.lines()) + point};
     const auto number = static_cast<std::uint32_t>(batch.points.size());
@@ -168,18 +182,29 @@ void Geometry::add_point(const Task& task, Batch& batch, std::uint32_t point) co
 }
 
 image::Rect Geometry::tile_area(int tile) const {
-    const int x = tile % across_ * kTileSize, y = tile / across_ * kTileSize;
+    const int x = tile % across_ * kTileSize, y = tile / across_ * tile_size_;
     return {x, y, std::min(x + kTileSize, width_), std::min(y + kTileSize, height_)};
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) const {
+    std::array<Triangle, 64> ready;
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        for (const std::uint32_t id : bin.triangles)
-            if (const std::optional<SetUp> ready = set_up(corners(id), id))
-                out.draw(ready->triangle);
-        for (const std::uint32_t i : bin.pieces)
-            out.draw(batch.pieces[i]);
+        std::size_t count = 0;
+        const auto flush = [&] {
+            out.draw(std::span(ready).first(count));
+            count = 0;
+        };
+        for (const std::uint32_t id : bin.triangles) {
+            if (const std::optional<SetUp> t = set_up(corners(id), id))
+                ready[count++] = t->triangle;
+            if (count == ready.size()) flush();
+        }
+        for (const std::uint32_t i : bin.pieces) {
+            ready[count++] = batch.pieces[i];
+            if (count == ready.size()) flush();
+        }
+        flush();
         for (const std::uint32_t i : bin.segments)
             out.draw(batch.segments[i]);
         for (const std::uint32_t i : bin.points)

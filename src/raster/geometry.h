@@ -5,6 +5,7 @@
 
 #include "base/jobs.h"
 #include "geom/mesh.h"
+#include "raster/cull.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
 #include "raster/tile.h"
@@ -16,13 +17,12 @@
 
 namespace scanout::raster {
 
-enum class Facing : std::uint8_t { any, front, back }; // which triangles are kept
-
 struct GeometryOptions {
     int width = 0, height = 0;
     Facing keep = Facing::any;
-    bool mirrored = false; // front faces wind clockwise in view space
-    int samples = 1;       // of the tiles that will be drawn
+    bool mirrored = false;     // front faces wind clockwise in view space
+    int samples = 1;           // of the tiles that will be drawn
+    int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
 };
 
 class Geometry {
@@ -51,23 +51,23 @@ private:
             std::vector<std::uint32_t> triangles, pieces, segments, points;
         };
         std::vector<Bin> bins;
+        std::vector<KeptTriangle> kept; // of one chunk
+        std::vector<std::uint32_t> cut;
         std::uint64_t triangles_drawn = 0;
         void clear(int tiles);
     };
     struct Task; // the arguments of one run
-    void add_triangle(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    void add_triangles(const Task& task, Batch& batch, std::size_t begin, std::size_t end) const;
     void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
-    // False when the triangle is culled or no sample can lie in it.
-    bool kept(const Task& task, const Triangle& triangle, bool clockwise,
-              image::Rect& bounds) const;
+    std::uint32_t flags(const Task& task, std::uint32_t vertex) const;
     void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
     void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
     template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 
-    int width_ = 0, height_ = 0, across_ = 0, down_ = 0;
-    SampleExtent extent_;
+    int width_ = 0, height_ = 0, across_ = 0, down_ = 0, tile_size_ = kTileSize;
+    CullOptions cull_;
     const geom::Mesh* mesh_ = nullptr; // of the last run
     std::vector<ScreenVertex> vertices_;
     std::vector<Batch> batches_;

@@ -1,5 +1,6 @@
 #include "raster/screen.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace scanout::raster {
@@ -17,26 +18,36 @@ std::int32_t snap(double pixels) {
 
 } // namespace
 
-ScreenTransform::ScreenTransform(const scene::View& view, int width, int height)
-    : linear_(view.linear), translation_(view.translation),
-      perspective_(view.projection == scene::Projection::perspective),
-      scale_x_(width / (2 * view.half_width)), scale_y_(height / (2 * view.half_height)),
-      centre_x_(width / 2.0), centre_y_(height / 2.0), width_(width), height_(height),
-      near_w_(perspective_ ? view.near_distance : 0.5), depth_origin_(view.depth_origin),
-      depth_scale_(view.depth_scale) {}
+ScreenTransform::ScreenTransform(const scene::View& view, int w, int h)
+    : linear(), translation(), perspective(view.projection == scene::Projection::perspective),
+      scale_x(w / (2 * view.half_width)), scale_y(h / (2 * view.half_height)), centre_x(w / 2.0),
+      centre_y(h / 2.0), width(w), height(h), depth_origin(view.depth_origin),
+      depth_scale(view.depth_scale), box{.near_w = perspective ? view.near_distance : 0.5} {
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c)
+            linear[r][c] = view.linear[c][r];
+        translation[r] = view.translation[r];
+    }
+}
+
+void ScreenTransform::set_guard(double pixels) {
+    box.left = std::max(-pixels, -kGuardPixels);
+    box.top = box.left;
+    box.right = std::min(width + pixels, kGuardPixels);
+    box.bottom = std::min(height + pixels, kGuardPixels);
+}
 
 ClipVertex ScreenTransform::to_clip(const Vec3& p) const {
     const DVec3 position(p);
-    const auto axis = [&](int r) {
-        return ((linear_[0][r] * position.x + linear_[1][r] * position.y) +
-                linear_[2][r] * position.z) +
-               translation_[r];
+    const auto axis = [&](const double(&row)[3], double offset) {
+        return ((row[0] * position.x + row[1] * position.y) + row[2] * position.z) + offset;
     };
-    const double x = axis(0), y = axis(1), z = axis(2);
+    const double x = axis(linear[0], translation[0]), y = axis(linear[1], translation[1]),
+                 z = axis(linear[2], translation[2]);
     // Perspective: w is the distance along the view axis, depth = near / w. Orthographic: w is 1.
-    const double w = perspective_ ? -z : 1.0;
-    return {x * scale_x_ + w * centre_x_, w * centre_y_ - y * scale_y_,
-            perspective_ ? near_w_ : (z - depth_origin_) * depth_scale_, w};
+    const double w = perspective ? -z : 1.0;
+    return {x * scale_x + w * centre_x, w * centre_y - y * scale_y,
+            perspective ? box.near_w : (z - depth_origin) * depth_scale, w};
 }
 
 std::uint32_t ScreenTransform::classify(const ClipVertex& v) const {
@@ -45,35 +56,25 @@ std::uint32_t ScreenTransform::classify(const ClipVertex& v) const {
     std::uint32_t flags = 0;
     // Half-spaces in homogeneous coordinates: right for every sign of w.
     if (v.x < 0) flags |= kOutsideLeft;
-    if (v.x > width_ * v.w) flags |= kOutsideRight;
+    if (v.x > width * v.w) flags |= kOutsideRight;
     if (v.y < 0) flags |= kOutsideTop;
-    if (v.y > height_ * v.w) flags |= kOutsideBottom;
-    if (v.w < near_w_) flags |= kOutsideNear;
-    const double guard = kGuardPixels * v.w;
-    if (v.x < -guard || v.x > guard || v.y < -guard || v.y > guard) flags |= kOutsideGuard;
+    if (v.y > height * v.w) flags |= kOutsideBottom;
+    if (v.w < box.near_w) flags |= kOutsideNear;
+    if (v.x < box.left * v.w || v.x > box.right * v.w || v.y < box.top * v.w ||
+        v.y > box.bottom * v.w)
+        flags |= kOutsideGuard;
     return flags;
 }
 
 ScreenVertex ScreenTransform::to_screen(const ClipVertex& v) const {
-    ScreenVertex out;
-    out.x = snap(v.x / v.w);
-    out.y = snap(v.y / v.w);
-    out.depth = v.z / v.w;
-    out.inverse_w = static_cast<float>(near_w_ / v.w);
-    return out;
+    return {snap(v.x / v.w), snap(v.y / v.w), v.z / v.w};
 }
 
-void transform_vertices(const ScreenTransform& transform, std::span<const Vec3> positions,
-                        std::span<ScreenVertex> out) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        const ClipVertex clip = transform.to_clip(positions[i]);
-        const std::uint32_t flags = transform.classify(clip);
-        if ((flags & (kNeedsClip | kNotFinite)) == 0)
-            out[i] = transform.to_screen(clip);
-        else
-            out[i] = ScreenVertex();
-        out[i].flags = flags;
-    }
+ScreenVertex ScreenTransform::transform(const Vec3& position) const {
+    const ClipVertex clip = to_clip(position);
+    const std::uint32_t flags = classify(clip);
+    if ((flags & (kNeedsClip | kNotFinite)) == 0) return to_screen(clip);
+    return {ScreenVertex::kOffScreen, static_cast<std::int32_t>(flags), 0};
 }
 
 } // namespace scanout::raster

@@ -31,18 +31,31 @@ enum VertexFlags : std::uint32_t {
     kNeedsClip = kOutsideNear | kOutsideGuard,
 };
 
-// A vertex on the screen. x, y in 1/256 pixel; both are 0 when the vertex needs clipping.
+// A vertex on the screen. x, y in 1/256 pixel. A vertex that has no place there before it is
+// clipped, or is not finite, has x = kOffScreen and its flags in y.
 struct ScreenVertex {
-    std::int32_t x = 0, y = 0;
-    double depth = 0;    // in (0, 1], greater is nearer
-    float inverse_w = 0; // near w / w, in (0, 1] at every size of scene, for interpolation
-    std::uint32_t flags = 0;
+    static constexpr std::int32_t kOffScreen = INT32_MIN;
+    std::int32_t x = kOffScreen, y = 0;
+    double depth = 0; // in (0, 1], greater is nearer
+
+    bool on_screen() const { return x != kOffScreen; }
+    std::uint32_t flags() const { return on_screen() ? 0U : static_cast<std::uint32_t>(y); }
+};
+static_assert(sizeof(ScreenVertex) == 16);
+
+// What is clipped away: behind the near plane, and beyond the guard band (pixels).
+struct ClipBox {
+    double near_w;
+    double left = -kGuardPixels, right = kGuardPixels, top = -kGuardPixels, bottom = kGuardPixels;
 };
 
 // The view's numbers with the size of the picture folded in.
-class ScreenTransform {
-public:
+struct ScreenTransform {
     ScreenTransform(const scene::View& view, int width, int height);
+
+    // Clips closer: this many pixels around the picture. Shapes stay the same but for 1/256 pixel
+    // along the cuts (HARD-CASES P7).
+    void set_guard(double pixels);
 
     ClipVertex to_clip(const Vec3& mesh_position) const;
     // Which planes the vertex is outside of.
@@ -50,20 +63,20 @@ public:
     // Divide and snap; the vertex must be inside near and guard band (what rounding leaves outside
     // the guard band comes back to its edge).
     ScreenVertex to_screen(const ClipVertex& vertex) const;
+    // All three at once.
+    ScreenVertex transform(const Vec3& mesh_position) const;
 
-    double near_w() const { return near_w_; }
-
-private:
-    DMat3 linear_;
-    DVec3 translation_;
-    bool perspective_;
-    double scale_x_, scale_y_;   // view units to pixels at distance 1
-    double centre_x_, centre_y_; // pixels
-    double width_, height_;
-    double near_w_;
-    double depth_origin_, depth_scale_;
+    double linear[3][3]; // row major, mesh to view space
+    double translation[3];
+    bool perspective;
+    double scale_x, scale_y;   // view units to pixels at distance 1
+    double centre_x, centre_y; // pixels
+    double width, height;
+    double depth_origin, depth_scale; // of parallel projections
+    ClipBox box;
 };
 
+// ScreenTransform::transform of many vertices, in lanes.
 void transform_vertices(const ScreenTransform& transform, std::span<const Vec3> positions,
                         std::span<ScreenVertex> out);
 

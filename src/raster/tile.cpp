@@ -1,5 +1,6 @@
 #include "raster/tile.h"
 
+#include "raster/coverage.h"
 #include "raster/screen.h"
 
 #include <algorithm>
@@ -11,9 +12,8 @@ void VisibilityTile::reset(const image::Rect& area, int samples) {
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
-    extent_ = extent_of(pattern_);
     touched_ = false;
-    const std::size_t size = static_cast<std::size_t>(kTileSize * kTileSize) * count();
+    const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     depth_.assign(size, 0.0F);
     id_.assign(size, kNoPrimitive);
 }
@@ -23,42 +23,14 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
             std::min(r.y1, area_.y1)};
 }
 
-void VisibilityTile::draw(const Triangle& t) {
-    const image::Rect box = inside(pixel_bounds(t, area_.x1, area_.y1, extent_));
-    if (box.empty()) return;
-    const Edges e = edges_of(t);
-    const auto area = static_cast<double>(e.area);
-    // Depth from the exact weights E / area, in double, rounded once. No term is negative, so
-    // nothing cancels: reversed depth keeps its relative precision across any range of distances
-    // (HARD-CASES 15).
-    const double share[3] = {t.depth[0] / area, t.depth[1] / area, t.depth[2] / area};
-    for (std::size_t s = 0; s < count(); ++s) {
-        const SampleOffset at = pattern_[s];
-        for (int y = box.y0; y < box.y1; ++y) {
-            const std::int64_t sx = std::int64_t{box.x0} * kSubpixel + at.x;
-            const std::int64_t sy = std::int64_t{y} * kSubpixel + at.y;
-            std::int64_t e0 = e.at(0, sx, sy), e1 = e.at(1, sx, sy), e2 = e.at(2, sx, sy);
-            std::size_t sample = offset(box.x0, y) + s;
-            for (int x = box.x0; x < box.x1; ++x, sample += count()) {
-                if (((e0 + e.bias[0]) | (e1 + e.bias[1]) | (e2 + e.bias[2])) >= 0) {
-                    const double depth =
-                        (static_cast<double>(e0) * share[0] + static_cast<double>(e1) * share[1]) +
-                        static_cast<double>(e2) * share[2];
-                    put(sample, static_cast<float>(depth), t.id);
-                }
-                e0 += e.a[0] * kSubpixel;
-                e1 += e.a[1] * kSubpixel;
-                e2 += e.a[2] * kSubpixel;
-            }
-        }
-    }
+void VisibilityTile::draw(std::span<const Triangle> triangles) {
+    touched_ |= draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
 }
 
 void VisibilityTile::put_pixel(int x, int y, float depth, std::uint32_t id) {
     if (x < area_.x0 || x >= area_.x1 || y < area_.y0 || y >= area_.y1) return;
-    const std::size_t first = offset(x, y);
-    for (std::size_t s = 0; s < count(); ++s)
-        put(first + s, depth, id);
+    for (int s = 0; s < samples_; ++s)
+        put(offset(x, y, s), depth, id);
 }
 
 namespace {

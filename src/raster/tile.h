@@ -2,6 +2,7 @@
 // at a tie the lower id. The choice is commutative, so primitives may be drawn in any order.
 #pragma once
 
+#include "raster/coverage.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
 
@@ -11,14 +12,13 @@
 
 namespace scanout::raster {
 
-inline constexpr int kTileSize = 64;
-
 class VisibilityTile {
 public:
     // Makes the tile empty: `area` is at most kTileSize on a side.
     void reset(const image::Rect& area, int samples);
 
-    void draw(const Triangle& triangle);
+    void draw(std::span<const Triangle> triangles);
+    void draw(const Triangle& triangle) { draw(std::span(&triangle, 1)); }
     void draw(const Segment& segment);
     void draw(const Point& point);
 
@@ -28,17 +28,18 @@ public:
     bool empty() const { return !touched_; }
 
     // x, y: a pixel of the picture inside area().
-    std::uint32_t id(int x, int y, int sample = 0) const {
-        return id_[offset(x, y) + static_cast<std::size_t>(sample)];
-    }
-    float depth(int x, int y, int sample = 0) const {
-        return depth_[offset(x, y) + static_cast<std::size_t>(sample)];
+    std::uint32_t id(int x, int y, int sample = 0) const { return id_[offset(x, y, sample)]; }
+    float depth(int x, int y, int sample = 0) const { return depth_[offset(x, y, sample)]; }
+    // A sample's plane from the tile's corner on, kTileSize pixels a row.
+    std::span<const std::uint32_t> ids(int sample) const {
+        return std::span(id_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
     }
 
 private:
-    std::size_t count() const { return static_cast<std::size_t>(samples_); }
-    std::size_t offset(int x, int y) const {
-        return static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0)) * count();
+    static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
+    std::size_t offset(int x, int y, int sample) const {
+        return static_cast<std::size_t>(sample) * kPlane +
+               static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
     }
     image::Rect inside(const image::Rect& bounds) const;
     // Shows the primitive at one sample if it is the nearest there.
@@ -54,7 +55,6 @@ private:
     image::Rect area_;
     int samples_ = 1;
     std::span<const SampleOffset> pattern_;
-    SampleExtent extent_;
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;

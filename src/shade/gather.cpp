@@ -100,7 +100,7 @@ const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint
     const auto vertices = in.geometry->vertices();
     const std::array<raster::ScreenVertex, 3> v = {vertices[index[0]], vertices[index[1]],
                                                    vertices[index[2]]};
-    s.exact = ((v[0].flags | v[1].flags | v[2].flags) & raster::kNeedsClip) == 0;
+    s.exact = v[0].on_screen() && v[1].on_screen() && v[2].on_screen();
     bool clockwise = false;
     if (s.exact) {
         const std::optional<raster::SetUp> t = raster::set_up(v, id);
@@ -108,7 +108,7 @@ const Gatherer::PrimitiveSetup& Gatherer::setup(const GatherInput& in, std::uint
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t from = t->order.vertex[i];
             s.vertex[i] = index[from];
-            s.inverse_w[i] = v[from].inverse_w;
+            s.inverse_w[i] = in.transform->perspective ? static_cast<float>(v[from].depth) : 1.0F;
         }
         s.edges = raster::edges_of(t->triangle);
         // In the order that now holds, seen in object space, which a mirrored view turns round.

@@ -32,7 +32,7 @@ std::vector<ClipVertex> clipped(const ClipVertex& a, const ClipVertex& b, const 
     polygon.vertex[1] = b;
     polygon.vertex[2] = c;
     polygon.count = 3;
-    clip(polygon, kNear);
+    clip(polygon, {.near_w = kNear});
     return {polygon.vertex.begin(), polygon.vertex.begin() + polygon.count};
 }
 
@@ -49,8 +49,8 @@ TEST(Clip, ASharedEdgeIsCutAtTheSameBitsFromBothSides) {
         const auto one = clipped(a, b, c), other = clipped(b, a, d);
         // What is left of the edge itself, from either end.
         ClipVertex a1 = a, b1 = b, a2 = a, b2 = b;
-        const bool left = clip(a1, b1, kNear);
-        ASSERT_EQ(left, clip(b2, a2, kNear));
+        const bool left = clip(a1, b1, {.near_w = kNear});
+        ASSERT_EQ(left, clip(b2, a2, {.near_w = kNear}));
         if (!left) continue;
         ASSERT_TRUE(same_bits(a1, a2) && same_bits(b1, b2)) << i;
         for (const ClipVertex& end : {a1, b1}) {

@@ -1,0 +1,101 @@
+// ScreenTransform::transform in lanes: the same operations in the same order, so the same bits.
+#include "raster/screen.h"
+
+#define SIMD_FILE "raster/transform_vertices.cpp"
+#include "simd/for_each_target.h"
+
+SIMD_BEGIN(scanout::raster)
+
+struct Lanes {
+    I32 x, y; // as in ScreenVertex
+    F64 depth;
+};
+
+HWY_INLINE F64 flag(F64::DoubleMask outside, std::uint32_t bit) {
+    return select(outside, F64(bit), F64(0.0));
+}
+
+// Round to the grid, ties to even, saturated; NaN becomes a number (HARD-CASES R1, R2).
+HWY_INLINE F64 snap(F64 pixels) {
+    const F64 limit = kGuardPixels * kSubpixel;
+    const F64 v = minimum(maximum(pixels * F64(kSubpixel), -limit), limit);
+    return (v + F64(0x1.8p52)) - F64(0x1.8p52);
+}
+
+HWY_INLINE Lanes transform(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
+    const auto axis = [&](int r) {
+        return ((F64(t.linear[r][0]) * px + F64(t.linear[r][1]) * py) + F64(t.linear[r][2]) * pz) +
+               F64(t.translation[r]);
+    };
+    const F64 view_x = axis(0), view_y = axis(1), view_z = axis(2);
+    const F64 w = t.perspective ? -view_z : F64(1.0);
+    const F64 x = view_x * F64(t.scale_x) + w * F64(t.centre_x);
+    const F64 y = w * F64(t.centre_y) - view_y * F64(t.scale_y);
+    const F64 z =
+        t.perspective ? F64(t.box.near_w) : (view_z - F64(t.depth_origin)) * F64(t.depth_scale);
+
+    const F64 most = 0x1.fffffffffffffp1023;
+    const auto finite = (abs(x) <= most) & (abs(y) <= most) & (abs(z) <= most) & (abs(w) <= most);
+    const auto near = w < F64(t.box.near_w);
+    const auto guard = (x < F64(t.box.left) * w) | (x > F64(t.box.right) * w) |
+                       (y < F64(t.box.top) * w) | (y > F64(t.box.bottom) * w);
+    const F64 outside =
+        ((flag(x < F64(0.0), kOutsideLeft) + flag(x > F64(t.width) * w, kOutsideRight)) +
+         (flag(y < F64(0.0), kOutsideTop) + flag(y > F64(t.height) * w, kOutsideBottom))) +
+        (flag(near, kOutsideNear) + flag(guard, kOutsideGuard));
+    const auto on_screen = finite & !(near | guard);
+
+    const F64 divisor = select(on_screen, w, F64(1.0));
+    const F64 none = ScreenVertex::kOffScreen;
+    const F64 flags = select(finite, outside, F64(kNotFinite));
+    return {to_i32(select(on_screen, snap(x / divisor), none)),
+            to_i32(select(on_screen, snap(y / divisor), flags)),
+            select(on_screen, z / divisor, F64(0.0))};
+}
+
+void transform_lanes(const ScreenTransform& t, const float* position, ScreenVertex* out,
+                     int count) {
+    F32 x, y, z;
+    load_interleaved(position, x, y, z);
+    const Lanes v = transform(t, to_f64(x), to_f64(y), to_f64(z));
+    std::int32_t screen_x[kLanes], screen_y[kLanes];
+    double depth[kLanes];
+    store(v.x, screen_x);
+    store(v.y, screen_y);
+    store(v.depth, depth);
+    for (int i = 0; i < count; ++i) {
+        out[i].x = screen_x[i];
+        out[i].y = screen_y[i];
+        out[i].depth = depth[i];
+    }
+}
+
+// position: x, y, z of each vertex.
+void transform_all(const ScreenTransform& t, const float* position, ScreenVertex* out, int count) {
+    int i = 0;
+    for (; i + kLanes <= count; i += kLanes)
+        transform_lanes(t, position + i * 3, out + i, kLanes);
+    if (i == count) return;
+    float rest[kLanes * 3] = {};
+    for (int k = 0; k < (count - i) * 3; ++k)
+        rest[k] = position[i * 3 + k];
+    transform_lanes(t, rest, out + i, count - i);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::raster {
+
+SIMD_REGISTER(transform_all);
+
+void transform_vertices(const ScreenTransform& transform, std::span<const Vec3> positions,
+                        std::span<ScreenVertex> out) {
+    static_assert(sizeof(Vec3) == 3 * sizeof(float));
+    if (positions.empty()) return;
+    SIMD_CALL(transform_all)
+    (transform, &positions.front().x, out.data(), static_cast<int>(positions.size()));
+}
+
+} // namespace scanout::raster
+#endif

@@ -1,0 +1,325 @@
+// Lanes: values that a kernel computes side by side, written like plain formulas. A thin face on
+// Google Highway; included once for every target, so it has no guard of the usual kind.
+//
+// F32, I32 and F64 hold kLanes values each (an F64 is two registers), so a kernel mixes them freely
+// and never asks how wide the machine is; F32x8 and I32x8 and F64x8 hold at most 8, for rows of
+// pixels. The rules that make all targets give the same bits (DESIGN 4): + - * / sqrt are exact
+// IEEE operations and never fused, conversions are of values in range, minimum and maximum are
+// comparisons with a chosen outcome for NaN, and there is no operation across lanes but any, all
+// and bits.
+#if defined(SCANOUT_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SIMD_LANES_INL_H
+#undef SCANOUT_SIMD_LANES_INL_H
+#else
+#define SCANOUT_SIMD_LANES_INL_H
+#endif
+
+#include <cstddef>
+#include <cstdint>
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace scanout::simd::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+// D: Highway's tag of float lanes. All types of a width share it.
+template <class D>
+struct Float;
+template <class D>
+struct Int;
+template <class D>
+struct Double;
+
+// Which lanes: of Float and Int.
+template <class D>
+struct Mask {
+    hn::Mask<D> raw;
+    friend HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
+    friend HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
+    friend HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.raw)}; }
+};
+template <class D>
+HWY_INLINE bool any(Mask<D> m) {
+    return !hn::AllFalse(D(), m.raw);
+}
+template <class D>
+HWY_INLINE bool all(Mask<D> m) {
+    return hn::AllTrue(D(), m.raw);
+}
+// Bit i is lane i.
+template <class D>
+HWY_INLINE std::uint32_t bits(Mask<D> m) {
+    std::uint8_t byte[8] = {};
+    hn::StoreMaskBits(D(), m.raw, byte);
+    return byte[0] | static_cast<std::uint32_t>(byte[1]) << 8;
+}
+
+// --- float
+
+template <class D>
+struct Float {
+    using Tag = D;
+    using Raw = hn::Vec<Tag>;
+    Raw raw;
+
+    static constexpr std::size_t kLanes = hn::MaxLanes(D());
+
+    Float() = default;
+    HWY_INLINE Float(float value) : raw(hn::Set(D(), value)) {} // the same in all lanes
+    HWY_INLINE explicit Float(Raw value) : raw(value) {}
+
+    friend HWY_INLINE Float operator+(Float a, Float b) { return Float(hn::Add(a.raw, b.raw)); }
+    friend HWY_INLINE Float operator-(Float a, Float b) { return Float(hn::Sub(a.raw, b.raw)); }
+    friend HWY_INLINE Float operator*(Float a, Float b) { return Float(hn::Mul(a.raw, b.raw)); }
+    friend HWY_INLINE Float operator/(Float a, Float b) { return Float(hn::Div(a.raw, b.raw)); }
+    friend HWY_INLINE Float operator-(Float a) { return Float(hn::Neg(a.raw)); }
+    // False where either side is NaN.
+    friend HWY_INLINE Mask<D> operator<(Float a, Float b) { return {hn::Lt(a.raw, b.raw)}; }
+    friend HWY_INLINE Mask<D> operator>(Float a, Float b) { return {hn::Lt(b.raw, a.raw)}; }
+    friend HWY_INLINE Mask<D> operator<=(Float a, Float b) { return {hn::Le(a.raw, b.raw)}; }
+    friend HWY_INLINE Mask<D> operator>=(Float a, Float b) { return {hn::Le(b.raw, a.raw)}; }
+    friend HWY_INLINE Mask<D> operator==(Float a, Float b) { return {hn::Eq(a.raw, b.raw)}; }
+
+    friend HWY_INLINE Float select(Mask<D> mask, Float yes, Float no) {
+        return Float(hn::IfThenElse(mask.raw, yes.raw, no.raw));
+    }
+    // b where a is NaN.
+    friend HWY_INLINE Float minimum(Float a, Float b) { return select(a < b, a, b); }
+    friend HWY_INLINE Float maximum(Float a, Float b) { return select(a > b, a, b); }
+    friend HWY_INLINE Float sqrt(Float a) { return Float(hn::Sqrt(a.raw)); }
+    friend HWY_INLINE Float abs(Float a) { return Float(hn::Abs(a.raw)); }
+};
+
+// --- 32-bit integers, which wrap around
+
+template <class D>
+struct Int {
+    using Tag = hn::RebindToSigned<D>;
+    using Raw = hn::Vec<Tag>;
+    Raw raw;
+
+    static constexpr std::size_t kLanes = hn::MaxLanes(D());
+
+    Int() = default;
+    HWY_INLINE Int(std::int32_t value) : raw(hn::Set(Tag(), value)) {}
+    HWY_INLINE explicit Int(Raw value) : raw(value) {}
+
+    friend HWY_INLINE Int operator+(Int a, Int b) { return Int(hn::Add(a.raw, b.raw)); }
+    friend HWY_INLINE Int operator-(Int a, Int b) { return Int(hn::Sub(a.raw, b.raw)); }
+    friend HWY_INLINE Int operator*(Int a, Int b) { return Int(hn::Mul(a.raw, b.raw)); }
+    friend HWY_INLINE Int operator&(Int a, Int b) { return Int(hn::And(a.raw, b.raw)); }
+    friend HWY_INLINE Int operator|(Int a, Int b) { return Int(hn::Or(a.raw, b.raw)); }
+    friend HWY_INLINE Mask<D> operator<(Int a, Int b) { return mask(hn::Lt(a.raw, b.raw)); }
+    friend HWY_INLINE Mask<D> operator>(Int a, Int b) { return mask(hn::Lt(b.raw, a.raw)); }
+    friend HWY_INLINE Mask<D> operator<=(Int a, Int b) { return !(a > b); }
+    friend HWY_INLINE Mask<D> operator>=(Int a, Int b) { return !(a < b); }
+    friend HWY_INLINE Mask<D> operator==(Int a, Int b) { return mask(hn::Eq(a.raw, b.raw)); }
+
+    friend HWY_INLINE Int select(Mask<D> m, Int yes, Int no) {
+        return Int(hn::IfThenElse(hn::RebindMask(Tag(), m.raw), yes.raw, no.raw));
+    }
+    friend HWY_INLINE Int minimum(Int a, Int b) { return Int(hn::Min(a.raw, b.raw)); }
+    friend HWY_INLINE Int maximum(Int a, Int b) { return Int(hn::Max(a.raw, b.raw)); }
+
+private:
+    static HWY_INLINE Mask<D> mask(hn::Mask<Tag> m) { return {hn::RebindMask(D(), m)}; }
+};
+template <int kCount, class D>
+HWY_INLINE Int<D> shift_left(Int<D> a) {
+    return Int<D>(hn::ShiftLeft<kCount>(a.raw));
+}
+template <int kCount, class D>
+HWY_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
+    return Int<D>(hn::ShiftRight<kCount>(a.raw));
+}
+
+// --- double: as many lanes as Float<D>, in two halves
+
+template <class D>
+struct Double {
+    using Tag = hn::Repartition<double, D>;
+    using Raw = hn::Vec<Tag>;
+    Raw low, high;
+
+    static constexpr std::size_t kLanes = hn::MaxLanes(D());
+
+    struct DoubleMask {
+        hn::Mask<Tag> low, high;
+        friend HWY_INLINE DoubleMask operator&(DoubleMask a, DoubleMask b) {
+            return {hn::And(a.low, b.low), hn::And(a.high, b.high)};
+        }
+        friend HWY_INLINE DoubleMask operator|(DoubleMask a, DoubleMask b) {
+            return {hn::Or(a.low, b.low), hn::Or(a.high, b.high)};
+        }
+        friend HWY_INLINE DoubleMask operator!(DoubleMask a) {
+            return {hn::Not(a.low), hn::Not(a.high)};
+        }
+    };
+
+    Double() = default;
+    HWY_INLINE Double(double value) : low(hn::Set(Tag(), value)), high(low) {}
+    HWY_INLINE Double(Raw l, Raw h) : low(l), high(h) {}
+
+    friend HWY_INLINE Double operator+(Double a, Double b) {
+        return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
+    }
+    friend HWY_INLINE Double operator-(Double a, Double b) {
+        return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
+    }
+    friend HWY_INLINE Double operator*(Double a, Double b) {
+        return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
+    }
+    friend HWY_INLINE Double operator/(Double a, Double b) {
+        return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
+    }
+    friend HWY_INLINE Double operator-(Double a) { return {hn::Neg(a.low), hn::Neg(a.high)}; }
+    // False where either side is NaN.
+    friend HWY_INLINE DoubleMask operator<(Double a, Double b) {
+        return {hn::Lt(a.low, b.low), hn::Lt(a.high, b.high)};
+    }
+    friend HWY_INLINE DoubleMask operator>(Double a, Double b) { return b < a; }
+    friend HWY_INLINE DoubleMask operator<=(Double a, Double b) {
+        return {hn::Le(a.low, b.low), hn::Le(a.high, b.high)};
+    }
+    friend HWY_INLINE DoubleMask operator>=(Double a, Double b) { return b <= a; }
+    friend HWY_INLINE DoubleMask operator==(Double a, Double b) {
+        return {hn::Eq(a.low, b.low), hn::Eq(a.high, b.high)};
+    }
+
+    friend HWY_INLINE Double select(DoubleMask m, Double yes, Double no) {
+        return {hn::IfThenElse(m.low, yes.low, no.low), hn::IfThenElse(m.high, yes.high, no.high)};
+    }
+    // b where a is NaN.
+    friend HWY_INLINE Double minimum(Double a, Double b) { return select(a < b, a, b); }
+    friend HWY_INLINE Double maximum(Double a, Double b) { return select(a > b, a, b); }
+    friend HWY_INLINE Double abs(Double a) { return {hn::Abs(a.low), hn::Abs(a.high)}; }
+};
+
+// --- conversions
+
+// Round to nearest, ties to even.
+template <class D>
+HWY_INLINE Float<D> to_f32(Int<D> a) {
+    return Float<D>(hn::ConvertTo(D(), a.raw));
+}
+template <class D>
+HWY_INLINE Float<D> to_f32(Double<D> a) {
+    const hn::Half<D> half;
+    return Float<D>(hn::Combine(D(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+}
+// Towards zero; the value must lie within +-2^31.
+template <class D>
+HWY_INLINE Int<D> to_i32(Float<D> a) {
+    return Int<D>(hn::ConvertTo(typename Int<D>::Tag(), a.raw));
+}
+template <class D>
+HWY_INLINE Int<D> to_i32(Double<D> a) {
+    const typename Int<D>::Tag tag;
+    const hn::Half<decltype(tag)> half;
+    return Int<D>(hn::Combine(tag, hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+}
+// Exact.
+template <class D>
+HWY_INLINE Double<D> to_f64(Float<D> a) {
+    const hn::Half<D> half;
+    const typename Double<D>::Tag tag;
+    return {hn::PromoteTo(tag, hn::LowerHalf(half, a.raw)),
+            hn::PromoteTo(tag, hn::UpperHalf(half, a.raw))};
+}
+template <class D>
+HWY_INLINE Double<D> to_f64(Int<D> a) {
+    const hn::Half<typename Int<D>::Tag> half;
+    const typename Double<D>::Tag tag;
+    return {hn::PromoteTo(tag, hn::LowerHalf(half, a.raw)),
+            hn::PromoteTo(tag, hn::UpperHalf(half, a.raw))};
+}
+template <class D>
+HWY_INLINE Int<D> bits_of(Float<D> a) {
+    return Int<D>(hn::BitCast(typename Int<D>::Tag(), a.raw));
+}
+template <class D>
+HWY_INLINE Float<D> from_bits(Int<D> a) {
+    return Float<D>(hn::BitCast(D(), a.raw));
+}
+
+// --- memory. T is one of the lane types below.
+
+template <class T>
+HWY_INLINE T load(const float* from) {
+    return T(hn::LoadU(typename T::Tag(), from));
+}
+template <class T>
+HWY_INLINE T load(const std::int32_t* from) {
+    return T(hn::LoadU(typename T::Tag(), from));
+}
+template <class T>
+HWY_INLINE T load(const std::uint32_t* from) { // bits as they are
+    return T(
+        hn::BitCast(typename T::Tag(), hn::LoadU(hn::RebindToUnsigned<typename T::Tag>(), from)));
+}
+template <class D>
+HWY_INLINE void store(Float<D> a, float* to) {
+    hn::StoreU(a.raw, D(), to);
+}
+template <class D>
+HWY_INLINE void store(Int<D> a, std::int32_t* to) {
+    hn::StoreU(a.raw, typename Int<D>::Tag(), to);
+}
+template <class D>
+HWY_INLINE void store(Int<D> a, std::uint32_t* to) {
+    const hn::RebindToUnsigned<typename Int<D>::Tag> tag;
+    hn::StoreU(hn::BitCast(tag, a.raw), tag, to);
+}
+template <class D>
+HWY_INLINE void store(Double<D> a, double* to) {
+    const typename Double<D>::Tag tag;
+    hn::StoreU(a.low, tag, to);
+    hn::StoreU(a.high, tag, to + Double<D>::kLanes / 2);
+}
+// base[index] in every lane; index >= 0.
+template <class D>
+HWY_INLINE Float<D> gather(const float* base, Int<D> index) {
+    return Float<D>(hn::GatherIndex(D(), base, index.raw));
+}
+template <class D>
+HWY_INLINE Int<D> gather(const std::int32_t* base, Int<D> index) {
+    return Int<D>(hn::GatherIndex(typename Int<D>::Tag(), base, index.raw));
+}
+// from[0], from[3], ... into x, from[1], from[4], ... into y, and so on.
+template <class D>
+HWY_INLINE void load_interleaved(const float* from, Float<D>& x, Float<D>& y, Float<D>& z) {
+    hn::LoadInterleaved3(D(), from, x.raw, y.raw, z.raw);
+}
+template <class D>
+HWY_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y, Int<D>& z) {
+    const typename Int<D>::Tag tag;
+    const hn::RebindToUnsigned<decltype(tag)> u;
+    hn::Vec<decltype(u)> a, b, c;
+    hn::LoadInterleaved3(u, from, a, b, c);
+    x = Int<D>(hn::BitCast(tag, a));
+    y = Int<D>(hn::BitCast(tag, b));
+    z = Int<D>(hn::BitCast(tag, c));
+}
+// first, first + 1, first + 2, ...
+template <class T>
+HWY_INLINE T iota(std::int32_t first) {
+    return T(hn::Iota(typename T::Tag(), first));
+}
+
+// --- the widths
+
+using F32 = Float<hn::ScalableTag<float>>;
+using I32 = Int<hn::ScalableTag<float>>;
+using F64 = Double<hn::ScalableTag<float>>;
+inline constexpr int kLanes = static_cast<int>(F32::kLanes);
+
+using F32x8 = Float<hn::CappedTag<float, 8>>;
+using I32x8 = Int<hn::CappedTag<float, 8>>;
+using F64x8 = Double<hn::CappedTag<float, 8>>;
+inline constexpr int kLanesX8 = static_cast<int>(F32x8::kLanes);
+
+} // namespace scanout::simd::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
