@@ -15,47 +15,67 @@ namespace scanout::shade {
 
 inline constexpr int kLanes = 128;
 
-// Which vertex attributes a stage reads.
+// Kernels work on whole registers and may read and write this many lanes beyond the live ones; what
+// stands there is finite.
+inline constexpr int kRoom = kLanes + 16;
+
+// What a stage reads: vertex attributes, and the ray from the eye.
 struct Attributes {
-    bool normal = false, uv = false, colour = false;
+    bool normal = false, uv = false, colour = false, ray = false;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour};
+    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray};
 }
+
+// What all lanes of one triangle share, its vertices in canonical order.
+struct Primitive {
+    std::uint32_t id;
+    // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
+    // vertex i, whole numbers and exact, where the triangle was not clipped; else the row of
+    // raster::HomogeneousTriangle. Inside, none is negative.
+    double a[3], b[3], c[3];
+    double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule
+    bool clipped;
+    float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
+    float facing[3];    // the triangle's own normal, towards the eye; object space
+    // Of the three vertices; only what the frame's stages read.
+    float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
+};
+
+// Consecutive lanes of one triangle.
+struct Run {
+    const Primitive* primitive;
+    int first, count;
+};
 
 struct Block {
     int count = 0; // live lanes
     const scene::Material* material = nullptr;
     const scene::Texture* texture = nullptr; // the material's map_Kd, or null
+    bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
-    // Set by the gatherer, one a lane: the vertices of the primitive, and the weights of the sample
-    // that stands for the pixel: b_i is proportional to the area opposite vertex i on the screen,
-    // and not negative, because the sample lies inside.
-    std::uint32_t vertex[3][kLanes];
-    float area[3][kLanes];
-    float inverse_w[3][kLanes];         // 1 / w of the three vertices
-    float ray_x[kLanes], ray_y[kLanes]; // view-space direction of the sample: (x, y, -1)
-    float facing[3][kLanes];            // the triangle's own normal, towards the eye; object space
-    bool lit = true;                    // false: lines and points, drawn in their plain colour
+    // Set by the gatherer.
+    int runs = 0;
+    Run run[kLanes];
+    alignas(64) std::int32_t x[kRoom],
+        y[kRoom]; // the sample that stands for the pixel, 1/256 pixel
+    alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
 
     // Written by the interpolation stage.
-    float weight1[kLanes], weight2[kLanes]; // perspective-correct weights of vertices 1 and 2
-    float normal[3][kLanes];                // unit, view space, on the side that the eye sees
-    float u[kLanes], v[kLanes];
+    alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
+    alignas(64) float u[kRoom], v[kRoom];
 
-    // Kd, times vertex colour, times texture; and the result, linear light.
-    float albedo[3][kLanes];
-    float colour[3][kLanes];
+    // Kd, times vertex colour, times texture; and the result, linear light. Where the block is not
+    // lit, the gatherer writes the albedo.
+    alignas(64) float albedo[3][kRoom];
+    alignas(64) float colour[3][kRoom];
 };
 
 // What all blocks of a frame share.
 struct FrameState {
-    std::span<const Vec3> normal; // mesh attributes, object space
-    std::span<const Vec2> uv;
-    std::span<const Vec3> colour;
     float normal_matrix[3][3] = {}; // object -> view, row major
     bool orthographic = false;      // then every ray is (0, 0, -1)
-    Attributes attributes;          // what this frame's plan fetches
+    Attributes attributes;          // what this frame's plan reads
     std::span<const scene::Light> lights;
 };
 
