@@ -1,10 +1,10 @@
 #include "frame/renderer.h"
 
 #include "base/stopwatch.h"
-#include "math/srgb.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace scanout::frame {
@@ -14,7 +14,6 @@ namespace {
 struct Worker {
     raster::VisibilityTile visibility;
     shade::Gatherer gatherer;
-    shade::TileColour colour;
     std::uint64_t lanes = 0;
 };
 
@@ -30,39 +29,30 @@ raster::Facing kept(Cull cull) {
     return raster::Facing::any;
 }
 
-// Tile colours over the background, encoded once, into the back buffer.
-void resolve(const image::Rect& area, int samples, const shade::TileColour& colour,
-             const image::Rgba8& background, image::Image& out) {
-    const float back[3] = {srgb_decode(background.r), srgb_decode(background.g),
-                           srgb_decode(background.b)};
-    const float share = 1.0F / static_cast<float>(samples);
-    for (int y = area.y0; y < area.y1; ++y) {
-        const auto row = out.row(y);
-        std::size_t pixel = static_cast<std::size_t>(y - area.y0) * raster::kTileSize;
-        for (int x = area.x0; x < area.x1; ++x, ++pixel) {
-            image::Rgba8& target = row[static_cast<std::size_t>(x)];
-            const int uncovered = samples - colour.covered[pixel];
-            if (uncovered == samples) {
-                target = background;
-                continue;
+// Copies a tile's samples out.
+void keep(const raster::VisibilityTile& tile, Visibility& out) {
+    const image::Rect& area = tile.area();
+    for (int s = 0; s < tile.samples(); ++s) {
+        for (int y = area.y0; y < area.y1; ++y) {
+            for (int x = area.x0; x < area.x1; ++x) {
+                const std::size_t at =
+                    (static_cast<std::size_t>(s) * static_cast<std::size_t>(out.height) +
+                     static_cast<std::size_t>(y)) *
+                        static_cast<std::size_t>(out.width) +
+                    static_cast<std::size_t>(x);
+                out.id[at] = tile.id(x, y, s);
+                out.depth[at] = tile.depth(x, y, s);
             }
-            const float rest = static_cast<float>(uncovered) * share;
-            const int alpha = (samples - uncovered) * 255 + uncovered * background.a;
-            // Where the background lets through, PNG and PAM want the colour undiluted by it.
-            const float back_share = rest * static_cast<float>(background.a) / 255.0F;
-            const float whole = 255.0F * static_cast<float>(samples) / static_cast<float>(alpha);
-            target = {srgb_encode((colour.red[pixel] + back[0] * back_share) * whole),
-                      srgb_encode((colour.green[pixel] + back[1] * back_share) * whole),
-                      srgb_encode((colour.blue[pixel] + back[2] * back_share) * whole),
-                      static_cast<std::uint8_t>(alpha / samples)};
         }
     }
 }
 
 void clear(const image::Rect& area, const image::Rgba8& background, image::Image& out) {
-    for (int y = area.y0; y < area.y1; ++y)
-        for (int x = area.x0; x < area.x1; ++x)
-            out.at(x, y) = background;
+    for (int y = area.y0; y < area.y1; ++y) {
+        const auto row = out.row(y).subspan(static_cast<std::size_t>(area.x0),
+                                            static_cast<std::size_t>(area.x1 - area.x0));
+        std::fill(row.begin(), row.end(), background);
+    }
 }
 
 } // namespace
@@ -82,12 +72,8 @@ const FrameStats& Renderer::stats() const {
     return state_->stats;
 }
 
-static shade::FrameState frame_state(const scene::Scene& scene, const scene::View& view,
-                                     const FramePlan& plan) {
+static shade::FrameState frame_state(const scene::View& view, const FramePlan& plan) {
     shade::FrameState frame;
-    frame.normal = scene.mesh.normal;
-    frame.uv = scene.mesh.uv;
-    frame.colour = scene.mesh.colour;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
             frame.normal_matrix[r][c] = static_cast<float>(view.normal[c][r]);
@@ -110,15 +96,16 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.stages = plan.stages;
     in.frame = &frame;
     in.mirrored = view.mirrored;
-    in.ray_scale_x = static_cast<float>(2 * view.half_width / plan.options.width);
-    in.ray_offset_x = static_cast<float>(-view.half_width);
-    in.ray_scale_y = static_cast<float>(-2 * view.half_height / plan.options.height);
-    in.ray_offset_y = static_cast<float>(view.half_height);
+    in.background = plan.options.background;
+    in.rays.scale_x = static_cast<float>(2 * view.half_width / plan.options.width);
+    in.rays.offset_x = static_cast<float>(-view.half_width);
+    in.rays.scale_y = static_cast<float>(-2 * view.half_height / plan.options.height);
+    in.rays.offset_y = static_cast<float>(view.half_height);
     return in;
 }
 
 const image::Image& Renderer::render(const scene::Scene& scene, const scene::View& view,
-                                     const FramePlan& plan) {
+                                     const FramePlan& plan, Visibility* visibility, int tile_size) {
     State& s = *state_;
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
@@ -126,21 +113,29 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const Stopwatch total;
     const raster::ScreenTransform transform(view, o.width, o.height);
     s.geometry.run(s.jobs, scene.mesh, transform,
-                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples});
+                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size});
     const double geometry_ms = total.milliseconds();
 
-    const shade::FrameState frame = frame_state(scene, view, plan);
+    const shade::FrameState frame = frame_state(view, plan);
     const shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
     for (Worker& worker : s.workers)
         worker.lanes = 0;
+    if (visibility != nullptr) {
+        const std::size_t samples = static_cast<std::size_t>(o.width) *
+                                    static_cast<std::size_t>(o.height) *
+                                    static_cast<std::size_t>(o.samples);
+        *visibility = {o.width, o.height, o.samples, std::vector<std::uint32_t>(samples),
+                       std::vector<float>(samples)};
+    }
     s.jobs.for_each(s.geometry.tiles(), [&](int tile, int number) {
         Worker& worker = s.workers[static_cast<std::size_t>(number)];
         const image::Rect area = s.geometry.tile_area(tile);
         worker.visibility.reset(area, o.samples);
         s.geometry.draw(tile, worker.visibility);
-        if (worker.visibility.empty()) return clear(area, o.background, s.back_buffer);
-        worker.lanes += worker.gatherer.shade(worker.visibility, in, worker.colour);
-        resolve(area, o.samples, worker.colour, o.background, s.back_buffer);
+        if (visibility != nullptr) keep(worker.visibility, *visibility);
+        clear(area, o.background, s.back_buffer);
+        if (!worker.visibility.empty())
+            worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
     });
     s.stats = {total.milliseconds(),
                geometry_ms,

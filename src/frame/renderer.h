@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace scanout::frame {
 
@@ -22,14 +23,23 @@ struct FrameStats {
     std::uint64_t lanes_shaded = 0;
 };
 
+// What a frame shows at every sample: [(sample * height + y) * width + x].
+struct Visibility {
+    int width = 0, height = 0, samples = 0;
+    std::vector<std::uint32_t> id; // primitive, or raster::kNoPrimitive
+    std::vector<float> depth;      // reversed; 0 where nothing is
+};
+
 class Renderer {
 public:
     explicit Renderer(Jobs& jobs);
     ~Renderer();
 
-    // The picture stays valid until the next call.
+    // The picture stays valid until the next call. tile_size: 8, 16, 32 or 64; no bit depends on
+    // it.
     const image::Image& render(const scene::Scene& scene, const scene::View& view,
-                               const FramePlan& plan);
+                               const FramePlan& plan, Visibility* visibility = nullptr,
+                               int tile_size = 64);
     const FrameStats& stats() const;
 
 private:

@@ -15,7 +15,7 @@ void VisibilityTile::reset(const image::Rect& area, int samples) {
     touched_ = false;
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     depth_.assign(size, 0.0F);
-    id_.assign(size, kNoPrimitive);
+    id_.assign(size + 16, kNoPrimitive);
 }
 
 image::Rect VisibilityTile::inside(const image::Rect& r) const {

@@ -30,13 +30,14 @@ public:
     // x, y: a pixel of the picture inside area().
     std::uint32_t id(int x, int y, int sample = 0) const { return id_[offset(x, y, sample)]; }
     float depth(int x, int y, int sample = 0) const { return depth_[offset(x, y, sample)]; }
-    // A sample's plane from the tile's corner on, kTileSize pixels a row.
+    // A sample's plane from the tile's corner on, kTileSize pixels a row. Kernels may read a
+    // register beyond the last plane.
+    static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
     std::span<const std::uint32_t> ids(int sample) const {
         return std::span(id_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
     }
 
 private:
-    static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
     std::size_t offset(int x, int y, int sample) const {
         return static_cast<std::size_t>(sample) * kPlane +
                static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));

@@ -1,11 +1,14 @@
-// From a tile's visibility buffer to blocks of lanes and back to colours: visible pixels are
-// collected across triangles, 128 a block, one material a block; each triangle is shaded once a
+// From a tile's visibility buffer to blocks of lanes and on to the picture's pixels: visible pixels
+// are collected across triangles, 128 a block, one material a block; each triangle is shaded once a
 // pixel, at the centre if it covers it, else at its first visible sample.
 #pragma once
 
 #include "geom/mesh.h"
+#include "image/image.h"
 #include "raster/geometry.h"
 #include "raster/tile.h"
+#include "shade/place_lanes.h"
+#include "shade/resolve.h"
 #include "shade/stage.h"
 
 #include <cstdint>
@@ -25,14 +28,8 @@ struct GatherInput {
     std::span<const Stage* const> stages;
     const FrameState* frame = nullptr;
     bool mirrored = false;
-    // Ray of a sample at (x, y) pixels: (x * ray_scale_x + ray_offset_x, y * ... , -1).
-    float ray_scale_x = 0, ray_offset_x = 0, ray_scale_y = 0, ray_offset_y = 0;
-};
-
-// Linear light of a tile's pixels, row by row from the tile's corner (kTileSize pixels a row).
-struct TileColour {
-    std::vector<float> red, green, blue;
-    std::vector<std::uint8_t> covered; // how many of the pixel's samples show a primitive
+    Rays rays;
+    image::Rgba8 background{};
 };
 
 // One a worker: the block and the lists live from tile to tile.
@@ -40,24 +37,32 @@ class Gatherer {
 public:
     Gatherer();
     ~Gatherer();
-    // Fills `out` for every pixel of the tile; returns how many lanes were shaded. Uncovered
-    // samples add nothing: the resolve puts the background there.
+    // Writes every pixel of the tile that shows a primitive; the others are left alone. Returns how
+    // many lanes were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,
-                        TileColour& out);
+                        image::Image& picture);
 
 private:
     struct Fragment;
-    struct PrimitiveSetup;
+    // Primitives of the tile, made when first seen.
+    class Primitives;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input);
-    const PrimitiveSetup& setup(const GatherInput& input, std::uint32_t id);
-    void fill_lane(const raster::VisibilityTile& tile, const GatherInput& input,
-                   const Fragment& fragment, int lane);
-    void flush(const raster::VisibilityTile& tile, const GatherInput& input, std::size_t first,
-               std::size_t last, TileColour& out);
+    void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
+    void add_run(const raster::VisibilityTile& tile, const Fragment& fragment, int skip, int count,
+                 const Primitive& primitive);
+    void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
+                      image::Image& picture);
+    void resolve_shared(const raster::VisibilityTile& tile, const GatherInput& input,
+                        image::Image& picture);
 
     std::vector<Fragment> fragments_;
-    std::vector<PrimitiveSetup> cache_; // direct-mapped by id
+    std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
+    struct Piece; // lanes of a block that one fragment fills
+    std::vector<Piece> pieces_;
+    PixelSums sums_; // of the pixels in shared_
+    std::vector<std::uint16_t> shared_;
+    std::vector<std::uint32_t> codes_;
 };
 
 } // namespace scanout::shade

@@ -42,10 +42,13 @@ struct Primitive {
     float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
 };
 
-// Consecutive lanes of one triangle.
+// Consecutive lanes of one triangle, whose pixels lie side by side.
 struct Run {
     const Primitive* primitive;
-    int first, count;
+    int first, count;    // lanes
+    std::int32_t x, y;   // centre of the first pixel, 1/256 pixel
+    std::int32_t dx, dy; // from the centre to the sample that is used where the triangle does
+                         // not cover the centre; 0 when it always does
 };
 
 struct Block {

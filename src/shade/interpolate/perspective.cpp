@@ -1,82 +1,105 @@
 // Perspective-correct interpolation: f = sum(b_i f_i / w_i) / sum(b_i / w_i) with the screen's
-// areas b_i [A ch.5], Heckbert and Moreton 1991. All terms are positive, so nothing cancels at any
-// ratio of distances. A result never leaves the range of its vertices, not even by rounding: u just
-// below 0 would show the texel at the other end of the texture (HARD-CASES 34).
+// areas b_i [A ch.5], Heckbert and Moreton 1991. The areas come from the exact edge functions, all
+// terms are positive, and so nothing cancels at any ratio of distances. A result never leaves the
+// range of its vertices, not even by rounding: u just below 0 would show the texel at the other end
+// of the texture (HARD-CASES 34).
 #include "shade/stage.h"
 
-#include <algorithm>
-#include <cmath>
+#define SIMD_FILE "shade/interpolate/perspective.cpp"
+#include "simd/for_each_target.h"
 
-namespace scanout::shade::interpolate {
-namespace {
+SIMD_BEGIN(scanout::shade::interpolate)
 
-struct Float3 {
-    float x, y, z;
+// Of vertices 1 and 2; vertex 0 has the rest.
+struct Weights {
+    F32x8 one, two;
 };
 
-void weights(Block& b) {
-    for (int i = 0; i < b.count; ++i) {
-        const float p0 = b.area[0][i] * b.inverse_w[0][i];
-        const float p1 = b.area[1][i] * b.inverse_w[1][i];
-        const float p2 = b.area[2][i] * b.inverse_w[2][i];
-        const float sum = (p0 + p1) + p2;
-        b.weight1[i] = p1 / sum;
-        b.weight2[i] = p2 / sum;
+HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
+    const auto weight = [&](int k) {
+        return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
+    };
+    F64x8 b0 = weight(0), b1 = weight(1), b2 = weight(2);
+    if (t.clipped) {
+        // The snapped edge may lie a little further out than the exact one. A common factor brings
+        // the weights into the range of a float.
+        const F64x8 zero = 0.0;
+        b0 = maximum(b0, zero);
+        b1 = maximum(b1, zero);
+        b2 = maximum(b2, zero);
+        const F64x8 largest = maximum(maximum(b0, b1), b2);
+        const auto some = largest > zero;
+        const F64x8 divisor = select(some, largest, F64x8(1.0));
+        b0 = select(some, b0 / divisor, F64x8(1.0));
+        b1 = select(some, b1 / divisor, F64x8(1.0));
+        b2 = select(some, b2 / divisor, F64x8(1.0));
     }
+    const F32x8 p0 = to_f32(b0) * F32x8(t.inverse_w[0]);
+    const F32x8 p1 = to_f32(b1) * F32x8(t.inverse_w[1]);
+    const F32x8 p2 = to_f32(b2) * F32x8(t.inverse_w[2]);
+    const F32x8 sum = (p0 + p1) + p2;
+    return {p1 / sum, p2 / sum};
 }
 
-float mix(const Block& b, int i, float f0, float f1, float f2) {
-    const float f = f0 + (b.weight1[i] * (f1 - f0) + b.weight2[i] * (f2 - f0));
-    return std::min(std::max(f, std::min(std::min(f0, f1), f2)), std::max(std::max(f0, f1), f2));
+HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
+    const F32x8 f0 = vertex[0], f1 = vertex[1], f2 = vertex[2];
+    const F32x8 f = f0 + (w.one * (f1 - f0) + w.two * (f2 - f0));
+    const F32x8 low = minimum(minimum(f0, f1), f2), high = maximum(maximum(f0, f1), f2);
+    return minimum(maximum(f, low), high);
 }
 
-Float3 mix(const Block& b, int i, std::span<const Vec3> attribute) {
-    const Vec3 &f0 = attribute[b.vertex[0][i]], &f1 = attribute[b.vertex[1][i]],
-               &f2 = attribute[b.vertex[2][i]];
-    return {mix(b, i, f0.x, f1.x, f2.x), mix(b, i, f0.y, f1.y, f2.y), mix(b, i, f0.z, f1.z, f2.z)};
+// Unit normals in view space.
+HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weights& w, float* to_x,
+                        float* to_y, float* to_z) {
+    F32x8 n[3] = {mix(w, t.normal[0]), mix(w, t.normal[1]), mix(w, t.normal[2])};
+    // The side that the eye sees is lit, whichever way the file wound it or its normals.
+    const F32x8 side =
+        (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
+    const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
+    for (F32x8& component : n)
+        component = component * sign;
+    const auto row = [&](int r) {
+        const auto& m = frame.normal_matrix[r];
+        return (F32x8(m[0]) * n[0] + F32x8(m[1]) * n[1]) + F32x8(m[2]) * n[2];
+    };
+    const F32x8 x = row(0), y = row(1), z = row(2);
+    const F32x8 length = sqrt((x * x + y * y) + z * z);
+    const auto usable = length > F32x8(0x1p-60F); // opposite normals can cancel: then face the eye
+    const F32x8 scale = F32x8(1.0F) / select(usable, length, F32x8(1.0F));
+    store(select(usable, x * scale, F32x8(0.0F)), to_x);
+    store(select(usable, y * scale, F32x8(0.0F)), to_y);
+    store(select(usable, z * scale, F32x8(1.0F)), to_z);
 }
 
-void normals(Block& b, const FrameState& frame) {
-    const auto& m = frame.normal_matrix;
-    for (int i = 0; i < b.count; ++i) {
-        Float3 n = mix(b, i, frame.normal);
-        // The side that the eye sees is lit, whichever way the file wound it or its normals.
-        const float side = (n.x * b.facing[0][i] + n.y * b.facing[1][i]) + n.z * b.facing[2][i];
-        const float sign = side < 0 ? -1.0F : 1.0F;
-        n = {n.x * sign, n.y * sign, n.z * sign};
-        const float x = (m[0][0] * n.x + m[0][1] * n.y) + m[0][2] * n.z;
-        const float y = (m[1][0] * n.x + m[1][1] * n.y) + m[1][2] * n.z;
-        const float z = (m[2][0] * n.x + m[2][1] * n.y) + m[2][2] * n.z;
-        const float length = std::sqrt((x * x + y * y) + z * z);
-        const bool usable = length > 0x1p-60F; // opposite normals can cancel: then face the eye
-        const float scale = 1.0F / (usable ? length : 1.0F);
-        b.normal[0][i] = usable ? x * scale : 0.0F;
-        b.normal[1][i] = usable ? y * scale : 0.0F;
-        b.normal[2][i] = usable ? z * scale : 1.0F;
-    }
-}
-
-void run(Block& b, const FrameState& frame) {
-    weights(b);
-    if (frame.attributes.normal && b.lit) normals(b, frame);
-    if (frame.attributes.uv && b.texture != nullptr) {
-        for (int i = 0; i < b.count; ++i) {
-            const Vec2 &f0 = frame.uv[b.vertex[0][i]], &f1 = frame.uv[b.vertex[1][i]],
-                       &f2 = frame.uv[b.vertex[2][i]];
-            b.u[i] = mix(b, i, f0.x, f1.x, f2.x);
-            b.v[i] = mix(b, i, f0.y, f1.y, f2.y);
+void perspective_run(Block& b, const FrameState& frame) {
+    if (!b.lit) return;
+    const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
+    const bool uv = frame.attributes.uv && b.texture != nullptr;
+    const float kd[3] = {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z};
+    for (const Run* run = b.run; run != b.run + b.runs; ++run) {
+        const Primitive& t = *run->primitive;
+        for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
+            const Weights w =
+                weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)));
+            if (normal) normals(t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
+            if (uv) {
+                store(mix(w, t.uv[0]), b.u + i);
+                store(mix(w, t.uv[1]), b.v + i);
+            }
+            for (int c = 0; c < 3; ++c) {
+                const F32x8 own = colour ? mix(w, t.colour[c]) : F32x8(1.0F);
+                store(F32x8(kd[c]) * own, b.albedo[c] + i);
+            }
         }
     }
-    const Vec3 kd = b.material->diffuse;
-    for (int i = 0; i < b.count; ++i) {
-        const Float3 c = frame.attributes.colour ? mix(b, i, frame.colour) : Float3{1, 1, 1};
-        b.albedo[0][i] = kd.x * c.x;
-        b.albedo[1][i] = kd.y * c.y;
-        b.albedo[2][i] = kd.z * c.z;
-    }
 }
 
-} // namespace
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::interpolate {
+
+SIMD_REGISTER(perspective_run);
 
 extern const Stage perspective;
 constinit const Stage perspective{
@@ -86,6 +109,8 @@ constinit const Stage perspective{
      .source = "[A ch.5], Heckbert and Moreton 1991",
      .kind = Kind::rung,
      .needs = {}},
-    run};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(perspective_run)
+                                                (block, frame); }};
 
 } // namespace scanout::shade::interpolate
+#endif

@@ -1,0 +1,110 @@
+#include "shade/primitives.h"
+
+#include "base/check.h"
+#include "raster/clip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace scanout::shade {
+namespace {
+
+using Corners = std::array<std::uint32_t, 3>; // vertices of the mesh, in canonical order
+
+// The triangle's own normal, brought near length 1 so that a float holds it; only its direction
+// matters.
+void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool negate) {
+    const DVec3 p0(mesh.position[v[0]]), p1(mesh.position[v[1]]), p2(mesh.position[v[2]]);
+    DVec3 n = cross3(p1 - p0, p2 - p0);
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    if (largest > 0) n = n / (negate ? -largest : largest);
+    for (int c = 0; c < 3; ++c)
+        p.facing[c] = static_cast<float>(n[c]);
+}
+
+void set_attributes(Primitive& p, const geom::Mesh& mesh, const Corners& v, Attributes wanted) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (int c = 0; c < 3; ++c) {
+            if (wanted.normal) p.normal[c][k] = mesh.normal[v[k]][c];
+            if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
+        }
+        if (wanted.uv) {
+            p.uv[0][k] = mesh.uv[v[k]].x;
+            p.uv[1][k] = mesh.uv[v[k]].y;
+        }
+    }
+}
+
+// From the snapped edge functions. Returns whether the vertices wind clockwise in the order that
+// now holds, seen in object space, which a mirrored view turns round.
+bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 3>& corner,
+               bool perspective) {
+    const std::optional<raster::SetUp> t = raster::set_up(corner, p.id);
+    CHECK(t); // what is visible has an area
+    const raster::Edges edges = raster::edges_of(t->triangle);
+    const Corners in_file_order = v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t from = t->order.vertex[k];
+        v[k] = in_file_order[from];
+        p.inverse_w[k] = perspective ? static_cast<float>(corner[from].depth) : 1.0F;
+        p.a[k] = static_cast<double>(edges.a[k]);
+        p.b[k] = static_cast<double>(edges.b[k]);
+        p.c[k] = static_cast<double>(edges.c[k]);
+        p.least[k] = static_cast<double>(-edges.bias[k]);
+    }
+    return !t->triangle.flipped;
+}
+
+// From the whole triangle before the clip, so that no attribute is ever clipped.
+bool set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
+    const auto clip_vertex = [&](std::size_t k) {
+        return in.transform->to_clip(in.mesh->position[v[k]]);
+    };
+    const raster::HomogeneousTriangle t =
+        raster::homogeneous_triangle({clip_vertex(0), clip_vertex(1), clip_vertex(2)});
+    const Corners in_file_order = v;
+    for (std::size_t k = 0; k < 3; ++k) {
+        v[k] = in_file_order[t.order.vertex[k]];
+        p.inverse_w[k] = 1;
+        p.a[k] = t.row[k].x / raster::kSubpixel;
+        p.b[k] = t.row[k].y / raster::kSubpixel;
+        p.c[k] = t.row[k].z;
+        p.least[k] = 0;
+    }
+    return t.clockwise;
+}
+
+} // namespace
+
+Gatherer::Primitives::Primitives() : slot_(kSlots) {
+    pool_.reserve(kRoom);
+}
+
+void Gatherer::Primitives::clear() {
+    pool_.clear();
+}
+
+const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t triangle) {
+    std::uint16_t& slot = slot_[triangle % kSlots];
+    if (slot < pool_.size() && pool_[slot].id == triangle) return pool_[slot];
+    CHECK(!full());
+    slot = static_cast<std::uint16_t>(pool_.size());
+    Primitive& p = pool_.emplace_back();
+    p.id = triangle;
+    const geom::Mesh& mesh = *in.mesh;
+    const std::uint32_t* index = mesh.index.data() + std::size_t{triangle} * 3;
+    Corners v = {index[0], index[1], index[2]};
+    const auto vertices = in.geometry->vertices();
+    const std::array<raster::ScreenVertex, 3> corner = {vertices[v[0]], vertices[v[1]],
+                                                        vertices[v[2]]};
+    p.clipped = !(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen());
+    const bool clockwise =
+        p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
+    set_facing(p, mesh, v, clockwise != in.mirrored);
+    set_attributes(p, mesh, v, in.frame->attributes);
+    return p;
+}
+
+} // namespace scanout::shade
