@@ -38,7 +38,8 @@
     HWY_BEFORE_NAMESPACE();                                                                        \
     namespace space::HWY_NAMESPACE {                                                               \
     namespace {                                                                                    \
-    using namespace ::scanout::simd::HWY_NAMESPACE;
+    using namespace ::scanout::simd::HWY_NAMESPACE;                                                \
+    using ::scanout::simd::HWY_NAMESPACE::kLanes; /* not that of an outer namespace */
 #define SIMD_END                                                                                   \
     }                                                                                              \
     }                                                                                              \
