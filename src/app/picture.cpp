@@ -48,9 +48,9 @@ image::Bytes raw_bytes(const image::Image& picture,
     }
     const std::size_t pitch = width * static_cast<std::size_t>(pixel_format->bytes_per_pixel());
     image::Bytes bytes(pitch * height);
-    for (std::size_t y = 0; y < height; ++y)
-        image::encode_row(*pixel_format, picture.row(static_cast<int>(y)),
-                          bytes.data() + y * pitch);
+    for (int y = 0; y < picture.height(); ++y)
+        image::encode_row(*pixel_format, picture.row(y), 0, y,
+                          bytes.data() + static_cast<std::size_t>(y) * pitch);
     return bytes;
 }
 
