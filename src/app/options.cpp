@@ -37,6 +37,8 @@ Result<void> read_camera(Settings& s, std::string_view text) {
     TRY(const std::vector<double> numbers, parse_list(text, 2, 3));
     if (numbers.size() == 3 && numbers[2] <= 0)
         return fail(Exit::usage, "the distance must be above 0, not {}", numbers[2]);
+    if (numbers[1] < -90 || numbers[1] > 90)
+        return fail(Exit::usage, "the elevation must be -90 to 90 degrees, not {}", numbers[1]);
     s.camera.azimuth_degrees = numbers[0];
     s.camera.elevation_degrees = numbers[1];
     s.camera.distance = numbers.size() == 3 ? numbers[2] : 0;
@@ -152,7 +154,7 @@ const std::array kOptions = std::to_array<Option>({
     {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kDraw, Parsed(read_camera),
      "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
      "degrees "
-     "up, from DISTANCE bounding radii (default: the model just fits)"},
+     "up (-90 to 90), from DISTANCE bounding radii (default: the model just fits)"},
     {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_eye),
      "put the eye there, in the model file's coordinates; wants --look-at"},
     {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_look_at),
@@ -260,7 +262,8 @@ struct Applier {
         return {};
     }
     Result<void> operator()(Text slot) const {
-        if (text.empty()) return fail(Exit::usage, "wants {}, not nothing", option.value);
+        if (text.empty())
+            return fail(Exit::usage, "wants {}, not nothing; is a variable empty?", option.value);
         slot(settings) = text;
         return {};
     }

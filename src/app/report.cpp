@@ -13,9 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character.
+// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character. Whatever is not
+// printable ASCII is written as \u: a terminal may be the reader.
 std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 double rounded(double ms) {
