@@ -38,6 +38,7 @@ Result<Command> take_command(std::vector<std::string>& arguments) {
     if (first.starts_with('-') || first.find_first_of("./") != std::string::npos || exists(first))
         return Command::view;
     std::vector<std::string_view> names;
+    names.reserve(kCommands.size());
     for (const NamedCommand& known : kCommands)
         names.push_back(known.name);
     const std::string hint = did_you_mean(first, names);
@@ -73,8 +74,9 @@ bool takes_next_word(const Option& option) {
 }
 
 // Splits `-o=x.png` into `-o x.png` (nobody wants a file named "=x.png"), and takes off and returns
-// what stands behind `--`: files, whatever they look like.
-std::vector<std::string> take_files(std::vector<std::string>& arguments, Command command) {
+// what stands behind `--`: files, whatever they look like. Refuses options without their value, and
+// switches with one.
+Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments, Command command) {
     for (auto word = arguments.begin(); word != arguments.end(); ++word) {
         if (*word == "--") {
             std::vector<std::string> files(word + 1, arguments.end());
@@ -89,10 +91,18 @@ std::vector<std::string> take_files(std::vector<std::string>& arguments, Command
             continue;
         }
         const Option* option = find_option(*word, command);
-        const bool has_value = option != nullptr && takes_next_word(*option);
-        if (has_value && word + 1 != arguments.end()) ++word; // whatever that looks like
+        if (option != nullptr && takes_next_word(*option)) {
+            if (++word == arguments.end()) // else its value, whatever that looks like
+                return fail(Exit::usage, "{} wants {}; give it", arguments.back(),
+                            value_text(*option));
+            continue;
+        }
+        const std::string name = word->substr(0, word->find('='));
+        option = find_option(name, command);
+        if (name != *word && option != nullptr && std::holds_alternative<Switch>(option->slot))
+            return fail(Exit::usage, "{} takes no value; write {} alone", name, name);
     }
-    return {};
+    return std::vector<std::string>();
 }
 
 struct Given {
@@ -176,7 +186,7 @@ Result<CommandLine> parse_command_line(std::vector<std::string> arguments) {
     if (first == "--help" || first == "-h" || first == "help")
         return CommandLine{{}, help_overview()};
     TRY(const Command command, take_command(arguments));
-    const std::vector<std::string> files = take_files(arguments, command);
+    TRY(const std::vector<std::string> files, take_files(arguments, command));
     const auto asks = [](const std::string& word) { return word == "--help" || word == "-h"; };
     if (std::any_of(arguments.begin(), arguments.end(), asks))
         return CommandLine{{}, help_for(command)};

@@ -26,6 +26,7 @@ double rounded(double ms) {
 template <class Member>
 std::vector<double> column(const std::vector<FrameRecord>& frames, Member member) {
     std::vector<double> values;
+    values.reserve(frames.size());
     for (const FrameRecord& frame : frames)
         values.push_back(frame.stats.*member);
     return values;
