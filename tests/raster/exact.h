@@ -4,6 +4,7 @@
 
 #include "oracle/coverage.h"
 #include "raster/geometry.h"
+#include "raster/tile.h"
 #include "support/random.h"
 
 #include <array>
@@ -46,6 +47,69 @@ inline scene::View pixel_view(int width, int height) {
     view.half_height = height / 2.0;
     view.translation = {-width / 2.0, -height / 2.0, 0};
     return view;
+}
+
+// Straight down -z from `distance` before the mesh's origin.
+inline scene::View eye_view(double half_width, double half_height, double distance,
+                            double near_distance = 0x1p-12) {
+    scene::View view;
+    view.translation = {0, 0, -distance};
+    view.half_width = half_width;
+    view.half_height = half_height;
+    view.near_distance = near_distance;
+    return view;
+}
+
+// With vertices of its own.
+inline void add_triangle(geom::Mesh& mesh, const std::array<Vec3, 3>& v) {
+    for (const Vec3& p : v) {
+        mesh.index.push_back(static_cast<std::uint32_t>(mesh.position.size()));
+        mesh.position.push_back(p);
+        mesh.normal.emplace_back(0, 0, 1);
+    }
+    mesh.material.push_back(-1);
+}
+
+// The whole picture by the geometry stage, a copy of its planes.
+struct Planes {
+    int width = 0, samples = 1;
+    std::vector<std::uint32_t> ids;
+    std::vector<float> depths;
+    friend bool operator==(const Planes&, const Planes&) = default;
+    std::size_t at(int x, int y, int sample = 0) const {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x)) *
+                   static_cast<std::size_t>(samples) +
+               static_cast<std::size_t>(sample);
+    }
+    std::uint32_t id(int x, int y, int sample = 0) const { return ids[at(x, y, sample)]; }
+};
+inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width,
+                          int height, int samples = 1, Facing keep = Facing::any) {
+    Geometry geometry;
+    GeometryOptions options;
+    options.width = width;
+    options.height = height;
+    options.samples = samples;
+    options.keep = keep;
+    options.mirrored = view.mirrored;
+    geometry.run(jobs, mesh, ScreenTransform(view, width, height), options);
+    Planes out{width, samples, {}, {}};
+    const std::size_t size = out.at(0, height);
+    out.ids.resize(size);
+    out.depths.resize(size);
+    VisibilityTile tile;
+    for (int i = 0; i < geometry.tiles(); ++i) {
+        tile.reset(geometry.tile_area(i), samples);
+        geometry.draw(i, tile);
+        for (int y = tile.area().y0; y < tile.area().y1; ++y)
+            for (int x = tile.area().x0; x < tile.area().x1; ++x)
+                for (int s = 0; s < samples; ++s) {
+                    out.ids[out.at(x, y, s)] = tile.id(x, y, s);
+                    out.depths[out.at(x, y, s)] = tile.depth(x, y, s);
+                }
+    }
+    return out;
 }
 
 // A measured value, in the report of the test (--gtest_output=xml) and on the screen when it fails.
