@@ -23,7 +23,8 @@ missing_packages() {
         local -n list=packages_$purpose
         wanted+=("${list[@]}")
     done
-    have=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null)$'\n'
+    # Its status is 1 when it does not know one of them, which would end this under `set -e`.
+    have=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true)$'\n'
     for purpose in "${wanted[@]}"; do
         [[ $have == *$'\n'"installed $purpose"$'\n'* ]] || echo "$purpose"
     done

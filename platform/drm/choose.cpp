@@ -51,7 +51,10 @@ Result<Connector> choose_connector(const std::vector<Connector>& connectors,
         if (!wanted.empty() && connector.name != wanted) continue;
         if (connector.connected && !connector.modes.empty()) return connector;
         if (!wanted.empty())
-            return fail(Exit::no_display, "connector {} has no display connected", wanted);
+            return fail(
+                Exit::no_display,
+                "connector {} has no display connected: plug one in, or leave --connector out",
+                wanted);
     }
     if (wanted.empty()) return fail(Exit::no_display, "no connected connector: plug in a display");
     return fail(Exit::no_display, "no connector {} (there is: {})", wanted, names(connectors));

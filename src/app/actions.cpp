@@ -1,6 +1,7 @@
 #include "app/actions.h"
 
 #include "app/nearest.h"
+#include "app/picture.h"
 #include "base/check.h"
 
 #include <charconv>
@@ -152,7 +153,9 @@ Result<Action> parse_action(std::string_view text) {
         names.reserve(kRows.size());
         for (const ActionRow& known : kRows)
             names.push_back(known.name);
-        return fail(Exit::unreadable, "there is no action '{}'{}", name, did_you_mean(name, names));
+        const std::string hint = did_you_mean(name, names);
+        return fail(Exit::unreadable, "there is no action '{}'{}", name,
+                    hint.empty() ? "; `scanout list keys` names them" : hint);
     }
     action.id = row->id;
     for (int i = 0; i < row->numbers; ++i) {
@@ -165,9 +168,12 @@ Result<Action> parse_action(std::string_view text) {
     if (action.id == ActionId::frame) {
         if (text.empty())
             return fail(Exit::unreadable, "frame wants a file name, as in frame 1.png");
+        if (!format_of_name(text))
+            return fail(Exit::unreadable, "frame {}: the name must end in .png, .ppm, .pam or .raw",
+                        text);
         action.text = text;
     } else if (!text.empty()) {
-        return fail(Exit::unreadable, "'{}' after {} is too much", text, name);
+        return fail(Exit::unreadable, "'{}' after {} is too much; take it out", text, name);
     }
     return action;
 }

@@ -1,8 +1,9 @@
 // scanout compare: two pictures against each other, with two numbers as tolerance.
 #include "app/commands.h"
+#include "app/files.h"
+#include "app/message.h"
 #include "app/picture.h"
 #include "app/report.h"
-#include "app/same_file.h"
 #include "image/compare.h"
 
 #include <sys/stat.h>
@@ -32,8 +33,8 @@ Result<std::vector<std::string>> write_difference(const Settings& settings, cons
                                                   const image::Image& expected) {
     const std::string prefix = prefix_of(settings);
     std::vector<std::string> written;
-    TRY_VOID(keep_apart(settings.arguments,
-                        {prefix + "got.png", prefix + "expected.png", prefix + "difference.png"}));
+    TRY_VOID(check_outputs(settings.arguments, {prefix + "got.png", prefix + "expected.png",
+                                                prefix + "difference.png"}));
     const auto write = [&](const char* name, const image::Image& picture) -> Result<void> {
         written.push_back(prefix + name + ".png");
         TRY(const image::Bytes bytes, image::encode_png(picture));
@@ -50,7 +51,14 @@ Result<std::vector<std::string>> write_difference(const Settings& settings, cons
 Result<Exit> run_compare(const Settings& settings) {
     if (settings.arguments.size() != 2)
         return fail(Exit::usage,
-                    "compare takes two pictures, as in `scanout compare got.png expected.png`");
+                    "compare takes two pictures, as in `scanout compare got.png expected.png`; "
+                    "{} named",
+                    settings.arguments.empty()
+                        ? "none was"
+                        : fmt::format("{} {}", fmt::join(settings.arguments, " and "),
+                                      settings.arguments.size() == 1 ? "was" : "were"));
+    for (const std::string& path : settings.arguments)
+        TRY_VOID(check_readable(path));
     TRY(const image::Image got, image::load(settings.arguments[0]));
     TRY(const image::Image expected, image::load(settings.arguments[1]));
     const image::Difference difference = image::compare(got, expected, settings.max_difference);
@@ -69,7 +77,7 @@ Result<Exit> run_compare(const Settings& settings) {
             : fmt::format("different: sizes {}x{} and {}x{}", got.width(), got.height(),
                           expected.width(), expected.height());
     if (!same) line += fmt::format("; see {}", written.back());
-    if (!settings.quiet) fmt::print(settings.json == "-" ? stderr : stdout, "{}\n", line);
+    if (!settings.quiet) say(line, settings.json == "-" ? stderr : stdout);
     TRY_VOID(write_report(settings, to_json(difference, settings, written)));
     if (same) return Exit::ok;
     return difference.same_size ? Exit::pixels_differ : Exit::sizes_differ;

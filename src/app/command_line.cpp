@@ -38,6 +38,7 @@ Result<Command> take_command(std::vector<std::string>& arguments) {
     if (first.starts_with('-') || first.find_first_of("./") != std::string::npos || exists(first))
         return Command::view;
     std::vector<std::string_view> names;
+    names.reserve(kCommands.size());
     for (const NamedCommand& known : kCommands)
         names.push_back(known.name);
     const std::string hint = did_you_mean(first, names);
@@ -47,11 +48,61 @@ Result<Command> take_command(std::vector<std::string>& arguments) {
 
 // `--json out.json` means --json=out.json, but `--json model.obj` must not write over the model.
 void join_json(std::vector<std::string>& arguments) {
-    for (std::size_t i = 0; i + 1 < arguments.size() && arguments[i] != "--"; ++i) {
+    for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
         if (arguments[i] != "--json" || !arguments[i + 1].ends_with(".json")) continue;
         arguments[i] += "=" + arguments[i + 1];
         arguments.erase(arguments.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     }
+}
+
+Result<void> no_name() {
+    return fail(Exit::usage, "an empty word stands where a file is named; is a variable empty?");
+}
+
+// The option of this command that the whole word spells, `-o` or `--output`; null: none.
+const Option* find_option(std::string_view word, Command command) {
+    for (const Option& option : options())
+        if (belongs(option, command) && ((word.size() == 2 && word[0] == '-' &&
+                                          option.letter != 0 && word[1] == option.letter) ||
+                                         (word.starts_with("--") && word.substr(2) == option.name)))
+            return &option;
+    return nullptr;
+}
+
+bool takes_next_word(const Option& option) {
+    return !option.optional_value && !std::holds_alternative<Switch>(option.slot);
+}
+
+// Splits `-o=x.png` into `-o x.png` (nobody wants a file named "=x.png"), and takes off and returns
+// what stands behind `--`: files, whatever they look like. Refuses options without their value, and
+// switches with one.
+Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments, Command command) {
+    for (auto word = arguments.begin(); word != arguments.end(); ++word) {
+        if (*word == "--") {
+            std::vector<std::string> files(word + 1, arguments.end());
+            arguments.erase(word, arguments.end());
+            return files;
+        }
+        const Option* letter = find_option(word->substr(0, 2), command);
+        if (letter != nullptr && takes_next_word(*letter) && word->substr(2, 1) == "=") {
+            const std::string value = word->substr(3);
+            word->resize(2);
+            word = arguments.insert(word + 1, value);
+            continue;
+        }
+        const Option* option = find_option(*word, command);
+        if (option != nullptr && takes_next_word(*option)) {
+            if (++word == arguments.end()) // else its value, whatever that looks like
+                return fail(Exit::usage, "{} wants {}; give it", arguments.back(),
+                            value_text(*option));
+            continue;
+        }
+        const std::string name = word->substr(0, word->find('='));
+        option = find_option(name, command);
+        if (name != *word && option != nullptr && std::holds_alternative<Switch>(option->slot))
+            return fail(Exit::usage, "{} takes no value; write {} alone", name, name);
+    }
+    return std::vector<std::string>();
 }
 
 struct Given {
@@ -63,7 +114,7 @@ void declare(CLI::App& parser, Given& given) {
     const Option& option = *given.option;
     const std::string names = (option.letter != 0 ? fmt::format("-{},", option.letter) : "") +
                               fmt::format("--{}", option.name);
-    if (option.optional_value || std::holds_alternative<Switch>(option.slot)) {
+    if (!takes_next_word(option)) {
         // A flag's value may only be glued on: --json=FILE. CLI11 gives "true" for none.
         CLI::Option* flag = parser.add_flag(names, given.texts);
         if (!option.optional_value) flag->disable_flag_override();
@@ -83,12 +134,17 @@ Result<void> unknown_option(const std::string& word, Command command) {
     const std::string name = word.substr(0, word.find('='));
     for (const Option& option : options())
         if (name == "--" + std::string(option.name))
-            return fail(Exit::usage, "{} does not belong to this command; see --help", name);
+            return fail(Exit::usage,
+                        "{} does not belong to this command; leave it out, or see --help", name);
+    if (exists(word))
+        return fail(Exit::usage, "there is no option {}; write the file as -- {} or ./{}", word,
+                    word, word);
     const std::string hint = did_you_mean(name, names);
     return fail(Exit::usage, "there is no option {}{}", name, hint.empty() ? "; see --help" : hint);
 }
 
-Result<Settings> parse_words(Command command, std::vector<std::string> words) {
+Result<Settings> parse_words(Command command, std::vector<std::string> words,
+                             const std::vector<std::string>& files) {
     Settings settings;
     settings.command = command;
     CLI::App parser;
@@ -102,10 +158,13 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words) {
     try {
         parser.parse(words);
     } catch (const CLI::ParseError& error) {
-        return fail(Exit::usage, "{}", error.what());
+        return fail(Exit::usage, "{}; see --help", error.what());
     }
     for (const std::string& extra : parser.remaining())
         if (extra.size() > 1 && extra.starts_with('-')) TRY_VOID(unknown_option(extra, command));
+    settings.arguments.insert(settings.arguments.end(), files.begin(), files.end());
+    if (std::count(settings.arguments.begin(), settings.arguments.end(), "") > 0)
+        TRY_VOID(no_name());
     for (const Given& one : given) {
         if (one.texts.empty()) continue;
         const bool bare = one.option->optional_value && one.texts.back() == "true";
@@ -122,15 +181,17 @@ Result<CommandLine> parse_command_line(std::vector<std::string> arguments) {
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`; "
                                  "`scanout --help` explains");
     const std::string& first = arguments.front();
+    if (first.empty()) return tl::unexpected(no_name().error());
     if (first == "--version") return CommandLine{{}, fmt::format("scanout {}\n", SCANOUT_VERSION)};
     if (first == "--help" || first == "-h" || first == "help")
         return CommandLine{{}, help_overview()};
     TRY(const Command command, take_command(arguments));
-    const auto end = std::find(arguments.begin(), arguments.end(), "--");
+    TRY(const std::vector<std::string> files, take_files(arguments, command));
     const auto asks = [](const std::string& word) { return word == "--help" || word == "-h"; };
-    if (std::any_of(arguments.begin(), end, asks)) return CommandLine{{}, help_for(command)};
+    if (std::any_of(arguments.begin(), arguments.end(), asks))
+        return CommandLine{{}, help_for(command)};
     join_json(arguments);
-    TRY(Settings settings, parse_words(command, std::move(arguments)));
+    TRY(Settings settings, parse_words(command, std::move(arguments), files));
     return CommandLine{std::move(settings), {}};
 }
 

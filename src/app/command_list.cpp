@@ -8,6 +8,7 @@
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
 #include "shade/stage.h"
+#include "simd/targets.h"
 
 #include <algorithm>
 #include <array>
@@ -64,6 +65,16 @@ void list_techniques(const Settings&) {
     }
 }
 
+std::string_view describe(std::string_view target) {
+    if (target == "avx3") return "AVX-512: 16 lanes, Intel since 2017, AMD Zen 4";
+    if (target == "avx2") return "AVX2: 8 lanes, Intel since 2013, AMD since 2015";
+    if (target == "sse4") return "SSE4.2 with AES: 4 lanes";
+    if (target == "ssse3") return "SSSE3: 4 lanes, every x86-64 since 2006";
+    if (target == "emu128") return "plain C++ in lanes of 4, for every processor";
+    if (target == "neon") return "NEON: 4 lanes, every 64-bit Arm";
+    return "";
+}
+
 void list_formats(const Settings&) {
     fmt::print("Models:\n");
     for (const io::Format& format : io::formats())
@@ -75,7 +86,11 @@ void list_formats(const Settings&) {
 }
 
 void list_targets(const Settings&) {
-    fmt::print("scalar   plain C++, for every processor (the only one so far)\n");
+    for (const simd::Target& target : simd::targets())
+        fmt::print("{:<8} {}{}\n", target.name, describe(target.name),
+                   target.chosen      ? " (chosen)"
+                   : target.supported ? ""
+                                      : " (not on this processor)");
 }
 
 void list_keys(const Settings&) {

@@ -1,9 +1,10 @@
 // scanout render: a model, drawn to files without a display.
 #include "app/commands.h"
+#include "app/files.h"
+#include "app/message.h"
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/report.h"
-#include "app/same_file.h"
 #include "base/stopwatch.h"
 #include "image/hash.h"
 
@@ -18,10 +19,14 @@ int pictures(const Settings& s) {
     return std::max(s.turntable, 1);
 }
 
-// Everything about the output that can be wrong is said before the model is read.
-Result<PictureFormat> check_output(const Settings& s) {
+// Everything that can be wrong about the command line is said before the model is read.
+Result<PictureFormat> check(const Settings& s) {
     if (s.arguments.size() != 1)
-        return fail(Exit::usage, "render draws one model; {} were named", s.arguments.size());
+        return s.arguments.empty()
+                   ? fail(Exit::usage, "name a model to draw, as in `scanout render "
+                                       "models/spot/spot.obj -o spot.png`")
+                   : fail(Exit::usage, "render draws one model, not {}; run it once for each",
+                          fmt::join(s.arguments, " and "));
     if (s.output.empty()) {
         if (s.hash || s.json) return PictureFormat::png;
         return fail(Exit::usage,
@@ -42,12 +47,14 @@ Result<PictureFormat> check_output(const Settings& s) {
         return fail(Exit::usage, "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png",
                     s.output, pictures(s));
     }
-    std::vector<std::string> outputs;
-    for (int index = 0; index < pictures(s); ++index)
-        outputs.push_back(numbered(s.output, index, pictures(s)));
-    if (s.json) outputs.push_back(*s.json);
-    TRY_VOID(keep_apart(s.arguments, outputs));
     return format;
+}
+
+Result<void> check_files(const Settings& s) {
+    for (int index = 0; index < pictures(s); ++index) // whose names differ from each other
+        TRY_VOID(check_outputs(s.arguments,
+                               {s.json.value_or(""), numbered(s.output, index, pictures(s))}));
+    return {};
 }
 
 // Draws the pictures of one run, in order, and writes and counts each.
@@ -87,8 +94,8 @@ private:
         const std::string path = numbered(settings_.output, index, pictures(settings_));
         TRY_VOID(write_picture(path, bytes));
         if (settings_.verbose)
-            fmt::print(stderr, "wrote {} ({} bytes, {:.1f} ms)\n", path, bytes.size(),
-                       report.frames.back().stats.total_ms);
+            say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", path, bytes.size(),
+                            report.frames.back().stats.total_ms));
         return {};
     }
 
@@ -102,12 +109,13 @@ private:
 } // namespace
 
 Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
-    TRY(const PictureFormat format, check_output(settings));
+    TRY(const PictureFormat format, check(settings));
+    TRY_VOID(check_files(settings));
     TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
     TRY(const frame::FramePlan plan, frame::plan(settings.frame, frame::facts(model.scene)));
     if (settings.verbose)
         for (const std::string& reason : plan.reasons)
-            fmt::print(stderr, "{}\n", reason);
+            say(reason);
 
     Jobs jobs(settings.threads);
     RunReport report;

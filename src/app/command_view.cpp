@@ -1,15 +1,14 @@
 // scanout view: opens a display (DRM, then the frame buffer) and runs the viewer on it.
 #include "app/commands.h"
-#include "app/same_file.h"
+#include "app/files.h"
+#include "app/message.h"
 #include "app/view_session.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
 #include "platform/session.h"
 #include "port/headless.h"
 
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 
 #include <unistd.h>
 
@@ -20,11 +19,8 @@ namespace {
 Result<void> check(const Settings& s) {
     if (s.arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
-    if (s.arguments.size() == 1 && ::access(s.arguments.front().c_str(), R_OK) != 0)
-        return fail(Exit::unreadable, "{}: cannot be opened: {}", s.arguments.front(),
-                    std::strerror(errno));
-    if (!s.record.empty() && !s.replay.empty())
-        return fail(Exit::usage, "--record and --replay: give one of them");
+    if (s.arguments.size() == 1) TRY_VOID(check_readable(s.arguments.front()));
+    if (!s.replay.empty()) TRY_VOID(check_readable(s.replay));
     if (s.pixel_format && s.backend != Backend::headless)
         return fail(Exit::usage,
                     "--pixel-format: a display has its own; it goes with --backend headless");
@@ -40,13 +36,13 @@ struct Tapes {
 Result<Tapes> open_tapes(const Settings& settings) {
     std::vector<std::string> inputs = settings.arguments;
     inputs.push_back(settings.replay);
-    TRY_VOID(keep_apart(inputs, {settings.record, settings.json.value_or("")}));
+    TRY_VOID(check_outputs(inputs, {settings.record, settings.json.value_or("")}));
     Tapes tapes;
-    if (!settings.record.empty()) {
-        TRY(tapes.recorder, Recorder::create(settings.record));
-    }
     if (!settings.replay.empty()) {
         TRY(tapes.script, load_script(settings.replay));
+    }
+    if (!settings.record.empty()) {
+        TRY(tapes.recorder, Recorder::create(settings.record));
     }
     return tapes;
 }
@@ -109,7 +105,7 @@ Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
         if (display) return OpenDisplay{*std::move(display), "fbdev"};
         refuse("framebuffer", display.error());
     }
-    return fail(Exit::no_display, "no display: {}", refused);
+    return fail(Exit::no_display, "no display: {}; `scanout render` draws without one", refused);
 }
 
 Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {

@@ -1,16 +1,12 @@
 #include "app/frame_log.h"
 
+#include "app/message.h"
 #include "app/picture.h"
 #include "image/hash.h"
 
-#include <cstdio>
 #include <utility>
 
 namespace scanout::app {
-
-void say(const std::string& line) {
-    std::fputs((line + "\n").c_str(), stderr);
-}
 
 void FrameLog::presented(const image::Image& frame, const frame::FrameStats& stats) {
     const int index = count_++;
@@ -45,8 +41,8 @@ Result<void> FrameLog::dump(const image::Image& frame, const std::string& path) 
     const bool raw = format == PictureFormat::raw;
     TRY(const image::Bytes bytes, encode(raw ? frame : shown, format, format_));
     TRY_VOID(write_picture(path, bytes));
-    fmt::print(settings_.json == "-" ? stderr : stdout, "frame {} hash {}\n", path,
-               image::hash_text(image::frame_hash(shown)));
+    say(fmt::format("frame {} hash {}", path, image::hash_text(image::frame_hash(shown))),
+        settings_.json == "-" ? stderr : stdout);
     return {};
 }
 

@@ -41,7 +41,4 @@ private:
     std::vector<FrameRecord> records_;
 };
 
-// One write(2) a line, so that lines of several processes do not mix.
-void say(const std::string& line);
-
 } // namespace scanout::app

@@ -115,7 +115,9 @@ std::string help_for(Command command) {
         text += described(option);
         last = &option;
     }
-    return text + "  -h, --help                    this text\n";
+    return text +
+           "  -h, --help                    this text\n"
+           "      --                        files alone follow, also those that begin with -\n";
 }
 
 } // namespace scanout::app

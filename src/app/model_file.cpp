@@ -1,9 +1,9 @@
 #include "app/model_file.h"
 
+#include "app/files.h"
+#include "app/message.h"
 #include "base/stopwatch.h"
 #include "io/load.h"
-
-#include <cstdio>
 
 #include <unistd.h>
 
@@ -11,6 +11,7 @@ namespace scanout::app {
 
 Result<LoadedModel> load_model(const std::string& path,
                                const std::function<bool(double)>& progress) {
+    TRY_VOID(check_readable(path));
     const Stopwatch watch;
     Warnings warnings;
     io::LoadOptions options;
@@ -29,11 +30,11 @@ Result<LoadedModel> load_model_with_messages(const std::string& path, const Sett
         const int percent = static_cast<int>(share * 100);
         if (talks && watch.milliseconds() > 1000 && percent != shown) {
             shown = percent;
-            fmt::print(stderr, "\rreading {} {:3} %", path, percent);
+            say_over(fmt::format("reading {} {:3} %", path, percent));
         }
         return true;
     });
-    if (shown >= 0) fmt::print(stderr, "\r{:{}}\r", "", path.size() + 16);
+    if (shown >= 0) say_over("");
     if (model) print_warnings(model->warnings, settings);
     return model;
 }
@@ -41,7 +42,7 @@ Result<LoadedModel> load_model_with_messages(const std::string& path, const Sett
 void print_warnings(const std::vector<std::string>& warnings, const Settings& settings) {
     if (settings.quiet) return;
     for (const std::string& line : warnings)
-        fmt::print(stderr, "scanout: warning: {}\n", line);
+        say("scanout: warning: " + line);
 }
 
 } // namespace scanout::app

@@ -2,6 +2,7 @@
 
 #include "app/nearest.h"
 #include "app/values.h"
+#include "simd/targets.h"
 
 #include <algorithm>
 #include <array>
@@ -37,6 +38,8 @@ Result<void> read_camera(Settings& s, std::string_view text) {
     TRY(const std::vector<double> numbers, parse_list(text, 2, 3));
     if (numbers.size() == 3 && numbers[2] <= 0)
         return fail(Exit::usage, "the distance must be above 0, not {}", numbers[2]);
+    if (numbers[1] < -90 || numbers[1] > 90)
+        return fail(Exit::usage, "the elevation must be -90 to 90 degrees, not {}", numbers[1]);
     s.camera.azimuth_degrees = numbers[0];
     s.camera.elevation_degrees = numbers[1];
     s.camera.distance = numbers.size() == 3 ? numbers[2] : 0;
@@ -57,12 +60,20 @@ Result<void> read_look_at(Settings& s, std::string_view text) {
 // --target is the point that the camera looks at when it has commas, else a SIMD target.
 Result<void> read_target(Settings& s, std::string_view text) {
     if (text.find(',') != std::string_view::npos) return read_look_at(s, text);
-    static constexpr std::array<std::string_view, 2> kTargets = {"auto", "scalar"};
-    if (std::find(kTargets.begin(), kTargets.end(), text) == kTargets.end())
+    if (text != "auto") {
+        std::vector<std::string_view> known = {"auto"};
+        const std::vector<simd::Target> targets = simd::targets();
+        for (const simd::Target& t : targets)
+            known.push_back(t.name);
+        if (std::find(known.begin(), known.end(), text) == known.end())
+            return fail(Exit::usage,
+                        "there is no '{}'{}; `scanout list targets` prints those of this program",
+                        text, did_you_mean(text, known));
+    }
+    if (!simd::choose_target(text))
         return fail(Exit::usage,
-                    "there is no '{}'{}; `scanout list targets` prints those of this program", text,
-                    did_you_mean(text, kTargets));
-    s.target = text;
+                    "this processor has no {}; `scanout list targets` prints those that it has",
+                    text);
     return {};
 }
 
@@ -152,7 +163,7 @@ const std::array kOptions = std::to_array<Option>({
     {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kDraw, Parsed(read_camera),
      "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
      "degrees "
-     "up, from DISTANCE bounding radii (default: the model just fits)"},
+     "up (-90 to 90), from DISTANCE bounding radii (default: the model just fits)"},
     {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_eye),
      "put the eye there, in the model file's coordinates; wants --look-at"},
     {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_look_at),
@@ -260,7 +271,8 @@ struct Applier {
         return {};
     }
     Result<void> operator()(Text slot) const {
-        if (text.empty()) return fail(Exit::usage, "wants {}, not nothing", option.value);
+        if (text.empty())
+            return fail(Exit::usage, "wants {}, not nothing; is a variable empty?", option.value);
         slot(settings) = text;
         return {};
     }

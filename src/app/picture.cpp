@@ -19,6 +19,12 @@ constexpr std::array kExtensions = {
     Extension{"png", PictureFormat::png}, Extension{"ppm", PictureFormat::ppm},
     Extension{"pam", PictureFormat::pam}, Extension{"raw", PictureFormat::raw}};
 
+std::string_view text_of(PictureFormat format) {
+    for (const Extension& known : kExtensions)
+        if (known.format == format) return known.text;
+    return "";
+}
+
 // Holds the signals that would end the program back, for its lifetime.
 class SignalsHeldBack {
 public:
@@ -48,23 +54,34 @@ image::Bytes raw_bytes(const image::Image& picture,
     }
     const std::size_t pitch = width * static_cast<std::size_t>(pixel_format->bytes_per_pixel());
     image::Bytes bytes(pitch * height);
-    for (std::size_t y = 0; y < height; ++y)
-        image::encode_row(*pixel_format, picture.row(static_cast<int>(y)),
-                          bytes.data() + y * pitch);
+    for (int y = 0; y < picture.height(); ++y)
+        image::encode_row(*pixel_format, picture.row(y), 0, y,
+                          bytes.data() + static_cast<std::size_t>(y) * pitch);
     return bytes;
 }
 
 } // namespace
 
-Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked) {
-    if (asked != PictureFormat::by_name) return asked;
-    if (path == "-") return PictureFormat::png;
+std::optional<PictureFormat> format_of_name(std::string_view path) {
     const std::size_t dot = path.rfind('.');
-    std::string extension = dot == std::string::npos ? "" : path.substr(dot + 1);
+    std::string extension(dot == std::string_view::npos ? "" : path.substr(dot + 1));
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     for (const Extension& known : kExtensions)
         if (known.text == extension) return known.format;
+    return std::nullopt;
+}
+
+Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked) {
+    const std::optional<PictureFormat> named = format_of_name(path);
+    if (named && asked != PictureFormat::by_name && *named != asked)
+        return fail(Exit::usage,
+                    "{}: the name says {}, --format says {}; leave --format out, or "
+                    "change the name",
+                    path, text_of(*named), text_of(asked));
+    if (asked != PictureFormat::by_name) return asked;
+    if (path == "-") return PictureFormat::png;
+    if (named) return *named;
     return fail(Exit::usage, "{}: the name does not end in .png, .ppm, .pam or .raw; say --format",
                 path);
 }

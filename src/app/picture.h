@@ -6,11 +6,17 @@
 #include "image/codec.h"
 #include "image/image.h"
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace scanout::app {
 
+// What the name's extension says, in any case; nothing for names that say nothing.
+std::optional<PictureFormat> format_of_name(std::string_view path);
+
 // The format that a file is written in: the one asked for, or by the name's extension; "-" is PNG.
+// Exit::usage when neither says it, or when they say different things.
 Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked);
 
 // The picture as the display of --pixel-format shows it; unchanged without one.

@@ -33,17 +33,20 @@ Result<std::int64_t> take_step(std::string_view& line, std::int64_t last) {
         std::from_chars(digits.data(), digits.data() + digits.size(), number);
     const std::int64_t step = relative ? last + std::min(number, kLastStep) : number;
     if (error != std::errc() || step > kLastStep)
-        return fail(Exit::unreadable, "the step is too large");
+        return fail(Exit::unreadable, "the step is too large: at most {} is", kLastStep);
     if (step < last)
-        return fail(Exit::unreadable, "step {} comes after step {}: steps do not go back", step,
-                    last);
+        return fail(Exit::unreadable,
+                    "step {} comes after step {}: steps do not go back, "
+                    "put the lines in order",
+                    step, last);
     line = trimmed({stop, static_cast<std::size_t>(digits.data() + digits.size() - stop)});
     return step;
 }
 
 Result<TimedAction> parse_line(std::string_view line, std::int64_t last) {
     TRY(const std::int64_t step, take_step(line, last));
-    if (line.empty()) return fail(Exit::unreadable, "an action is missing after the step");
+    if (line.empty())
+        return fail(Exit::unreadable, "an action is missing after the step, as in 7 quit");
     TRY(Action action, parse_action(line));
     return TimedAction{step, std::move(action)};
 }
@@ -83,7 +86,8 @@ Result<Script> load_script(const std::string& path) {
 Result<Recorder> Recorder::create(const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "we");
     if (file == nullptr)
-        return fail(Exit::unreadable, "{}: cannot be written: {}", path, std::strerror(errno));
+        return fail(Exit::unreadable, "{}: cannot be written: {}; name another file", path,
+                    std::strerror(errno));
     Recorder recorder(file, path);
     TRY_VOID(recorder.put(std::string(kFirstLine)));
     return recorder;
@@ -96,7 +100,8 @@ Result<void> Recorder::write(const TimedAction& action) {
 Result<void> Recorder::put(const std::string& line) {
     std::fputs((line + "\n").c_str(), file_.get());
     if (std::fflush(file_.get()) != 0)
-        return fail(Exit::unreadable, "{}: cannot be written: {}", path_, std::strerror(errno));
+        return fail(Exit::unreadable, "{}: cannot be written: {}; name another file", path_,
+                    std::strerror(errno));
     return {};
 }
 

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/write_file.h"
 #include "image/hash.h"
+#include "simd/targets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character.
+// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character. Whatever is not
+// printable ASCII is written as \u: a terminal may be the reader.
 std::string dumped(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 double rounded(double ms) {
@@ -25,6 +27,7 @@ double rounded(double ms) {
 template <class Member>
 std::vector<double> column(const std::vector<FrameRecord>& frames, Member member) {
     std::vector<double> values;
+    values.reserve(frames.size());
     for (const FrameRecord& frame : frames)
         values.push_back(frame.stats.*member);
     return values;
@@ -86,7 +89,7 @@ std::string to_json(const RunReport& report) {
                    {"rss_start_bytes", report.start_bytes},
                    {"peak_rss_bytes", peak_resident_bytes()},
                    {"threads", report.threads},
-                   {"target", "scalar"},
+                   {"target", simd::chosen_target()},
                    {"version", SCANOUT_VERSION}});
 }
 

@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/commands.h"
+#include "app/message.h"
 #include "base/memory.h"
 
 #include <csignal>
@@ -51,7 +52,7 @@ Exit run(int argc, char** argv) {
         result =
             fail(Exit::unreadable, "standard output: cannot be written: {}", std::strerror(errno));
     if (result) return *result;
-    fmt::print(stderr, "scanout: {}\n", result.error().what);
+    say("scanout: " + result.error().what);
     return result.error().exit;
 }
 

@@ -29,7 +29,6 @@ struct Settings {
     bool camera_given = false;
 
     int threads = 0;             // 0: one a core
-    std::string target = "auto"; // SIMD target
     bool verbose = false, quiet = false;
     std::optional<std::string> json; // the file; "-": standard output
     std::optional<image::PixelFormat> pixel_format;

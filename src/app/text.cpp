@@ -18,12 +18,6 @@ const Glyph* Font::find(char32_t code) const {
     return at != glyphs.end() && at->code == code ? &*at : nullptr;
 }
 
-namespace {
-
-constexpr char32_t kBroken = 0xfffd;
-
-// Takes one code point off the front; one byte, and kBroken, where that is no UTF-8 (Unicode 3.9,
-// D92).
 char32_t take_code(std::string_view& text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -43,6 +37,8 @@ char32_t take_code(std::string_view& text) {
     text.remove_prefix(length);
     return code;
 }
+
+namespace {
 
 // The outline that stands for what cannot be shown, one font pixel inside the cell.
 bool box_ink(const Font& font, int x, int y) {

@@ -12,6 +12,11 @@ namespace scanout::app {
 constexpr int kGlyphWidth = 9;
 constexpr int kGlyphHeight = 15;
 
+// Takes one code point off the front of a text that is not empty; one byte, and kBroken, where that
+// is no UTF-8 (Unicode 3.9, D92).
+constexpr char32_t kBroken = 0xfffd;
+char32_t take_code(std::string_view& text);
+
 // Pixels from the left of the first cell to the right of the last. One cell a code point; a byte
 // that is not UTF-8 is a cell of its own.
 int text_width(std::string_view utf8, int scale = 1, const Font& font = font_regular);

@@ -57,24 +57,23 @@ Result<std::int64_t> parse_integer(std::string_view text) {
 Result<double> parse_real(std::string_view text) {
     const auto value = whole_number<double>(text);
     if (value && std::isfinite(*value)) return *value;
+    if (value) return fail(Exit::usage, "wants a finite number, not '{}'", text);
     return fail(Exit::usage, "wants a number, not '{}'", text);
 }
 
 Result<std::vector<double>> parse_list(std::string_view text, std::size_t least, std::size_t most) {
     std::vector<double> values;
-    std::string_view rest = text;
-    while (true) {
+    std::size_t count = 1;
+    for (std::string_view rest = text;; ++count) {
         const std::size_t comma = rest.find(',');
-        const auto value = parse_real(rest.substr(0, comma));
-        if (!value || values.size() == most) {
-            values.clear();
-            break;
-        }
-        values.push_back(*value);
+        const auto value = whole_number<double>(rest.substr(0, comma));
+        if (value && !std::isfinite(*value))
+            return fail(Exit::usage, "wants finite numbers with commas, not '{}'", text);
+        if (value && values.size() < most) values.push_back(*value);
         if (comma == std::string_view::npos) break;
         rest.remove_prefix(comma + 1);
     }
-    if (values.size() >= least) return values;
+    if (values.size() == count && count >= least) return values;
     if (least == most)
         return fail(Exit::usage, "wants {} numbers with commas, not '{}'", least, text);
     return fail(Exit::usage, "wants {} to {} numbers with commas, not '{}'", least, most, text);

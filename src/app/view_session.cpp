@@ -1,5 +1,6 @@
 #include "app/view_session.h"
 
+#include "app/message.h"
 #include "app/picture.h"
 #include "base/check.h"
 
@@ -367,6 +368,8 @@ Result<void> ViewSession::draw(const Shown& wanted) {
     if (new_picture) TRY_VOID(render());
     if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) {
         Overlay overlay = wanted.overlay;
+        if (model_ && renderer_.stats().lanes_shaded == 0 && overlay.message.empty())
+            overlay.message = "model out of view: press R";
         if (!overlay.info.empty() && !steady_)
             overlay.info.push_back(fmt::format("{:.1f} ms  {:.0f} fps", renderer_.stats().total_ms,
                                                frames_per_second_));

@@ -37,9 +37,10 @@ bool is_view(ActionId id) {
 Viewer::Viewer(const Settings& settings, int width, int height, int files)
     : model_(settings.model), camera_(settings.camera), width_(width), height_(height),
       files_(files) {
-    state_.look.projection = camera_.projection;
-    state_.look.up = camera_.up;
-    state_.look.cull = settings.frame.cull;
+    start_.projection = camera_.projection;
+    start_.up = camera_.up;
+    start_.cull = settings.frame.cull;
+    state_.look = start_;
     state_.pointer.x = width / 2;
     state_.pointer.y = height / 2;
 }
@@ -154,9 +155,7 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::zoom_at:
         return zoom_at(action.numbers[0], action.numbers[1], action.numbers[2], mesh);
     case ActionId::reset:
-        look.pose = {};
-        look.orbit = {};
-        look.view = -1;
+        look = start_;
         return;
     case ActionId::toggle_projection:
         look.projection = look.projection == scene::Projection::perspective

@@ -59,6 +59,7 @@ private:
     scene::ModelTransform model_;
     scene::CameraOptions camera_;
     int width_, height_, files_;
+    Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;
     std::int64_t step_ = 0;
     std::deque<Look> history_;

@@ -10,7 +10,7 @@
 
 namespace scanout::app {
 
-// What undo brings back.
+// How the model is seen, all that keys and mouse change of it: what undo and reset bring back.
 struct Look {
     scene::Pose pose;
     scene::Orbit orbit;

@@ -1,10 +1,13 @@
-// A regular file mapped for reading. Devices, pipes and folders are refused, so that no reader can
-// be made to read for ever.
+// A regular file's bytes, read into memory pages of their own. Devices, pipes and folders are
+// refused, so that no reader can be made to read for ever. The file itself is not mapped: one that
+// is cut short while it is parsed would end the program with SIGBUS.
 #pragma once
 
 #include "base/result.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -12,8 +15,13 @@ namespace scanout {
 
 class Mapping {
 public:
-    // Errors name the path (Exit::unreadable). An empty file maps to an empty view.
-    static Result<Mapping> open(const std::string& path);
+    // Asked before a file is read, with its first bytes (at most 4096) and its size: an error
+    // refuses it.
+    using Admit = std::function<Result<>(std::string_view head, std::uint64_t size)>;
+
+    // Errors name the path (Exit::unreadable); a file that changes meanwhile is one of them. An
+    // empty file gives an empty view. Holes of a sparse file are zeros that take no memory.
+    static Result<Mapping> open(const std::string& path, const Admit& admit = nullptr);
 
     Mapping() = default;
     Mapping(Mapping&& other) noexcept;
@@ -25,13 +33,12 @@ public:
     std::string_view text() const { return {data_, size_}; }
     std::size_t size() const { return size_; }
 
-    // Tells the kernel that bytes [0, end) will not be read again, so that they leave the resident
-    // set.
+    // Gives the memory of bytes [0, end) back, up to a whole page: they must not be read again.
     void drop_before(std::size_t end);
 
 private:
-    Mapping(const char* data, std::size_t size) : data_(data), size_(size) {}
-    const char* data_ = nullptr;
+    Mapping(char* data, std::size_t size) : data_(data), size_(size) {}
+    char* data_ = nullptr;
     std::size_t size_ = 0;
     std::size_t dropped_ = 0;
 };

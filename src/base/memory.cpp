@@ -3,6 +3,9 @@
 #include <cstdio>
 #include <cstring>
 
+#include <sys/mman.h>
+#include <unistd.h>
+
 namespace scanout {
 
 static std::uint64_t kib_in(const char* path, const char* key) {
@@ -24,8 +27,15 @@ std::uint64_t resident_bytes() {
 std::uint64_t peak_resident_bytes() {
     return kib_in("/proc/self/status", "VmHWM:") * 1024;
 }
-std::uint64_t available_bytes() {
-    return kib_in("/proc/meminfo", "MemAvailable:") * 1024;
+
+void release_pages(void* begin, std::size_t bytes) {
+    static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
+    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
+    const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
+    if (first >= last) return;
+    std::byte* pages =
+        static_cast<std::byte*>(begin) + (first - reinterpret_cast<std::uintptr_t>(begin));
+    ::madvise(pages, last - first, MADV_DONTNEED);
 }
 
 } // namespace scanout

@@ -1,12 +1,23 @@
-// The process's own memory and the machine's, as the kernel counts it.
+// The process's own memory, as the kernel counts it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace scanout {
 
 std::uint64_t resident_bytes();      // now (VmRSS)
 std::uint64_t peak_resident_bytes(); // the most so far (VmHWM)
-std::uint64_t available_bytes();     // of the machine, without swapping; 0: not known
+
+// Empties an array and gives its memory back; `values = {}` keeps it.
+template <class T>
+void release(std::vector<T>& values) {
+    std::vector<T>().swap(values);
+}
+
+// Gives the whole pages within these bytes back to the machine, while whoever allocated them keeps
+// the place: for large arrays whose start is done with. What stood there reads as zeros afterwards.
+void release_pages(void* begin, std::size_t bytes);
 
 } // namespace scanout

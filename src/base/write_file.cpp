@@ -4,6 +4,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
 
 #include <fcntl.h>
@@ -25,7 +26,25 @@ int write_all(int fd, std::span<const std::uint8_t> bytes) {
 }
 
 tl::unexpected<Error> cannot_write(const std::string& path, int error) {
-    return fail(Exit::unreadable, "{}: cannot be written: {}", path, std::strerror(error));
+    const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+    const bool refused = error == EACCES || error == EPERM || error == EROFS || error == ELOOP;
+    return fail(Exit::unreadable, "{}: cannot be written: {}{}", path, std::strerror(error),
+                full      ? "; make room, or name another folder"
+                : refused ? "; name another folder"
+                          : "");
+}
+
+// Where a symbolic link leads, also when nothing is there yet; any other path is left as it is. The
+// links do not go in circles: stat() has said ELOOP then.
+std::string behind_links(std::string path) {
+    std::error_code error;
+    constexpr int kMostLinks = 40; // as Linux, path_resolution(7)
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, error); ++i) {
+        const auto target = std::filesystem::read_symlink(path, error);
+        if (error) break;
+        path = std::filesystem::path(path).parent_path() / target; // the target alone if absolute
+    }
+    return path;
 }
 
 // A new file gets the mode that the user's umask gives every new file; mkstemp alone would make
@@ -45,20 +64,24 @@ Result<void> write_file(const std::string& path, std::span<const std::uint8_t> b
         return {};
     }
     struct stat info {};
-    if (::stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode)) {
+    const int missing = ::stat(path.c_str(), &info) == 0 ? 0 : errno;
+    if (missing == ELOOP) return cannot_write(path, ELOOP);
+    if (missing == 0 && !S_ISREG(info.st_mode)) {
         if (S_ISDIR(info.st_mode))
             return fail(Exit::unreadable, "{}: is a folder; name a file", path);
         TRY(const Fd device, Fd::open(path, O_WRONLY)); // /dev/null, a pipe: nothing to rename onto
         if (const int error = write_all(device.get(), bytes)) return cannot_write(path, error);
         return {};
     }
-    std::string temporary = path + ".XXXXXX";
+    // Beside the file itself: a link that leads to it stays one.
+    const std::string file = behind_links(path);
+    std::string temporary = file + ".XXXXXX";
     const Fd fd(::mkostemp(temporary.data(), O_CLOEXEC));
     if (!fd.valid()) return cannot_write(path, errno);
     int error = write_all(fd.get(), bytes);
     if (error == 0 && ::fchmod(fd.get(), default_mode()) != 0) error = errno;
     if (error == 0 && ::fsync(fd.get()) != 0) error = errno;
-    if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+    if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
     if (error != 0) {
         ::unlink(temporary.c_str());
         return cannot_write(path, error);

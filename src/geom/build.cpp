@@ -1,6 +1,7 @@
 #include "geom/build.h"
 
 #include "base/check.h"
+#include "base/memory.h"
 #include "geom/framing.h"
 #include "geom/join_table.h"
 #include "geom/normals.h"
@@ -20,61 +21,102 @@ namespace {
 struct Vertex {
     Vec3 position{0}, normal{0, 0, 1}, colour{1};
     Vec2 uv{0};
+    bool operator==(const Vertex&) const = default;
 };
 
-// The mesh's vertices as they come to be; equal ones are joined.
+// 0 where the file's number is not one; floats have room for all others that make sense.
+float to_float(double x) {
+    return std::abs(x) <= 1e30 ? static_cast<float>(x) : 0.0f;
+}
+
+Vec3 finite_or_zero(const Vec3& v) {
+    return {to_float(v.x), to_float(v.y), to_float(v.z)};
+}
+
+// Gives corners that make the same vertex one number. Memory decides its shape: where faces are
+// flat, the vertices are the largest array of all, and they must not stand beside the corners and a
+// table that both still grow. So a vertex is first a corner alone, kept in the place of a corner
+// that is done with (vertex i comes of corner i or a later one); write() makes the arrays when
+// everything else is gone, in their final size.
 class Vertices {
 public:
-    Vertices(Mesh& mesh, std::size_t expected, bool with_uv, bool with_colour)
-        : mesh_(mesh), with_uv_(with_uv), with_colour_(with_colour), table_(expected) {
-        mesh_.position.reserve(expected);
-        mesh_.normal.reserve(expected);
-        if (with_uv_) mesh_.uv.reserve(expected);
-        if (with_colour_) mesh_.colour.reserve(expected);
+    Vertices(PolygonMesh& polygons, std::size_t expected) : m_(polygons), table_(expected) {}
+
+    // Overwrites corners up to the number of calls so far: each of a face's corners must be asked
+    // for once, in their order.
+    std::uint32_t number_of(Corner c) {
+        const Vertex v = vertex(c);
+        return table_.find_or_add(
+            hash(v), [&](std::uint32_t i) { return is(m_.corners[i], c, v); },
+            [&] {
+                if (const std::size_t next = table_.rows(); next < m_.corners.size())
+                    m_.corners[next] = c;
+                else
+                    m_.corners.push_back(c);
+            },
+            [&](std::uint32_t i) { return hash(vertex(m_.corners[i])); });
     }
 
-    std::uint32_t number_of(Vertex v) {
-        v.position += 0.0f; // -0 becomes 0
-        v.normal += 0.0f;
-        v.uv += 0.0f;
-        v.colour += 0.0f;
-        return table_.find_or_add(
-            hash(v), [&](std::uint32_t i) { return equals(i, v); }, [&] { append(v); },
-            [&](std::uint32_t i) { return hash(vertex(i)); });
+    // Frees the table, and the corners as it goes.
+    void write(Mesh& mesh, bool with_uv, bool with_colour) {
+        const std::size_t count = table_.rows();
+        table_ = JoinTable(0);
+        mesh.position.reserve(count);
+        mesh.normal.reserve(count);
+        if (with_uv) mesh.uv.reserve(count);
+        if (with_colour) mesh.colour.reserve(count);
+        constexpr std::size_t kBlock = 65536;
+        for (std::size_t i = 0; i < count; ++i) {
+            if (i % kBlock == 0 && i > 0)
+                release_pages(&m_.corners[i - kBlock], kBlock * sizeof(Corner));
+            const Vertex v = vertex(m_.corners[i]);
+            mesh.position.push_back(v.position);
+            mesh.normal.push_back(v.normal);
+            if (with_uv) mesh.uv.push_back(v.uv);
+            if (with_colour) mesh.colour.push_back(v.colour);
+        }
     }
 
 private:
+    // Whether `a` makes the vertex v of corner c: by what decides it with the fewest places in
+    // memory.
+    bool is(const Corner& a, const Corner& c, const Vertex& v) const {
+        if (a.position == c.position && a.uv == c.uv && a.normal == c.normal) return true;
+        return position(a) == v.position && vertex(a) == v;
+    }
+
+    Vec3 position(const Corner& c) const {
+        return Vec3(m_.positions[static_cast<std::size_t>(c.position)]) + 0.0f; // -0 becomes 0
+    }
+
+    Vertex vertex(const Corner& c) const {
+        Vertex v;
+        v.position = position(c);
+        if (c.normal >= 0) v.normal = m_.normals[static_cast<std::size_t>(c.normal)] + 0.0f;
+        if (c.uv >= 0) {
+            const DVec2& uv = m_.uvs[static_cast<std::size_t>(c.uv)];
+            v.uv = Vec2(to_float(uv.x), to_float(uv.y)) + 0.0f;
+        }
+        if (!m_.colours.empty())
+            v.colour = finite_or_zero(m_.colours[static_cast<std::size_t>(c.position)]) + 0.0f;
+        return v;
+    }
+
     static std::uint64_t bits(float a, float b) {
         return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
                std::bit_cast<std::uint32_t>(b);
     }
-
     std::uint64_t hash(const Vertex& v) const {
         std::uint64_t h = mix_bits(bits(v.position.x, v.position.y));
         h = mix_bits(h ^ bits(v.position.z, v.normal.x));
         h = mix_bits(h + bits(v.normal.y, v.normal.z));
-        if (with_uv_) h = mix_bits(h + bits(v.uv.x, v.uv.y));
-        if (with_colour_)
+        if (!m_.uvs.empty()) h = mix_bits(h + bits(v.uv.x, v.uv.y));
+        if (!m_.colours.empty())
             h = mix_bits(mix_bits(h + bits(v.colour.x, v.colour.y)) + bits(v.colour.z, 0));
         return h;
     }
-    bool equals(std::uint32_t i, const Vertex& v) const {
-        return mesh_.position[i] == v.position && mesh_.normal[i] == v.normal &&
-               (!with_uv_ || mesh_.uv[i] == v.uv) && (!with_colour_ || mesh_.colour[i] == v.colour);
-    }
-    Vertex vertex(std::uint32_t i) const {
-        return {mesh_.position[i], mesh_.normal[i], with_colour_ ? mesh_.colour[i] : Vec3(1),
-                with_uv_ ? mesh_.uv[i] : Vec2(0)};
-    }
-    void append(const Vertex& v) {
-        mesh_.position.push_back(v.position);
-        mesh_.normal.push_back(v.normal);
-        if (with_uv_) mesh_.uv.push_back(v.uv);
-        if (with_colour_) mesh_.colour.push_back(v.colour);
-    }
 
-    Mesh& mesh_;
-    bool with_uv_, with_colour_;
+    PolygonMesh& m_;
     JoinTable table_;
 };
 
@@ -126,23 +168,13 @@ private:
     }
 };
 
-// 0 where the file's number is not one; floats have room for all others that make sense.
-float to_float(double x) {
-    return std::abs(x) <= 1e30 ? static_cast<float>(x) : 0.0f;
-}
-
-Vec3 finite_or_zero(const Vec3& v) {
-    return {to_float(v.x), to_float(v.y), to_float(v.z)};
-}
-
 class Builder {
 public:
     Builder(PolygonMesh& polygons, BuildResult& result, const Usable& usable)
         : m_(polygons), result_(result), mesh_(result.mesh), usable_(usable),
-          vertices_(result.mesh,
+          vertices_(polygons,
                     std::min(m_.positions.size(), m_.corners.size() + m_.line_vertices.size() +
-                                                      m_.point_vertices.size()),
-                    usable.uv, !m_.colours.empty()) {}
+                                                      m_.point_vertices.size())) {}
 
     void add_faces() {
         mesh_.index.reserve(usable_.triangles * 3);
@@ -183,6 +215,13 @@ public:
         }
     }
 
+    // Last: frees what the others need.
+    void make_vertices() {
+        release(m_.face_begin);
+        release(m_.face_material);
+        vertices_.write(mesh_, usable_.uv, !m_.colours.empty());
+    }
+
 private:
     // A texture that is repeated very often has uvs whose floats keep too few digits of the place
     // within one repeat: such a face is moved by whole repeats towards 0 (HARD-CASES 36).
@@ -190,11 +229,7 @@ private:
 
     void add_face(std::size_t face) {
         const std::size_t begin = m_.face_begin[face], n = m_.face_end(face) - begin;
-        const DVec2 shift = uv_shift(face);
-        numbers_.clear();
-        for (std::size_t i = 0; i < n; ++i)
-            numbers_.push_back(corner_vertex(begin + i, shift));
-        cut_.clear();
+        cut_.clear(); // before the vertices are numbered, which overwrites corners
         if (n == 3) {
             cut_ = {0, 1, 2};
         } else {
@@ -204,32 +239,27 @@ private:
                     m_.positions[static_cast<std::size_t>(m_.corners[begin + i].position)]);
             triangulate(outline_, cut_);
         }
+        const DVec2 shift = uv_shift(face);
+        numbers_.clear();
+        for (std::size_t i = 0; i < n; ++i)
+            numbers_.push_back(vertices_.number_of(shifted(m_.corners[begin + i], shift)));
         for (const std::uint32_t i : cut_)
             mesh_.index.push_back(numbers_[i]);
         mesh_.material.insert(mesh_.material.end(), n - 2, m_.face_material[face]);
         mesh_.face.insert(mesh_.face.end(), n - 2, static_cast<std::uint32_t>(face));
     }
 
-    std::uint32_t corner_vertex(std::size_t corner, const DVec2& shift) {
-        const Corner& c = m_.corners[corner];
-        Vertex v = at_position(static_cast<std::size_t>(c.position));
-        v.normal = m_.normals[static_cast<std::size_t>(c.normal)];
-        if (c.uv >= 0) {
-            const DVec2 uv = m_.uvs[static_cast<std::size_t>(c.uv)] - shift;
-            v.uv = {to_float(uv.x), to_float(uv.y)};
-        }
-        return vertices_.number_of(v);
+    Corner shifted(Corner c, const DVec2& shift) {
+        constexpr std::size_t kMostUvs = std::numeric_limits<std::int32_t>::max();
+        if (c.uv < 0 || shift == DVec2(0) || m_.uvs.size() >= kMostUvs) return c;
+        const DVec2 uv = m_.uvs[static_cast<std::size_t>(c.uv)] - shift;
+        c.uv = static_cast<std::int32_t>(m_.uvs.size());
+        m_.uvs.push_back(uv);
+        return c;
     }
 
-    std::uint32_t bare_vertex(std::size_t position) {
-        return vertices_.number_of(at_position(position));
-    }
-
-    Vertex at_position(std::size_t position) const {
-        Vertex v;
-        v.position = Vec3(m_.positions[position]);
-        if (!m_.colours.empty()) v.colour = finite_or_zero(m_.colours[position]);
-        return v;
+    std::uint32_t bare_vertex(std::uint32_t position) {
+        return vertices_.number_of({.position = static_cast<std::int32_t>(position)});
     }
 
     DVec2 uv_shift(std::size_t face) const {
@@ -281,12 +311,13 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
         p = framing.normalise(p); // from here on everything is of unit size
 
     make_normals(m, usable.face, options.crease_degrees);
-    m.face_smoothing = {};
+    release(m.face_smoothing);
     {
         Builder builder(m, result, usable);
         builder.add_faces();
         builder.add_lines();
         builder.add_points();
+        builder.make_vertices();
     }
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);

@@ -2,6 +2,8 @@
 // where their owner keeps them, so the table costs 4 bytes a slot whatever a row holds.
 #pragma once
 
+#include "base/memory.h"
+
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -44,7 +46,7 @@ private:
     template <class HashOf>
     void grow(HashOf&& hash_of) {
         const std::size_t size = slots_.size() * 2;
-        slots_ = {}; // the old slots are not needed: every row is numbered
+        release(slots_); // the old slots are not needed: every row is numbered
         slots_.assign(size, kEmpty);
         for (std::uint32_t row = 0; row < rows_; ++row) {
             std::size_t slot = hash_of(row) & (size - 1);

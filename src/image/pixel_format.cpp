@@ -70,6 +70,8 @@ static std::uint32_t mask_of(const Channel& c) {
     return c.bits == 0 ? 0 : ((1u << c.bits) - 1u) << c.offset;
 }
 
+constexpr int kFewestBits = 4; // of a colour
+
 Result<void> check(const PixelFormat& format) {
     const int bpp = format.bits_per_pixel;
     if (bpp != 16 && bpp != 24 && bpp != 32)
@@ -80,7 +82,7 @@ Result<void> check(const PixelFormat& format) {
     for (const Channel* c : {&format.red, &format.green, &format.blue, &format.alpha}) {
         const bool absent_alpha = c == &format.alpha && c->bits == 0;
         if (absent_alpha) continue;
-        const int fewest_bits = c == &format.alpha ? 1 : 4;
+        const int fewest_bits = c == &format.alpha ? 1 : kFewestBits;
         if (c->bits < fewest_bits || c->bits > 8 || c->offset < 0 || c->offset > bpp - c->bits)
             return fail(
                 Exit::no_display,
@@ -94,24 +96,71 @@ Result<void> check(const PixelFormat& format) {
     return {};
 }
 
-// One channel on its way into a pixel. (code * max + 127) / 255 is round(code * max / 255): a tie
-// would need 2 * code * max = 255 * odd, an even number equal to an odd one.
+// Repeats the upper digits below: 4 to 8 bits become 8, all ones become 255.
+static constexpr unsigned widened(unsigned level, int bits) {
+    return level << (8 - bits) | level >> (2 * bits - 8);
+}
+
+// code -> its place among the levels of a channel, in 64ths of the step between the two levels
+// whose widened codes stand around it.
+using Levels = std::array<std::uint16_t, 256>;
+
+static constexpr Levels levels_of(int bits) {
+    Levels levels{};
+    for (unsigned code = 0; code < 256; ++code) {
+        unsigned below = code >> (8 - bits); // its widened code begins with the same digits
+        if (widened(below, bits) > code) --below;
+        const unsigned step = widened(below + 1, bits) - widened(below, bits);
+        const unsigned above = (code - widened(below, bits)) * 64;
+        levels[code] = static_cast<std::uint16_t>(below * 64 + (above + step / 2) / step);
+    }
+    return levels;
+}
+
+constexpr std::array<Levels, 5> kLevels{levels_of(4), levels_of(5), levels_of(6), levels_of(7),
+                                        levels_of(8)};
+
+// What the place (x, y) adds to a place among the levels, in 64ths, before it is cut to a whole
+// level: the 64 places of a square add 0 to 63 each once, and neighbours differ much. Bayer's
+// matrix: the digits of x ^ y and y interleaved, the lowest digit of the coordinates on top.
+using Thresholds = std::array<std::uint8_t, 8>;
+
+static constexpr std::array<Thresholds, 8> bayer() {
+    std::array<Thresholds, 8> square{};
+    for (unsigned y = 0; y < 8; ++y)
+        for (unsigned x = 0; x < 8; ++x) {
+            unsigned value = 0;
+            for (unsigned digit = 0; digit < 3; ++digit)
+                value = value << 2 | ((x ^ y) >> digit & 1u) << 1 | (y >> digit & 1u);
+            square[y][x] = static_cast<std::uint8_t>(63 - value);
+        }
+    return square;
+}
+constexpr std::array<Thresholds, 8> kBayer = bayer();
+
+// One channel on its way into a pixel.
 struct Packer {
     explicit Packer(const Channel& c)
-        : max((1u << c.bits) - 1u), shift(static_cast<unsigned>(c.offset)) {}
-    std::uint32_t operator()(std::uint8_t code) const {
-        return (code * max + 127u) / 255u << shift;
+        : levels(kLevels[static_cast<std::size_t>(c.bits - kFewestBits)]),
+          shift(static_cast<unsigned>(c.offset)) {}
+    std::uint32_t operator()(std::uint8_t code, std::uint32_t threshold) const {
+        return (levels[code] + threshold) / 64u << shift;
     }
-    std::uint32_t max;
+    const Levels& levels;
     unsigned shift;
 };
 
 template <int kBytes>
-static void pack_row(const PixelFormat& format, std::span<const Rgba8> row, std::uint8_t* out) {
+static void pack_row(const PixelFormat& format, std::span<const Rgba8> row, int x0, int y,
+                     std::uint8_t* out) {
     const Packer red(format.red), green(format.green), blue(format.blue);
     const std::uint32_t alpha = mask_of(format.alpha);
+    const Thresholds& thresholds = kBayer[static_cast<std::size_t>(y) % 8];
+    auto x = static_cast<std::size_t>(x0);
     for (const Rgba8& pixel : row) {
-        const std::uint32_t word = red(pixel.r) | green(pixel.g) | blue(pixel.b) | alpha;
+        const std::uint32_t threshold = thresholds[x++ % 8];
+        const std::uint32_t word =
+            red(pixel.r, threshold) | green(pixel.g, threshold) | blue(pixel.b, threshold) | alpha;
         for (int i = 0; i < kBytes; ++i)
             out[i] = static_cast<std::uint8_t>(word >> (8 * i));
         out += kBytes;
@@ -130,25 +179,24 @@ static void pack_xrgb8888(std::span<const Rgba8> row, std::uint8_t* out) {
     }
 }
 
-void encode_row(const PixelFormat& format, std::span<const Rgba8> row, std::uint8_t* out) {
+void encode_row(const PixelFormat& format, std::span<const Rgba8> row, int x0, int y,
+                std::uint8_t* out) {
     constexpr PixelFormat kXrgb8888{};
     if (format == kXrgb8888) return pack_xrgb8888(row, out);
     switch (format.bits_per_pixel) {
     case 16:
-        return pack_row<2>(format, row, out);
+        return pack_row<2>(format, row, x0, y, out);
     case 24:
-        return pack_row<3>(format, row, out);
+        return pack_row<3>(format, row, x0, y, out);
     case 32:
-        return pack_row<4>(format, row, out);
+        return pack_row<4>(format, row, x0, y, out);
     default:
         CHECK(false);
     }
 }
 
-// Repeats the upper digits below: 4 to 8 bits become 8, all ones become 255.
 static std::uint8_t widen(std::uint32_t word, const Channel& c) {
-    const std::uint32_t digits = word >> c.offset & ((1u << c.bits) - 1u);
-    return static_cast<std::uint8_t>(digits << (8 - c.bits) | digits >> (2 * c.bits - 8));
+    return static_cast<std::uint8_t>(widened(word >> c.offset & ((1u << c.bits) - 1u), c.bits));
 }
 
 void decode_row(const PixelFormat& format, const std::uint8_t* in, std::span<Rgba8> row) {
@@ -167,7 +215,7 @@ Image as_displayed(const PixelFormat& format, const Image& image) {
     std::vector<std::uint8_t> bytes(static_cast<std::size_t>(image.width()) *
                                     static_cast<std::size_t>(format.bytes_per_pixel()));
     for (int y = 0; y < image.height(); ++y) {
-        encode_row(format, image.row(y), bytes.data());
+        encode_row(format, image.row(y), 0, y, bytes.data());
         decode_row(format, bytes.data(), out.row(y));
     }
     return out;

@@ -1,5 +1,6 @@
 #include "io/load.h"
 
+#include "base/available_memory.h"
 #include "base/mapping.h"
 #include "base/memory.h"
 #include "base/stopwatch.h"
@@ -40,21 +41,39 @@ public:
     LargeBlocksMapped& operator=(const LargeBlocksMapped&) = delete;
 };
 
-// Watches what a reader's arrays take. The mesh that is built of them takes as much again, so they
-// may have half of the whole.
+constexpr std::uint64_t kMegabyte = 1'000'000;
+
+// The least that a facet of a binary STL file takes at the peak of loading: 90 bytes are measured
+// on a smooth surface of two million, 114 on one that is all edges.
+constexpr std::uint64_t kBytesPerFacet = 80;
+
+// What loading may take, told in advance where the file's header is enough, and watched.
 class MemoryLimit {
 public:
     explicit MemoryLimit(std::uint64_t bytes)
         : before_(resident_bytes()), limit_(bytes != 0 ? bytes : available_bytes()) {}
 
-    // False from the moment on when too much is taken.
-    bool holds() {
+    // An OBJ file says nothing in advance: megabytes of comments or zeros take no memory at all.
+    Result<> admit_stl(std::string_view head, std::uint64_t size, const std::string& path) const {
+        const std::uint64_t facets = stl_facets_told(head, size);
+        if (facets * kBytesPerFacet <= limit_) return {};
+        return fail(Exit::unreadable,
+                    "{}: its {} triangles take at least {} MB of memory to load, and {} MB are "
+                    "available: close other programs, or cut the model into parts",
+                    path, facets, facets * kBytesPerFacet / kMegabyte, limit_ / kMegabyte);
+    }
+
+    // False from the moment on when too much is taken. The mesh takes as much again as the arrays
+    // that it is built of, while what is left of the file leaves memory before.
+    bool holds(std::uint64_t left_of_file) {
         const std::uint64_t now = resident_bytes();
-        exceeded_ = exceeded_ || (limit_ != 0 && now > before_ && now - before_ > limit_ / 2);
+        const std::uint64_t taken = now > before_ ? now - before_ : 0;
+        const std::uint64_t arrays = taken > left_of_file ? taken - left_of_file : 0;
+        exceeded_ = exceeded_ || std::max(taken, 2 * arrays) > limit_;
         return !exceeded_;
     }
     bool was_exceeded() const { return exceeded_; }
-    std::uint64_t megabytes() const { return limit_ / 1'000'000; }
+    std::uint64_t megabytes() const { return limit_ / kMegabyte; }
 
 private:
     std::uint64_t before_, limit_;
@@ -127,24 +146,29 @@ Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings
     const std::string extension = extension_of(path);
     const auto known = std::find_if(kFormats.begin(), kFormats.end(),
                                     [&](const Format& f) { return f.extension == extension; });
-    TRY(Mapping file, Mapping::open(path));
+    MemoryLimit memory(options.memory_bytes);
+    TRY(Mapping file, Mapping::open(path, [&](std::string_view head, std::uint64_t size) {
+            return extension == ".stl" ? memory.admit_stl(head, size, path) : Result<>();
+        }));
     if (known == kFormats.end()) {
         if (const auto reason = not_a_text_model(file.text()))
             return fail(Exit::unreadable, "{}: {}", path, *reason);
         return fail(Exit::unreadable, "{}: the extension '{}' is not known; known are{}", path,
                     shown(extension), known_extensions());
     }
-    MemoryLimit memory(options.memory_bytes);
     // What is read leaves memory at once: the file never stands beside its mesh.
     const std::function<bool(double)> progress = [&](double share) {
-        file.drop_before(static_cast<std::size_t>(share * static_cast<double>(file.size())));
-        return memory.holds() && (!options.progress || options.progress(share));
+        const auto done = static_cast<std::size_t>(share * static_cast<double>(file.size()));
+        file.drop_before(done);
+        return memory.holds(file.size() - done) && (!options.progress || options.progress(share));
     };
     const auto reader = extension == ".stl" ? read_stl_parts : read_obj_parts;
     auto parts = reader(file.text(), path, warnings, progress);
     if (memory.was_exceeded())
-        return fail(Exit::unreadable, "{}: needs more memory than the {} MB that it may take", path,
-                    memory.megabytes());
+        return fail(Exit::unreadable,
+                    "{}: needs more memory than the {} MB that are available: close other "
+                    "programs, or cut the model into parts",
+                    path, memory.megabytes());
     if (!parts) return parts;
     parts->counts.bytes = file.size() + parts->materials.bytes;
     return parts;

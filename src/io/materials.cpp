@@ -181,8 +181,11 @@ void MaterialLoader::use(const NameAtLine& used) {
     out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
     scene::Material& material = out_.materials.emplace_back(m.material);
     // The other maps stay names until something draws them: what is not used costs nothing.
-    if (material.map_diffuse.given())
-        material.map_diffuse.texture = texture(material.map_diffuse.path, library.path);
+    if (!material.map_diffuse.given()) return;
+    material.map_diffuse.texture = texture(material.map_diffuse.path, library.path);
+    // Kd 0 0 0 beside a map is an exporter's "see the map"; without the map it would be a hole.
+    if (material.map_diffuse.texture < 0 && material.diffuse == Vec3(0))
+        material.diffuse = scene::Material().diffuse;
 }
 
 void MaterialLoader::name_what_is_not_drawn() {

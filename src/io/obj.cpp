@@ -76,11 +76,12 @@ Result<ObjFile> ObjReader::read() {
         statement();
         finish_statement();
     }
-    if (!stop_) {
-        TRY_VOID(finish());
-        return std::move(out_);
+    if (stop_) {
+        tell_faults();
+        return tl::unexpected(*std::move(stop_));
     }
-    return tl::unexpected(*std::move(stop_));
+    TRY_VOID(finish());
+    return std::move(out_);
 }
 
 void ObjReader::statement() {
@@ -317,24 +318,35 @@ void ObjReader::stop(std::string reason) {
 }
 
 Result<> ObjReader::finish() {
-    check_forward_references();
+    check_doubtful();
     geom::PolygonMesh& m = out_.polygons;
     if (free_form_line_ != 0)
         warn("free-form", free_form_line_,
              "free-form curves and surfaces ({}) are not supported and left out",
              fmt::join(free_form_keywords_, ", "));
+    if (at_.nul_line != 0) warn("NUL bytes", at_.nul_line, "NUL bytes are read as blanks");
+    tell_faults();
     if (m.positions.empty())
         return fail(Exit::unreadable, "{}: holds no vertices; is it an OBJ model?", path_);
     if (bad_positions_ == m.positions.size())
         return fail(Exit::unreadable, "{}: none of its {} vertices has three finite numbers", path_,
                     bad_positions_);
-    if (at_.nul_line != 0) warn("NUL bytes", at_.nul_line, "NUL bytes are read as blanks");
     if (!polypaint_.empty() && m.colours.empty()) {
         polypaint_.resize(m.positions.size(), Vec3(1));
         m.colours = std::move(polypaint_);
     }
-    if (!anything_to_draw()) all_vertices_as_points();
+    if (m.faces() == 0 && m.line_begin.empty() && m.point_vertices.empty())
+        all_vertices_as_points();
     return {};
+}
+
+void ObjReader::tell_faults() {
+    std::stable_sort(faults_.begin(), faults_.end(),
+                     [](const Fault& a, const Fault& b) { return a.line < b.line; });
+    for (const Fault& fault : faults_) {
+        warnings_.add(fault.kind, fmt::format("{}:{}: {}", path_, fault.line, fault.text));
+        warnings_.add_more(fault.kind, fault.count - 1);
+    }
 }
 
 } // namespace scanout::io

@@ -53,7 +53,7 @@ std::int32_t ObjReader::resolve(std::int64_t index, std::size_t count) {
     const auto n = static_cast<std::int64_t>(count);
     if (index < 0) return n + index >= 0 ? static_cast<std::int32_t>(n + index) : -1;
     if (index == 0 || index > std::numeric_limits<std::int32_t>::max()) return -1;
-    if (index > n) forward_ = true;
+    if (index > n) doubtful_ = true;
     return static_cast<std::int32_t>(index - 1);
 }
 
@@ -75,6 +75,10 @@ bool ObjReader::corner(geom::Corner& corner) {
     if (!read_integer(at_.at, at_.end, index)) return false;
     corner.position = resolve(index, m.positions.size());
     if (corner.position < 0) return false;
+    const auto position = static_cast<std::size_t>(corner.position);
+    if (bad_positions_ > 0 && position < m.positions.size() &&
+        !geom::is_finite(m.positions[position]))
+        doubtful_ = true;
     if (at_.done() || *at_.at != '/') return at_.at_word_end();
     ++at_.at;
     if (read_integer(at_.at, at_.end, index))
@@ -89,7 +93,7 @@ bool ObjReader::corner(geom::Corner& corner) {
 void ObjReader::face() {
     geom::PolygonMesh& m = out_.polygons;
     const std::size_t begin = m.corners.size(), line = at_.line;
-    forward_ = false;
+    doubtful_ = false;
     bool good = true;
     for (at_.skip_blanks(); good && !at_.at_statement_end(); at_.skip_blanks()) {
         const char* word = at_.at;
@@ -115,7 +119,7 @@ void ObjReader::face() {
     }
     if (m.corners.size() > std::numeric_limits<std::uint32_t>::max())
         return stop("has more than 4294967295 face corners");
-    if (forward_) forward_faces_.push_back({static_cast<std::uint32_t>(m.faces()), line});
+    if (doubtful_) doubtful_faces_.push_back({static_cast<std::uint32_t>(m.faces()), line});
     m.face_begin.push_back(static_cast<std::uint32_t>(begin));
     m.face_material.push_back(material_);
     if (smoothing_ != geom::kSmoothingUnset) m.face_smoothing.push_back(smoothing_);
@@ -125,7 +129,7 @@ void ObjReader::face() {
 void ObjReader::polyline() {
     geom::PolygonMesh& m = out_.polygons;
     const std::size_t begin = m.line_vertices.size(), line = at_.line;
-    forward_ = false;
+    doubtful_ = false;
     bool good = true;
     for (at_.skip_blanks(); good && !at_.at_statement_end(); at_.skip_blanks()) {
         const char* word = at_.at;
@@ -150,7 +154,8 @@ void ObjReader::polyline() {
     }
     if (m.line_vertices.size() > std::numeric_limits<std::uint32_t>::max())
         return stop("has more than 4294967295 line vertices");
-    if (forward_) forward_lines_.push_back({static_cast<std::uint32_t>(m.line_begin.size()), line});
+    if (doubtful_)
+        doubtful_lines_.push_back({static_cast<std::uint32_t>(m.line_begin.size()), line});
     m.line_begin.push_back(static_cast<std::uint32_t>(begin));
     m.line_material.push_back(material_);
 }
@@ -165,7 +170,7 @@ void ObjReader::points() {
     for (at_.skip_blanks(); !at_.at_statement_end(); at_.skip_blanks()) {
         const char* word = at_.at;
         geom::Corner c;
-        forward_ = false;
+        doubtful_ = false;
         if (!corner(c)) {
             at_.at = word;
             ++out_.skipped;
@@ -176,8 +181,8 @@ void ObjReader::points() {
         }
         if (m.point_vertices.size() >= std::numeric_limits<std::uint32_t>::max())
             return stop("has more than 4294967295 points");
-        if (forward_)
-            forward_points_.push_back(
+        if (doubtful_)
+            doubtful_points_.push_back(
                 {static_cast<std::uint32_t>(m.point_vertices.size()), at_.line});
         m.point_vertices.push_back(static_cast<std::uint32_t>(c.position));
         m.point_material.push_back(material_);
@@ -185,8 +190,23 @@ void ObjReader::points() {
     }
 }
 
-// False when the face names a vertex that never came.
-bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
+bool ObjReader::check_vertex(std::int64_t vertex, std::string_view what, std::size_t line) {
+    const std::vector<DVec3>& positions = out_.polygons.positions;
+    if (vertex >= static_cast<std::int64_t>(positions.size())) {
+        warn(what, line, "the {} wants vertex {}, the file has {}; skipped", what, vertex + 1,
+             positions.size());
+        return false;
+    }
+    if (geom::is_finite(positions[static_cast<std::size_t>(vertex)])) return true;
+    const std::string_view kind = what == "face"   ? "face with a bad vertex"
+                                  : what == "line" ? "line with a bad vertex"
+                                                   : "point with a bad vertex";
+    warn(kind, line, "the {} uses vertex {}, which is not three finite numbers; skipped", what,
+         vertex + 1);
+    return false;
+}
+
+bool ObjReader::check_doubtful_face(std::size_t face, std::size_t line) {
     geom::PolygonMesh& m = out_.polygons;
     const auto missing = [](std::int32_t index, std::size_t count) {
         return index >= 0 && static_cast<std::size_t>(index) >= count;
@@ -194,11 +214,7 @@ bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
     bool complete = true;
     for (std::size_t i = m.face_begin[face]; i < m.face_end(face); ++i) {
         geom::Corner& c = m.corners[i];
-        if (missing(c.position, m.positions.size())) {
-            warn("face", line, "the face wants vertex {}, the file has {}; skipped",
-                 c.position + 1LL, m.positions.size());
-            return false;
-        }
+        if (!check_vertex(c.position, "face", line)) return false;
         for (auto [index, count] : {std::pair(&c.uv, m.uvs.size()), {&c.normal, m.normals.size()}})
             if (missing(*index, count)) {
                 *index = -1;
@@ -212,27 +228,21 @@ bool ObjReader::check_forward_face(std::size_t face, std::size_t line) {
     return true;
 }
 
-void ObjReader::check_forward_references() {
+void ObjReader::check_doubtful() {
     geom::PolygonMesh& m = out_.polygons;
-    const auto missing = [&](std::uint32_t vertex) { return vertex >= m.positions.size(); };
     std::vector<std::uint32_t> faces, lines, points;
-    for (const Forward& f : forward_faces_)
-        if (!check_forward_face(f.element, f.line)) faces.push_back(f.element);
-    for (const Forward& f : forward_lines_) {
-        for (std::size_t i = m.line_begin[f.element]; i < line_end(f.element); ++i) {
-            if (!missing(m.line_vertices[i])) continue;
-            warn("line", f.line, "the line wants vertex {}, the file has {}; skipped",
-                 m.line_vertices[i] + 1LL, m.positions.size());
-            lines.push_back(f.element);
-            break;
-        }
+    for (const Doubtful& d : doubtful_faces_)
+        if (!check_doubtful_face(d.element, d.line)) faces.push_back(d.element);
+    for (const Doubtful& d : doubtful_lines_) {
+        const auto begin = m.line_vertices.begin();
+        if (!std::all_of(begin + m.line_begin[d.element],
+                         begin + static_cast<std::ptrdiff_t>(line_end(d.element)),
+                         [&](std::uint32_t v) { return check_vertex(v, "line", d.line); }))
+            lines.push_back(d.element);
     }
-    for (const Forward& f : forward_points_) {
-        if (!missing(m.point_vertices[f.element])) continue;
-        warn("point", f.line, "the point wants vertex {}, the file has {}; skipped",
-             m.point_vertices[f.element] + 1LL, m.positions.size());
-        points.push_back(f.element);
-    }
+    for (const Doubtful& d : doubtful_points_)
+        if (!check_vertex(m.point_vertices[d.element], "point", d.line))
+            points.push_back(d.element);
     out_.skipped += faces.size() + lines.size() + points.size();
     if (!faces.empty()) erase_runs(m.face_begin, m.corners, faces);
     erase_at(m.face_material, faces);
@@ -241,29 +251,6 @@ void ObjReader::check_forward_references() {
     erase_at(m.line_material, lines);
     erase_at(m.point_vertices, points);
     erase_at(m.point_material, points);
-}
-
-bool ObjReader::anything_to_draw() const {
-    const geom::PolygonMesh& m = out_.polygons;
-    if (bad_positions_ == 0)
-        return m.faces() > 0 || !m.line_begin.empty() || !m.point_vertices.empty();
-    // An element is drawn whole or not at all (geom/build.h).
-    const auto usable = [&](auto vertex) {
-        return geom::is_finite(m.positions[static_cast<std::size_t>(vertex)]);
-    };
-    for (std::size_t f = 0; f < m.faces(); ++f) {
-        bool all = true;
-        for (std::size_t i = m.face_begin[f]; all && i < m.face_end(f); ++i)
-            all = usable(m.corners[i].position);
-        if (all) return true;
-    }
-    for (std::size_t l = 0; l < m.line_begin.size(); ++l) {
-        bool all = true;
-        for (std::size_t i = m.line_begin[l]; all && i < line_end(l); ++i)
-            all = usable(m.line_vertices[i]);
-        if (all) return true;
-    }
-    return std::any_of(m.point_vertices.begin(), m.point_vertices.end(), usable);
 }
 
 void ObjReader::all_vertices_as_points() {

@@ -5,6 +5,7 @@
 #include "io/cursor.h"
 #include "io/obj.h"
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -56,15 +57,17 @@ private:
     void polyline();
     void points();
     bool corner(geom::Corner& corner);
-    // Index of the file -> index from 0, -1 when it names nothing. Sets forward_ when it points
+    // Index of the file -> index from 0, -1 when it names nothing. Sets doubtful_ when it points
     // ahead.
     std::int32_t resolve(std::int64_t index, std::size_t count);
     std::int32_t resolve_optional(std::int64_t index, std::size_t count, std::string_view what);
-    void check_forward_references();
-    bool check_forward_face(std::size_t face, std::size_t line);
+    // Takes out the doubtful elements that turn out to be unusable.
+    void check_doubtful();
+    bool check_doubtful_face(std::size_t face, std::size_t line);
+    // False, with a warning, when `what` cannot be drawn with this vertex.
+    bool check_vertex(std::int64_t vertex, std::string_view what, std::size_t line);
     std::size_t line_end(std::size_t line) const;
     void all_vertices_as_points();
-    bool anything_to_draw() const;
 
     // Every MB: progress, and room for what is still to come.
     void checkpoint();
@@ -72,16 +75,21 @@ private:
     void stop(std::string reason);
     Result<> finish();
 
-    // One line a kind of trouble: the text is made only for the first.
+    // One message a kind of trouble, that of the lowest line: what is found out at the file's end
+    // may stand before what was seen at once. The text is made only when it is the one.
     template <class... Args>
     void warn(std::string_view kind, std::size_t line, fmt::format_string<Args...> format,
               Args&&... args) {
-        if (warnings_.count(kind) > 0)
-            warnings_.add_more(kind, 1);
-        else
-            warnings_.add(kind, fmt::format("{}:{}: {}", path_, line,
-                                            fmt::format(format, std::forward<Args>(args)...)));
+        const auto known = std::find_if(faults_.begin(), faults_.end(),
+                                        [&](const Fault& f) { return f.kind == kind; });
+        Fault& fault =
+            known != faults_.end() ? *known : faults_.emplace_back(Fault{kind, line, {}, 0});
+        if (fault.count++ > 0 && fault.line <= line) return;
+        fault.line = line;
+        fault.text = fmt::format(format, std::forward<Args>(args)...);
     }
+    // Hands the messages on, in the order of their lines.
+    void tell_faults();
     // The word at the cursor, for messages.
     std::string word_here() const;
 
@@ -100,13 +108,22 @@ private:
     std::size_t free_form_line_ = 0;
     std::size_t bad_positions_ = 0;
 
-    // Elements that name a vertex before it is given: legal if it comes later.
-    struct Forward {
+    // Elements that are judged at the file's end: they name something before it is given, which is
+    // legal if it comes later, or a vertex that could not be read.
+    struct Doubtful {
         std::uint32_t element;
         std::size_t line;
     };
-    std::vector<Forward> forward_faces_, forward_lines_, forward_points_;
-    bool forward_ = false; // the corner just read points ahead
+    std::vector<Doubtful> doubtful_faces_, doubtful_lines_, doubtful_points_;
+    bool doubtful_ = false; // the element being read is
+
+    struct Fault {
+        std::string_view kind; // outlives the reader: a literal
+        std::size_t line;
+        std::string text;
+        std::size_t count;
+    };
+    std::vector<Fault> faults_;
 
     const char* last_checkpoint_ = nullptr;
     const char* next_checkpoint_ = nullptr;

@@ -116,10 +116,10 @@ bool is_word(std::string_view word, std::string_view lower) {
            });
 }
 
-// The size agrees with the count that the header tells.
-bool is_exactly_binary(std::string_view file) {
-    return file.size() >= kHeader &&
-           file.size() - kHeader == std::uint64_t{kFacet} * little_endian(file.data() + 80);
+// The size agrees with the count that the header tells. The first kHeader bytes are enough.
+bool is_exactly_binary(std::string_view head, std::uint64_t size) {
+    return head.size() >= kHeader &&
+           size - kHeader == std::uint64_t{kFacet} * little_endian(head.data() + 80);
 }
 
 std::string_view without_mark(std::string_view file) {
@@ -309,6 +309,10 @@ Result<StlResult> read_ascii(std::string_view file, const std::string& path, War
 
 } // namespace
 
+std::size_t stl_facets_told(std::string_view head, std::uint64_t size) {
+    return is_exactly_binary(head, size) ? little_endian(head.data() + 80) : 0;
+}
+
 Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
                            const std::function<bool(double)>& progress) {
     if (file.empty()) return fail(Exit::unreadable, "{}: the file is empty", path);
@@ -317,7 +321,7 @@ Result<StlResult> read_stl(std::string_view file, const std::string& path, Warni
                     "{}: has more than {} facets, which is too many: cut the model "
                     "into parts",
                     path, kMostFacets);
-    if (is_exactly_binary(file)) return read_binary(file, path, warnings, progress);
+    if (is_exactly_binary(file, file.size())) return read_binary(file, path, warnings, progress);
     if (is_ascii(file)) return read_ascii(file, path, warnings, progress);
     if (is_plausibly_binary(file)) return read_binary(file, path, warnings, progress);
     if (const auto reason = not_a_text_model(file))

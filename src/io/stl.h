@@ -7,6 +7,7 @@
 #include "geom/polygon_mesh.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,6 +24,9 @@ struct StlResult {
     std::size_t facets = 0;     // in `polygons`; the file has three vertices for each
     std::size_t skipped = 0;    // facets that could not be used
 };
+
+// The facets of a binary file whose header and size agree, by its first 84 bytes; 0 for all others.
+std::size_t stl_facets_told(std::string_view head, std::uint64_t size);
 
 // `path` stands in messages. What can be shown is read, with a warning for what cannot: facets that
 // are not three finite points, a file that is cut short, a count that does not hold. Error

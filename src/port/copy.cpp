@@ -16,7 +16,7 @@ void copy_damage(const image::PixelFormat& format, const image::Image& frame,
         if (x1 <= x0) continue;
         const auto first = static_cast<std::size_t>(x0), count = static_cast<std::size_t>(x1 - x0);
         for (int y = std::max(rect.y0, 0); y < std::min(rect.y1, frame.height()); ++y) {
-            image::encode_row(format, frame.row(y).subspan(first, count), line.data());
+            image::encode_row(format, frame.row(y).subspan(first, count), x0, y, line.data());
             std::memcpy(out + static_cast<std::size_t>(y) * pitch + first * bytes_per_pixel,
                         line.data(), count * bytes_per_pixel);
         }

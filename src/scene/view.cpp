@@ -63,7 +63,7 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
     stand.target = file_to_world(mesh, up, *camera.target);
     const DVec3 back = eye - stand.target;
     if (!finite(back) || dot3(back, back) == 0)
-        return fail(Exit::usage, "the camera's eye and target are the same point");
+        return fail(Exit::usage, "the camera's eye and target are the same point; move one of them");
     const double level = scanout::sqrt(back.x * back.x + back.z * back.z);
     stand.azimuth = degrees(scanout::atan2(back.x, back.z));
     stand.elevation = degrees(scanout::atan2(back.y, level));
@@ -170,7 +170,8 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
         !finite(view.translation) || !std::isfinite(distance))
         return fail(Exit::usage,
-                    "the camera or the model's transform holds a number that is not finite");
+                    "the camera or the model's transform leads to numbers that are not finite; "
+                    "give smaller ones");
     set_normal_matrix(view);
     set_projection(view, camera, tan_half, aspect, distance);
     return view;

@@ -46,6 +46,10 @@ std::vector<Target> targets() {
     return all;
 }
 
+std::string chosen_target() {
+    return name_of(choice());
+}
+
 bool choose_target(std::string_view name) {
     std::int64_t wanted = 0;
     if (name == "auto") {

@@ -21,4 +21,6 @@ std::vector<Target> targets();
 // there is no such target or the CPU lacks it. Not while kernels run.
 bool choose_target(std::string_view name);
 
+std::string chosen_target();
+
 } // namespace scanout::simd

@@ -1,4 +1,5 @@
 // The program as a user meets it: words in, files, text and exit codes out.
+#include "app/message.h"
 #include "app/report.h"
 #include "image/codec.h"
 #include "image/hash.h"
@@ -83,7 +84,10 @@ TEST_F(Program, WrongUseIsExitTwo) {
                               "list",
                               "list keyz",
                               "view",
-                              "view $m --record $d/a --replay $d/b",
+                              "render $m -o $d/a.png --format ppm",
+                              "render $m -o $d/a.PPM --format raw",
+                              "render '' --hash",
+                              "render $m --hash --camera 0,1000",
                               "view $m --backend vulkan",
                               "render $m --hash --pixel-format rgb999"})
         EXPECT_EQ(refused(words), 2) << words;
@@ -99,6 +103,72 @@ TEST_F(Program, FilesThatCannotBeUsedAreExitThree) {
           "view $d/absent.obj", "view $m --backend headless --replay $d/absent",
           "view $m --backend headless --replay $d/bad.txt", "render $m -o /dev/full --format ppm"})
         EXPECT_EQ(refused(words), 3) << words;
+}
+
+// Every way in which a name comes back to the terminal: an error, a warning, what was written, the
+// line of compare, the frame of a replay, JSON.
+TEST_F(Program, NoNameDrivesTheTerminal) {
+    const std::string evil = "\x1b[2J\xc2\x9b\n\xff";
+    const std::string cow = folder.write("cow" + evil + ".obj",
+                                         "mtllib no" + evil + ".mtl\n" + std::string(kTetrahedron));
+    const std::string red = folder.file("red" + evil + ".png");
+    folder.write("play", "scanout-actions 1\nframe " + folder.file("f\x1b[2J\xc2\x9b.png") + "\n");
+    const image::Bytes small = *image::encode_png(image::Image(1, 1));
+    folder.write("small.png", std::string(small.begin(), small.end()));
+    for (const std::string& words :
+         {"render '" + cow + "x' --hash",
+          "render '" + cow + "' --size 9x9 --verbose -o '" + red + "'",
+          "compare '" + red + "' $d/small.png", "compare '" + red + "' $d/small.png --json",
+          "render '" + cow + "' --size 9x9 --json", "'zz" + evil + "'", "list '" + evil + "'",
+          "view '" + cow + "' --backend headless --size 9x9 --replay $d/play"}) {
+        const Outcome outcome = run(words);
+        std::string text = outcome.out + outcome.err;
+        EXPECT_TRUE(text.find("\\x1b[2J") != std::string::npos ||
+                    text.find("\\u001b[2J") != std::string::npos)
+            << text;
+        text.erase(std::remove(text.begin(), text.end(), '\n'), text.end());
+        EXPECT_EQ(text, escaped(text)) << words;
+    }
+}
+
+// What is wrong is the first half of a message.
+TEST_F(Program, EveryRefusalSaysWhatToDo) {
+    struct Row {
+        const char *words, *advice;
+    };
+    for (const Row& row :
+         {Row{"render nofile.obj --hash", "check the name"},
+          {"render $m -o nodir/a.png", "make the folder first"},
+          {"render $m -o $m/a.png", "name a folder"},
+          {"render '' --hash", "is a variable empty?"},
+          {"render $m b.obj --hash", "model.obj and b.obj; run it once for each"},
+          {"render --hash", "as in `scanout render"},
+          {"render $m -o", "-o wants FILE; give it"},
+          {"render $m --cull", "--cull wants none|back|front; give it"},
+          {"render $m --hash=yes", "write --hash alone"},
+          {"render $m --hash --max-diff 3", "leave it out"},
+          {"render $m -o $d/a.png --format ppm", "says png, --format says ppm; leave"},
+          {"render $m --hash --json=nodir/a.json", "make the folder first"},
+          {"compare nofile.png $m", "check the name"},
+          {"compare a.png", "a.png was named"},
+          {"view nofile.obj", "check the name"},
+          {"view $m $d/none.obj --backend headless --record nodir/a", "make the folder first"},
+          {"view $m --backend headless --replay nofile", "check the name"}}) {
+        const Outcome outcome = run(row.words);
+        EXPECT_NE(outcome.err.find(row.advice), std::string::npos)
+            << row.words << ": " << outcome.err;
+    }
+}
+
+TEST_F(Program, AFileThatBeginsWithADashStandsBehindTwoDashes) {
+    folder.write("-a.obj", kTetrahedron);
+    EXPECT_EQ(run("render --hash --size 9x9 -- -a.obj").code, 3) << "no such file here";
+    const Outcome drawn = run("--version >$d/x; cd $d && '" SCANOUT_BINARY
+                              "' render --hash --size 9x9 -o=-b.png -- -a.obj");
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_FALSE(folder.read("-b.png").empty());
+    const Outcome hint = run("--version >$d/x; cd $d && '" SCANOUT_BINARY "' render --hash -a.obj");
+    EXPECT_NE(hint.err.find("-- -a.obj"), std::string::npos) << hint.err;
 }
 
 TEST_F(Program, AFailedWriteLeavesNothingBehind) {

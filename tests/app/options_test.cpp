@@ -105,6 +105,46 @@ TEST(Options, EachSpellingOfAValueMeansTheSame) {
     }
 }
 
+TEST(Options, AnEqualsSignAfterALetterIsNoPartOfTheName) {
+    EXPECT_EQ(parse({"render", "a.obj", "-o=x.png"})->output, "x.png");
+    EXPECT_EQ(parse({"render", "a.obj", "-o", "-o=x.png"})->output, "-o=x.png")
+        << "a value is a value";
+    EXPECT_EQ(parse({"render", "a.obj", "-o=-"})->output, "-");
+    EXPECT_EQ(parse({"render", "a.obj", "-s=64x48", "--hash"})->frame.width, 64);
+    EXPECT_NE(error_of({"render", "a.obj", "-o="}).find("FILE"), std::string::npos);
+}
+
+TEST(Options, BehindTwoDashesEveryWordIsAFile) {
+    using Words = std::vector<std::string>;
+    EXPECT_EQ(parse({"render", "-o", "x.png", "--", "-a.obj"})->arguments, Words{"-a.obj"});
+    EXPECT_EQ(parse({"--", "-a.obj", "--help", "-o=x", "--json", "b.json"})->arguments,
+              (Words{"-a.obj", "--help", "-o=x", "--json", "b.json"}));
+    EXPECT_EQ(parse({"view", "--", "--version"})->arguments, Words{"--version"});
+    EXPECT_EQ(parse({"compare", "--", "-a.png", "-b.png"})->arguments, (Words{"-a.png", "-b.png"}));
+}
+
+TEST(Options, TheHelpOfEachCommandNamesTheTwoDashes) {
+    for (const Command command : {Command::view, Command::render, Command::compare, Command::list})
+        EXPECT_NE(help_for(command).find(" --  "), std::string::npos);
+}
+
+TEST(Options, AnEmptyWordIsNoFile) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{""}, {"render", "", "--hash"}, {"compare", "a.png", ""}})
+        EXPECT_NE(error_of(words).find("empty"), std::string::npos);
+}
+
+TEST(Options, ACameraAboveTheZenithOrNowhereIsRefusedWithTheRange) {
+    for (const char* text : {"0,1000", "0,90.1", "0,-91,2"})
+        EXPECT_NE(error_of({"render", "a.obj", "--camera", text}).find("-90 to 90"),
+                  std::string::npos)
+            << text;
+    for (const char* text : {"nan,0", "0,inf", "0,0,-nan"})
+        EXPECT_NE(error_of({"render", "a.obj", "--camera", text}).find("finite"), std::string::npos)
+            << text;
+    EXPECT_TRUE(parse({"render", "a.obj", "--camera", "-7200.5,90"}));
+}
+
 TEST(Options, NegativeNumbersAreValuesAndNotOptions) {
     const Result<Settings> settings =
         parse({"render", "a.obj", "--camera", "-30,-20.5,3", "--rotate", "-1,+2,-3"});

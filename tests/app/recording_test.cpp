@@ -70,6 +70,9 @@ TEST(Recording, ErrorsNameTheLineAndWhatIsWrong) {
               std::string::npos);
     EXPECT_NE(error_of(head + "quit now\n").find("'now'"), std::string::npos);
     EXPECT_NE(error_of(head + "frame\n").find("file name"), std::string::npos);
+    EXPECT_EQ(error_of(head + "0 frame a.png\n3 frame x.gif\n"),
+              "a.txt:3: frame x.gif: the name must end in .png, .ppm, .pam or .raw");
+    EXPECT_NE(error_of(head + "frame -\n").find("must end in"), std::string::npos);
     EXPECT_NE(error_of(head + "7\n").find("missing"), std::string::npos);
     EXPECT_NE(error_of(head + "+ quit\n").find("+30"), std::string::npos);
     EXPECT_NE(error_of(head + "99999999999999999999999 quit\n").find("too large"),

@@ -179,6 +179,47 @@ TEST_F(Session, AReplayedFrameIsTheFrameThatRenderDraws) {
     EXPECT_NE(*image::load(start), *image::load(turned));
 }
 
+// Moved away, smaller than a pixel, or all of it nearer than the picture begins.
+TEST_F(Session, AModelThatIsLostSaysHowToComeBackAndRSeesItAgain) {
+    const auto repeated = [](const std::string& line, int count) {
+        std::string text;
+        for (int i = 0; i < count; ++i)
+            text += line + "\n";
+        return text;
+    };
+    const image::Image empty(160, 120, settings.frame.background);
+    const std::string lost = folder.file("lost.png"), back = folder.file("back.png");
+    for (const std::string& way : {repeated("move_right", 60), repeated("scale_down", 200),
+                                   repeated("scale_up", 40) + repeated("move_up", 900),
+                                   "toggle_drive\n" + repeated("move_left", 60)}) {
+        port::HeadlessDisplay display = make_display();
+        ASSERT_TRUE(play(way + "frame " + lost + "\n+1 reset\nframe " + back + "\n", display));
+        const image::Image picture = *image::load(lost);
+        EXPECT_NE(picture, empty) << way;
+        for (int y = 0; y < 90; ++y)
+            for (int x = 0; x < 160; ++x)
+                ASSERT_EQ(picture.at(x, y), empty.at(x, y))
+                    << way << "a line at the lower left, no more";
+        EXPECT_EQ(*image::load(back), rendered({})) << way;
+    }
+}
+
+TEST_F(Session, ARecordingOfAReplayIsTheReplay) {
+    const std::string text =
+        "0 rotate_left\n+30 drag_begin\ndrag_rotate 12 -3\n+1 drag_end\n+0 frame " +
+        folder.file("a.png") + "\n+60 repeat roll_left\n+5 quit\n";
+    const std::string file = folder.file("recorded");
+    const Script script = *parse_script("scanout-actions 1\n" + text, "script");
+    port::HeadlessDisplay display = make_display();
+    TimedInput input({{1h, {quit()}}});
+    settings.replay = "script";
+    settings.record = file;
+    auto session = ViewSession::create(
+        settings, {display, input, jobs, {}, std::move(*Recorder::create(file)), script, true});
+    ASSERT_TRUE((*session)->run());
+    EXPECT_EQ(*load_script(file), script);
+}
+
 TEST_F(Session, AFrameOfANarrowDisplayIsWhatThatDisplayShows) {
     const image::PixelFormat narrow = *image::pixel_format("rgb565");
     port::HeadlessDisplay display = make_display(narrow);

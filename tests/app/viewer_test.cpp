@@ -215,6 +215,25 @@ TEST(Viewer, ADragAndAHeldKeyAreUndoneAtOnce) {
     EXPECT_EQ(bench.look(), start);
 }
 
+RC_GTEST_PROP(Viewer, ResetIsTheStartWhateverWasDone, ()) {
+    Settings settings;
+    settings.camera.projection = scene::Projection::orthographic;
+    settings.camera.up = scene::UpAxis::minus_z;
+    settings.frame.cull = frame::Cull::front;
+    Bench bench(settings);
+    const Look start = bench.look();
+    for (int i = 0; i < 30; ++i) {
+        bench.act(static_cast<Id>(*rc::gen::inRange(0, static_cast<int>(Id::undo))),
+                  {*rc::gen::inRange(-9, 9), *rc::gen::inRange(0, 640), *rc::gen::inRange(0, 480)});
+        bench.viewer.advance_to(bench.viewer.step_number() + 7);
+    }
+    const Look before = bench.look();
+    bench.act(Id::reset);
+    RC_ASSERT(bench.look() == start);
+    bench.act(Id::undo);
+    RC_ASSERT(bench.look() == before || before == start);
+}
+
 TEST(Viewer, TheTurntableTurnsByStepsHoweverTheyAreCut) {
     Bench once, often;
     once.act(Id::toggle_turntable);

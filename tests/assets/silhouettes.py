@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """silhouettes.py SCANOUT ASSETS OUT: renders the OBJ and STL models of ASSETS/reference/COMMANDS.txt with the camera of
-each reference picture and compares silhouettes: intersection over union, 98 % or an exception that is explained here. Exit 77
-(skipped) where the assets are not there.
+each reference picture and compares silhouettes: intersection over union, 98 % or an exception that is explained here; and,
+where a model has colours, where they stand (colours.py): a mirrored or turned over texture, or red and blue swapped, must be
+seen to fail. Exit 77 (skipped) where the assets are not there.
 
 The reference's camera looks along -z (up +y) or +y (up +z) at the focal point and is turned by azimuth, then elevation.
 """
@@ -13,6 +14,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import colours
 from picture import read_png
 
 THRESHOLD = 0.98
@@ -78,9 +80,9 @@ def path_of(assets, out, entry):
     return path
 
 
-def compare(assets, scanout, out, entry):
-    name, model, up, azimuth, elevation = entry
-    path = path_of(assets, out, entry)
+def draw(assets, scanout, out, entry, path):
+    """Renders `path` with the camera of the entry's reference picture; returns rows of r, g, b."""
+    name, _, up, azimuth, elevation = entry
     focal, distance = camera_of(assets, entry)
     eye = eye_of(up, azimuth, elevation, focal, distance)
     picture = os.path.join(out, name + ".png")
@@ -88,15 +90,38 @@ def compare(assets, scanout, out, entry):
     command = [scanout, "render", path, "-o", picture, "--size", "512x512", "--fov", "30", "--up", up.lower(),
                "--eye=" + text(eye), "--look-at=" + text(focal), "--background", "#0102fe"]
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
-    _, _, got = read_png(picture)
-    _, _, expected = read_png(os.path.join(assets, "reference", REFERENCE.get(name, name) + ".png"))
-    ours, theirs = mask(got, BACKGROUND), mask(expected, tuple(expected[0][0:3]))
+    return read_png(picture)[2]
+
+
+def overlap_of(got, expected):
+    ours, theirs = mask(got, BACKGROUND), mask(expected, background_of(expected))
     both = either = 0
     for a, b in zip(ours, theirs):
         for p, q in zip(a, b):
             both += p and q
             either += p or q
     return both / either if either else 1.0
+
+
+def background_of(rows):
+    return tuple(rows[0][0:3])
+
+
+def colour_faults(assets, scanout, out, entry, got, expected):
+    """Prints the likeness of colours, right and with faults made on purpose; returns what is out of bounds."""
+    theirs = colours.chroma_of(expected, background_of(expected))
+    ours = lambda rows: colours.likeness(colours.chroma_of(rows, background_of(rows)), theirs)
+    right = ours(got)
+    wrong = {"red and blue swapped": ours(colours.red_and_blue_swapped(got))}
+    if colours.COLOURED[entry[0]]:
+        path = path_of(assets, out, entry)
+        for fault, u, v in (("u mirrored", True, False), ("v flipped", False, True), ("both", True, True)):
+            turned = colours.with_texture_turned(path, os.path.join(out, "turned"), u, v)
+            wrong[fault] = ours(draw(assets, scanout, out, (entry[0] + "-fault", *entry[1:]), turned))
+    print(f"{entry[0]:24} {right:6.3f}    likeness of colours; " +
+          ", ".join(f"{fault} {value:.3f}" for fault, value in wrong.items()))
+    found = [] if right >= colours.LEAST else [f"{entry[0]}: colours"]
+    return found + [f"{entry[0]}: {fault} is not seen" for fault, value in wrong.items() if value > colours.MOST_OF_FAULTS]
 
 
 def main():
@@ -110,14 +135,18 @@ def main():
     for entry in entries(assets):
         if only and entry[0] not in only:
             continue
-        overlap = compare(assets, scanout, out, entry)
+        expected = read_png(os.path.join(assets, "reference", REFERENCE.get(entry[0], entry[0]) + ".png"))[2]
+        got = draw(assets, scanout, out, entry, path_of(assets, out, entry))
+        overlap = overlap_of(got, expected)
         least, why = EXCEPTIONS.get(entry[0], (THRESHOLD, ""))
         verdict = "ok" if overlap >= least else "TOO LOW"
         print(f"{entry[0]:24} {100 * overlap:6.2f} %  {verdict}  {why}")
         checked += 1
         if overlap < least:
-            bad.append(entry[0])
-    print(f"{checked} silhouettes compared, {len(bad)} below their bound")
+            bad.append(f"{entry[0]}: silhouette")
+        if entry[0] in colours.COLOURED:
+            bad += colour_faults(assets, scanout, out, entry, got, expected)
+    print(f"{checked} silhouettes compared, {len(bad)} out of bounds: {'; '.join(bad) or 'none'}")
     sys.exit(bool(bad) or not checked)
 
 

@@ -5,6 +5,7 @@
 #include "temporary_folder.h"
 
 #include <csignal>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <vector>
@@ -63,10 +64,10 @@ TEST(Mapping, ShowsTheBytesOfAFile) {
     Result<Mapping> mapping = Mapping::open(folder / "a");
     ASSERT_TRUE(mapping);
     EXPECT_EQ(mapping->text(), text);
-    mapping->drop_before(50000); // read again, the kernel fetches it anew
-    EXPECT_EQ(mapping->text(), text);
+    mapping->drop_before(50000);
+    EXPECT_EQ(mapping->text().substr(50000), text.substr(50000));
     const Mapping moved = *std::move(mapping);
-    EXPECT_EQ(moved.text(), text);
+    EXPECT_EQ(moved.text().substr(50000), text.substr(50000));
     EXPECT_EQ(mapping->size(), 0U); // NOLINT(bugprone-use-after-move): defined, and the point
 }
 
@@ -108,6 +109,27 @@ TEST(WriteFile, ReplacesAFileWholeWithTheModeOfANewFile) {
     struct stat info {};
     ASSERT_EQ(::stat((folder / "a").c_str(), &info), 0);
     EXPECT_EQ(info.st_mode & 0777U, 0640U);
+}
+
+TEST(WriteFile, BehindALinkReplacesTheTargetAndKeepsTheLink) {
+    const TemporaryFolder folder;
+    namespace fs = std::filesystem;
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("sub/target", folder / "link"); // relative, and dangling at first
+    fs::create_symlink(folder / "link", folder / "outer");
+    for (const char* text : {"first", "second"}) {
+        ASSERT_TRUE(write_file(folder / "outer", std::string_view(text)));
+        EXPECT_TRUE(fs::is_symlink(folder / "outer"));
+        EXPECT_TRUE(fs::is_symlink(folder / "link"));
+        EXPECT_FALSE(fs::is_symlink(folder / "sub/target"));
+        EXPECT_EQ(contents(folder / "sub/target"), text);
+    }
+    fs::create_symlink("circle", folder / "circle");
+    const auto circle = write_file(folder / "circle", std::string_view("x"));
+    ASSERT_FALSE(circle);
+    EXPECT_TRUE(fs::is_symlink(folder / "circle"));
+    fs::remove(folder / "circle");
+    EXPECT_EQ(folder.files(), 3U) << "no temporary file";
 }
 
 TEST(WriteFile, FailsWithOneLineThatNamesThePath) {

@@ -99,11 +99,11 @@ TEST(Picture, OfAMirroredModelIsTheMirroredPicture) {
 TEST(Picture, HasTheSameBitsAtEveryThreadCountAndEveryTime) {
     for (const Shot& s :
          {soup("soup", 2000, 0.8, 1), soup("inside", 200, 5, 2), solids("solids")}) {
-        const Image one = draw(s, 1);
+        const Image one = draw(s);
         EXPECT_GT(covered(one, s.options.background), 500);
         for (const int threads : {2, 3, 7, 16})
             for (int run = 0; run < 3; ++run)
-                ASSERT_EQ(draw(s, threads), one) << s.name << ' ' << threads;
+                ASSERT_EQ(draw(s, {.threads = threads}), one) << s.name << ' ' << threads;
     }
 }
 
@@ -407,7 +407,7 @@ TEST(Picture, OfEverySizeIsDrawn) {
             s.options.height = height;
             for (const int samples : {1, 16}) {
                 s.options.samples = samples;
-                const Image picture = draw(s, 2);
+                const Image picture = draw(s, {.threads = 2});
                 ASSERT_EQ(picture.width(), width);
                 ASSERT_EQ(picture.height(), height);
             }
@@ -440,8 +440,8 @@ TEST(Picture, SurvivesHugeAndTinyZoom) {
         for (Shot s : {solids("solids"), wires("wires"), near_clip("floor")}) {
             s.pose.zoom = zoom;
             s.options.samples = 4;
-            const Image picture = draw(s, 2);
-            EXPECT_EQ(picture, draw(s, 1));
+            const Image picture = draw(s, {.threads = 2});
+            EXPECT_EQ(picture, draw(s));
             // Zoomed in without end, the eye stands in the cube and sees its inside everywhere.
             EXPECT_TRUE(s.name != "solids" || zoom < 0 ||
                         covered(picture, s.options.background) == std::int64_t{64} * 64);
@@ -461,14 +461,14 @@ TEST(Picture, SurvivesHugeAndTinyZoom) {
 TEST(Picture, CountsWhatItDid) {
     frame::FrameStats stats;
     Shot s = full_screen(4);
-    draw(s, 2, &stats);
+    draw(s, {.threads = 2, .stats = &stats});
     EXPECT_EQ(stats.triangles_submitted, 2U);
     EXPECT_GE(stats.triangles_drawn, 2U);
     // Shaded once a pixel, twice where both triangles meet.
     EXPECT_GE(stats.lanes_shaded, 70U * 50);
     EXPECT_LE(stats.lanes_shaded, 70U * 50 + 140);
     s.options.cull = frame::Cull::front;
-    draw(s, 2, &stats);
+    draw(s, {.threads = 2, .stats = &stats});
     EXPECT_EQ(stats.triangles_drawn, 0U);
     EXPECT_EQ(stats.lanes_shaded, 0U);
 }

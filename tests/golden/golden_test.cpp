@@ -52,7 +52,7 @@ void expect_golden(const std::string& name, const image::Image& got) {
 
 class Golden : public testing::TestWithParam<Shot> {};
 TEST_P(Golden, IsDrawnToTheBit) {
-    expect_golden(GetParam().name, draw(GetParam(), 2));
+    expect_golden(GetParam().name, draw(GetParam(), {.threads = 2}));
 }
 INSTANTIATE_TEST_SUITE_P(All, Golden, testing::ValuesIn(golden_shots()),
                          [](const auto& tested) { return tested.param.name; });
@@ -99,7 +99,7 @@ TEST(GoldenImages, SpotFromItsFile) {
     s.camera.azimuth_degrees = 210;
     s.camera.elevation_degrees = 20;
     s.options.samples = 4;
-    expect_golden("spot", draw(s, 2));
+    expect_golden("spot", draw(s, {.threads = 2}));
 }
 
 } // namespace

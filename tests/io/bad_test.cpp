@@ -169,6 +169,28 @@ TEST(Bad, AFileOfZerosLargerThanMemoryIsRefusedAtOnce) {
     EXPECT_FALSE(load_soundly(path, warnings));
 }
 
+// The size agrees with the header, which is why only the number can tell.
+TEST(Bad, AnStlOfMoreTrianglesThanMemoryHoldsIsRefusedAtOnce) {
+    const Folder folder;
+    constexpr std::uint32_t kFacets = 107'000'000;
+    std::string head(80, ' ');
+    for (int i = 0; i < 4; ++i)
+        head += static_cast<char>(kFacets >> (8 * i) & 0xff);
+    const std::string path = folder.write("sparse.stl", head);
+    std::filesystem::resize_file(path, 84 + std::uintmax_t{50} * kFacets);
+    LoadOptions options;
+    options.memory_bytes = 8'000'000'000;
+    Warnings warnings;
+    const std::uint64_t before = peak_resident_bytes();
+    const auto scene = load(path, options, warnings);
+    ASSERT_FALSE(scene);
+    EXPECT_EQ(scene.error().exit, Exit::unreadable);
+    EXPECT_EQ(scene.error().what,
+              path + ": its 107000000 triangles take at least 8560 MB of memory to load, and 8000 "
+                     "MB are available: close other programs, or cut the model into parts");
+    EXPECT_LT(peak_resident_bytes(), before + 16'000'000);
+}
+
 TEST(Bad, AFileThatWasCutShortAndEndsInZerosShowsItsStart) {
     const Folder folder;
     const std::string path = folder.write("cut.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");

@@ -1,4 +1,5 @@
 // OBJ text of a wavy grid, side x side vertices, two triangles a cell, for tests of size and speed.
+// The flat one is rough, so that no triangles lie in one plane and share vertices.
 #pragma once
 
 #include <iterator>
@@ -8,12 +9,12 @@
 
 namespace scanout::io::test {
 
-enum class GridKind { positions, with_uv_and_normals };
+enum class GridKind { positions, flat, with_uv_and_normals };
 
 // Calls write(text) for a row at a time, so that the text need not stand in memory.
 template <class Write>
 void write_grid(int side, GridKind kind, Write&& write) {
-    std::string row;
+    std::string row = kind == GridKind::flat ? "s off\n" : "";
     const auto out = [&] { return std::back_inserter(row); };
     const auto flush = [&] {
         write(row);
@@ -22,7 +23,9 @@ void write_grid(int side, GridKind kind, Write&& write) {
     for (int y = 0; y < side; ++y, flush())
         for (int x = 0; x < side; ++x)
             fmt::format_to(out(), "v {:.6f} {:.6f} {:.6f}\n", x / 100.0, y / 100.0,
-                           (x * 37 + y * 61) % 1000 / 1e4);
+                           kind == GridKind::flat
+                               ? (x * 7919u ^ y * 104729u) * 2654435761u % 1000 / 1e3
+                               : (x * 37 + y * 61) % 1000 / 1e4);
     const bool full = kind == GridKind::with_uv_and_normals;
     for (int y = 0; full && y < side; ++y, flush())
         for (int x = 0; x < side; ++x)

@@ -179,8 +179,9 @@ double peak_in_files(const std::string& path) {
 
 TEST(Load, NeedsAtMostThreeTimesTheFile) {
     const Folder folder;
-    for (const auto& [side, kind] : {std::pair(600, test::GridKind::positions),
-                                     std::pair(300, test::GridKind::with_uv_and_normals)}) {
+    for (const auto& [side, kind] :
+         {std::pair(600, test::GridKind::positions), std::pair(600, test::GridKind::flat),
+          std::pair(300, test::GridKind::with_uv_and_normals)}) {
         const std::string path = folder.path("grid.obj");
         {
             std::ofstream file(path, std::ios::binary);
@@ -189,7 +190,8 @@ TEST(Load, NeedsAtMostThreeTimesTheFile) {
         const double peak = peak_in_files(path);
         std::printf("peak memory: %.2f times the file of %.1f MB\n", peak,
                     static_cast<double>(std::filesystem::file_size(path)) / 1e6);
-        EXPECT_LE(peak, 3.0);
+        // Flat: three vertices a triangle, whose arrays alone are 2.7 times the file.
+        EXPECT_LE(peak, kind == test::GridKind::flat ? 3.4 : 3.0);
         EXPECT_GT(peak, 0.1) << "the measurement must measure something";
     }
 }
@@ -208,7 +210,9 @@ TEST(Load, RefusesAModelThatWouldTakeMoreMemoryThanItMay) {
     const auto scene = load(path, options, warnings);
     ASSERT_FALSE(scene);
     EXPECT_EQ(scene.error().exit, Exit::unreadable);
-    EXPECT_EQ(scene.error().what, path + ": needs more memory than the 10 MB that it may take");
+    EXPECT_EQ(scene.error().what,
+              path + ": needs more memory than the 10 MB that are available: close other programs, "
+                     "or cut the model into parts");
     options.memory_bytes = 1'000'000'000;
     EXPECT_TRUE(load(path, options, warnings));
 }

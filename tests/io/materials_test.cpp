@@ -201,6 +201,23 @@ TEST(Textures, EachThatFailsIsOneLineAndItsMaterialIsPlain) {
     EXPECT_EQ(all_lines(l.warnings).find("secret"), std::string::npos);
 }
 
+TEST(Textures, ABlackKdBesideAMapThatCannotBeUsedIsNoBlackHole) {
+    const Folder folder;
+    folder.write_picture("here.png", 1, 1, {});
+    folder.write("m.mtl",
+                 "newmtl gone\nKd 0 0 0\nmap_Kd gone.png\nnewmtl red\nKd 1 0 0\nmap_Kd "
+                 "gone.png\nnewmtl here\nKd 0 0 0\nmap_Kd here.png\nnewmtl black\nKd 0 0 0\n");
+    const Loaded l =
+        load(folder, "mtllib m.mtl\nusemtl gone\nusemtl red\nusemtl here\nusemtl black\n");
+    const std::vector<scene::Material>& m = l.materials.materials;
+    ASSERT_EQ(m.size(), 4u);
+    EXPECT_EQ(m[0].diffuse, scene::Material().diffuse) << "as a material that says nothing";
+    EXPECT_EQ(m[1].diffuse, Vec3(1, 0, 0));
+    EXPECT_EQ(m[2].diffuse, Vec3(0)) << "the file's word stands where its map does";
+    EXPECT_EQ(m[3].diffuse, Vec3(0)) << "black without a map is black";
+    EXPECT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
+}
+
 TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
     const Folder folder;
     std::string mtl, obj = "mtllib m.mtl\n";

@@ -284,6 +284,42 @@ TEST(Obj, FacesThatPointPastTheEndLeaveSmoothingAndMaterialsInStep) {
     EXPECT_TRUE(warned(r.warnings, {"x.obj:7: the face wants vertex 9, the file has 4", "1 more"}));
 }
 
+TEST(Obj, WhatUsesAVertexThatCouldNotBeReadIsSkippedWithItsLine) {
+    for (const char* bad : {"nan 0 0", "0 inf 0", "0 0 -1e400", "0 0"}) {
+        const Read r = read(with_square(
+            fmt::format("f 1 2 3\nv {}\nf 1 2 3 5\nl 1 5\np 1 5\nf 5 1 6\nl 1 2\nf 2 5 3\n"
+                        "l 5 2 3\np 2 -2\nv 2 2 2\nv 3 3 3\nf 4 6 7\n",
+                        bad)));
+        ASSERT_TRUE(r.file) << bad;
+        EXPECT_EQ(
+            corners(r.mesh()),
+            (Corners{{0, -1, -1}, {1, -1, -1}, {2, -1, -1}, {3, -1, -1}, {5, -1, -1}, {6, -1, -1}}))
+            << bad;
+        EXPECT_THAT(r.mesh().line_vertices, ElementsAre(0, 1)) << bad;
+        EXPECT_THAT(r.mesh().point_vertices, ElementsAre(0, 1, 3)) << bad;
+        EXPECT_EQ(r.file->skipped, 1u + 3 + 2 + 1) << bad;
+        EXPECT_TRUE(warned(r.warnings, {"x.obj:7: the face uses vertex 5, which is not three "
+                                        "finite numbers; skipped (and 2 more like it)"}))
+            << all_lines(r.warnings);
+        EXPECT_TRUE(warned(r.warnings, {"x.obj:8: the line uses vertex 5", "1 more"}));
+        EXPECT_TRUE(warned(r.warnings, {"x.obj:9: the point uses vertex 5"}));
+    }
+}
+
+// What points ahead is judged at the end of the file, after what stands behind it.
+TEST(Obj, TheLineThatIsToldIsTheLowestOfItsKind) {
+    const Read r = read(with_square("v 5 nan 5\nf 1 2 9\nf 1 2 3\nf 0 1 2\nl 1 9\nl 0 1\np 9\np 0\n"
+                                    "f 1 2 x\nbogus\n"));
+    ASSERT_TRUE(r.file);
+    EXPECT_EQ(r.file->skipped, 9u);
+    EXPECT_EQ(all_lines(r.warnings),
+              "x.obj:5: 'nan' is not a finite number; this vertex is not used\n"
+              "x.obj:6: the face wants vertex 9, the file has 5; skipped (and 2 more like it)\n"
+              "x.obj:9: the line wants vertex 9, the file has 5; skipped (and 1 more like it)\n"
+              "x.obj:11: the point wants vertex 9, the file has 5; skipped (and 1 more like it)\n"
+              "x.obj:14: 'bogus' is no statement that OBJ readers know; skipped\n");
+}
+
 TEST(Obj, TextureCoordinatesAndNormalsThatDoNotExistAreLeftAway) {
     const Read r = read(with_square("vt 0 0\nvn 0 0 1\nf 1/9/1 2/1/9 3/0/-2\nf 1// 2/1/ 3//\n"));
     ASSERT_TRUE(r.file);
@@ -309,7 +345,7 @@ TEST(Obj, AVertexThatCannotBeReadKeepsItsNumber) {
         ASSERT_EQ(r.mesh().positions.size(), 4u) << bad;
         EXPECT_TRUE(std::isnan(r.mesh().positions[1].x)) << bad;
         EXPECT_EQ(r.mesh().positions[2], DVec3(1, 0, 0)) << bad;
-        EXPECT_EQ(r.file->skipped, 1u) << bad;
+        EXPECT_EQ(r.file->skipped, 2u) << bad; // the vertex and the face that uses it
         EXPECT_TRUE(warned(r.warnings, {"x.obj:2: ", "vertex"})) << all_lines(r.warnings);
     }
 }

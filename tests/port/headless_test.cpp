@@ -41,6 +41,25 @@ TEST(HeadlessDisplay, takes_damaged_pixels_only_after_the_first_frame) {
             EXPECT_EQ(display->shown().at(x, y), (x >= 2 && x < 5 && y == 3 ? two : one).at(x, y));
 }
 
+// Formats that are dithered by place, too.
+RC_GTEST_PROP(CopyDamage, damage_gives_the_same_bytes_as_the_whole_frame, ()) {
+    const auto formats = image::pixel_formats();
+    const auto& format = formats[*rc::gen::inRange<std::size_t>(0, formats.size())].format;
+    const int width = *rc::gen::inRange(1, 30), height = *rc::gen::inRange(1, 30);
+    const image::Image frame = picture(width, height, *rc::gen::arbitrary<std::uint32_t>());
+    const int x = *rc::gen::inRange(0, width + 1), y = *rc::gen::inRange(0, height + 1);
+    const image::Rect whole[] = {{0, 0, width, height}};
+    const image::Rect parts[] = {
+        {0, 0, x, y}, {x, 0, width, y}, {0, y, x, height}, {x, y, width, height}};
+    const std::size_t pitch =
+        static_cast<std::size_t>(width) * static_cast<std::size_t>(format.bytes_per_pixel());
+    std::vector<std::uint8_t> by_whole(pitch * static_cast<std::size_t>(height), 0xEE);
+    std::vector<std::uint8_t> by_parts = by_whole;
+    copy_damage(format, frame, whole, by_whole.data(), pitch);
+    copy_damage(format, frame, parts, by_parts.data(), pitch);
+    RC_ASSERT(by_parts == by_whole);
+}
+
 TEST(HeadlessDisplay, refuses_sizes_and_formats_that_no_display_has) {
     for (const auto& [width, height] :
          {std::pair{0, 5}, {5, 0}, {-1, 5}, {16385, 5}, {5, 1 << 30}}) {
@@ -59,7 +78,7 @@ TEST(CopyDamage, cuts_damage_to_the_frame_and_writes_no_byte_beside_it) {
     std::vector<std::uint8_t> expected = memory;
     std::uint8_t* const first = memory.data() + kPitch;
     for (int y = 0; y < 4; ++y)
-        image::encode_row(format, frame.row(y),
+        image::encode_row(format, frame.row(y), 0, y,
                           expected.data() + kPitch * static_cast<std::size_t>(y + 1));
     const image::Rect rects[] = {{-5, -9, 100, 50}, {3, 3, 3, 9}, {7, 0, 9, 2}, {4, 2, 1, 3}};
     copy_damage(format, frame, rects, first, kPitch);

@@ -1,68 +1,27 @@
-// The oracle of coverage: exact integers of 128 bits, and no tie rule at all. A sample that the
-// top-left rule puts inside is one that lies inside after it has moved by an infinitely small step
-// to the right and a still smaller one down, so that is what is computed: coordinates are scaled by
-// 2^60 and the sample moved by (2^30, 1), which no edge that misses the sample can notice (its
-// function is at least 2^60 there; the step changes it by less than 2^56).
+// What the tests of this module share: snapped triangles from corners, a view without a camera, and
+// the oracle's names.
 #pragma once
 
+#include "oracle/coverage.h"
 #include "raster/geometry.h"
+#include "raster/tile.h"
 #include "support/random.h"
 
 #include <array>
 #include <cstdint>
 #include <cstdlib>
+#include <string>
 #include <vector>
+
+#include <gtest/gtest.h>
 
 namespace scanout::raster::test {
 
+using oracle::Corner;
+using oracle::Corners;
+using oracle::ExactTriangle;
+using oracle::Int128;
 using scanout::test::Random;
-__extension__ typedef __int128 Int128;
-
-struct Corner {
-    std::int32_t x, y; // 1/256 pixel
-};
-using Corners = std::array<Corner, 3>;
-
-class ExactTriangle {
-public:
-    explicit ExactTriangle(const Corners& v) {
-        const Int128 area = cross(v[0], v[1], v[2].x, v[2].y);
-        empty_ = area == 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            from_[i] = v[i];
-            to_[i] = v[(i + 1) % 3];
-            if (area < 0) std::swap(from_[i], to_[i]);
-        }
-    }
-    bool covers(std::int32_t x, std::int32_t y) const { return inside(at(x, y)); }
-
-    // The scaled edge functions, and what they change by from one pixel to the next.
-    std::array<Int128, 3> at(std::int32_t x, std::int32_t y) const {
-        std::array<Int128, 3> e;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Int128 dx = Int128{to_[i].x} - from_[i].x, dy = Int128{to_[i].y} - from_[i].y;
-            const Int128 px = (Int128{x} - from_[i].x) * kScale + (Int128{1} << 30);
-            const Int128 py = (Int128{y} - from_[i].y) * kScale + 1;
-            e[i] = dx * py - dy * px;
-        }
-        return e;
-    }
-    void step_right(std::array<Int128, 3>& e) const {
-        for (std::size_t i = 0; i < 3; ++i)
-            e[i] -= (Int128{to_[i].y} - from_[i].y) * kScale * kSubpixel;
-    }
-    bool inside(const std::array<Int128, 3>& e) const {
-        return !empty_ && e[0] > 0 && e[1] > 0 && e[2] > 0;
-    }
-
-private:
-    static constexpr Int128 kScale = Int128{1} << 60;
-    static Int128 cross(const Corner& a, const Corner& b, std::int64_t x, std::int64_t y) {
-        return (Int128{b.x} - a.x) * (Int128{y} - a.y) - (Int128{b.y} - a.y) * (Int128{x} - a.x);
-    }
-    std::array<Corner, 3> from_, to_;
-    bool empty_;
-};
 
 // The triangle that the geometry stage makes of three snapped vertices; area 0 when it drops it.
 inline Triangle set_up(const Corners& v, std::uint32_t id,
@@ -76,7 +35,7 @@ inline Triangle set_up(const Corners& v, std::uint32_t id,
     return raster::set_up(vertex, id).value_or(SetUp{}).triangle;
 }
 inline bool has_area(const Corners& v) {
-    return signed_area({v[0].x, v[1].x, v[2].x}, {v[0].y, v[1].y, v[2].y}) != 0;
+    return oracle::area(v) != 0;
 }
 
 // A view without a camera: mesh x, y are pixels of a picture of this size (y up from the bottom),
@@ -88,6 +47,74 @@ inline scene::View pixel_view(int width, int height) {
     view.half_height = height / 2.0;
     view.translation = {-width / 2.0, -height / 2.0, 0};
     return view;
+}
+
+// Straight down -z from `distance` before the mesh's origin.
+inline scene::View eye_view(double half_width, double half_height, double distance,
+                            double near_distance = 0x1p-12) {
+    scene::View view;
+    view.translation = {0, 0, -distance};
+    view.half_width = half_width;
+    view.half_height = half_height;
+    view.near_distance = near_distance;
+    return view;
+}
+
+// With vertices of its own.
+inline void add_triangle(geom::Mesh& mesh, const std::array<Vec3, 3>& v) {
+    for (const Vec3& p : v) {
+        mesh.index.push_back(static_cast<std::uint32_t>(mesh.position.size()));
+        mesh.position.push_back(p);
+        mesh.normal.emplace_back(0, 0, 1);
+    }
+    mesh.material.push_back(-1);
+}
+
+// The whole picture by the geometry stage, a copy of its planes.
+struct Planes {
+    int width = 0, samples = 1;
+    std::vector<std::uint32_t> ids;
+    std::vector<float> depths;
+    friend bool operator==(const Planes&, const Planes&) = default;
+    std::size_t at(int x, int y, int sample = 0) const {
+        return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x)) *
+                   static_cast<std::size_t>(samples) +
+               static_cast<std::size_t>(sample);
+    }
+    std::uint32_t id(int x, int y, int sample = 0) const { return ids[at(x, y, sample)]; }
+};
+inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width,
+                          int height, int samples = 1, Facing keep = Facing::any) {
+    Geometry geometry;
+    GeometryOptions options;
+    options.width = width;
+    options.height = height;
+    options.samples = samples;
+    options.keep = keep;
+    options.mirrored = view.mirrored;
+    geometry.run(jobs, mesh, ScreenTransform(view, width, height), options);
+    Planes out{width, samples, {}, {}};
+    const std::size_t size = out.at(0, height);
+    out.ids.resize(size);
+    out.depths.resize(size);
+    VisibilityTile tile;
+    for (int i = 0; i < geometry.tiles(); ++i) {
+        tile.reset(geometry.tile_area(i), samples);
+        geometry.draw(i, tile);
+        for (int y = tile.area().y0; y < tile.area().y1; ++y)
+            for (int x = tile.area().x0; x < tile.area().x1; ++x)
+                for (int s = 0; s < samples; ++s) {
+                    out.ids[out.at(x, y, s)] = tile.id(x, y, s);
+                    out.depths[out.at(x, y, s)] = tile.depth(x, y, s);
+                }
+    }
+    return out;
+}
+
+// A measured value, in the report of the test (--gtest_output=xml) and on the screen when it fails.
+inline void record(const std::string& name, double value) {
+    testing::Test::RecordProperty(name, testing::PrintToString(value));
 }
 
 } // namespace scanout::raster::test

@@ -1,4 +1,5 @@
 // Depth, ties and order: what a tile shows does not depend on who came first.
+#include "oracle/plane.h"
 #include "raster/exact.h"
 
 #include <algorithm>
@@ -76,8 +77,8 @@ TEST(Visibility, TheOrderOfDrawingChangesNoBit) {
 }
 
 TEST(Visibility, TheNearestTriangleIsSeenAtEverySample) {
-    // Against exact coverage and depth in long double: where the two nearest are further apart than
-    // rounding, the nearer one's id stands.
+    // Against exact coverage and depth in double-double: where the two nearest are further apart
+    // than rounding, the nearer one's id stands.
     Random random(2);
     const std::vector<Triangle> triangles = random_triangles(random, 40);
     VisibilityTile tile;
@@ -90,20 +91,14 @@ TEST(Visibility, TheNearestTriangleIsSeenAtEverySample) {
             for (std::size_t s = 0; s < 4; ++s) {
                 const int sx = x * kSubpixel + tile.pattern()[s].x,
                           sy = y * kSubpixel + tile.pattern()[s].y;
-                long double best = 0, second = 0;
+                double best = 0, second = 0;
                 std::uint32_t seen = kNoPrimitive;
                 for (const Triangle& t : triangles) {
                     if (!ExactTriangle({{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}})
                              .covers(sx, sy))
                         continue;
-                    const auto area = [&](std::size_t i, std::size_t j) {
-                        return static_cast<long double>(
-                            (Int128{t.x[j]} - t.x[i]) * (Int128{sy} - t.y[i]) -
-                            (Int128{t.y[j]} - t.y[i]) * (Int128{sx} - t.x[i]));
-                    };
-                    const long double a0 = area(1, 2), a1 = area(2, 0), a2 = area(0, 1);
-                    const long double depth =
-                        (a0 * t.depth[0] + a1 * t.depth[1] + a2 * t.depth[2]) / (a0 + a1 + a2);
+                    const Corners v = {{{t.x[0], t.y[0]}, {t.x[1], t.y[1]}, {t.x[2], t.y[2]}}};
+                    const double depth = oracle::linear_at(v, t.depth, sx, sy).nearest();
                     if (depth > best) {
                         second = best;
                         best = depth;
@@ -112,7 +107,7 @@ TEST(Visibility, TheNearestTriangleIsSeenAtEverySample) {
                         second = std::max(second, depth);
                     }
                 }
-                if (seen != kNoPrimitive && best - second < 1e-6L) continue;
+                if (seen != kNoPrimitive && best - second < 1e-6) continue;
                 ASSERT_EQ(tile.id(x, y, static_cast<int>(s)), seen) << x << ' ' << y;
                 ++checked;
             }
@@ -121,87 +116,8 @@ TEST(Visibility, TheNearestTriangleIsSeenAtEverySample) {
     EXPECT_GT(checked, 16000);
 }
 
-// The largest relative error of stored depths against the exact plane, in units of 2^-24.
-double depth_error(double w_ratio, int count, std::uint64_t seed) {
-    Random random(seed);
-    double worst = 0;
-    VisibilityTile tile;
-    for (int i = 0; i < count; ++i) {
-        Corners v;
-        std::array<double, 3> depth{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            v[k] = {random.whole(-3000, 20000), random.whole(-3000, 20000)};
-            depth[k] = 0.9 / std::exp2(random.unit() * std::log2(w_ratio));
-        }
-        depth[static_cast<std::size_t>(random.whole(0, 1))] = 0.9; // the whole span, often
-        depth[2] = 0.9 / w_ratio * (1 + random.unit());
-        if (!has_area(v)) continue;
-        tile.reset(kArea, 1);
-        tile.draw(set_up(v, 0, depth));
-        const Corner *a = &v[0], *b = &v[1], *c = &v[2];
-        const auto area = [](const Corner& p, const Corner& q, int x, int y) {
-            return (Int128{q.x} - p.x) * (Int128{y} - p.y) -
-                   (Int128{q.y} - p.y) * (Int128{x} - p.x);
-        };
-        for (int y = 0; y < kTileSize; ++y) {
-            for (int x = 0; x < kTileSize; ++x) {
-                if (tile.id(x, y) != 0) continue;
-                const int sx = x * 256 + 128, sy = y * 256 + 128;
-                // Integer areas are exact in long double; the terms have one sign.
-                const auto e0 = static_cast<long double>(area(*b, *c, sx, sy)),
-                           e1 = static_cast<long double>(area(*c, *a, sx, sy)),
-                           e2 = static_cast<long double>(area(*a, *b, sx, sy));
-                const long double exact =
-                    (e0 * depth[0] + e1 * depth[1] + e2 * depth[2]) / (e0 + e1 + e2);
-                const long double relative =
-                    std::abs(static_cast<long double>(tile.depth(x, y)) - exact) / exact;
-                worst = std::max(worst, static_cast<double>(relative * 0x1p24L));
-            }
-        }
-    }
-    return worst;
-}
-
-TEST(Visibility, DepthKeepsItsRelativePrecisionAtEveryRatioOfDistances) {
-    for (const double ratio : {1.0, 10.0, 1e3, 1e5, 1e7, 1e10}) {
-        const double worst = depth_error(ratio, 400, 3);
-        EXPECT_LE(worst, 2) << ratio; // 2^-23
-        RecordProperty("worst_ratio_" + std::to_string(static_cast<long>(ratio)),
-                       testing::PrintToString(worst));
-    }
-}
-
-TEST(Visibility, AFloatPlaneWouldLoseIt) {
-    // The naive method that must fail (HARD-CASES 15): the same triangle by a plane in float.
-    const float area = 60.0F * 60;
-    const float d0 = 0.9F, d = 0.9e-7F; // w ratio 1e7
-    const float slope = (d - d0) / area;
-    const float at_far_end = d0 + area * slope;
-    EXPECT_GT(std::abs(at_far_end - d) / d, 0.01F);
-}
-
-// The whole geometry stage.
-Snapshot draw(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width, int height,
-              int samples = 1, Facing keep = Facing::any) {
-    Geometry geometry;
-    geometry.run(jobs, mesh, ScreenTransform(view, width, height),
-                 {width, height, keep, view.mirrored, samples});
-    Snapshot all;
-    VisibilityTile tile;
-    for (int i = 0; i < geometry.tiles(); ++i) {
-        tile.reset(geometry.tile_area(i), samples);
-        geometry.draw(i, tile);
-        append(all, tile);
-    }
-    return all;
-}
-
 scene::View camera_at(double distance) {
-    scene::View view;
-    view.translation = {0, 0, -distance};
-    view.half_width = view.half_height = 0.5;
-    view.near_distance = 0x1p-12;
-    return view;
+    return eye_view(0.5, 0.5, distance);
 }
 
 geom::Mesh soup(Random& random, int triangles, double size) {
@@ -225,17 +141,18 @@ TEST(Visibility, TheOrderOfATrianglesVerticesChangesNoBit) {
         for (int round = 0; round < 8; ++round) {
             const geom::Mesh mesh = soup(random, 40, size);
             const scene::View view = camera_at(round % 2 == 0 ? 1 : 0.01);
-            const Snapshot first = draw(jobs, mesh, view, 100, 70, 4);
-            const Snapshot culled = draw(jobs, mesh, view, 100, 70, 4, Facing::front);
+            const Planes first = draw_planes(jobs, mesh, view, 100, 70, 4);
+            const Planes culled = draw_planes(jobs, mesh, view, 100, 70, 4, Facing::front);
             for (const auto& p : kPermutation) {
                 geom::Mesh turned = mesh;
                 for (std::size_t t = 0; t < mesh.index.size(); t += 3)
                     for (std::size_t k = 0; k < 3; ++k)
                         turned.index[t + k] = mesh.index[t + static_cast<std::size_t>(p[k])];
-                ASSERT_EQ(first, draw(jobs, turned, view, 100, 70, 4)) << size << ' ' << round;
+                ASSERT_EQ(first, draw_planes(jobs, turned, view, 100, 70, 4))
+                    << size << ' ' << round;
                 const bool even = &p < &kPermutation[2];
                 const Facing keep = even ? Facing::front : Facing::back;
-                ASSERT_EQ(culled, draw(jobs, turned, view, 100, 70, 4, keep)) << size;
+                ASSERT_EQ(culled, draw_planes(jobs, turned, view, 100, 70, 4, keep)) << size;
             }
         }
     }
@@ -246,16 +163,16 @@ TEST(Visibility, CulledFrontAndCulledBackTogetherAreWhatIsDrawnWithoutCulling) {
     Random random(5);
     for (const double size : {0.5, 3.0, 100.0}) {
         const geom::Mesh mesh = soup(random, 60, size);
-        const Snapshot all = draw(jobs, mesh, camera_at(1), 100, 70);
-        const Snapshot front = draw(jobs, mesh, camera_at(1), 100, 70, 1, Facing::front);
-        const Snapshot back = draw(jobs, mesh, camera_at(1), 100, 70, 1, Facing::back);
+        const Planes all = draw_planes(jobs, mesh, camera_at(1), 100, 70);
+        const Planes front = draw_planes(jobs, mesh, camera_at(1), 100, 70, 1, Facing::front);
+        const Planes back = draw_planes(jobs, mesh, camera_at(1), 100, 70, 1, Facing::back);
         int both = 0;
-        for (std::size_t i = 0; i < all.id.size(); ++i) {
-            EXPECT_EQ(all.depth[i], std::max(front.depth[i], back.depth[i]));
-            EXPECT_EQ(all.id[i], front.depth[i] >= back.depth[i] && front.id[i] != kNoPrimitive
-                                     ? front.id[i]
-                                     : back.id[i]);
-            both += front.id[i] != kNoPrimitive && back.id[i] != kNoPrimitive ? 1 : 0;
+        for (std::size_t i = 0; i < all.ids.size(); ++i) {
+            EXPECT_EQ(all.depths[i], std::max(front.depths[i], back.depths[i]));
+            EXPECT_EQ(all.ids[i], front.depths[i] >= back.depths[i] && front.ids[i] != kNoPrimitive
+                                      ? front.ids[i]
+                                      : back.ids[i]);
+            both += front.ids[i] != kNoPrimitive && back.ids[i] != kNoPrimitive ? 1 : 0;
         }
         EXPECT_GT(both, 0);
     }
@@ -267,10 +184,10 @@ TEST(Visibility, ThreadsAndTilesChangeNoBit) {
     for (std::size_t i = 0; i < mesh.position.size(); ++i) // smaller triangles, in several chunks
         mesh.position[i] =
             mesh.position[i - i % 3] + (mesh.position[i] - mesh.position[i - i % 3]) * 0.1F;
-    std::optional<Snapshot> first;
+    std::optional<Planes> first;
     for (const int threads : {1, 2, 3, 7, 16}) {
         Jobs jobs(threads);
-        const Snapshot now = draw(jobs, mesh, camera_at(1), 300, 200);
+        const Planes now = draw_planes(jobs, mesh, camera_at(1), 300, 200);
         if (!first) first = now;
         ASSERT_EQ(*first, now) << threads;
     }

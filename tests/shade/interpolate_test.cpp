@@ -47,19 +47,26 @@ ExactLane random_lane(Random& random, double w_ratio, int kind) {
 
 class Interpolation : public testing::Test {
 protected:
+    // Every lane a triangle of its own, whose weights are the same everywhere.
     void run(Random& random, double w_ratio, int round) {
+        block->runs = kLanes;
         for (int i = 0; i < kLanes; ++i) {
             lane[i] = random_lane(random, w_ratio, round * kLanes + i);
+            Primitive& t = primitive[i];
             for (int k = 0; k < 3; ++k) {
-                block->vertex[k][i] = static_cast<std::uint32_t>(3 * i + k);
-                block->area[k][i] = static_cast<float>(lane[i].area[k]);
-                block->inverse_w[k][i] = static_cast<float>(lane[i].inverse_w[k]);
+                t.c[k] = lane[i].area[k];
+                t.inverse_w[k] = static_cast<float>(lane[i].inverse_w[k]);
+                const auto vertex = static_cast<std::size_t>(3 * i + k);
+                t.uv[0][k] = data.uv[vertex].x;
+                t.uv[1][k] = data.uv[vertex].y;
+                for (int c = 0; c < 3; ++c) {
+                    t.normal[c][k] = data.normal[vertex][c];
+                    t.colour[c][k] = data.colour[vertex][c];
+                }
             }
+            block->run[i] = {&t, i, 1, 0, 0, 0, 0};
         }
-        frame.normal = data.normal;
-        frame.uv = data.uv;
-        frame.colour = data.colour;
-        frame.attributes = {true, true, true};
+        frame.attributes = {true, true, true, false};
         block->texture = &texture;
         stage("interpolate", "perspective").run(*block, frame);
     }
@@ -69,6 +76,7 @@ protected:
     FrameState frame = identity_frame();
     Attributes3 data;
     ExactLane lane[kLanes];
+    Primitive primitive[kLanes] = {};
 };
 
 TEST_F(Interpolation, IsWithinTwoToTheMinusTwentyOfTheRangeAtEveryRatioOfDistances) {
@@ -147,7 +155,7 @@ TEST_F(Interpolation, NormalsAreUnitAndOnTheSideThatTheEyeSees) {
         for (std::size_t i = 0; i < kLanes; ++i) {
             const DVec3 towards = random.in_cube(1);
             for (int k = 0; k < 3; ++k)
-                block->facing[k][i] = static_cast<float>(towards[k]);
+                primitive[i].facing[k] = static_cast<float>(towards[k]);
             for (std::size_t k = 0; k < 3; ++k) {
                 DVec3 n = random.in_cube(1);
                 if (round % 5 == 0) n = n * 1e-3; // not even near unit length
@@ -170,8 +178,8 @@ TEST_F(Interpolation, NormalsAreUnitAndOnTheSideThatTheEyeSees) {
             for (int axis = 0; axis < 3; ++axis)
                 sum[axis] = exact(lane[i], n[0][axis], n[1][axis], n[2][axis]);
             const double length = std::sqrt(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
-            const double side = sum[0] * block->facing[0][i] + sum[1] * block->facing[1][i] +
-                                sum[2] * block->facing[2][i];
+            const double side = sum[0] * primitive[i].facing[0] + sum[1] * primitive[i].facing[1] +
+                                sum[2] * primitive[i].facing[2];
             if (length < 1e-4 || std::abs(side) < 1e-4 * length) continue;
             const double sign = side < 0 ? -1 / length : 1 / length;
             const double tolerance = 1e-6 / length;

@@ -25,17 +25,24 @@ struct Shot {
     friend void PrintTo(const Shot& s, std::ostream* out) { *out << s.name; }
 };
 
-inline image::Image draw(const Shot& shot, int threads = 1, frame::FrameStats* stats = nullptr) {
+struct DrawOptions {
+    int threads = 1, tile_size = 64;
+    frame::FrameStats* stats = nullptr;
+    frame::Visibility* visibility = nullptr;
+};
+
+inline image::Image draw(const Shot& shot, const DrawOptions& options = {}) {
     const auto view = scene::make_view(shot.scene.mesh, shot.model, shot.pose, shot.camera, {},
                                        shot.options.width, shot.options.height);
     if (!view) ADD_FAILURE() << shot.name << ": " << view.error().what;
     const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
     if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
     if (!view || !plan) return {};
-    Jobs jobs(threads);
+    Jobs jobs(options.threads);
     frame::Renderer renderer(jobs);
-    image::Image picture = renderer.render(shot.scene, *view, *plan);
-    if (stats != nullptr) *stats = renderer.stats();
+    image::Image picture =
+        renderer.render(shot.scene, *view, *plan, options.visibility, options.tile_size);
+    if (options.stats != nullptr) *options.stats = renderer.stats();
     return picture;
 }
 

@@ -1,0 +1,69 @@
+#include "app/files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace scanout::app {
+namespace {
+
+bool same_file(const std::string& a, const std::string& b) {
+    if (a.empty() || b.empty() || a == "-" || b == "-") return false;
+    struct stat first {
+    }, second{};
+    if (::stat(a.c_str(), &first) == 0 && ::stat(b.c_str(), &second) == 0)
+        return S_ISREG(first.st_mode) && first.st_dev == second.st_dev &&
+               first.st_ino == second.st_ino;
+    std::error_code error;
+    const auto whole = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(path, error);
+    };
+    return whole(a) == whole(b) && !error;
+}
+
+Result<void> check_folder(const std::string& output) {
+    const std::size_t slash = output.rfind('/');
+    if (slash == std::string::npos || slash == 0) return {};
+    const std::string folder = output.substr(0, slash);
+    struct stat info {};
+    if (::stat(folder.c_str(), &info) != 0)
+        return fail(Exit::unreadable, "{}: cannot be written: {}: {}; make the folder first",
+                    output, folder, std::strerror(errno));
+    if (!S_ISDIR(info.st_mode))
+        return fail(Exit::unreadable, "{}: cannot be written: {} is a file; name a folder", output,
+                    folder);
+    return {};
+}
+
+} // namespace
+
+Result<void> check_outputs(const std::vector<std::string>& inputs,
+                           const std::vector<std::string>& outputs) {
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+        TRY_VOID(check_folder(outputs[i]));
+        for (const std::string& input : inputs)
+            if (same_file(outputs[i], input))
+                return fail(Exit::usage,
+                            "{}: would be written over {}, which is read; name another file",
+                            outputs[i], input);
+        for (std::size_t j = 0; j < i; ++j)
+            if (same_file(outputs[i], outputs[j]))
+                return fail(Exit::usage, "{}: two outputs have this name; name another file",
+                            outputs[i]);
+    }
+    return {};
+}
+
+Result<void> check_readable(const std::string& path) {
+    if (::access(path.c_str(), R_OK) == 0) return {};
+    const int error = errno;
+    const char* advice = error == EACCES ? "allow reading it (chmod), or use a copy"
+                                         : "check the name and its folder";
+    return fail(Exit::unreadable, "{}: cannot be opened: {}; {}", path, std::strerror(error),
+                advice);
+}
+
+} // namespace scanout::app

@@ -1,0 +1,21 @@
+// The files that the command line names, looked at before any of them is opened: an output may not
+// destroy an input or another output, and needs a folder to stand in.
+#pragma once
+
+#include "base/result.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+// Exit::usage when an output is the same file as an input or as another output, by name or by
+// inode; Exit::unreadable when the folder of an output is not there. "-" and empty names are
+// nobody's file.
+Result<void> check_outputs(const std::vector<std::string>& inputs,
+                           const std::vector<std::string>& outputs);
+
+// Exit::unreadable, with what to do, when the file cannot be opened for reading.
+Result<void> check_readable(const std::string& path);
+
+} // namespace scanout::app

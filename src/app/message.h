@@ -1,0 +1,22 @@
+// Every line that the program says to its user goes through here, and only here: names of files and
+// what stands in them must not drive the user's terminal.
+#pragma once
+
+#include <cstdio>
+#include <string>
+#include <string_view>
+
+namespace scanout::app {
+
+// `text` with each byte that is not part of a printable character as \xHH: control characters, the
+// marks that turn the direction of writing, and what is no UTF-8.
+std::string escaped(std::string_view text);
+
+// Writes the line, escaped, with one write(2): lines of several processes do not mix.
+void say(std::string_view line, std::FILE* to = stderr);
+
+// Writes over the terminal's last line on standard error, without ending it; an empty one clears
+// it.
+void say_over(std::string_view line);
+
+} // namespace scanout::app
