@@ -9,6 +9,9 @@ target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # Highway holds its lanes in plain C++, EMU128, for broken on g++ before 12.3 and would fall back to
 # one lane; the hash tests show that it is not (DESIGN 2).
 target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
+if(SCANOUT_CHECK_LANES)
+  target_compile_definitions(scanout_flags INTERFACE SCANOUT_CHECK_LANES)
+endif()
 if(SCANOUT_SANITIZE)
   target_compile_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)

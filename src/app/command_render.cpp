@@ -5,8 +5,10 @@
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/report.h"
+#include "base/check.h"
 #include "base/stopwatch.h"
 #include "image/hash.h"
+#include "simd/targets.h"
 
 #include <algorithm>
 
@@ -117,6 +119,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
         for (const std::string& reason : plan.reasons)
             say(reason);
 
+    CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);
     RunReport report;
     report.model_path = model.scene.path;

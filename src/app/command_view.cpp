@@ -3,10 +3,12 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/view_session.h"
+#include "base/check.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
 #include "platform/session.h"
 #include "port/headless.h"
+#include "simd/targets.h"
 
 #include <csignal>
 
@@ -66,6 +68,7 @@ Result<void> show_headless(const Settings& settings, Tapes tapes, std::uint64_t 
     TRY(console::Signals signals, console::Signals::create());
     if (settings.replay.empty() && !settings.quiet)
         say("scanout: headless: nothing is shown; Ctrl-C ends it (--replay FILE plays actions)");
+    CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);
     const bool instant = tapes.script.has_value();
     const auto suspend = [instant](std::vector<port::Event>&) -> Result<void> {
@@ -116,6 +119,7 @@ Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_
     if (settings.verbose)
         for (const std::string& note : session->notes())
             say(note);
+    CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
     const auto suspend = [&](std::vector<port::Event>& events) { return session->suspend(events); };
     return show(settings,

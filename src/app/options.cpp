@@ -60,20 +60,20 @@ Result<void> read_look_at(Settings& s, std::string_view text) {
 // --target is the point that the camera looks at when it has commas, else a SIMD target.
 Result<void> read_target(Settings& s, std::string_view text) {
     if (text.find(',') != std::string_view::npos) return read_look_at(s, text);
-    if (text != "auto") {
-        std::vector<std::string_view> known = {"auto"};
-        const std::vector<simd::Target> targets = simd::targets();
-        for (const simd::Target& t : targets)
-            known.push_back(t.name);
-        if (std::find(known.begin(), known.end(), text) == known.end())
+    const std::vector<simd::Target> targets = simd::targets();
+    std::vector<std::string_view> known = {"auto"};
+    for (const simd::Target& target : targets) {
+        known.push_back(target.name);
+        if (target.name == text && !target.supported)
             return fail(Exit::usage,
-                        "there is no '{}'{}; `scanout list targets` prints those of this program",
-                        text, did_you_mean(text, known));
+                        "this processor has no {}; `scanout list targets` prints what it has",
+                        text);
     }
-    if (!simd::choose_target(text))
+    if (std::find(known.begin(), known.end(), text) == known.end())
         return fail(Exit::usage,
-                    "this processor has no {}; `scanout list targets` prints those that it has",
-                    text);
+                    "there is no '{}'{}; `scanout list targets` prints those of this program", text,
+                    did_you_mean(text, known));
+    s.target = text;
     return {};
 }
 

@@ -28,6 +28,7 @@ struct Settings {
     std::string named_view; // --view; already in `camera`
     bool camera_given = false;
 
+    std::string target = "auto"; // SIMD target
     int threads = 0;             // 0: one a core
     bool verbose = false, quiet = false;
     std::optional<std::string> json; // the file; "-": standard output

@@ -33,7 +33,7 @@ constexpr SrgbTables make_tables() {
                                    (static_cast<std::uint32_t>(bucket) << kSrgbBucketShift);
         while (std::bit_cast<float>(bits) >= tables.first_of_code[code + 1])
             ++code;
-        tables.bucket_code[bucket] = static_cast<std::uint8_t>(code);
+        tables.bucket_code[bucket] = code;
     }
     return tables;
 }

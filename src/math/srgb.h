@@ -1,7 +1,6 @@
 // sRGB (IEC 61966-2-1): linear light <-> 8-bit codes. Decode is the correctly rounded value of the
 // formula; encode is the nearest code, exactly (D3D 3.2.3.7 allows 0.6 code). Both are table
-// look-ups, inline because they run for every texel and pixel; the compiler computes the tables
-// with our pow.
+// look-ups, and the compiler computes the tables with our pow; srgb-inl.h has them in lanes.
 #pragma once
 
 #include <bit>
@@ -21,7 +20,7 @@ inline constexpr int kSrgbBuckets = 13 * 128;
 struct SrgbTables {
     float decode[256];
     float first_of_code[257];               // the least float that has the code; [256] is infinity
-    std::uint8_t bucket_code[kSrgbBuckets]; // the code of the bucket's first float
+    std::int32_t bucket_code[kSrgbBuckets]; // the code of the bucket's first float; gathered
 };
 extern const SrgbTables kSrgb;
 
@@ -39,8 +38,8 @@ inline std::uint8_t srgb_encode(float linear) {
     x = x < kSrgbHighest ? x : kSrgbHighest;
     const std::uint32_t offset =
         std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kSrgbLowest);
-    const unsigned code = kSrgb.bucket_code[offset >> kSrgbBucketShift];
-    return static_cast<std::uint8_t>(code + (x >= kSrgb.first_of_code[code + 1] ? 1U : 0U));
+    const std::int32_t code = kSrgb.bucket_code[offset >> kSrgbBucketShift];
+    return static_cast<std::uint8_t>(code + (x >= kSrgb.first_of_code[code + 1] ? 1 : 0));
 }
 
 } // namespace scanout

@@ -1,6 +1,7 @@
 #include "raster/geometry.h"
 
 #include "base/check.h"
+#include "raster/check_lanes.h"
 #include "raster/clip.h"
 
 #include <algorithm>
@@ -59,8 +60,9 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     jobs.for_each(chunks(mesh.position.size()), [&](int chunk, int) {
         const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
         const std::size_t n = std::min(kChunk, mesh.position.size() - begin);
-        transform_vertices(transform, std::span(mesh.position).subspan(begin, n),
-                           std::span(vertices_).subspan(begin, n));
+        const auto out = std::span(vertices_).subspan(begin, n);
+        transform_vertices(transform, std::span(mesh.position).subspan(begin, n), out);
+        check_lanes(out);
     });
 
     const Task task{mesh, transform, options};
@@ -210,6 +212,8 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
         for (const std::uint32_t i : bin.points)
             out.draw(batch.points[i]);
     }
+    for (int sample = 0; sample < out.samples(); ++sample)
+        check_lanes(out.depths(sample));
 }
 
 std::uint64_t Geometry::triangles_drawn() const {

@@ -3,6 +3,7 @@
 #include "app/report.h"
 #include "image/codec.h"
 #include "image/hash.h"
+#include "simd/targets.h"
 #include "support/temporary_folder.h"
 
 #include <algorithm>
@@ -238,7 +239,7 @@ TEST_F(Program, JsonHoldsWhatTheDesignNames) {
     EXPECT_GT(json["rss_start_bytes"], 100'000);
     EXPECT_GT(json["peak_rss_bytes"], json["rss_start_bytes"]);
     EXPECT_EQ(json["threads"], 2);
-    EXPECT_EQ(json["target"], "scalar");
+    EXPECT_EQ(json["target"], simd::chosen_target());
     EXPECT_TRUE(json["warnings"].empty());
 }
 

@@ -15,10 +15,10 @@ namespace {
 constexpr double kNear = 0x1p-10;
 
 void clip_near(ClipPolygon& polygon, double near_w) {
-    clip(polygon, near_w);
+    clip(polygon, ClipBox{.near_w = near_w});
 }
 bool clip_near(ClipVertex& a, ClipVertex& b, double near_w) {
-    return clip(a, b, near_w);
+    return clip(a, b, ClipBox{.near_w = near_w});
 }
 
 bool same_bits(const ClipVertex& a, const ClipVertex& b) {

@@ -1,9 +1,23 @@
 // Lambert's cosine law: colour = 0.15 Kd + sum over lights of light * Kd * max(n.l, 0). Lambert
 // 1760, [A 11.1], [B ch.6], [C 7]. No 1/pi, as MTL means it (DESIGN 1).
-#include "shade/reflection/diffuse.h"
 #include "shade/stage.h"
 
+#define SIMD_FILE "shade/reflection/lambert.cpp"
+#include "shade/reflection/diffuse-inl.h"
+#include "simd/for_each_target.h"
+
+SIMD_BEGIN(scanout::shade::reflection)
+
+void lambert_run(Block& b, const FrameState& frame) {
+    diffuse(b, frame);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
 namespace scanout::shade::reflection {
+
+SIMD_REGISTER(lambert_run);
 
 extern const Stage lambert;
 constinit const Stage lambert{{.axis = "reflection",
@@ -12,6 +26,9 @@ constinit const Stage lambert{{.axis = "reflection",
                                .source = "Lambert 1760, [A 11.1]",
                                .kind = Kind::model,
                                .needs = {.normal = true}},
-                              diffuse};
+                              [](Block& block, const FrameState& frame) {
+                                  SIMD_CALL(lambert_run)(block, frame);
+                              }};
 
 } // namespace scanout::shade::reflection
+#endif

@@ -2,32 +2,43 @@
 // around the sample, in linear light. Heckbert, "Fundamentals of Texture Mapping", 1989; [A 3.3],
 // [C 9].
 #include "shade/stage.h"
-#include "shade/texel.h"
 
-namespace scanout::shade::texture {
-namespace {
+#define SIMD_FILE "shade/texture/bilinear.cpp"
+#include "shade/texel-inl.h"
+#include "simd/for_each_target.h"
 
-void run(Block& b, const FrameState&) {
+SIMD_BEGIN(scanout::shade::texture)
+
+HWY_INLINE F32 mix(F32 share, F32 from, F32 to) {
+    return from + share * (to - from);
+}
+
+void bilinear_run(Block& b, const FrameState&) {
     if (b.texture == nullptr) return;
     const TexelReader reader(b.texture->image, b.material->map_diffuse);
-    for (int i = 0; i < b.count; ++i) {
-        const float x = reader.x(b.u[i]) - 0.5F, y = reader.y(b.v[i]) - 0.5F;
-        const std::int32_t x0 = floor_to_int(x), y0 = floor_to_int(y);
-        const float fx = x - static_cast<float>(x0), fy = y - static_cast<float>(y0);
-        float t00[3], t10[3], t01[3], t11[3];
-        reader.read(x0, y0, t00);
-        reader.read(x0 + 1, y0, t10);
-        reader.read(x0, y0 + 1, t01);
-        reader.read(x0 + 1, y0 + 1, t11);
+    for (int i = 0; i < b.count; i += kLanes) {
+        const F32 x = reader.x(load<F32>(b.u + i)) - F32(0.5F);
+        const F32 y = reader.y(load<F32>(b.v + i)) - F32(0.5F);
+        const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
+        const F32 fx = x - to_f32(x0), fy = y - to_f32(y0);
+        const I32 left = reader.column(x0), right = reader.column(x0 + I32(1));
+        const I32 bottom = reader.row(y0), top = reader.row(y0 + I32(1));
+        const Rgb t00 = reader.read(left, bottom), t10 = reader.read(right, bottom);
+        const Rgb t01 = reader.read(left, top), t11 = reader.read(right, top);
         for (int c = 0; c < 3; ++c) {
-            const float lower = t00[c] + fx * (t10[c] - t00[c]);
-            const float upper = t01[c] + fx * (t11[c] - t01[c]);
-            b.albedo[c][i] *= lower + fy * (upper - lower);
+            const F32 lower = mix(fx, t00.channel[c], t10.channel[c]);
+            const F32 upper = mix(fx, t01.channel[c], t11.channel[c]);
+            store(load<F32>(b.albedo[c] + i) * mix(fy, lower, upper), b.albedo[c] + i);
         }
     }
 }
 
-} // namespace
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::texture {
+
+SIMD_REGISTER(bilinear_run);
 
 extern const Stage bilinear;
 constinit const Stage bilinear{{.axis = "texture",
@@ -36,6 +47,9 @@ constinit const Stage bilinear{{.axis = "texture",
                                 .source = "Heckbert 1989, [A 3.3]",
                                 .kind = Kind::rung,
                                 .needs = {.uv = true}},
-                               run};
+                               [](Block& block, const FrameState& frame) {
+                                   SIMD_CALL(bilinear_run)(block, frame);
+                               }};
 
 } // namespace scanout::shade::texture
+#endif

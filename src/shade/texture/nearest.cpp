@@ -1,22 +1,29 @@
 // Nearest texel: the one that the sample falls into. [A 3.3], [C 9].
 #include "shade/stage.h"
-#include "shade/texel.h"
 
-namespace scanout::shade::texture {
-namespace {
+#define SIMD_FILE "shade/texture/nearest.cpp"
+#include "shade/texel-inl.h"
+#include "simd/for_each_target.h"
 
-void run(Block& b, const FrameState&) {
+SIMD_BEGIN(scanout::shade::texture)
+
+void nearest_run(Block& b, const FrameState&) {
     if (b.texture == nullptr) return;
     const TexelReader reader(b.texture->image, b.material->map_diffuse);
-    for (int i = 0; i < b.count; ++i) {
-        float texel[3];
-        reader.read(floor_to_int(reader.x(b.u[i])), floor_to_int(reader.y(b.v[i])), texel);
+    for (int i = 0; i < b.count; i += kLanes) {
+        const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
+        const Rgb texel = reader.read(reader.column(floor_to_int(x)), reader.row(floor_to_int(y)));
         for (int c = 0; c < 3; ++c)
-            b.albedo[c][i] *= texel[c];
+            store(load<F32>(b.albedo[c] + i) * texel.channel[c], b.albedo[c] + i);
     }
 }
 
-} // namespace
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::texture {
+
+SIMD_REGISTER(nearest_run);
 
 extern const Stage nearest;
 constinit const Stage nearest{{.axis = "texture",
@@ -25,6 +32,9 @@ constinit const Stage nearest{{.axis = "texture",
                                .source = "[A 3.3]",
                                .kind = Kind::rung,
                                .needs = {.uv = true}},
-                              run};
+                              [](Block& block, const FrameState& frame) {
+                                  SIMD_CALL(nearest_run)(block, frame);
+                              }};
 
 } // namespace scanout::shade::texture
+#endif
