@@ -7,6 +7,7 @@
 #endif
 
 #include "math/srgb.h"
+
 #include "simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();

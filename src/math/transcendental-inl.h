@@ -11,9 +11,9 @@
 #define SCANOUT_MATH_TRANSCENDENTAL_INL_H
 #endif
 
-#include "simd/lanes-inl.h"
-
 #include <limits>
+
+#include "simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {

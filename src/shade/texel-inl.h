@@ -7,10 +7,11 @@
 #define SCANOUT_SHADE_TEXEL_INL_H
 #endif
 
-#include "math/srgb-inl.h"
 #include "scene/material.h"
 
-SIMD_BEGIN(scanout::shade)
+#include "math/srgb-inl.h"
+
+SIMD_BEGIN(scanout::shade::texture)
 
 // x where |x| < 2^30; larger and NaN give 0: conversions are clamped, the same on every CPU.
 HWY_INLINE F32 convertible(F32 x) {

@@ -3,9 +3,10 @@
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/blinn_phong.cpp"
+#include "simd/for_each_target.h"
+
 #include "math/transcendental-inl.h"
 #include "shade/reflection/diffuse-inl.h"
-#include "simd/for_each_target.h"
 
 SIMD_BEGIN(scanout::shade::reflection)
 
@@ -69,8 +70,10 @@ constinit const Stage blinn_phong{
      .source = "Blinn 1977, [A 11.1]",
      .kind = Kind::model,
      .needs = {.normal = true, .ray = true}},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(blinn_phong_run)
-                                                (block, frame); }};
+    [](Block& block, const FrameState& frame) {
+        SIMD_CALL(blinn_phong_run)
+        (block, frame);
+    }};
 
 } // namespace scanout::shade::reflection
 #endif

@@ -3,8 +3,9 @@
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/lambert.cpp"
-#include "shade/reflection/diffuse-inl.h"
 #include "simd/for_each_target.h"
+
+#include "shade/reflection/diffuse-inl.h"
 
 SIMD_BEGIN(scanout::shade::reflection)
 

@@ -4,8 +4,9 @@
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/texture/bilinear.cpp"
-#include "shade/texel-inl.h"
 #include "simd/for_each_target.h"
+
+#include "shade/texel-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 
