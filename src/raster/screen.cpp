@@ -51,7 +51,8 @@ ClipVertex ScreenTransform::to_clip(const Vec3& p) const {
 }
 
 std::uint32_t ScreenTransform::classify(const ClipVertex& v) const {
-    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.w) || !std::isfinite(v.z))
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.w) ||
+        !(std::abs(v.z) <= kMostDepth))
         return kNotFinite;
     std::uint32_t flags = 0;
     // Half-spaces in homogeneous coordinates: right for every sign of w.

@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #define SIMD_FILE "shade/resolve.cpp"
-#include "math/srgb-inl.h"
 #include "simd/for_each_target.h"
+
+#include "math/srgb-inl.h"
 
 SIMD_BEGIN(scanout::shade)
 
