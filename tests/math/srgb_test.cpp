@@ -1,5 +1,7 @@
+#include "math/lane_functions.h"
 #include "math/srgb.h"
 #include "oracle.h"
+#include "support/targets.h"
 
 #include <limits>
 #include <set>
@@ -115,6 +117,32 @@ TEST(Srgb, EncodeClampsAndTakesNaNFor0) {
         EXPECT_EQ(srgb_encode(low), 0) << low;
     for (const float high : {1.0F, 1.0000001F, 2.0F, 3e38F, kInf})
         EXPECT_EQ(srgb_encode(high), 255) << high;
+}
+
+TEST(Srgb, LanesGiveWhatTheScalarFunctionsGiveOnEveryTarget) {
+    // Every code; floats of all kinds; and every float around the thresholds.
+    std::vector<std::int32_t> codes(256);
+    Floats decoded, linear;
+    for (int code = 0; code < 256; ++code) {
+        codes[static_cast<std::size_t>(code)] = code;
+        decoded.push_back(srgb_decode(static_cast<std::uint8_t>(code)));
+    }
+    for (std::uint64_t bits = 0; bits <= 0xffffffff; bits += 2003)
+        linear.push_back(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    for (std::uint32_t bits = 0x38f00000; bits <= 0x3f800010; bits += 127)
+        linear.push_back(std::bit_cast<float>(bits));
+    for (int code = 1; code < 256; ++code) {
+        const auto threshold = std::bit_cast<std::uint32_t>(detail::kSrgb.first_of_code[code]);
+        for (std::uint32_t bits = threshold - 2; bits <= threshold + 2; ++bits)
+            linear.push_back(std::bit_cast<float>(bits));
+    }
+    std::vector<std::int32_t> encoded;
+    for (const float x : linear)
+        encoded.push_back(srgb_encode(x));
+    on_every_target([&](const std::string&) {
+        EXPECT_EQ(srgb_decode_lanes(codes), decoded);
+        EXPECT_TRUE(srgb_encode_lanes(linear) == encoded);
+    });
 }
 
 } // namespace
