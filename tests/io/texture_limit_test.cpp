@@ -73,7 +73,7 @@ std::string bmp(std::uint32_t width, std::uint32_t height) {
 
 std::string tga(std::uint32_t width, std::uint32_t height) {
     Header h;
-    h.little(0, 2).little(2, 1).little(0, 5).little(0, 4);
+    h.little(0, 2).little(2, 1).little(0, 4).little(0, 4).little(0, 1);
     return h.little(width, 2).little(height, 2).little(24, 1).little(0, 1).bytes;
 }
 
@@ -141,9 +141,10 @@ TEST(TextureLimit, OneTextureMayHaveTwoToThe26PixelsAndNotOneRowMore) {
 
 TEST(TextureLimit, AllTexturesTogetherMayTakeSoManyBytesAndNotOnePixelMore) {
     const Folder folder;
+    constexpr std::uint64_t kNeeded = 4 * 50 * 40;
     for (const Format& format : kFormats) {
-        EXPECT_TRUE(is_over_the_limit(folder, format, 50, 40, 50 * 40 * 4 - 1)) << format.name;
-        EXPECT_FALSE(is_over_the_limit(folder, format, 50, 40, 50 * 40 * 4)) << format.name;
+        EXPECT_TRUE(is_over_the_limit(folder, format, 50, 40, kNeeded - 1)) << format.name;
+        EXPECT_FALSE(is_over_the_limit(folder, format, 50, 40, kNeeded)) << format.name;
     }
 }
 
