@@ -141,7 +141,7 @@ TEST(TextureLimit, OneTextureMayHaveTwoToThe26PixelsAndNotOneRowMore) {
 
 TEST(TextureLimit, AllTexturesTogetherMayTakeSoManyBytesAndNotOnePixelMore) {
     const Folder folder;
-    constexpr std::uint64_t kNeeded = 4 * 50 * 40;
+    constexpr std::uint64_t kNeeded = std::uint64_t{4} * 50 * 40;
     for (const Format& format : kFormats) {
         EXPECT_TRUE(is_over_the_limit(folder, format, 50, 40, kNeeded - 1)) << format.name;
         EXPECT_FALSE(is_over_the_limit(folder, format, 50, 40, kNeeded)) << format.name;
