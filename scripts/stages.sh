@@ -111,19 +111,22 @@ sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
 # AddressSanitizer and UndefinedBehaviorSanitizer; the fuzz targets belong to the same build.
 configure_asan() { configure asan asan "${sanitized[@]}" -DSCANOUT_FUZZ=ON; }
 
+# Every module, and the program itself: on every bad file, and the viewer on a recording.
 stage_asan() {
     configure_asan
     build asan
     export ASAN_OPTIONS=strict_string_checks=1:detect_stack_use_after_return=1:check_initialization_order=1
     export UBSAN_OPTIONS=print_stacktrace=1
-    run_ctest asan -L 'unit|golden'
+    run_ctest asan -L 'unit|golden|sanitized'
 }
 
-# The modules that run threads.
+# The modules that run threads, and the viewer on a recording.
 stage_tsan() {
     configure tsan tsan "${sanitized[@]}"
     export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
     run_modules tsan base raster frame golden app
+    build tsan scanout
+    run_ctest tsan -R '^cli\.replay$'
 }
 
 # Each reader 25 seconds, one on each core; a crash, a hang or 1 GB is a failure.

@@ -65,8 +65,10 @@ std::string unquoted(const std::string& text, std::size_t begin, std::size_t end
 
 class MaterialLoader {
 public:
-    MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings)
-        : obj_(obj), obj_path_(obj_path), folder_(folder_of(obj_path)), warnings_(warnings) {}
+    MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
+                   std::uint64_t texture_bytes)
+        : obj_(obj), obj_path_(obj_path), folder_(folder_of(obj_path)), warnings_(warnings),
+          texture_bytes_left_(texture_bytes) {}
 
     Materials load() {
         read_libraries();
@@ -106,7 +108,7 @@ private:
     bool library_missing_ = false;
     std::unordered_map<std::string, std::int32_t>
         textures_; // by folder and name, then by real path
-    std::uint64_t texture_bytes_ = 0;
+    std::uint64_t texture_bytes_left_;
     std::size_t texture_faults_ = 0;
 };
 
@@ -221,9 +223,8 @@ std::int32_t MaterialLoader::texture(const std::string& name, const std::string&
 std::int32_t MaterialLoader::load_texture(const std::string& path,
                                           const std::string& library_path) {
     image::DecodeLimits limits;
-    limits.max_pixels =
-        std::min(limits.max_pixels, static_cast<std::int64_t>((kTextureBytes - texture_bytes_) /
-                                                              sizeof(image::Rgba8)));
+    limits.max_pixels = std::min(
+        limits.max_pixels, static_cast<std::int64_t>(texture_bytes_left_ / sizeof(image::Rgba8)));
     auto picture = image::load(path, limits);
     if (!picture) {
         texture_fault(
@@ -231,7 +232,7 @@ std::int32_t MaterialLoader::load_texture(const std::string& path,
         return -1;
     }
     const std::uint64_t bytes = picture->pixels().size_bytes();
-    texture_bytes_ += bytes;
+    texture_bytes_left_ -= bytes;
     out_.bytes += bytes;
     out_.textures.push_back({path, *std::move(picture)});
     return static_cast<std::int32_t>(out_.textures.size()) - 1;
@@ -269,8 +270,9 @@ std::vector<std::string> library_names(FileFinder& finder, const std::string& fo
     return names;
 }
 
-Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings) {
-    return MaterialLoader(obj, obj_path, warnings).load();
+Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
+                         std::uint64_t texture_bytes) {
+    return MaterialLoader(obj, obj_path, warnings, texture_bytes).load();
 }
 
 } // namespace scanout::io

@@ -22,8 +22,10 @@ struct Materials {
 // All textures of a model together may take this much memory, decoded.
 inline constexpr std::uint64_t kTextureBytes = std::uint64_t{1} << 30;
 
-// Never fails: what is missing or damaged is a warning, and drawn plain.
-Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings);
+// Never fails: what is missing or damaged is a warning, and drawn plain. So is a texture that would
+// bring them all over `texture_bytes`, as its header tells; smaller ones after it are still drawn.
+Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
+                         std::uint64_t texture_bytes = kTextureBytes);
 
 // The file names behind one mtllib: several with blanks between them, or one that holds blanks,
 // quoted, with backslashes before its blanks, or bare. Names that exist in `folder` decide; what is

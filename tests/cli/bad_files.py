@@ -26,7 +26,7 @@ def faults(path, folder):
     error = process.communicate(timeout=60)[1].decode(errors="replace")
     found = []
     if process.returncode not in (0, 3):
-        found.append(f"exit code {process.returncode}")
+        found.append(f"exit code {process.returncode}: {error[:4000]}")  # a sanitizer's report, if one runs
     if process.returncode == 3 and (len(error.strip().splitlines()) < 1 or os.path.basename(path) not in error):
         found.append(f"no line that names the file: {error!r}")
     if process.returncode == 0 and not os.path.exists(out):
