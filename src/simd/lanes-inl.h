@@ -205,10 +205,18 @@ HWY_INLINE Float<D> to_f32(Int<D> a) {
 }
 template <class D>
 HWY_INLINE Float<D> to_f32(Double<D> a) {
-    const hn::Half<D> half;
-    return Float<D>(hn::Combine(D(), hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+    const auto demote = [](Double<D> x) HWY_ATTR {
+        const hn::Half<D> half;
+        return Float<D>(hn::Combine(D(), hn::DemoteTo(half, x.high), hn::DemoteTo(half, x.low)));
+    };
+#if HWY_TARGET == HWY_EMU128 // saturates where every CPU gives infinity
+    const auto past = abs(a) >= Double<D>(0x1.ffffffp127);
+    return demote(a) * demote(select(past, Double<D>(2.0), Double<D>(1.0)));
+#else
+    return demote(a);
+#endif
 }
-// Towards zero; the value must lie within +-2^31.
+// Towards zero; the value must be a number within +-(2^31 - 1).
 template <class D>
 HWY_INLINE Int<D> to_i32(Float<D> a) {
     return Int<D>(hn::ConvertTo(typename Int<D>::Tag(), a.raw));
