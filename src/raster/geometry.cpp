@@ -184,8 +184,8 @@ void Geometry::add_point(const Task& task, Batch& batch, std::uint32_t point) co
 }
 
 image::Rect Geometry::tile_area(int tile) const {
-    const int x = tile % across_ * kTileSize, y = tile / across_ * tile_size_;
-    return {x, y, std::min(x + kTileSize, width_), std::min(y + kTileSize, height_)};
+    const int x = tile % across_ * tile_size_, y = tile / across_ * tile_size_;
+    return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) const {

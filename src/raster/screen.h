@@ -13,7 +13,7 @@ namespace scanout::raster {
 inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 inline constexpr double kGuardPixels = 32767; // |x|, |y| beyond it are clipped away
-inline constexpr double kMostDepth = 0x1p64;  // beyond it a vertex counts as not finite
+inline constexpr double kMostDepth = 0x1p64;  // z beyond it, in near_w, counts as not finite
 
 // A vertex before the perspective divide. x and y are pixels times w (y down), depth is z / w.
 struct ClipVertex {

@@ -35,8 +35,8 @@ HWY_INLINE Lanes transform(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
         t.perspective ? F64(t.box.near_w) : (view_z - F64(t.depth_origin)) * F64(t.depth_scale);
 
     const F64 most = 0x1.fffffffffffffp1023;
-    const auto finite =
-        (abs(x) <= most) & (abs(y) <= most) & (abs(z) <= F64(kMostDepth)) & (abs(w) <= most);
+    const auto finite = (abs(x) <= most) & (abs(y) <= most) &
+                        (abs(z) <= F64(kMostDepth * t.box.near_w)) & (abs(w) <= most);
     const auto near = w < F64(t.box.near_w);
     const auto guard = (x < F64(t.box.left) * w) | (x > F64(t.box.right) * w) |
                        (y < F64(t.box.top) * w) | (y > F64(t.box.bottom) * w);

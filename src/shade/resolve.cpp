@@ -24,25 +24,19 @@ void encode(const float* red, const float* green, const float* blue, int count,
               out + i);
 }
 
-struct Background {
-    float linear[3];
-    std::int32_t alpha;
-};
-
-void resolve(const float* const* sum, const std::int32_t* covered, int samples,
-             const Background& background, int count, std::uint32_t* out) {
+void resolve(const float* const* sum, const std::int32_t* covered, int samples, const float* back,
+             std::int32_t back_alpha, int count, std::uint32_t* out) {
     const F32 share = 1.0F / static_cast<float>(samples);
     for (int i = 0; i < count; i += kLanes) {
         const I32 shown = load<I32>(covered + i), uncovered = I32(samples) - shown;
         const F32 back_share =
-            (to_f32(uncovered) * share) * F32(static_cast<float>(background.alpha)) / F32(255.0F);
-        const I32 alpha = shown * I32(255) + uncovered * I32(background.alpha); // times samples
+            (to_f32(uncovered) * share) * F32(static_cast<float>(back_alpha)) / F32(255.0F);
+        const I32 alpha = shown * I32(255) + uncovered * I32(back_alpha); // times samples
         const auto some = alpha > I32(0); // lanes beyond the last pixel hold nothing
         const F32 whole =
             F32(255.0F * static_cast<float>(samples)) / select(some, to_f32(alpha), F32(1.0F));
         const auto code = [&](int c) {
-            return srgb_encode((load<F32>(sum[c] + i) + F32(background.linear[c]) * back_share) *
-                               whole);
+            return srgb_encode((load<F32>(sum[c] + i) + F32(back[c]) * back_share) * whole);
         };
         // alpha / samples, rounded down: exact, samples is a power of two
         const I32 mean = to_i32(to_f32(alpha) * share);
@@ -72,11 +66,9 @@ void PixelSums::reset(std::size_t count) {
 void resolve_pixels(const PixelSums& sums, int samples, const image::Rgba8& background, int count,
                     std::uint32_t* out) {
     const float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
-    SIMD_CALL(resolve)
-    (sum, sums.covered.data(), samples,
-     {{srgb_decode(background.r), srgb_decode(background.g), srgb_decode(background.b)},
-      background.a},
-     count, out);
+    const float back[3] = {srgb_decode(background.r), srgb_decode(background.g),
+                           srgb_decode(background.b)};
+    SIMD_CALL(resolve)(sum, sums.covered.data(), samples, back, background.a, count, out);
 }
 
 } // namespace scanout::shade

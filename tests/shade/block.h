@@ -4,8 +4,10 @@
 #include "shade/stage.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "support/targets.h"
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -14,21 +16,19 @@ namespace scanout::shade::test {
 
 using scanout::test::Random;
 
-// A block of 128 lanes, every lane the same unlit, white pixel facing the eye.
+// A block of 128 lanes, every lane the same white pixel facing the eye.
 inline std::unique_ptr<Block> new_block(const scene::Material& material) {
     auto b = std::make_unique<Block>();
     b->count = kLanes;
     b->material = &material;
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kRoom; ++i) {
         for (int k = 0; k < 3; ++k) {
-            b->vertex[k][i] = static_cast<std::uint32_t>(k);
-            b->area[k][i] = k == 0 ? 1.0F : 0.0F;
-            b->inverse_w[k][i] = 1;
-            b->facing[k][i] = k == 2 ? 1.0F : 0.0F;
             b->normal[k][i] = k == 2 ? 1.0F : 0.0F;
             b->albedo[k][i] = 1;
+            b->colour[k][i] = 0;
         }
         b->ray_x[i] = b->ray_y[i] = b->u[i] = b->v[i] = 0;
+        b->x[i] = b->y[i] = 0;
     }
     return b;
 }
@@ -37,6 +37,36 @@ inline const Stage& stage(std::string_view axis, std::string_view name) {
     const Stage* found = find(axis, name);
     EXPECT_NE(found, nullptr) << axis << ' ' << name;
     return *found;
+}
+
+// What stages write, of the lanes from first on.
+inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
+    const auto same = [&](const float* x, const float* y) {
+        return std::memcmp(x + first, y + first,
+                           static_cast<std::size_t>(end - first) * sizeof(float)) == 0;
+    };
+    bool equal = same(a.u, b.u) && same(a.v, b.v);
+    for (int c = 0; c < 3; ++c)
+        equal = equal && same(a.normal[c], b.normal[c]) && same(a.albedo[c], b.albedo[c]) &&
+                same(a.colour[c], b.colour[c]);
+    return equal;
+}
+
+// Runs the stage on every target of this CPU: all give the same bits, and write no lane beyond the
+// widest register.
+inline void run_stage(std::string_view axis, std::string_view name, Block& block,
+                      const FrameState& frame) {
+    const Stage& chosen = stage(axis, name);
+    const Block before = block;
+    const int touched = std::min((block.count + 15) / 16 * 16, kRoom);
+    std::unique_ptr<Block> first;
+    scanout::test::on_every_target([&](const std::string&) {
+        block = before;
+        chosen.run(block, frame);
+        EXPECT_TRUE(same_lanes(block, before, touched, kRoom)) << axis << ' ' << name;
+        if (first == nullptr) first = std::make_unique<Block>(block);
+        EXPECT_TRUE(same_lanes(block, *first, 0, block.count)) << axis << ' ' << name;
+    });
 }
 
 inline FrameState identity_frame() {

@@ -65,7 +65,7 @@ double worst_error(std::string_view name, float shininess, bool orthographic, st
         }
         frame.lights = lights;
         randomise(*b, random);
-        stage("reflection", name).run(*b, frame);
+        run_stage("reflection", name, *b, frame);
         for (int i = 0; i < kLanes; ++i)
             for (int c = 0; c < 3; ++c)
                 worst = std::max(worst,
@@ -107,8 +107,8 @@ TEST(Reflection, WithoutAHighlightBlinnPhongIsLambertToTheBit) {
         frame.lights = scene::default_lights();
         randomise(*matt, random);
         *glossy = *matt;
-        stage("reflection", "lambert").run(*matt, frame);
-        stage("reflection", "blinn_phong").run(*glossy, frame);
+        run_stage("reflection", "lambert", *matt, frame);
+        run_stage("reflection", "blinn_phong", *glossy, frame);
         for (int i = 0; i < kLanes; ++i)
             for (int c = 0; c < 3; ++c)
                 ASSERT_EQ(matt->colour[c][i], glossy->colour[c][i]);
@@ -124,7 +124,7 @@ TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
         auto b = new_block(material);
         randomise(*b, random);
         b->lit = false;
-        stage("reflection", name).run(*b, frame);
+        run_stage("reflection", name, *b, frame);
         for (int i = 0; i < kLanes; ++i)
             for (int c = 0; c < 3; ++c)
                 ASSERT_EQ(b->colour[c][i], b->albedo[c][i]);
@@ -137,7 +137,7 @@ TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
     const scene::Light behind[] = {{{0, 0, -1}, Vec3(1)}};
     FrameState frame = identity_frame();
     frame.lights = behind;
-    stage("reflection", "blinn_phong").run(*b, frame);
+    run_stage("reflection", "blinn_phong", *b, frame);
     for (int i = 0; i < kLanes; ++i)
         EXPECT_EQ(b->colour[0][i], scene::kAmbient);
 }

@@ -41,7 +41,7 @@ struct Sampler {
             for (auto& channel : block->albedo)
                 channel[i] = 1;
         }
-        stage("texture", filter).run(*block, {});
+        run_stage("texture", filter, *block, {});
     }
     Vec3 one(std::string_view filter, float u, float v) {
         sample(filter, {Vec2(u, v)});
@@ -256,7 +256,7 @@ TEST(Texture, MultipliesTheAlbedo) {
         sampler.sample(filter, {Vec2(0.3F, 0.3F)});
         EXPECT_EQ(sampler.block->albedo[0][0], 1);
         sampler.block->albedo[0][0] = 0.125F;
-        stage("texture", filter).run(*sampler.block, {});
+        run_stage("texture", filter, *sampler.block, {});
         EXPECT_EQ(sampler.block->albedo[0][0], 0.125F);
     }
 }
