@@ -131,6 +131,32 @@ TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
     }
 }
 
+TEST(Reflection, ALaneDoesNotDependOnItsPlaceOrOnTheOthers) {
+    Random random(6);
+    const scene::Material material = scanout::test::plain(Vec3(1), Vec3(0.7F), 30);
+    FrameState frame = identity_frame();
+    frame.lights = scene::default_lights();
+    for (const char* name : {"lambert", "blinn_phong"}) {
+        auto whole = new_block(material);
+        randomise(*whole, random);
+        auto one = new_block(material);
+        run_stage("reflection", name, *whole, frame);
+        for (int i = 0; i < kLanes; ++i) {
+            one->count = 1 + i % 20;
+            const int to = i % one->count;
+            for (int c = 0; c < 3; ++c) {
+                one->normal[c][to] = whole->normal[c][i];
+                one->albedo[c][to] = whole->albedo[c][i];
+            }
+            one->ray_x[to] = whole->ray_x[i];
+            one->ray_y[to] = whole->ray_y[i];
+            run_stage("reflection", name, *one, frame);
+            for (int c = 0; c < 3; ++c)
+                ASSERT_EQ(one->colour[c][to], whole->colour[c][i]) << name << ' ' << i;
+        }
+    }
+}
+
 TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
     auto b = new_block(material);

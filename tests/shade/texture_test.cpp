@@ -1,5 +1,6 @@
 #include "shade/block.h"
 
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -221,6 +222,51 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
                         filtered <= static_cast<float>(linear_of(4)) * (1 + 0x1p-22F))
                 << c.u << ": " << filtered;
             EXPECT_FALSE(std::isnan(sampler.one("bilinear", 0.3F, c.u).x));
+        }
+    }
+}
+
+TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
+    // A run under the address sanitizer sees every read outside the texture.
+    Random random(8);
+    const scene::Texture texture = noise(37, 19, 9);
+    const auto any = [&] {
+        return std::bit_cast<float>(static_cast<std::uint32_t>(random.bits()));
+    };
+    for (int round = 0; round < 2000; ++round) {
+        Sampler sampler(texture, round % 2 == 1);
+        if (round % 4 >= 2) {
+            sampler.material.map_diffuse.scale = {any(), any(), 1};
+            sampler.material.map_diffuse.offset = {any(), any(), 0};
+        }
+        std::vector<Vec2> uv(static_cast<std::size_t>(random.whole(1, kLanes)));
+        for (Vec2& t : uv)
+            t = {any(), any()};
+        for (const std::string& filter : filters()) {
+            sampler.sample(filter, uv);
+            for (std::size_t i = 0; i < uv.size(); ++i)
+                for (const auto& channel : sampler.block->albedo)
+                    ASSERT_TRUE(channel[i] >= 0 && channel[i] <= 1) << filter << ' ' << channel[i];
+        }
+    }
+}
+
+TEST(Texture, TheLargestSidesHaveTheirTexelsInPlace) {
+    constexpr int kSide = 16384;
+    for (const bool wide : {true, false}) {
+        scene::Texture strip{"strip", wide ? image::Image(kSide, 2) : image::Image(2, kSide)};
+        for (int i = 0; i < kSide; ++i)
+            (wide ? strip.image.at(i, 1) : strip.image.at(1, kSide - 1 - i)) = {
+                static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8), 0, 255};
+        for (const std::string& filter : filters()) {
+            Sampler sampler(strip);
+            for (int i = 0; i < kSide; i += 127) {
+                const float along = (static_cast<float>(i) + 0.5F) / kSide;
+                const Vec3 texel =
+                    wide ? sampler.one(filter, along, 0.25F) : sampler.one(filter, 0.75F, along);
+                ASSERT_NEAR(texel.x, linear_of(i & 255), 1e-6) << filter << ' ' << i;
+                ASSERT_NEAR(texel.y, linear_of(i >> 8), 1e-6) << filter << ' ' << i;
+            }
         }
     }
 }
