@@ -2,11 +2,11 @@
 # The stages of ./test, in the order of CI. Together they have 30 minutes on two cores.
 # A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
 
-ci_stages=(unit golden cli guests)
-# By name only. All but analyze belong into CI as soon as each has run whole in its present form.
-long_stages=(clang asan tsan fuzz lint analyze)
+ci_stages=(unit golden cli bits asan tsan guests fuzz)
+# By name only.
+long_stages=(lint analyze)
 declare -A stage_needs=(
-    [unit]="build test" [golden]="build test" [cli]="build test" [clang]="build test clang"
+    [unit]="build test" [golden]="build test" [cli]="build test" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint"
 )
@@ -99,10 +99,10 @@ run_modules() {
     run_ctest "$folder" -R "^(${names%|})\\."
 }
 
-# The render core by the other compiler: the same hashes and pictures.
-stage_clang() {
+# The same bits from the other compiler: the render core with its hashes and pictures, on every SIMD target.
+stage_bits() {
     configure clang release -DCMAKE_CXX_COMPILER=clang++-14
-    run_modules clang math raster shade frame golden
+    run_modules clang math simd raster shade frame golden
 }
 
 # With sanitizers: clang++ at -O1, which builds in a third of g++'s time at -O2.
