@@ -237,13 +237,11 @@ TEST(Metamorphic, MovingModelAndCameraByTenMillionMovesNoVertexByAThousandthOfAP
 // HARD-CASES 69, P8: twenty runs on each of five numbers of threads, one picture.
 TEST(Metamorphic, NumbersOfThreadsAndRepetitionChangeNoBit) {
     Random random(6);
-    const scene::Scene scene = file_soup(random, 300, true).load();
+    const scene::Scene scene = file_soup(random, 200, true).load();
     FileModel camera;
     camera.eye = {0.2, 0.1, 0.3};
     camera.target = {-0.1, 0, 0};
     auto options = picture_options(4);
-    options.width = 400;
-    options.height = 300;
     const auto plan = frame::plan(options, frame::facts(scene));
     ASSERT_TRUE(plan);
     const scene::View view = camera.view(scene.mesh, options.width, options.height);
