@@ -7,14 +7,16 @@ find_package(glm CONFIG REQUIRED)           # libglm-dev
 find_package(hwy CONFIG REQUIRED)           # libhwy-dev
 find_package(PNG REQUIRED)                  # libpng-dev
 find_package(JPEG REQUIRED)                 # libjpeg62-turbo-dev
-find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
-find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)    # libxxhash-dev
 pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)             # libstb-dev
-pkg_check_modules(DRM REQUIRED IMPORTED_TARGET libdrm)          # libdrm-dev
-pkg_check_modules(SEAT REQUIRED IMPORTED_TARGET libseat)        # libseat-dev
-pkg_check_modules(INPUT REQUIRED IMPORTED_TARGET libinput)      # libinput-dev
-pkg_check_modules(UDEV REQUIRED IMPORTED_TARGET libudev)        # libudev-dev
-pkg_check_modules(EVDEV REQUIRED IMPORTED_TARGET libevdev)      # libevdev-dev
-pkg_check_modules(XKB REQUIRED IMPORTED_TARGET xkbcommon)       # libxkbcommon-dev
+if(SCANOUT_PROGRAM)
+  find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
+  find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev
+  pkg_check_modules(DRM REQUIRED IMPORTED_TARGET libdrm)        # libdrm-dev
+  pkg_check_modules(SEAT REQUIRED IMPORTED_TARGET libseat)      # libseat-dev
+  pkg_check_modules(INPUT REQUIRED IMPORTED_TARGET libinput)    # libinput-dev
+  pkg_check_modules(UDEV REQUIRED IMPORTED_TARGET libudev)      # libudev-dev
+  pkg_check_modules(EVDEV REQUIRED IMPORTED_TARGET libevdev)    # libevdev-dev
+  pkg_check_modules(XKB REQUIRED IMPORTED_TARGET xkbcommon)     # libxkbcommon-dev
+endif()

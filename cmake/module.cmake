@@ -9,6 +9,10 @@ target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 # Highway holds its lanes in plain C++, EMU128, for broken on g++ before 12.3 and would fall back to
 # one lane; the hash tests show that it is not (DESIGN 2).
 target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
+# EMU128 stands in every build, also where the machine always has better (64-bit Arm): the same bits are
+# compared on it. Arm's scalable vectors have no size, so no lane type can hold one (simd/lanes-inl.h).
+target_compile_definitions(scanout_flags INTERFACE HWY_COMPILE_ALL_ATTAINABLE
+                           "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
 if(SCANOUT_CHECK_LANES)
   target_compile_definitions(scanout_flags INTERFACE SCANOUT_CHECK_LANES)
 endif()

@@ -3,17 +3,23 @@
 # tests/vm/fetch.sh.
 # The libraries are those of cmake/dependencies.cmake and tests/CMakeLists.txt; versions are Debian 12's.
 
+# What the render core and the tests link; tests/arm/sysroot.sh fetches the same for another machine.
+libraries_core=(
+    libexpected-dev libfmt-dev libhwy-dev libtbb-dev libglm-dev libpng-dev libjpeg62-turbo-dev
+    libxxhash-dev libstb-dev
+)
+libraries_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev)
+
 packages_build=(
-    g++ cmake ninja-build pkg-config
-    libexpected-dev libfmt-dev libhwy-dev libtbb-dev libglm-dev libpng-dev libjpeg62-turbo-dev libcli11-dev
-    nlohmann-json3-dev libxxhash-dev libstb-dev libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev
-    libxkbcommon-dev
+    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev
+    libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev libxkbcommon-dev
     xkb-data # read when the viewer starts
 )
-packages_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev python3)
+packages_test=("${libraries_test[@]}" patch python3)
 packages_bench=(libbenchmark-dev)
 packages_clang=(clang-14 libclang-rt-14-dev)
 packages_lint=(clang-format-14 clang-tidy-14)
+packages_arm=(g++-aarch64-linux-gnu qemu-user-static)
 packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)
 
 # Prints the packages of the purposes that are not installed.

@@ -1,0 +1,16 @@
+# Toolchain file: 64-bit Arm on this machine. Debian's cross-compiler, the libraries of the folder that
+# tests/arm/sysroot.sh filled (SCANOUT_SYSROOT), and QEMU to run the tests.
+set(CMAKE_SYSTEM_NAME Linux)
+set(CMAKE_SYSTEM_PROCESSOR aarch64)
+set(CMAKE_CXX_COMPILER aarch64-linux-gnu-g++)
+set(CMAKE_SYSROOT ${SCANOUT_SYSROOT})
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES SCANOUT_SYSROOT)
+
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+set(ENV{PKG_CONFIG_SYSROOT_DIR} ${SCANOUT_SYSROOT})
+set(ENV{PKG_CONFIG_LIBDIR} ${SCANOUT_SYSROOT}/usr/lib/aarch64-linux-gnu/pkgconfig:${SCANOUT_SYSROOT}/usr/share/pkgconfig)
+
+set(CMAKE_CROSSCOMPILING_EMULATOR qemu-aarch64-static -L ${SCANOUT_SYSROOT})
