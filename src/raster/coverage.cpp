@@ -149,7 +149,8 @@ DepthPlane depth_plane(const Triangle& t, const Edges& e) {
     plane.per_y = gradient(e.b);
     const double least = std::min({t.depth[0], t.depth[1], t.depth[2]});
     constexpr double kBlock = BlockWalk::kSide;
-    plane.flat = kBlock * (std::abs(plane.per_x) + std::abs(plane.per_y)) <= least / 32 &&
+    plane.flat = least >= 0x1p-100 &&
+                 kBlock * (std::abs(plane.per_x) + std::abs(plane.per_y)) <= least / 32 &&
                  kBlock * kSubpixel * terms <= least * 0x1p20;
     return plane;
 }

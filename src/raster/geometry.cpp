@@ -51,6 +51,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     cull_ = {width_, height_, options.keep, options.mirrored,
              extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
+    CHECK_LE(mesh.position.size(), kMostVertices);
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)

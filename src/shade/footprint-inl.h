@@ -1,7 +1,8 @@
 // How many texels a pixel covers: the level of detail of a texture, log2(max(|d/dx|, |d/dy|)) in
 // texels (D3D 11.3 functional specification 7.18.11; Heckbert 1989; HARD-CASES R24). The
 // derivatives of u and v are those of the triangle's plane at the sample. There are no quads of
-// pixels, so neither a triangle's edge nor its size changes anything (HARD-CASES 38, 39).
+// pixels, so neither a triangle's edge nor its size changes anything (HARD-CASES 38, 39). For
+// mipmaps, which no stage has yet: only tests use it.
 #if defined(SCANOUT_SHADE_FOOTPRINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_FOOTPRINT_INL_H
 #undef SCANOUT_SHADE_FOOTPRINT_INL_H
