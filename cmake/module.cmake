@@ -5,6 +5,10 @@ add_library(scanout_flags INTERFACE)
 target_compile_features(scanout_flags INTERFACE cxx_std_20)
 # Same bits everywhere: a*b+c is never fused, and nothing reorders floating-point arithmetic.
 target_compile_options(scanout_flags INTERFACE -ffp-contract=off -fno-math-errno)
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 drops the rounding of (double)(float)x where it vectorises straight-line code.
+  target_compile_options(scanout_flags INTERFACE -fno-tree-slp-vectorize)
+endif()
 target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
 # Highway holds its lanes in plain C++, EMU128, for broken on g++ before 12.3 and would fall back to
 # one lane; the hash tests show that it is not (DESIGN 2).
