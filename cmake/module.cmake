@@ -11,8 +11,13 @@ target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
 target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
 # EMU128 stands in every build, also where the machine always has better (64-bit Arm): the same bits are
 # compared on it. Arm's scalable vectors have no size, so no lane type can hold one (simd/lanes-inl.h).
+# Sanitized builds leave out targets that others stand for: kernels are the longest to compile.
+set(without_targets "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128")
+if(SCANOUT_SANITIZE)
+  string(APPEND without_targets "|HWY_SSSE3|HWY_SSE4|HWY_AVX3")
+endif()
 target_compile_definitions(scanout_flags INTERFACE HWY_COMPILE_ALL_ATTAINABLE
-                           "HWY_DISABLED_TARGETS=(HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128)")
+                           "HWY_DISABLED_TARGETS=(${without_targets})")
 if(SCANOUT_CHECK_LANES)
   target_compile_definitions(scanout_flags INTERFACE SCANOUT_CHECK_LANES)
 endif()

@@ -101,8 +101,27 @@ run_modules() {
 
 # The same bits from the other compiler: the render core with its hashes and pictures, on every SIMD target.
 stage_bits() {
-    configure clang release -DCMAKE_CXX_COMPILER=clang++-14
-    run_modules clang math simd raster shade frame golden
+    configure bits release -DCMAKE_CXX_COMPILER=clang++-14
+    run_modules bits math simd raster shade frame golden
+    configure test release
+    build test scanout
+    check nothing_fused test
+    check nothing_fused bits
+}
+
+# nothing_fused FOLDER: neither compiler made a*b+c one operation in code that decides a pixel.
+nothing_fused() {
+    local module found=0 kernels=0
+    for module in math geom scene raster shade frame; do
+        objdump -d --no-show-raw-insn "build/$1/libscanout_$module.a" >"build/$1/$module.asm"
+        if grep -E -m 1 '\bvfn?m(add|sub)' "build/$1/$module.asm"; then
+            echo "libscanout_$module.a has fused operations" >&2
+            found=1
+        fi
+        kernels=$((kernels + $(grep -c '\bvmulp[sd]' "build/$1/$module.asm" || true)))
+        rm "build/$1/$module.asm"
+    done
+    [ $found = 0 ] && [ $kernels -gt 100 ] # it does see vector code
 }
 
 # With sanitizers: clang++ at -O1, which builds in a third of g++'s time at -O2.

@@ -66,7 +66,7 @@ Result<void> read_target(Settings& s, std::string_view text) {
         known.push_back(target.name);
         if (target.name == text && !target.supported)
             return fail(Exit::usage,
-                        "this processor has no {}; `scanout list targets` prints what it has",
+                        "{}: this processor lacks it; `scanout list targets` prints what it has",
                         text);
     }
     if (std::find(known.begin(), known.end(), text) == known.end())

@@ -2,6 +2,8 @@
 // it, or a small std::thread pool under ThreadSanitizer (the packaged oneTBB reports false races).
 #pragma once
 
+#include "base/float_environment.h"
+
 #include <memory>
 #include <type_traits>
 
@@ -19,12 +21,17 @@ public:
 
     // Calls function(index, worker) for every index in [0, count), in no particular order;
     // worker is in [0, threads()) and no two calls with the same worker run at once. Not reentrant.
-    // Results must not depend on the order or on which worker ran an index.
+    // Results must not depend on the order or on which worker ran an index. Arithmetic is plain
+    // while it runs (base/float_environment.h).
     template <class Function>
     void for_each(int count, Function&& function) {
         using F = std::remove_reference_t<Function>;
         run(
-            count, [](void* f, int index, int worker) { (*static_cast<F*>(f))(index, worker); },
+            count,
+            [](void* f, int index, int worker) {
+                const FloatEnvironment plain;
+                (*static_cast<F*>(f))(index, worker);
+            },
             const_cast<void*>(static_cast<const void*>(&function)));
     }
 

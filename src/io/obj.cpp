@@ -173,8 +173,8 @@ std::string ObjReader::word_here() const {
 void ObjReader::position() {
     const Numbers<7> n = numbers<7>();
     auto& positions = out_.polygons.positions;
-    if (positions.size() >= std::numeric_limits<std::int32_t>::max())
-        return stop("has more than 2147483647 vertices");
+    constexpr std::size_t kMostVertices = std::size_t{1} << 29; // as many as a frame can index
+    if (positions.size() >= kMostVertices) return stop("has more than 536870912 vertices");
     if (n.count < 3) {
         number_fault("vertex", n.fault, 3);
         ++bad_positions_;

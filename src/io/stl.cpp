@@ -23,7 +23,7 @@ using Triangle = std::array<DVec3, 3>;
 // A binary file: 80 bytes of anything, the number of facets, then for each facet its normal, its
 // three vertices (12 floats, little endian) and two bytes that some programs use for a colour.
 constexpr std::size_t kHeader = 84, kFacet = 50;
-constexpr std::size_t kMostFacets = std::numeric_limits<std::int32_t>::max() / 3;
+constexpr std::size_t kMostFacets = (std::size_t{1} << 29) / 3; // a frame indexes 2^29 vertices
 
 std::uint32_t little_endian(const char* bytes) {
     std::uint32_t value = 0;

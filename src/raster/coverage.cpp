@@ -80,7 +80,8 @@ HWY_INLINE void draw_block(const TilePlanes& tile, const BlockWalk& walk, int bx
         b.per_pixel_y = static_cast<float>(walk.depth.per_y);
     }
     const std::size_t plane = std::size_t{kTileSize} * kTileSize;
-    const std::size_t first = static_cast<std::size_t>(by * kSide * kTileSize + bx * kSide);
+    const std::size_t first =
+        static_cast<std::size_t>(by) * kSide * kTileSize + static_cast<std::size_t>(bx) * kSide;
     for (std::size_t s = 0; s < tile.pattern.size(); ++s) {
         const SampleOffset at = tile.pattern.data()[s];
         for (int k = 0; k < 3; ++k) {
@@ -148,7 +149,8 @@ DepthPlane depth_plane(const Triangle& t, const Edges& e) {
     plane.per_y = gradient(e.b);
     const double least = std::min({t.depth[0], t.depth[1], t.depth[2]});
     constexpr double kBlock = BlockWalk::kSide;
-    plane.flat = kBlock * (std::abs(plane.per_x) + std::abs(plane.per_y)) <= least / 32 &&
+    plane.flat = least >= 0x1p-100 &&
+                 kBlock * (std::abs(plane.per_x) + std::abs(plane.per_y)) <= least / 32 &&
                  kBlock * kSubpixel * terms <= least * 0x1p20;
     return plane;
 }

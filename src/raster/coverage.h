@@ -31,7 +31,8 @@ bool draw_triangles(const TilePlanes& tile, std::span<const Triangle> triangles)
 // - near to flat, in float: z = base + (rest + (x dz/dx + y dz/dy)) from the corner of the aligned
 //   block of 8 x 8 pixels, where base + rest is that corner's depth in 24 + 24 bits. Used when
 //   depth changes by less than 1/32 of itself across a block: then all but the last addition err
-//   by less than 1/8 unit in the last place.
+//   by less than 1/8 unit in the last place. Not where depth is below 2^-100 and its parts would
+//   be denormal.
 // - else in double: E_0 d_0 / area + E_1 d_1 / area + E_2 d_2 / area, no term of which is negative,
 //   so nothing cancels, rounded once.
 //

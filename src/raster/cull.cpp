@@ -95,7 +95,7 @@ void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uin
               int count, std::uint32_t first, CullResult& result) {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes)
-        cull_lanes(o, corners(vertices, index + i * 3), kLanes,
+        cull_lanes(o, corners(vertices, index + std::ptrdiff_t{i} * 3), kLanes,
                    first + static_cast<std::uint32_t>(i), result);
     if (i == count) return;
     std::uint32_t rest[kLanes * 3];

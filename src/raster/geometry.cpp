@@ -35,7 +35,8 @@ void Geometry::for_tiles(const image::Rect& bounds, F&& f) const {
     if (bounds.empty()) return;
     for (int y = bounds.y0 / tile_size_; y <= (bounds.y1 - 1) / tile_size_; ++y)
         for (int x = bounds.x0 / tile_size_; x <= (bounds.x1 - 1) / tile_size_; ++x)
-            f(static_cast<std::size_t>(y * across_ + x));
+            f(static_cast<std::size_t>(y) * static_cast<std::size_t>(across_) +
+              static_cast<std::size_t>(x));
 }
 
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
@@ -50,6 +51,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     cull_ = {width_, height_, options.keep, options.mirrored,
              extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
+    CHECK_LE(mesh.position.size(), kMostVertices);
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)

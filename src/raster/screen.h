@@ -1,5 +1,6 @@
-// From the mesh to the screen: transform, divide, snap. Positions are relative to the camera in
-// double; the only rounding of a position is the one to the 16.8 grid (HARD-CASES R1-R3, R7-R9).
+// From the mesh to the screen: transform, divide, snap. The mesh's float positions are taken
+// relative to the camera in double and rounded once more, to the 16.8 grid (HARD-CASES R1-R3,
+// R7-R9).
 #pragma once
 
 #include "math/vec.h"
@@ -10,6 +11,7 @@
 
 namespace scanout::raster {
 
+inline constexpr std::size_t kMostVertices = std::size_t{1} << 29; // lanes index words in 31 bits
 inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 inline constexpr double kGuardPixels = 32767; // |x|, |y| beyond it are clipped away

@@ -75,7 +75,7 @@ void transform_lanes(const ScreenTransform& t, const float* position, ScreenVert
 void transform_all(const ScreenTransform& t, const float* position, ScreenVertex* out, int count) {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes)
-        transform_lanes(t, position + i * 3, out + i, kLanes);
+        transform_lanes(t, position + std::ptrdiff_t{i} * 3, out + i, kLanes);
     if (i == count) return;
     float rest[kLanes * 3] = {};
     for (int k = 0; k < (count - i) * 3; ++k)

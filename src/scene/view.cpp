@@ -63,7 +63,8 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
     stand.target = file_to_world(mesh, up, *camera.target);
     const DVec3 back = eye - stand.target;
     if (!finite(back) || dot3(back, back) == 0)
-        return fail(Exit::usage, "the camera's eye and target are the same point; move one of them");
+        return fail(Exit::usage,
+                    "the camera's eye and target are the same point; move one of them");
     const double level = scanout::sqrt(back.x * back.x + back.z * back.z);
     stand.azimuth = degrees(scanout::atan2(back.x, back.z));
     stand.elevation = degrees(scanout::atan2(back.y, level));

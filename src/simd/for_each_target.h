@@ -26,7 +26,8 @@
 #endif
 #define HWY_TARGET_INCLUDE SIMD_FILE
 
-// clang-format off: the order matters
+// The order matters.
+// clang-format off
 #include <hwy/foreach_target.h>
 #include "simd/lanes-inl.h"
 // clang-format on

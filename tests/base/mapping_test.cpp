@@ -33,7 +33,8 @@ TEST(Mapping, OfAFileThatIsCutShortAfterwardsKeepsItsBytes) {
 }
 
 // Another thread cuts the file short and writes it anew without a pause. What is opened is one of
-// the two files, or is refused; it never ends the program, and no byte of it is from nowhere.
+// the two files, or is refused (that it can be is the next test's matter: here it is up to the
+// scheduler); it never ends the program, and no byte of it is from nowhere.
 TEST(Mapping, OfAFileThatIsCutShortWhileItIsReadIsWholeOrRefused) {
     const TemporaryFolder folder;
     const std::string path = folder / "a";
@@ -46,20 +47,17 @@ TEST(Mapping, OfAFileThatIsCutShortWhileItIsReadIsWholeOrRefused) {
             std::filesystem::resize_file(path, kSize);
         }
     });
-    int refused = 0;
     for (int i = 0; i < 300; ++i) {
         const Result<Mapping> mapping = Mapping::open(path);
         if (mapping) {
             EXPECT_LE(sum_of(mapping->text()), mapping->size());
             continue;
         }
-        ++refused;
         EXPECT_EQ(mapping.error().what, path + ": changed while it was read; load it again");
         EXPECT_EQ(mapping.error().exit, Exit::unreadable);
     }
     stop = true;
     changing.join();
-    EXPECT_GT(refused, 0);
 }
 
 TEST(Mapping, OfAFileThatIsCutShortBetweenItsFirstBytesAndTheRestIsRefused) {

@@ -17,6 +17,18 @@ struct FileFace {
     int material = 0;
 };
 
+// Colour, depth and id of a frame; ids name places in the file, so the first two alone are compared
+// where its order changes.
+struct Shown {
+    image::Image image;
+    std::vector<float> depth;
+    std::vector<std::uint32_t> id;
+    bool same_but_for_ids(const Shown& other) const {
+        return image == other.image && depth == other.depth;
+    }
+    bool operator==(const Shown& other) const { return same_but_for_ids(other) && id == other.id; }
+};
+
 struct FileModel {
     std::vector<DVec3> vertex; // file units
     std::vector<Vec3> normal;
@@ -58,13 +70,16 @@ struct FileModel {
         EXPECT_TRUE(v);
         return v ? *v : scene::View{};
     }
-    image::Image picture(const frame::FrameOptions& options, int threads = 1) const {
+    Shown picture(const frame::FrameOptions& options, int threads = 1) const {
         const scene::Scene scene = load();
         const auto plan = frame::plan(options, frame::facts(scene));
         EXPECT_TRUE(plan);
         Jobs jobs(threads);
         frame::Renderer renderer(jobs);
-        return renderer.render(scene, view(scene.mesh, options.width, options.height), *plan);
+        frame::Visibility seen;
+        image::Image picture =
+            renderer.render(scene, view(scene.mesh, options.width, options.height), *plan, &seen);
+        return {std::move(picture), std::move(seen.depth), std::move(seen.id)};
     }
     static constexpr int kMaterials = 5;
 };
@@ -114,9 +129,8 @@ inline FileModel file_soup(Random& random, int triangles, bool inside) {
     return m;
 }
 
-inline std::int64_t pixels_covered(const image::Image& picture, const image::Rgba8& background) {
-    return std::count_if(picture.pixels().begin(), picture.pixels().end(),
-                         [&](const image::Rgba8& p) { return !(p == background); });
+inline std::int64_t samples_covered(const Shown& shown) {
+    return std::count_if(shown.depth.begin(), shown.depth.end(), [](float d) { return d > 0; });
 }
 
 } // namespace scanout::test

@@ -10,7 +10,6 @@ namespace scanout::test {
 namespace {
 
 using frame::Cull;
-using image::Image;
 
 // Vertices, normals and triangles in another order, each triangle begun at another vertex and,
 // where nothing is culled, perhaps wound the other way.
@@ -46,12 +45,12 @@ TEST(Metamorphic, TheOrderOfTrianglesAndVerticesInAFileChangesNoBit) {
             for (const int samples : {1, 8}) {
                 const FileModel m = file_soup(random, 240, inside);
                 const auto options = picture_options(samples, cull);
-                const Image first = m.picture(options);
-                EXPECT_GT(pixels_covered(first, options.background), 4000);
+                const Shown first = m.picture(options);
+                EXPECT_GT(samples_covered(first), 4000);
                 for (int round = 0; round < 8; ++round, ++pictures)
-                    ASSERT_EQ(
-                        reordered(m, random, cull == Cull::none).picture(options, 1 + round % 3),
-                        first)
+                    ASSERT_TRUE(reordered(m, random, cull == Cull::none)
+                                    .picture(options, 1 + round % 3)
+                                    .same_but_for_ids(first))
                         << inside << ' ' << static_cast<int>(cull) << ' ' << samples;
             }
         }
@@ -94,11 +93,12 @@ TEST(Metamorphic, AtAnExactTieTheLowerFaceNumberOfTheFileIsSeen) {
                 }
                 ASSERT_EQ(winners.face.size(), single.face.size());
                 const auto options = picture_options(samples);
-                const Image seen = both.picture(options, 1 + round % 3);
-                ASSERT_EQ(seen, winners.picture(options)) << inside << ' ' << samples;
+                const Shown seen = both.picture(options, 1 + round % 3);
+                ASSERT_TRUE(seen.same_but_for_ids(winners.picture(options)))
+                    << inside << ' ' << samples;
                 // The losers would have looked different.
                 std::reverse(both.face.begin(), both.face.end());
-                ASSERT_NE(both.picture(options), seen);
+                ASSERT_NE(both.picture(options).image, seen.image);
             }
         }
     }
@@ -115,8 +115,8 @@ TEST(Metamorphic, ScalingModelAndCameraByAPowerOfTwoChangesNoBit) {
         for (DVec3& v : m.vertex) // full mantissas, off the origin
             v = v * 0.7 + DVec3(0.1, 0.2, 0.3);
         const auto options = picture_options(inside ? 1 : 4);
-        const Image first = m.picture(options);
-        EXPECT_GT(pixels_covered(first, options.background), 4000);
+        const Shown first = m.picture(options);
+        EXPECT_GT(samples_covered(first), 4000);
         for (int k = -50; k <= 50; ++k, ++pictures) {
             FileModel scaled = m;
             const double factor = std::ldexp(1.0, k);
@@ -124,7 +124,7 @@ TEST(Metamorphic, ScalingModelAndCameraByAPowerOfTwoChangesNoBit) {
                 v = v * factor;
             scaled.eye = m.eye * factor;
             scaled.target = m.target * factor;
-            ASSERT_EQ(scaled.picture(options), first) << k << ' ' << inside;
+            ASSERT_TRUE(scaled.picture(options) == first) << k << ' ' << inside;
         }
     }
     RecordProperty("pictures_equal", pictures);
@@ -149,10 +149,10 @@ TEST(Metamorphic, MovingModelAndCameraByTenMillionChangesNoBitOnAGrid) {
         const FileModel m = file_soup(random, 300, inside); // multiples of 2^-20
         for (const int samples : {1, 4}) {
             const auto options = picture_options(samples);
-            const Image first = m.picture(options);
-            EXPECT_GT(pixels_covered(first, options.background), 4000);
+            const Shown first = m.picture(options);
+            EXPECT_GT(samples_covered(first), 4000);
             for (const DVec3& by : kFar) {
-                ASSERT_EQ(moved(m, by).picture(options), first) << by.x << ' ' << by.y;
+                ASSERT_TRUE(moved(m, by).picture(options) == first) << by.x << ' ' << by.y;
                 ++pictures;
             }
         }
@@ -234,28 +234,30 @@ TEST(Metamorphic, MovingModelAndCameraByTenMillionMovesNoVertexByAThousandthOfAP
     RecordProperty("worst_from_exact_moved_px", testing::PrintToString(worst_moved));
 }
 
-// HARD-CASES 69, P8: twenty runs on each of five numbers of threads, one picture.
-TEST(Metamorphic, NumbersOfThreadsAndRepetitionChangeNoBit) {
+// HARD-CASES 69, P8: twenty runs on each of five numbers of threads, in four sizes of tiles: one
+// picture, one depth, one id a sample.
+TEST(Metamorphic, ThreadsTilesAndRepetitionChangeNoBit) {
     Random random(6);
-    const scene::Scene scene = file_soup(random, 300, true).load();
+    const scene::Scene scene = file_soup(random, 200, true).load();
     FileModel camera;
     camera.eye = {0.2, 0.1, 0.3};
     camera.target = {-0.1, 0, 0};
     auto options = picture_options(4);
-    options.width = 400;
-    options.height = 300;
     const auto plan = frame::plan(options, frame::facts(scene));
     ASSERT_TRUE(plan);
     const scene::View view = camera.view(scene.mesh, options.width, options.height);
-    std::optional<Image> first;
+    std::optional<Shown> first;
     int pictures = 0;
     for (const int threads : {1, 2, 3, 7, 16}) {
         Jobs jobs(threads);
         for (int run = 0; run < 20; ++run, ++pictures) {
             frame::Renderer renderer(jobs);
-            const Image& picture = renderer.render(scene, view, *plan);
-            if (!first) first = picture;
-            ASSERT_EQ(picture, *first) << threads << ' ' << run;
+            frame::Visibility seen;
+            const int tile_size = 8 << run % 4;
+            const Shown shown{renderer.render(scene, view, *plan, &seen, tile_size), seen.depth,
+                              seen.id};
+            if (!first) first = shown;
+            ASSERT_TRUE(shown == *first) << threads << ' ' << run << ' ' << tile_size;
         }
     }
     RecordProperty("pictures_equal", pictures);

@@ -5,6 +5,7 @@
 #include "support/scenes.h"
 
 #include <cmath>
+#include <set>
 
 namespace scanout::test {
 namespace {
@@ -18,79 +19,92 @@ double encoded(double linear) { // in codes, not rounded
     return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
 }
 
+constexpr int kSide = 64, kSheets = 25;
+
+// Triangles of one colour each, one behind the other; the last is nearest.
+struct Sheets {
+    Shot shot = scanout::test::shot("resolve", kSide, kSide);
+    std::vector<oracle::ExactTriangle> shape;
+    std::vector<DVec3> colour;
+
+    Sheets(Random& random, int samples) {
+        shot.options.samples = samples;
+        shot.options.background = {static_cast<std::uint8_t>(random.whole(0, 255)), 10, 200, 255};
+        shot.scene.materials = {plain(Vec3(1 / scene::kAmbient))};
+        // Square to both default lights: ambient light alone, so that colours are what they are.
+        const Vec3 unlit{3.0F / 7, 6.0F / 7, -2.0F / 7};
+        geom::Mesh& mesh = shot.scene.mesh;
+        for (int i = 0; i < kSheets; ++i) {
+            oracle::Corners v;
+            const Vec3 c(random.unit() < 0.3 ? 1.0 : random.unit(), random.unit() * random.unit(),
+                         random.unit());
+            std::uint32_t index[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                v[k] = {random.whole(-4000, 20000), random.whole(-4000, 20000)};
+                index[k] = add_vertex(mesh,
+                                      {static_cast<float>(v[k].x) / 256,
+                                       kSide - static_cast<float>(v[k].y) / 256,
+                                       0.2F + 0.02F * static_cast<float>(i)},
+                                      unlit);
+                mesh.colour.push_back(c);
+            }
+            add_triangle(mesh, index[0], index[1], index[2], 0);
+            shape.emplace_back(v);
+            colour.emplace_back(c);
+        }
+    }
+    image::Image picture() const {
+        scene::View view; // mesh x and y are pixels, z is depth
+        view.projection = scene::Projection::orthographic;
+        view.half_width = view.half_height = kSide / 2.0;
+        view.translation = {-kSide / 2.0, -kSide / 2.0, 0};
+        const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
+        EXPECT_TRUE(plan);
+        Jobs jobs(1);
+        frame::Renderer renderer(jobs);
+        return renderer.render(shot.scene, view, *plan);
+    }
+    // The sheet that is seen at a point (1/256 pixel); -1: the background.
+    int seen(int x, int y) const {
+        int i = kSheets - 1;
+        while (i >= 0 && !shape[static_cast<std::size_t>(i)].covers(x, y))
+            --i;
+        return i;
+    }
+    DVec3 linear(int sheet) const {
+        const image::Rgba8 b = shot.options.background;
+        return sheet < 0 ? DVec3(decoded(b.r), decoded(b.g), decoded(b.b))
+                         : colour[static_cast<std::size_t>(sheet)];
+    }
+};
+
 TEST(Resolve, OfEveryPixelIsWithinHalfACodeOfTheMeanInDouble) {
-    constexpr int kSide = 64;
     Random random(1);
     double worst = 0, naive_worst = 0;
     int mixed = 0;
     for (int round = 0; round < 40; ++round) {
         const int samples = 2 << round % 4;
-        Shot s = shot("resolve", kSide, kSide);
-        s.options.samples = samples;
-        s.options.background = {static_cast<std::uint8_t>(random.whole(0, 255)), 10, 200, 255};
-        scene::Material material = plain(Vec3(1 / scene::kAmbient));
-        s.scene.materials = {material};
-        // Square to both default lights: ambient light alone, so that colours are what they are.
-        const Vec3 unlit{3.0F / 7, 6.0F / 7, -2.0F / 7};
-        struct Sheet {
-            oracle::ExactTriangle shape;
-            Vec3 colour;
-        };
-        std::vector<Sheet> sheets; // the last one is nearest
-        constexpr int kSheets = 25;
-        for (int i = 0; i < kSheets; ++i) {
-            oracle::Corners v;
-            const Vec3 colour(random.unit() < 0.3 ? 1.0 : random.unit(),
-                              random.unit() * random.unit(), random.unit());
-            std::uint32_t index[3];
-            for (std::size_t k = 0; k < 3; ++k) {
-                v[k] = {random.whole(-4000, 20000), random.whole(-4000, 20000)};
-                index[k] = add_vertex(s.scene.mesh,
-                                      {static_cast<float>(v[k].x) / 256,
-                                       kSide - static_cast<float>(v[k].y) / 256,
-                                       0.2F + 0.02F * static_cast<float>(i)},
-                                      unlit);
-                s.scene.mesh.colour.push_back(colour);
-            }
-            add_triangle(s.scene.mesh, index[0], index[1], index[2], 0);
-            sheets.push_back({oracle::ExactTriangle(v), colour});
-        }
-        scene::View view; // mesh x and y are pixels, z is depth
-        view.projection = scene::Projection::orthographic;
-        view.half_width = view.half_height = kSide / 2.0;
-        view.translation = {-kSide / 2.0, -kSide / 2.0, 0};
-        const auto plan = frame::plan(s.options, frame::facts(s.scene));
-        ASSERT_TRUE(plan);
-        Jobs jobs(1);
-        frame::Renderer renderer(jobs);
-        const image::Image& picture = renderer.render(s.scene, view, *plan);
-        const image::Rgba8 b = s.options.background;
+        const Sheets sheets(random, samples);
+        const image::Image picture = sheets.picture();
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
-                std::array<double, 3> sum{}, codes{};
-                bool several = false;
-                int first = -2;
+                DVec3 mean(0), mean_of_codes(0);
+                std::set<int> seen;
                 for (const raster::SampleOffset& at : raster::sample_pattern(samples)) {
-                    int seen = kSheets - 1;
-                    while (seen >= 0 && !sheets[static_cast<std::size_t>(seen)].shape.covers(
-                                            x * 256 + at.x, y * 256 + at.y))
-                        --seen;
-                    several = several || (first != -2 && first != seen);
-                    first = seen;
-                    const DVec3 back(decoded(b.r), decoded(b.g), decoded(b.b));
-                    const DVec3 c =
-                        seen < 0 ? back : DVec3(sheets[static_cast<std::size_t>(seen)].colour);
-                    for (int k = 0; k < 3; ++k) {
-                        sum[static_cast<std::size_t>(k)] += c[k] / samples;
-                        codes[static_cast<std::size_t>(k)] += encoded(c[k]) / samples;
-                    }
+                    const int sheet = sheets.seen(x * 256 + at.x, y * 256 + at.y);
+                    const DVec3 c = sheets.linear(sheet);
+                    mean += c / static_cast<double>(samples);
+                    mean_of_codes += DVec3(encoded(c.x), encoded(c.y), encoded(c.z)) /
+                                     static_cast<double>(samples);
+                    seen.insert(sheet);
                 }
-                mixed += several ? 1 : 0;
+                mixed += seen.size() > 1 ? 1 : 0;
                 const image::Rgba8 p = picture.at(x, y);
                 const int got[3] = {p.r, p.g, p.b};
-                for (std::size_t k = 0; k < 3; ++k) {
-                    worst = std::max(worst, std::abs(got[k] - encoded(sum[k])));
-                    naive_worst = std::max(naive_worst, std::abs(codes[k] - encoded(sum[k])));
+                for (int k = 0; k < 3; ++k) {
+                    worst = std::max(worst, std::abs(got[k] - encoded(mean[k])));
+                    naive_worst =
+                        std::max(naive_worst, std::abs(mean_of_codes[k] - encoded(mean[k])));
                 }
             }
     }

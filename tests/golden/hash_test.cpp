@@ -38,6 +38,8 @@ std::vector<Shot> hashed_shots() {
     shots.back().model.scale = {-1, 0.25, 3};
     shots.back().model.rotate_degrees = {12, 34, 56};
     shots.back().options.samples = 8;
+    shots.push_back(soup("crowd_around_the_eye", 20000, 6, 4)); // several chunks of geometry
+    shots.back().options.samples = 2;
     shots.push_back(solids("zoomed_a_thousandfold"));
     shots.back().pose.zoom = 10 * scene::kZoomLevelsPerOctave;
     shots.back().options.samples = 16;

@@ -58,8 +58,8 @@ TEST(NaiveClip, InPolygonOrderASharedEdgeIsCutAtTwoPointsAndOursIsNot) {
         p.count = q.count = 3;
         p.vertex = {a, b, c};
         q.vertex = {b, a, c};
-        clip(p, {kNear});
-        clip(q, {kNear});
+        clip(p, {.near_w = kNear});
+        clip(q, {.near_w = kNear});
         // The cut of the edge a-b stands next to a.
         const auto cut = [&](const ClipPolygon& polygon, int step) {
             for (int k = 0; k < polygon.count; ++k) {

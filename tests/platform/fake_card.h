@@ -133,7 +133,8 @@ struct FakeCard {
     bool padding_untouched() const {
         for (const auto& [handle, dumb] : dumbs)
             for (int y = 0; y < dumb.height; ++y)
-                for (std::size_t x = static_cast<std::size_t>(dumb.width * dumb.bytes_per_pixel);
+                for (std::size_t x = static_cast<std::size_t>(dumb.width) *
+                                     static_cast<std::size_t>(dumb.bytes_per_pixel);
                      x < dumb.pitch; ++x)
                     if (dumb.bytes[static_cast<std::size_t>(y) * dumb.pitch + x] != 0) return false;
         return true;

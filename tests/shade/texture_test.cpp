@@ -255,9 +255,10 @@ TEST(Texture, TheLargestSidesHaveTheirTexelsInPlace) {
     constexpr int kSide = 16384;
     for (const bool wide : {true, false}) {
         scene::Texture strip{"strip", wide ? image::Image(kSide, 2) : image::Image(2, kSide)};
-        for (int i = 0; i < kSide; ++i)
-            (wide ? strip.image.at(i, 1) : strip.image.at(1, kSide - 1 - i)) = {
-                static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8), 0, 255};
+        for (int i = 0; i < kSide; ++i) {
+            image::Rgba8& texel = wide ? strip.image.at(i, 1) : strip.image.at(1, kSide - 1 - i);
+            texel = {static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(i >> 8), 0, 255};
+        }
         for (const std::string& filter : filters()) {
             Sampler sampler(strip);
             for (int i = 0; i < kSide; i += 127) {

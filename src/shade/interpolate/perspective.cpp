@@ -109,8 +109,10 @@ constinit const Stage perspective{
      .source = "[A ch.5], Heckbert and Moreton 1991",
      .kind = Kind::rung,
      .needs = {}},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(perspective_run)
-                                                (block, frame); }};
+    [](Block& block, const FrameState& frame) {
+        SIMD_CALL(perspective_run)
+        (block, frame);
+    }};
 
 } // namespace scanout::shade::interpolate
 #endif
