@@ -106,12 +106,14 @@ def expect(folder, tests, wanted):
 
 
 def try_one(fault, tree, folder):
+    sound = {name: (tree / name).read_bytes() for name in fault.files}
     apply(fault, tree)
     try:
         build(folder, fault.programs())
         expect(folder, fault.tests, "fail")
     finally:
-        copy_tree(ROOT, tree)
+        for name, data in sound.items():
+            (tree / name).write_bytes(data)
 
 
 def report(name, action, said):
