@@ -107,8 +107,8 @@ def expect(folder, tests, wanted):
 
 def try_one(fault, tree, folder):
     sound = {name: (tree / name).read_bytes() for name in fault.files}
-    apply(fault, tree)
     try:
+        apply(fault, tree)
         build(folder, fault.programs())
         expect(folder, fault.tests, "fail")
     finally:
