@@ -4,11 +4,11 @@
 
 ci_stages=(unit golden cli bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze)
+long_stages=(lint analyze faults arm)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
-    [lint]="build test lint" [analyze]="build test lint"
+    [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
 )
 
 # configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.
@@ -176,6 +176,23 @@ stage_guests() {
     python3 -B tests/vm/guests.py build/test/scanout build/test/guests | tee build/test/guests.log || status=$?
     sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2 0/p' build/test/guests.log >>"$counts"
     return $status
+}
+
+# Each fault of tests/faults put into a copy of the sources: the tests that it names must fail.
+stage_faults() {
+    local status=0
+    mkdir -p build/faults
+    python3 -B tests/faults/faults.py build/faults | tee build/faults/faults.log || status=$?
+    sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2 0/p' build/faults/faults.log >>"$counts"
+    return $status
+}
+
+# The render core on 64-bit Arm, under QEMU: the same hashes and pictures, on NEON and on plain lanes.
+stage_arm() {
+    tests/arm/sysroot.sh build/arm-sysroot
+    configure arm release -DSCANOUT_PROGRAM=OFF -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake \
+        "-DSCANOUT_SYSROOT=$root/build/arm-sysroot"
+    run_modules arm math simd golden
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
