@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/message.h"
+#include "base/float_environment.h"
 #include "base/memory.h"
 
 #include <csignal>
@@ -35,6 +36,7 @@ Result<Exit> parse_and_run(std::vector<std::string> arguments, std::uint64_t sta
 } // namespace
 
 Exit run(int argc, char** argv) {
+    const FloatEnvironment plain; // for what is computed outside of jobs: cameras, models
     const std::uint64_t start_bytes = resident_bytes();
     // A reader that goes away (`scanout ... | head`) is an error of write(), not the end by a
     // signal.
