@@ -4,11 +4,11 @@
 
 ci_stages=(unit golden cli bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze)
+long_stages=(lint analyze avx3)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
-    [lint]="build test lint" [analyze]="build test lint"
+    [lint]="build test lint" [analyze]="build test lint" [avx3]="build test avx3"
 )
 
 # configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.
@@ -176,6 +176,13 @@ stage_guests() {
     python3 -B tests/vm/guests.py build/test/scanout build/test/guests | tee build/test/guests.log || status=$?
     sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2 0/p' build/test/guests.log >>"$counts"
     return $status
+}
+
+# The hashes and the lanes on AVX3; in an emulated guest where the CPU has no AVX-512.
+stage_avx3() {
+    configure test release
+    build test test_golden test_simd test_shade
+    check python3 -B tests/avx3/avx3.py build/test build/test/avx3
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
