@@ -21,6 +21,7 @@ packages_clang=(clang-14 libclang-rt-14-dev)
 packages_lint=(clang-format-14 clang-tidy-14)
 packages_arm=(g++-aarch64-linux-gnu qemu-user-static)
 packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)
+packages_avx3=(bochs bochs-term bochsbios vgabios busybox-static kmod binutils python3) # bochs-term: without X
 
 # Prints the packages of the purposes that are not installed.
 missing_packages() {

@@ -4,11 +4,12 @@
 
 ci_stages=(unit golden cli bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm)
+long_stages=(lint analyze faults arm avx3)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
+    [avx3]="build test avx3"
 )
 
 # configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.
@@ -193,6 +194,13 @@ stage_arm() {
     configure arm release -DSCANOUT_PROGRAM=OFF -DCMAKE_TOOLCHAIN_FILE=cmake/arm64.cmake \
         "-DSCANOUT_SYSROOT=$root/build/arm-sysroot"
     run_modules arm math simd golden
+}
+
+# The hashes and the lanes on AVX3; in an emulated guest where the CPU has no AVX-512.
+stage_avx3() {
+    configure test release
+    build test test_golden test_simd test_shade
+    check python3 -B tests/avx3/avx3.py build/test build/test/avx3
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.

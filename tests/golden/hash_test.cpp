@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <set>
 
@@ -78,6 +79,7 @@ protected:
 TEST_F(Hashes, AreThoseInTheRepository) {
     Table got;
     std::set<std::string> different;
+    std::cout << "drawn on " << simd::chosen_target() << '\n'; // read by tests/avx3
     for (const Shot& s : hashed_shots()) {
         ASSERT_TRUE(got.emplace(s.name, hashes(s, 1, 64)).second) << s.name << " twice";
         different.insert(got[s.name]);
