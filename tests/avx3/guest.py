@@ -115,9 +115,9 @@ def run(programs, data, folder, log, seconds):
         raise Unavailable("this CPU has no AVX-512, and there is no Bochs to emulate one")
     folder, log = folder.resolve(), log.resolve()
     prepare(programs, data, folder, log)
-    # It writes its screen to stdout, and does not end on SIGTERM.
+    # It writes its screen to stdout, and does not end on SIGTERM; setpriv: it must not outlive this process.
     with open(folder / "screen.txt", "wb") as screen:
-        bochs = subprocess.Popen(["bochs", "-q", "-f", folder / "bochsrc", "-rc", folder / "commands"],
+        bochs = subprocess.Popen(["setpriv", "--pdeathsig", "KILL", "bochs", "-q", "-f", folder / "bochsrc", "-rc", folder / "commands"],
                                  env={"PATH": "/usr/bin:/bin", "TERM": "vt100"}, stdin=subprocess.DEVNULL,
                                  stdout=screen, stderr=subprocess.STDOUT, start_new_session=True)
     try:
