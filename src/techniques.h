@@ -4,4 +4,5 @@
 
 #define SCANOUT_INTERPOLATE(X) X(perspective)
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
+#define SCANOUT_MAP(X) X(diffuse)
 #define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)

@@ -107,7 +107,7 @@ Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments,
 
 struct Given {
     const Option* option;
-    std::vector<std::string> texts; // as often as it was given; the last one counts
+    std::vector<std::string> texts; // as often as it was given; unless it repeats, the last one counts
 };
 
 void declare(CLI::App& parser, Given& given) {
@@ -123,7 +123,8 @@ void declare(CLI::App& parser, Given& given) {
     parser.add_option(names, given.texts)
         ->expected(1)
         ->allow_extra_args(false)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+        ->multi_option_policy(option.repeats ? CLI::MultiOptionPolicy::TakeAll
+                                             : CLI::MultiOptionPolicy::TakeLast);
 }
 
 Result<void> unknown_option(const std::string& word, Command command) {
@@ -168,7 +169,9 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
     for (const Given& one : given) {
         if (one.texts.empty()) continue;
         const bool bare = one.option->optional_value && one.texts.back() == "true";
-        TRY_VOID(apply(*one.option, bare ? "" : one.texts.back(), settings));
+        const std::size_t first = one.option->repeats ? 0 : one.texts.size() - 1;
+        for (std::size_t i = first; i < one.texts.size(); ++i)
+            TRY_VOID(apply(*one.option, bare ? "" : one.texts[i], settings));
     }
     TRY_VOID(check_together(settings));
     return settings;

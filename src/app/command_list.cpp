@@ -3,11 +3,11 @@
 #include "app/commands.h"
 #include "app/nearest.h"
 #include "app/options.h"
+#include "frame/techniques.h"
 #include "image/pixel_format.h"
 #include "io/load.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
-#include "shade/stage.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -58,11 +58,9 @@ void list_modes(const Settings& settings) {
 
 void list_techniques(const Settings&) {
     constexpr std::array<std::string_view, 3> kKinds = {"rung", "effect", "model"};
-    for (const shade::Stage* stage : shade::catalogue()) {
-        const shade::Card& card = stage->card;
-        fmt::print("{:<12} {:<14} {:<7} {} ({})\n", card.axis, card.name,
-                   kKinds[static_cast<std::size_t>(card.kind)], card.blurb, card.source);
-    }
+    for (const Technique* t : frame::techniques())
+        fmt::print("{:<12} {:<14} {:<7} {} ({})\n", t->axis, t->name,
+                   kKinds[static_cast<std::size_t>(t->kind)], t->blurb, t->source);
 }
 
 std::string_view describe(std::string_view target) {

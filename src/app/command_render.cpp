@@ -116,8 +116,8 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
     TRY(const frame::FramePlan plan, frame::plan(settings.frame, frame::facts(model.scene)));
     if (settings.verbose)
-        for (const std::string& reason : plan.reasons)
-            say(reason);
+        for (const frame::Decision& decision : plan.decisions)
+            say(to_string(decision));
 
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);

@@ -100,6 +100,19 @@ Result<void> read_background(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_effect(Settings& s, std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const std::string_view state = equals == std::string_view::npos ? "" : text.substr(equals + 1);
+    if (state != "on" && state != "off" && state != "auto")
+        return fail(Exit::usage, "wants NAME=on, NAME=off or NAME=auto, not '{}'", text);
+    const std::string name(text.substr(0, equals));
+    if (state == "auto")
+        s.frame.effects.erase(name);
+    else
+        s.frame.effects[name] = state == "on";
+    return {};
+}
+
 Result<void> read_pixel_format(Settings& s, std::string_view text) {
     TRY(s.pixel_format, image::pixel_format(text));
     s.pixel_format_name = text;
@@ -157,6 +170,11 @@ const std::array kOptions = std::to_array<Option>({
     {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
      "how surfaces reflect (`list techniques`)"},
+
+    {"effect", 0, "NAME=on|off|auto", "", "", 0, 0, Group::picture, kDraw, Parsed(read_effect),
+     "force an effect on or off (`--verbose` names them with the reason for each); may be given "
+     "again",
+     false, true},
 
     {"view", 0, "", kViews, "", 0, 0, Group::camera, kDraw, Choice(choose_view),
      "look from a named side"},

@@ -46,6 +46,7 @@ struct Option {
     Slot slot;
     std::string_view help;
     bool optional_value = false; // --name, or --name=VALUE
+    bool repeats = false;        // each of several counts, not only the last
 };
 
 std::span<const Option> options();

@@ -276,8 +276,8 @@ Result<void> ViewSession::load(bool again) {
     // command.
     TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_));
     if (settings_.verbose)
-        for (const std::string& reason : plan.reasons)
-            say(reason);
+        for (const frame::Decision& decision : plan.decisions)
+            say(to_string(decision));
     TRY_VOID(viewer_.view(model_->scene.mesh));
     return {};
 }

@@ -5,6 +5,8 @@
 #include "scene/view.h"
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <string>
 
 namespace scanout::frame {
@@ -19,6 +21,8 @@ struct FrameOptions {
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string texture = "auto";
     std::string reflection = "auto";
+    // Effects (rows of the plan) that are forced on or off; the others follow the scene.
+    std::map<std::string, bool, std::less<>> effects;
 };
 
 inline constexpr int kMaxSide = 16384;

@@ -1,28 +1,24 @@
 #include "frame/plan.h"
 
+#include "base/check.h"
+#include "frame/techniques.h"
 #include "raster/sample_pattern.h"
+
+#include <algorithm>
 
 #include <fmt/format.h>
 
 namespace scanout::frame {
 namespace {
 
-std::string names_of(std::string_view axis) {
-    std::string names;
-    for (const shade::Stage* stage : shade::catalogue())
-        if (stage->card.axis == axis) names += fmt::format(" {}", stage->card.name);
-    return names;
-}
-
-// The technique that the user names, or the automatic choice.
-Result<const shade::Stage*> choose(std::string_view axis, const std::string& asked,
-                                   std::string_view automatic) {
-    const shade::Stage* stage =
-        shade::find(axis, asked == "auto" ? automatic : std::string_view(asked));
-    if (stage == nullptr)
-        return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", axis, asked,
-                    names_of(axis));
-    return stage;
+// What the user asked for on an axis, or the automatic choice, when the axis has it.
+Result<std::string> choose(std::string_view axis, const std::string& asked,
+                           std::string_view automatic) {
+    const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
+    for (const Technique* technique : techniques())
+        if (technique->axis == axis && technique->name == name) return std::string(name);
+    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", axis, asked,
+                names_of(axis));
 }
 
 Result<void> check_size(const FrameOptions& o) {
@@ -43,6 +39,7 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.triangles = mesh.triangles();
     facts.lines = mesh.lines();
     facts.points = mesh.points();
+    facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
     std::vector<std::size_t> uses(scene.materials.size(), 0);
     for (const std::int32_t material : mesh.material)
@@ -56,38 +53,97 @@ SceneFacts facts(const scene::Scene& scene) {
     return facts;
 }
 
+const Decision* FramePlan::decision(std::string_view effect) const {
+    const auto found = std::find_if(decisions.begin(), decisions.end(),
+                                    [&](const Decision& d) { return d.effect == effect; });
+    return found == decisions.end() ? nullptr : &*found;
+}
+
+std::string to_string(const Decision& d) {
+    return fmt::format("{} {}: {}{}", d.effect, d.technique, d.because,
+                       d.forced ? " (forced)" : "");
+}
+
+namespace {
+
+// Builds a plan row by row.
+class Planner {
+public:
+    Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
+
+    // Decides an effect: on when the scene needs it, unless the user forces it. Returns whether.
+    bool effect(std::string name, std::string technique, bool needed, std::string because) {
+        const auto forced = options_.effects.find(name);
+        const bool is_forced = forced != options_.effects.end();
+        const bool on = is_forced ? forced->second : needed;
+        plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
+                                   std::move(because), needed, is_forced && on != needed});
+        return on;
+    }
+    void stage(std::string_view axis, std::string_view name) {
+        const shade::Stage* found = shade::find_stage(axis, name);
+        CHECK(found != nullptr);
+        plan_.stages.push_back(found);
+        plan_.attributes = plan_.attributes | found->needs;
+    }
+    void filter(std::string_view name) {
+        plan_.filter = shade::find_filter(name);
+        CHECK(plan_.filter != nullptr);
+        plan_.attributes = plan_.attributes | plan_.filter->needs;
+    }
+
+private:
+    const FrameOptions& options_;
+    FramePlan& plan_;
+};
+
+// Effects that the user names must exist.
+Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
+    for (const auto& [name, on] : options.effects) {
+        if (plan.decision(name) != nullptr) continue;
+        std::string known;
+        for (const Decision& d : plan.decisions)
+            known += " " + d.effect;
+        return fail(Exit::usage, "--effect {}={}: there is no such effect; choose one of{}", name,
+                    on ? "on" : "off", known);
+    }
+    return {};
+}
+
+} // namespace
+
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
     TRY_VOID(check_size(options));
     FramePlan plan;
     plan.options = options;
-    const auto use = [&](const shade::Stage* stage) {
-        plan.stages.push_back(stage);
-        plan.attributes = plan.attributes | stage->card.needs;
-    };
-    TRY(const shade::Stage* interpolate, choose("interpolate", "auto", "perspective"));
-    use(interpolate);
-    TRY(const shade::Stage* texture, choose("texture", options.texture, "bilinear"));
-    if (facts.textured_triangles > 0) {
-        use(texture);
-        plan.reasons.push_back(fmt::format("texture {}: {} of {} triangles have a readable map_Kd",
-                                           texture->card.name, facts.textured_triangles,
-                                           facts.triangles));
-    } else {
-        plan.reasons.push_back(
-            "texture off: no triangle has a readable map_Kd and texture coordinates");
+    Planner planner(options, plan);
+    planner.stage("interpolate", "perspective");
+
+    TRY(const std::string filter, choose("texture", options.texture, "bilinear"));
+    const bool textured = facts.textured_triangles > 0;
+    if (planner.effect("texture", filter, textured,
+                       textured ? fmt::format("{} of {} triangles have a readable map_Kd",
+                                              facts.textured_triangles, facts.triangles)
+                                : "no triangle has a readable map_Kd and texture coordinates") &&
+        facts.triangles > 0 && facts.uv) {
+        planner.filter(filter);
+        planner.stage("map", "diffuse");
     }
-    TRY(const shade::Stage* reflection,
-        choose("reflection", options.reflection,
-               facts.specular_triangles > 0 ? "blinn_phong" : "lambert"));
-    use(reflection);
-    plan.reasons.push_back(
-        fmt::format("reflection {}: {} of {} triangles have a highlight (Ks not black, Ns above 0)",
-                    reflection->card.name, facts.specular_triangles, facts.triangles));
-    plan.attributes.colour = facts.vertex_colours;
-    plan.reasons.push_back(facts.vertex_colours ? "vertex colours on: the file gives them"
-                                                : "vertex colours off: the file gives none");
+
+    const bool shiny = facts.specular_triangles > 0;
+    TRY(const std::string model, choose("reflection", options.reflection, "blinn_phong"));
+    const bool highlight =
+        planner.effect("highlight", model, shiny && model != "lambert",
+                       fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0)",
+                                   facts.specular_triangles, facts.triangles));
+    planner.stage("reflection", highlight ? model : "lambert");
+
+    if (planner.effect("vertex_colours", "on", facts.vertex_colours,
+                       facts.vertex_colours ? "the file gives them" : "the file gives none"))
+        plan.attributes.colour = facts.vertex_colours;
     if (facts.triangles == 0)
         plan.attributes.normal = plan.attributes.uv = false; // lines and points are unlit
+    TRY_VOID(check_effects(options, plan));
     return plan;
 }
 

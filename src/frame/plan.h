@@ -8,6 +8,7 @@
 #include "shade/stage.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scanout::frame {
@@ -17,17 +18,32 @@ struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
     std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
     std::size_t specular_triangles = 0; // material has a highlight
+    bool uv = false;                    // some face has texture coordinates
     bool vertex_colours = false;
 };
 SceneFacts facts(const scene::Scene& scene);
+
+// One row of the plan: what runs, and the fact that decides it.
+struct Decision {
+    std::string effect;    // "texture", "highlight", "shadow" ...
+    std::string technique; // "bilinear"; "on" where there is only one; "off"
+    std::string because;   // "30 of 40 triangles have a readable map_Kd"
+    bool needed = false;   // the scene calls for it
+    bool forced = false;   // the user decided
+    bool on() const { return technique != "off"; }
+    friend bool operator==(const Decision&, const Decision&) = default;
+};
+std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 ..."
 
 struct FramePlan {
     FrameOptions options;
     // The stages of a block, in order: interpolation first, reflection last.
     std::vector<const shade::Stage*> stages;
-    shade::Attributes attributes; // what has to be fetched for a block
-    std::vector<std::string>
-        reasons; // one line a decision: "texture bilinear: 5856 of 5856 triangles ..."
+    shade::Attributes attributes;          // what has to be fetched for a block
+    const shade::Filter* filter = nullptr; // how maps are read; null where none is
+    std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
+
+    const Decision* decision(std::string_view effect) const; // null where there is none
 };
 
 // Fails (Exit::usage) when the options name a technique or a size that does not exist.

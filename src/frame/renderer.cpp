@@ -79,6 +79,7 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
             frame.normal_matrix[r][c] = static_cast<float>(view.normal[c][r]);
     frame.orthographic = view.projection == scene::Projection::orthographic;
     frame.attributes = plan.attributes;
+    frame.filter = plan.filter;
     frame.lights = scene::default_lights();
     return frame;
 }

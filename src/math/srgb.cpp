@@ -22,6 +22,7 @@ constexpr float least_float_not_below(double x) {
 constexpr SrgbTables make_tables() {
     SrgbTables tables = {};
     for (int code = 0; code < 256; ++code) {
+        tables.linear[code] = static_cast<float>(code / 255.0);
         tables.decode[code] = static_cast<float>(linear_light(code / 255.0));
         tables.first_of_code[code] =
             code == 0 ? 0 : least_float_not_below(linear_light((code - 0.5) / 255.0));

@@ -19,6 +19,7 @@ inline constexpr int kSrgbBuckets = 13 * 128;
 
 struct SrgbTables {
     float decode[256];
+    float linear[256];                      // code / 255: of data that is no colour
     float first_of_code[257];               // the least float that has the code; [256] is infinity
     std::int32_t bucket_code[kSrgbBuckets]; // the code of the bucket's first float; gathered
 };

@@ -1,4 +1,5 @@
-// Every stage by name: techniques.h expanded once. A name without a file is a link error.
+// Every stage and filter by name: techniques.h expanded once. A name without a file is a link
+// error.
 #include "shade/stage.h"
 #include "techniques.h"
 
@@ -10,32 +11,50 @@ namespace scanout::shade {
 namespace interpolate {
 SCANOUT_INTERPOLATE(SCANOUT_DECLARE)
 }
-namespace texture {
-SCANOUT_TEXTURE(SCANOUT_DECLARE)
+namespace map {
+SCANOUT_MAP(SCANOUT_DECLARE)
 }
 namespace reflection {
 SCANOUT_REFLECTION(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Filter name;
+namespace texture {
+SCANOUT_TEXTURE(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 
-std::span<const Stage* const> catalogue() {
+std::span<const Stage* const> stages() {
+    static constexpr auto kStages = std::to_array<const Stage*>({
 #define SCANOUT_ROW(name) &interpolate::name,
-    static constexpr auto kStages =
-        std::to_array<const Stage*>({SCANOUT_INTERPOLATE(SCANOUT_ROW)
+        SCANOUT_INTERPOLATE(SCANOUT_ROW)
 #undef SCANOUT_ROW
-#define SCANOUT_ROW(name) &texture::name,
-                                         SCANOUT_TEXTURE(SCANOUT_ROW)
+#define SCANOUT_ROW(name) &map::name,
+            SCANOUT_MAP(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
-                                             SCANOUT_REFLECTION(SCANOUT_ROW)
+                SCANOUT_REFLECTION(SCANOUT_ROW)
 #undef SCANOUT_ROW
-        });
+    });
     return kStages;
 }
 
-const Stage* find(std::string_view axis, std::string_view name) {
-    for (const Stage* stage : catalogue())
+std::span<const Filter* const> filters() {
+#define SCANOUT_ROW(name) &texture::name,
+    static constexpr auto kFilters = std::to_array<const Filter*>({SCANOUT_TEXTURE(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kFilters;
+}
+
+const Stage* find_stage(std::string_view axis, std::string_view name) {
+    for (const Stage* stage : stages())
         if (stage->card.axis == axis && stage->card.name == name) return stage;
+    return nullptr;
+}
+
+const Filter* find_filter(std::string_view name) {
+    for (const Filter* filter : filters())
+        if (filter->card.name == name) return filter;
     return nullptr;
 }
 

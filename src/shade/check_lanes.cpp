@@ -29,7 +29,7 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check(b.ray_x, b.count, "ray x", stage);
         check(b.ray_y, b.count, "ray y", stage);
     }
-    if (b.texture != nullptr) {
+    if (b.map[kDiffuseMap].texture != nullptr) {
         check(b.u, b.count, "u", stage);
         check(b.v, b.count, "v", stage);
     }

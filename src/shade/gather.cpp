@@ -52,6 +52,16 @@ Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
     return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
 }
 
+// The maps of the block's material that some stage of the frame reads.
+void bind_maps(Block& b, const GatherInput& in) {
+    const scene::TextureMap* const maps[kMaps] = {&b.material->map_diffuse};
+    for (std::size_t i = 0; i < kMaps; ++i) {
+        b.map[i] = {nullptr, maps[i]};
+        if (maps[i]->texture >= 0 && b.lit && in.frame->attributes.uv)
+            b.map[i].texture = &in.textures[static_cast<std::size_t>(maps[i]->texture)];
+    }
+}
+
 } // namespace
 
 Gatherer::Gatherer()
@@ -183,10 +193,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
             b.lit = f.lit;
             b.material = f.material >= 0 ? &in.materials[static_cast<std::size_t>(f.material)]
                                          : &default_material();
-            const std::int32_t texture = b.material->map_diffuse.texture;
-            b.texture = texture >= 0 && f.lit && in.frame->attributes.uv
-                            ? &in.textures[static_cast<std::size_t>(texture)]
-                            : nullptr;
+            bind_maps(b, in);
         }
         for (int done = 0; done < f.count;) {
             if (b.count == kLanes) finish_block(tile, in, picture);

@@ -3,6 +3,7 @@
 // instead of multiplying. Structure of arrays, single precision, one operation sequence a lane.
 #pragma once
 
+#include "base/technique.h"
 #include "math/vec.h"
 #include "scene/light.h"
 #include "scene/material.h"
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace scanout::shade {
 
@@ -51,10 +53,26 @@ struct Run {
                          // not cover the centre; 0 when it always does
 };
 
+// The maps that a material can have.
+enum Map : std::uint8_t { kDiffuseMap, kMaps };
+
+// A map of the block's material; no texture where the material has none, or where no stage of the
+// frame reads it.
+struct BoundMap {
+    const scene::Texture* texture = nullptr;
+    const scene::TextureMap* map = nullptr; // its options
+};
+
+// A light as the lanes of a block see it.
+struct LightLanes {
+    alignas(64) float towards[3][kRoom]; // unit, view space
+    alignas(64) float colour[3][kRoom];  // what arrives: linear
+};
+
 struct Block {
     int count = 0; // live lanes
     const scene::Material* material = nullptr;
-    const scene::Texture* texture = nullptr; // the material's map_Kd, or null
+    BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
     // Set by the gatherer.
@@ -68,11 +86,19 @@ struct Block {
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
     alignas(64) float u[kRoom], v[kRoom];
 
-    // Kd, times vertex colour, times texture; and the result, linear light. Where the block is not
+    // Of the map that was sampled last: red, green, blue, alpha; linear.
+    alignas(64) float sampled[4][kRoom];
+
+    // One entry a light of the frame; written for those that FrameState::varies names.
+    std::vector<LightLanes> light;
+
+    // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
     alignas(64) float albedo[3][kRoom];
     alignas(64) float colour[3][kRoom];
 };
+
+struct Filter;
 
 // What all blocks of a frame share.
 struct FrameState {
@@ -80,26 +106,31 @@ struct FrameState {
     bool orthographic = false;      // then every ray is (0, 0, -1)
     Attributes attributes;          // what this frame's plan reads
     std::span<const scene::Light> lights;
+    // Of each light: differs from lane to lane, as do points, spots and all that is shadowed.
+    // Empty: none does.
+    std::span<const bool> varies;
+    const Filter* filter = nullptr; // how maps are read; null where no stage reads one
 };
 
-// What a technique says about itself.
-enum class Kind : std::uint8_t {
-    rung,   // has an error against the reference; ordered
-    effect, // its neutral element changes no bit
-    model   // a choice; not ordered
-};
-struct Card {
-    std::string_view axis, name, blurb, source;
-    Kind kind = Kind::model;
-    Attributes needs;
-};
 struct Stage {
-    Card card;
+    Technique card;
+    Attributes needs;
     void (*run)(Block& block, const FrameState& frame);
 };
 
-// Every stage there is, in the order of techniques.h.
-std::span<const Stage* const> catalogue();
-const Stage* find(std::string_view axis, std::string_view name); // null when there is none
+// A texture filter: reads a map at b.u, b.v into b.sampled.
+enum class TexelKind : std::uint8_t { colour, data }; // sRGB, or linear numbers
+struct Filter {
+    Technique card;
+    Attributes needs;
+    void (*sample)(Block& block, const BoundMap& map, TexelKind kind);
+};
+
+// Every stage and every filter there is, in the order of techniques.h; null where there is no such
+// name.
+std::span<const Stage* const> stages();
+std::span<const Filter* const> filters();
+const Stage* find_stage(std::string_view axis, std::string_view name);
+const Filter* find_filter(std::string_view name);
 
 } // namespace scanout::shade

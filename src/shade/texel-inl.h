@@ -7,7 +7,7 @@
 #define SCANOUT_SHADE_TEXEL_INL_H
 #endif
 
-#include "scene/material.h"
+#include "shade/stage.h"
 
 #include "math/srgb-inl.h"
 
@@ -29,10 +29,13 @@ struct Rgb {
 
 class TexelReader {
 public:
-    TexelReader(const image::Image& image, const scene::TextureMap& map)
-        : texels_(reinterpret_cast<const std::int32_t*>(image.pixels().data())),
-          width_(image.width()), height_(image.height()), clamp_(map.clamp), scale_x_(map.scale.x),
-          scale_y_(map.scale.y), offset_x_(map.offset.x), offset_y_(map.offset.y) {}
+    TexelReader(const BoundMap& bound, TexelKind kind)
+        : texels_(reinterpret_cast<const std::int32_t*>(bound.texture->image.pixels().data())),
+          decode_(kind == TexelKind::colour ? ::scanout::detail::kSrgb.decode
+                                            : ::scanout::detail::kSrgb.linear),
+          width_(bound.texture->image.width()), height_(bound.texture->image.height()),
+          clamp_(bound.map->clamp), scale_x_(bound.map->scale.x), scale_y_(bound.map->scale.y),
+          offset_x_(bound.map->offset.x), offset_y_(bound.map->offset.y) {}
 
     // Texel coordinates, in texels: x right from the left edge, y up from the bottom edge.
     HWY_INLINE F32 x(F32 u) const {
@@ -51,8 +54,9 @@ public:
     // Linear light of a texel.
     HWY_INLINE Rgb read(I32 column, I32 row) const {
         const I32 texel = gather(texels_, row + column), code_mask = 255;
-        return {{srgb_decode(texel & code_mask), srgb_decode(shift_right<8>(texel) & code_mask),
-                 srgb_decode(shift_right<16>(texel) & code_mask)}};
+        return {{gather(decode_, texel & code_mask),
+                 gather(decode_, shift_right<8>(texel) & code_mask),
+                 gather(decode_, shift_right<16>(texel) & code_mask)}};
     }
 
 private:
@@ -70,6 +74,7 @@ private:
     }
 
     const std::int32_t* texels_; // image::Rgba8, red in the lowest byte
+    const float* decode_;        // of 256 codes
     std::int32_t width_, height_;
     bool clamp_;
     float scale_x_, scale_y_, offset_x_, offset_y_;

@@ -9,7 +9,6 @@
 namespace scanout::frame {
 namespace {
 
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -36,11 +35,12 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     EXPECT_FALSE(plan_of(facts).attributes.colour);
     EXPECT_TRUE(plan_of(facts).attributes.normal);
     facts.textured_triangles = 3;
+    facts.uv = true;
     EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "texture bilinear", "reflection lambert"));
+                ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
-    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "texture bilinear",
+    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
                                                     "reflection blinn_phong"));
     facts.vertex_colours = true;
     EXPECT_TRUE(plan_of(facts).attributes.colour);
@@ -58,18 +58,21 @@ TEST(Plan, NothingTexturedRunsNoTextureStageWhateverIsAsked) {
         FrameOptions options;
         options.texture = filter;
         for (const std::string& stage : stages(plan_of(facts, options)))
-            EXPECT_THAT(stage, testing::Not(HasSubstr("texture")));
+            EXPECT_THAT(stage, testing::Not(HasSubstr("map")));
+        EXPECT_EQ(plan_of(facts, options).filter, nullptr);
     }
 }
 
 TEST(Plan, RunsWhatTheUserNames) {
     SceneFacts facts;
     facts.triangles = facts.textured_triangles = facts.specular_triangles = 10;
+    facts.uv = true;
     FrameOptions options;
     options.texture = "nearest";
     options.reflection = "lambert";
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "texture nearest", "reflection lambert"));
+                ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
+    EXPECT_EQ(plan_of(facts, options).filter, shade::find_filter("nearest"));
 }
 
 TEST(Plan, GivesAReasonForEveryDecision) {
@@ -78,14 +81,43 @@ TEST(Plan, GivesAReasonForEveryDecision) {
     facts.textured_triangles = 30;
     facts.specular_triangles = 20;
     const FramePlan on = plan_of(facts);
-    EXPECT_THAT(on.reasons, Contains(StartsWith("texture bilinear: 30 of 40 triangles")));
-    EXPECT_THAT(on.reasons, Contains(StartsWith("reflection blinn_phong: 20 of 40 triangles")));
-    EXPECT_THAT(on.reasons, Contains(StartsWith("vertex colours off")));
+    EXPECT_THAT(to_string(*on.decision("texture")),
+                StartsWith("texture bilinear: 30 of 40 triangles"));
+    EXPECT_THAT(to_string(*on.decision("highlight")),
+                StartsWith("highlight blinn_phong: 20 of 40 triangles"));
+    EXPECT_THAT(to_string(*on.decision("vertex_colours")), StartsWith("vertex_colours off"));
     const FramePlan off = plan_of({});
-    EXPECT_THAT(off.reasons, Contains(StartsWith("texture off")));
-    EXPECT_EQ(on.reasons.size(), off.reasons.size());
-    for (const std::string& reason : on.reasons)
-        EXPECT_EQ(reason.find('\n'), std::string::npos);
+    EXPECT_THAT(to_string(*off.decision("texture")), StartsWith("texture off"));
+    EXPECT_EQ(on.decisions.size(), off.decisions.size());
+    EXPECT_EQ(on.decision("nothing"), nullptr);
+    for (const Decision& decision : on.decisions) {
+        EXPECT_EQ(to_string(decision).find('\n'), std::string::npos);
+        EXPECT_EQ(decision.on(), decision.needed);
+        EXPECT_FALSE(decision.forced);
+    }
+}
+
+TEST(Plan, TheUserForcesAnEffectOnOrOff) {
+    SceneFacts facts;
+    facts.triangles = facts.textured_triangles = facts.specular_triangles = 7;
+    facts.uv = true;
+    FrameOptions options;
+    options.effects = {{"texture", false}, {"highlight", true}, {"vertex_colours", true}};
+    const FramePlan forced = plan_of(facts, options);
+    EXPECT_FALSE(forced.decision("texture")->on());
+    EXPECT_TRUE(forced.decision("texture")->forced);
+    EXPECT_TRUE(forced.decision("highlight")->on());
+    EXPECT_FALSE(forced.decision("highlight")->forced); // it would run anyway
+    EXPECT_TRUE(forced.decision("vertex_colours")->on());
+    EXPECT_FALSE(forced.attributes.colour); // there is nothing to fetch
+    EXPECT_FALSE(forced.attributes.uv);
+    EXPECT_THAT(stages(forced), ElementsAre("interpolate perspective", "reflection blinn_phong"));
+    options.effects = {{"fog", true}};
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().exit, Exit::usage);
+    EXPECT_THAT(refused.error().what, HasSubstr("--effect fog=on"));
+    EXPECT_THAT(refused.error().what, HasSubstr("highlight"));
 }
 
 TEST(Plan, IsAPureFunction) {
@@ -96,7 +128,7 @@ TEST(Plan, IsAPureFunction) {
     options.cull = Cull::back;
     const FramePlan a = plan_of(facts, options), b = plan_of(facts, options);
     EXPECT_EQ(a.stages, b.stages);
-    EXPECT_EQ(a.reasons, b.reasons);
+    EXPECT_EQ(a.decisions, b.decisions);
     EXPECT_EQ(a.options.samples, 4);
     EXPECT_EQ(a.options.cull, Cull::back);
 }

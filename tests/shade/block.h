@@ -34,7 +34,7 @@ inline std::unique_ptr<Block> new_block(const scene::Material& material) {
 }
 
 inline const Stage& stage(std::string_view axis, std::string_view name) {
-    const Stage* found = find(axis, name);
+    const Stage* found = find_stage(axis, name);
     EXPECT_NE(found, nullptr) << axis << ' ' << name;
     return *found;
 }
@@ -56,13 +56,15 @@ inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
 // widest register.
 inline void run_stage(std::string_view axis, std::string_view name, Block& block,
                       const FrameState& frame) {
-    const Stage& chosen = stage(axis, name);
+    const Stage& chosen = axis == "texture" ? stage("map", "diffuse") : stage(axis, name);
+    FrameState state = frame;
+    if (axis == "texture") state.filter = find_filter(name);
     const Block before = block;
     const int touched = std::min((block.count + 15) / 16 * 16, kRoom);
     std::unique_ptr<Block> first;
     scanout::test::on_every_target([&](const std::string&) {
         block = before;
-        chosen.run(block, frame);
+        chosen.run(block, state);
         EXPECT_TRUE(same_lanes(block, before, touched, kRoom)) << axis << ' ' << name;
         if (first == nullptr) first = std::make_unique<Block>(block);
         EXPECT_TRUE(same_lanes(block, *first, 0, block.count)) << axis << ' ' << name;

@@ -67,7 +67,7 @@ protected:
             block->run[i] = {&t, i, 1, 0, 0, 0, 0};
         }
         frame.attributes = {true, true, true, false};
-        block->texture = &texture;
+        block->map[kDiffuseMap] = {&texture, &material.map_diffuse};
         stage("interpolate", "perspective").run(*block, frame);
     }
     scene::Material material = scanout::test::plain(Vec3(1));

@@ -31,7 +31,7 @@ scene::Texture noise(int width, int height, std::uint64_t seed) {
 struct Sampler {
     explicit Sampler(const scene::Texture& t, bool clamp = false) : texture(t) {
         material.map_diffuse.clamp = clamp;
-        block->texture = &texture;
+        block->map[kDiffuseMap] = {&texture, &material.map_diffuse};
     }
     // Up to a block of coordinates at once.
     void sample(std::string_view filter, const std::vector<Vec2>& uv) {
@@ -63,8 +63,8 @@ std::vector<Vec2> random_uv(Random& random, double size) {
 
 std::vector<std::string> filters() {
     std::vector<std::string> names;
-    for (const Stage* s : catalogue())
-        if (s->card.axis == "texture") names.emplace_back(s->card.name);
+    for (const Filter* filter : shade::filters())
+        names.emplace_back(filter->card.name);
     return names;
 }
 

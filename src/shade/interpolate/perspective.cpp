@@ -74,7 +74,7 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
 void perspective_run(Block& b, const FrameState& frame) {
     if (!b.lit) return;
     const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
-    const bool uv = frame.attributes.uv && b.texture != nullptr;
+    const bool uv = frame.attributes.uv && b.map[kDiffuseMap].texture != nullptr;
     const float kd[3] = {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z};
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
@@ -107,8 +107,8 @@ constinit const Stage perspective{
      .name = "perspective",
      .blurb = "weights divided by w at every pixel: straight lines stay straight",
      .source = "[A ch.5], Heckbert and Moreton 1991",
-     .kind = Kind::rung,
-     .needs = {}},
+     .kind = Kind::rung},
+    {},
     [](Block& block, const FrameState& frame) {
         SIMD_CALL(perspective_run)
         (block, frame);

@@ -15,9 +15,9 @@ struct Vector {
 };
 
 // max(n.h, 0)^exponent; h from a unit vector to the eye and one to the light.
-HWY_INLINE F32 highlight(const Vector& normal, const Vector& eye, const Vec3& light,
+HWY_INLINE F32 highlight(const Vector& normal, const Vector& eye, const F32 (&light)[3],
                          float exponent) {
-    const F32 hx = eye.x + F32(light.x), hy = eye.y + F32(light.y), hz = eye.z + F32(light.z);
+    const F32 hx = eye.x + light[0], hy = eye.y + light[1], hz = eye.z + light[2];
     const F32 length = sqrt((hx * hx + hy * hy) + hz * hz);
     const F32 dot = (normal.x * hx + normal.y * hy) + normal.z * hz;
     // length 0: the light shines straight into the eye through the surface; no highlight.
@@ -30,7 +30,6 @@ void blinn_phong_run(Block& b, const FrameState& frame) {
     if (!b.lit || !scene::has_highlight(*b.material)) return;
     const Vec3& ks = b.material->specular;
     const float exponent = b.material->shininess;
-    const scene::Light* const lights = frame.lights.data();
     const std::size_t light_count = frame.lights.size();
     const F32 zero = 0.0F;
     for (int i = 0; i < b.count; i += kLanes) {
@@ -43,11 +42,11 @@ void blinn_phong_run(Block& b, const FrameState& frame) {
         F32 red = load<F32>(b.colour[0] + i), green = load<F32>(b.colour[1] + i),
             blue = load<F32>(b.colour[2] + i);
         for (std::size_t k = 0; k < light_count; ++k) {
-            const scene::Light& l = lights[k];
+            const Light l = light_at(b, frame, k, i);
             const F32 bright = highlight(normal, eye, l.towards, exponent);
-            red = red + F32(l.colour.x * ks.x) * bright;
-            green = green + F32(l.colour.y * ks.y) * bright;
-            blue = blue + F32(l.colour.z * ks.z) * bright;
+            red = red + (l.colour[0] * F32(ks.x)) * bright;
+            green = green + (l.colour[1] * F32(ks.y)) * bright;
+            blue = blue + (l.colour[2] * F32(ks.z)) * bright;
         }
         store(red, b.colour[0] + i);
         store(green, b.colour[1] + i);
@@ -68,8 +67,8 @@ constinit const Stage blinn_phong{
      .name = "blinn_phong",
      .blurb = "Lambert plus a highlight where the half vector meets the normal",
      .source = "Blinn 1977, [A 11.1]",
-     .kind = Kind::model,
-     .needs = {.normal = true, .ray = true}},
+     .kind = Kind::model},
+    {.normal = true, .ray = true},
     [](Block& block, const FrameState& frame) {
         SIMD_CALL(blinn_phong_run)
         (block, frame);

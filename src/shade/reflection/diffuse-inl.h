@@ -6,13 +6,12 @@
 #define SCANOUT_SHADE_DIFFUSE_INL_H
 #endif
 
-#include "shade/stage.h"
+#include "shade/reflection/light-inl.h"
 
 SIMD_BEGIN(scanout::shade::reflection)
 
 // Sets b.colour; lines and points get their plain albedo.
 HWY_INLINE void diffuse(Block& b, const FrameState& frame) {
-    const scene::Light* const lights = frame.lights.data();
     const std::size_t light_count = b.lit ? frame.lights.size() : 0;
     const F32 ambient = b.lit ? scene::kAmbient : 1.0F;
     for (int i = 0; i < b.count; i += kLanes) {
@@ -20,13 +19,12 @@ HWY_INLINE void diffuse(Block& b, const FrameState& frame) {
                   nz = load<F32>(b.normal[2] + i);
         F32 red = ambient, green = ambient, blue = ambient;
         for (std::size_t k = 0; k < light_count; ++k) {
-            const scene::Light& l = lights[k];
-            const F32 cosine =
-                (nx * F32(l.towards.x) + ny * F32(l.towards.y)) + nz * F32(l.towards.z);
+            const Light l = light_at(b, frame, k, i);
+            const F32 cosine = (nx * l.towards[0] + ny * l.towards[1]) + nz * l.towards[2];
             const F32 facing = maximum(cosine, F32(0.0F));
-            red = red + F32(l.colour.x) * facing;
-            green = green + F32(l.colour.y) * facing;
-            blue = blue + F32(l.colour.z) * facing;
+            red = red + l.colour[0] * facing;
+            green = green + l.colour[1] * facing;
+            blue = blue + l.colour[2] * facing;
         }
         store(load<F32>(b.albedo[0] + i) * red, b.colour[0] + i);
         store(load<F32>(b.albedo[1] + i) * green, b.colour[1] + i);

@@ -25,8 +25,8 @@ constinit const Stage lambert{{.axis = "reflection",
                                .name = "lambert",
                                .blurb = "matt: light by the cosine of its angle",
                                .source = "Lambert 1760, [A 11.1]",
-                               .kind = Kind::model,
-                               .needs = {.normal = true}},
+                               .kind = Kind::model},
+                              {.normal = true},
                               [](Block& block, const FrameState& frame) {
                                   SIMD_CALL(lambert_run)(block, frame);
                               }};

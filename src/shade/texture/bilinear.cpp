@@ -14,9 +14,8 @@ HWY_INLINE F32 mix(F32 share, F32 from, F32 to) {
     return from + share * (to - from);
 }
 
-void bilinear_run(Block& b, const FrameState&) {
-    if (b.texture == nullptr) return;
-    const TexelReader reader(b.texture->image, b.material->map_diffuse);
+void bilinear_sample(Block& b, const BoundMap& map, TexelKind kind) {
+    const TexelReader reader(map, kind);
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)) - F32(0.5F);
         const F32 y = reader.y(load<F32>(b.v + i)) - F32(0.5F);
@@ -29,7 +28,7 @@ void bilinear_run(Block& b, const FrameState&) {
         for (int c = 0; c < 3; ++c) {
             const F32 lower = mix(fx, t00.channel[c], t10.channel[c]);
             const F32 upper = mix(fx, t01.channel[c], t11.channel[c]);
-            store(load<F32>(b.albedo[c] + i) * mix(fy, lower, upper), b.albedo[c] + i);
+            store(mix(fy, lower, upper), b.sampled[c] + i);
         }
     }
 }
@@ -39,18 +38,18 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade::texture {
 
-SIMD_REGISTER(bilinear_run);
+SIMD_REGISTER(bilinear_sample);
 
-extern const Stage bilinear;
-constinit const Stage bilinear{{.axis = "texture",
-                                .name = "bilinear",
-                                .blurb = "four texels, weighted by overlap, in linear light",
-                                .source = "Heckbert 1989, [A 3.3]",
-                                .kind = Kind::rung,
-                                .needs = {.uv = true}},
-                               [](Block& block, const FrameState& frame) {
-                                   SIMD_CALL(bilinear_run)(block, frame);
-                               }};
+extern const Filter bilinear;
+constinit const Filter bilinear{{.axis = "texture",
+                                 .name = "bilinear",
+                                 .blurb = "four texels, weighted by overlap, in linear light",
+                                 .source = "Heckbert 1989, [A 3.3]",
+                                 .kind = Kind::rung},
+                                {.uv = true},
+                                [](Block& block, const BoundMap& map, TexelKind kind) {
+                                    SIMD_CALL(bilinear_sample)(block, map, kind);
+                                }};
 
 } // namespace scanout::shade::texture
 #endif

@@ -8,14 +8,13 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
-void nearest_run(Block& b, const FrameState&) {
-    if (b.texture == nullptr) return;
-    const TexelReader reader(b.texture->image, b.material->map_diffuse);
+void nearest_sample(Block& b, const BoundMap& map, TexelKind kind) {
+    const TexelReader reader(map, kind);
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
         const Rgb texel = reader.read(reader.column(floor_to_int(x)), reader.row(floor_to_int(y)));
         for (int c = 0; c < 3; ++c)
-            store(load<F32>(b.albedo[c] + i) * texel.channel[c], b.albedo[c] + i);
+            store(texel.channel[c], b.sampled[c] + i);
     }
 }
 
@@ -24,18 +23,18 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade::texture {
 
-SIMD_REGISTER(nearest_run);
+SIMD_REGISTER(nearest_sample);
 
-extern const Stage nearest;
-constinit const Stage nearest{{.axis = "texture",
-                               .name = "nearest",
-                               .blurb = "the texel that the sample falls into",
-                               .source = "[A 3.3]",
-                               .kind = Kind::rung,
-                               .needs = {.uv = true}},
-                              [](Block& block, const FrameState& frame) {
-                                  SIMD_CALL(nearest_run)(block, frame);
-                              }};
+extern const Filter nearest;
+constinit const Filter nearest{{.axis = "texture",
+                                .name = "nearest",
+                                .blurb = "the texel that the sample falls into",
+                                .source = "[A 3.3]",
+                                .kind = Kind::rung},
+                               {.uv = true},
+                               [](Block& block, const BoundMap& map, TexelKind kind) {
+                                   SIMD_CALL(nearest_sample)(block, map, kind);
+                               }};
 
 } // namespace scanout::shade::texture
 #endif

@@ -1,0 +1,22 @@
+// What a technique says about itself: one file, one name, one of these (src/techniques.h).
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+namespace scanout {
+
+enum class Kind : std::uint8_t {
+    rung,   // has an error against the reference; ordered on its axis, cheapest first
+    effect, // its neutral element changes no bit
+    model   // a choice; not ordered
+};
+
+struct Technique {
+    std::string_view axis, name;
+    std::string_view blurb;  // one line
+    std::string_view source; // whose it is: paper, or chapter of a document
+    Kind kind = Kind::model;
+};
+
+} // namespace scanout

@@ -1,0 +1,39 @@
+// map_Kd: the material's diffuse colour times the texture's. [A 11.2], [C 9].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/map/diffuse.cpp"
+#include "simd/for_each_target.h"
+
+#include "simd/lanes-inl.h"
+
+SIMD_BEGIN(scanout::shade::map)
+
+void diffuse_run(Block& b) {
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < b.count; i += kLanes)
+            store(load<F32>(b.albedo[c] + i) * load<F32>(b.sampled[c] + i), b.albedo[c] + i);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::map {
+
+SIMD_REGISTER(diffuse_run);
+
+extern const Stage diffuse;
+constinit const Stage diffuse{{.axis = "map",
+                               .name = "diffuse",
+                               .blurb = "map_Kd: the diffuse colour times a texture",
+                               .source = "[A 11.2], [C 9]",
+                               .kind = Kind::effect},
+                              {.uv = true},
+                              [](Block& block, const FrameState& frame) {
+                                  const BoundMap& map = block.map[kDiffuseMap];
+                                  if (map.texture == nullptr) return;
+                                  frame.filter->sample(block, map, TexelKind::colour);
+                                  SIMD_CALL(diffuse_run)(block);
+                              }};
+
+} // namespace scanout::shade::map
+#endif

@@ -1,0 +1,33 @@
+#include "frame/techniques.h"
+#include "techniques.h"
+
+#include <set>
+
+#include <gtest/gtest.h>
+
+namespace scanout::frame {
+namespace {
+
+TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
+#define SCANOUT_NAME(name) #name,
+    const std::pair<std::string_view, std::vector<std::string_view>> axes[] = {
+        {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
+        {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
+        {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}}};
+#undef SCANOUT_NAME
+    std::set<std::pair<std::string_view, std::string_view>> table;
+    for (const auto& [axis, names] : axes)
+        for (const std::string_view name : names)
+            EXPECT_TRUE(table.emplace(axis, name).second) << axis << ' ' << name;
+    for (const Technique* t : techniques()) {
+        EXPECT_EQ(table.erase({t->axis, t->name}), 1U) << t->axis << ' ' << t->name;
+        EXPECT_FALSE(t->blurb.empty()) << t->name;
+        EXPECT_FALSE(t->source.empty()) << t->name;
+    }
+    for (const auto& [axis, name] : table)
+        ADD_FAILURE() << axis << ' ' << name << " is not listed";
+}
+
+} // namespace
+} // namespace scanout::frame
