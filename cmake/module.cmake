@@ -17,7 +17,7 @@ target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
 # compared on it. Arm's scalable vectors have no size, so no lane type can hold one (simd/lanes-inl.h).
 # Sanitized builds leave out targets that others stand for: kernels are the longest to compile.
 set(without_targets "HWY_SVE|HWY_SVE2|HWY_SVE_256|HWY_SVE2_128")
-if(SCANOUT_SANITIZE)
+if(SCANOUT_SANITIZE OR SCANOUT_FEW_TARGETS)
   string(APPEND without_targets "|HWY_SSSE3|HWY_SSE4|HWY_AVX3")
 endif()
 target_compile_definitions(scanout_flags INTERFACE HWY_COMPILE_ALL_ATTAINABLE
