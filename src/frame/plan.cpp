@@ -33,26 +33,6 @@ Result<void> check_size(const FrameOptions& o) {
 
 } // namespace
 
-SceneFacts facts(const scene::Scene& scene) {
-    SceneFacts facts;
-    const geom::Mesh& mesh = scene.mesh;
-    facts.triangles = mesh.triangles();
-    facts.lines = mesh.lines();
-    facts.points = mesh.points();
-    facts.uv = !mesh.uv.empty();
-    facts.vertex_colours = !mesh.colour.empty();
-    std::vector<std::size_t> uses(scene.materials.size(), 0);
-    for (const std::int32_t material : mesh.material)
-        if (material >= 0) ++uses[static_cast<std::size_t>(material)];
-    for (std::size_t i = 0; i < uses.size(); ++i) {
-        const scene::Material& material = scene.materials[i];
-        if (material.map_diffuse.texture >= 0 && !mesh.uv.empty())
-            facts.textured_triangles += uses[i];
-        if (has_highlight(material)) facts.specular_triangles += uses[i];
-    }
-    return facts;
-}
-
 const Decision* FramePlan::decision(std::string_view effect) const {
     const auto found = std::find_if(decisions.begin(), decisions.end(),
                                     [&](const Decision& d) { return d.effect == effect; });

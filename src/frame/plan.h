@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/result.h"
+#include "frame/facts.h"
 #include "frame/options.h"
-#include "scene/scene.h"
 #include "shade/stage.h"
 
 #include <string>
@@ -12,16 +12,6 @@
 #include <vector>
 
 namespace scanout::frame {
-
-// Justified by the data, counted once when a model is loaded.
-struct SceneFacts {
-    std::size_t triangles = 0, lines = 0, points = 0;
-    std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
-    std::size_t specular_triangles = 0; // material has a highlight
-    bool uv = false;                    // some face has texture coordinates
-    bool vertex_colours = false;
-};
-SceneFacts facts(const scene::Scene& scene);
 
 // One row of the plan: what runs, and the fact that decides it.
 struct Decision {

@@ -40,8 +40,8 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
                 ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
-    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
-                                                    "reflection blinn_phong"));
+    EXPECT_THAT(stages(plan_of(facts)),
+                ElementsAre("interpolate perspective", "map diffuse", "reflection blinn_phong"));
     facts.vertex_colours = true;
     EXPECT_TRUE(plan_of(facts).attributes.colour);
     // Lines and points are unlit: nothing is fetched for them but their colour.
@@ -183,6 +183,11 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     EXPECT_EQ(all.points, 1U);
     EXPECT_EQ(all.textured_triangles, 6U);
     EXPECT_EQ(all.specular_triangles, 2U); // Ns 0 is no highlight
+    // The last stands for what has no material.
+    EXPECT_THAT(all.materials_of.at("texture"),
+                ElementsAre(false, true, false, false, false, false));
+    EXPECT_THAT(all.materials_of.at("highlight"),
+                ElementsAre(false, false, true, false, false, false));
     EXPECT_FALSE(all.vertex_colours);
     scene.mesh.uv.clear(); // a texture without coordinates shows nothing
     EXPECT_EQ(facts(scene).textured_triangles, 0U);

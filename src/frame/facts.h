@@ -1,0 +1,31 @@
+// Facts about a scene, justified by its data and not by its file's words: what the plan decides
+// from. Counted once when a model is loaded.
+#pragma once
+
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scanout::frame {
+
+// Materials by index. Primitives without a material count as one of their own, the last.
+using MaterialSet = std::vector<bool>;
+
+struct SceneFacts {
+    std::size_t triangles = 0, lines = 0, points = 0;
+    std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
+    std::size_t specular_triangles = 0; // material has a highlight
+    bool uv = false;                    // some face has texture coordinates
+    bool vertex_colours = false;
+
+    // The effects that are a matter of the material, by their name in the plan: which materials
+    // call for them. `explain` counts the pixels that show one of these.
+    std::map<std::string, MaterialSet, std::less<>> materials_of;
+};
+SceneFacts facts(const scene::Scene& scene);
+
+} // namespace scanout::frame
