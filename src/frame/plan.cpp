@@ -64,11 +64,13 @@ public:
         const shade::Stage* found = shade::find_stage(axis, name);
         CHECK(found != nullptr);
         plan_.stages.push_back(found);
+        plan_.techniques.push_back(&found->card);
         plan_.attributes = plan_.attributes | found->needs;
     }
     void filter(std::string_view name) {
         plan_.filter = shade::find_filter(name);
         CHECK(plan_.filter != nullptr);
+        plan_.techniques.push_back(&plan_.filter->card);
         plan_.attributes = plan_.attributes | plan_.filter->needs;
     }
 

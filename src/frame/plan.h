@@ -27,6 +27,8 @@ std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 
 
 struct FramePlan {
     FrameOptions options;
+    // Every technique that runs, in the order in which it was decided; no other one does.
+    std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation first, reflection last.
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;          // what has to be fetched for a block

@@ -106,7 +106,8 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
 }
 
 const image::Image& Renderer::render(const scene::Scene& scene, const scene::View& view,
-                                     const FramePlan& plan, Visibility* visibility, int tile_size) {
+                                     const FramePlan& plan, Visibility* visibility, int tile_size,
+                                     shade::LinearPicture* linear) {
     State& s = *state_;
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
@@ -118,7 +119,9 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const double geometry_ms = total.milliseconds();
 
     const shade::FrameState frame = frame_state(view, plan);
-    const shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
+    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
+    if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
+    in.linear = linear;
     for (Worker& worker : s.workers)
         worker.lanes = 0;
     if (visibility != nullptr) {

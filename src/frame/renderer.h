@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "scene/scene.h"
 #include "scene/view.h"
+#include "shade/linear_picture.h"
 
 #include <cstdint>
 #include <memory>
@@ -39,7 +40,7 @@ public:
     // it.
     const image::Image& render(const scene::Scene& scene, const scene::View& view,
                                const FramePlan& plan, Visibility* visibility = nullptr,
-                               int tile_size = 64);
+                               int tile_size = 64, shade::LinearPicture* linear = nullptr);
     const FrameStats& stats() const;
 
 private:

@@ -145,6 +145,7 @@ void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInpu
         stage->run(b, *in.frame);
         check_lanes(b, *in.frame, *stage);
     }
+    if (in.linear != nullptr) keep_linear(tile, *in.linear);
     std::array<std::uint32_t, kRoom> code;
     encode_pixels(b.colour[0], b.colour[1], b.colour[2], b.count, code.data());
     const float share = 1.0F / static_cast<float>(tile.samples());
@@ -164,6 +165,20 @@ void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInpu
     }
     pieces_.clear();
     b.count = b.runs = 0;
+}
+
+// Adds the block's lanes; pixels that fragments share are summed in the order of their blocks.
+void Gatherer::keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const {
+    for (const Piece& piece : pieces_) {
+        const float weight = static_cast<float>(piece.weight) / static_cast<float>(tile.samples());
+        for (int k = 0; k < piece.count; ++k) {
+            std::array<float, 4>& pixel = linear.at(tile.area().x0 + piece.pixel % kTileSize + k,
+                                                    tile.area().y0 + piece.pixel / kTileSize);
+            for (std::size_t c = 0; c < 3; ++c)
+                pixel[c] += block_->colour[c][piece.lane + k] * weight;
+            pixel[3] += weight;
+        }
+    }
 }
 
 void Gatherer::resolve_shared(const raster::VisibilityTile& tile, const GatherInput& in,

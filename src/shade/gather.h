@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "raster/geometry.h"
 #include "raster/tile.h"
+#include "shade/linear_picture.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
 #include "shade/stage.h"
@@ -30,6 +31,7 @@ struct GatherInput {
     bool mirrored = false;
     Rays rays;
     image::Rgba8 background{};
+    LinearPicture* linear = nullptr; // also kept there
 };
 
 // One a worker: the block and the lists live from tile to tile.
@@ -52,6 +54,7 @@ private:
                  const Primitive& primitive);
     void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
                       image::Image& picture);
+    void keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const;
     void resolve_shared(const raster::VisibilityTile& tile, const GatherInput& input,
                         image::Image& picture);
 

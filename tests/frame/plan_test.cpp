@@ -20,6 +20,13 @@ std::vector<std::string> stages(const FramePlan& plan) {
     return names;
 }
 
+std::vector<std::string> techniques(const FramePlan& plan) {
+    std::vector<std::string> names;
+    for (const Technique* technique : plan.techniques)
+        names.push_back(std::string(technique->axis) + " " + std::string(technique->name));
+    return names;
+}
+
 FramePlan plan_of(const SceneFacts& facts, const FrameOptions& options = {}) {
     auto result = plan(options, facts);
     EXPECT_TRUE(result) << result.error().what;
@@ -38,6 +45,9 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     facts.uv = true;
     EXPECT_THAT(stages(plan_of(facts)),
                 ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
+    EXPECT_THAT(techniques(plan_of(facts)),
+                ElementsAre("interpolate perspective", "texture bilinear", "map diffuse",
+                            "reflection lambert"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
     EXPECT_THAT(stages(plan_of(facts)),

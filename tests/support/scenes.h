@@ -29,6 +29,7 @@ struct DrawOptions {
     int threads = 1, tile_size = 64;
     frame::FrameStats* stats = nullptr;
     frame::Visibility* visibility = nullptr;
+    shade::LinearPicture* linear = nullptr;
 };
 
 inline image::Image draw(const Shot& shot, const DrawOptions& options = {}) {
@@ -40,8 +41,8 @@ inline image::Image draw(const Shot& shot, const DrawOptions& options = {}) {
     if (!view || !plan) return {};
     Jobs jobs(options.threads);
     frame::Renderer renderer(jobs);
-    image::Image picture =
-        renderer.render(shot.scene, *view, *plan, options.visibility, options.tile_size);
+    image::Image picture = renderer.render(shot.scene, *view, *plan, options.visibility,
+                                           options.tile_size, options.linear);
     if (options.stats != nullptr) *options.stats = renderer.stats();
     return picture;
 }
