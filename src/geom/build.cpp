@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "geom/framing.h"
 #include "geom/join_table.h"
+#include "geom/line_faces.h"
 #include "geom/normals.h"
 #include "geom/triangulate.h"
 
@@ -319,6 +320,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
         builder.add_points();
         builder.make_vertices();
     }
+    find_line_faces(result.mesh);
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);
     warn_of(result.skipped_points, "points", name, warnings);

@@ -5,10 +5,26 @@
 
 #include "math/vec.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scanout::geom {
+
+// For every line segment the faces that it lies on, each by its first triangle. Segments between
+// the same two places share a list. Empty when no line lies on a face.
+struct LineFaces {
+    std::vector<std::uint32_t> list;     // one a segment
+    std::vector<std::uint32_t> begin;    // of each list in `triangle`, and the end of the last
+    std::vector<std::uint32_t> triangle; // ascending in each list
+
+    std::span<const std::uint32_t> of(std::size_t segment) const {
+        if (list.empty()) return {};
+        const std::size_t i = list[segment];
+        return std::span(triangle).subspan(begin[i], begin[i + 1] - begin[i]);
+    }
+};
 
 struct Mesh {
     // Vertices, one entry each. normal is of unit length. uv and colour are empty when no face has
@@ -25,7 +41,8 @@ struct Mesh {
 
     std::vector<std::uint32_t> line_index;   // two vertex indices a segment
     std::vector<std::int32_t> line_material; // one a segment
-    std::vector<std::uint32_t> point_index;  // one vertex index a point
+    LineFaces line_faces;
+    std::vector<std::uint32_t> point_index; // one vertex index a point
     std::vector<std::int32_t> point_material;
 
     // The framing sphere: about the middle of the bounding box of the vertices that something uses

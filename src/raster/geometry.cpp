@@ -51,6 +51,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     cull_ = {width_, height_, options.keep, options.mirrored,
              extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
+    transform_ = transform;
     CHECK_LE(mesh.position.size(), kMostVertices);
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
@@ -209,13 +210,26 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
             if (count == ready.size()) flush();
         }
         flush();
-        for (const std::uint32_t i : bin.segments)
-            out.draw(batch.segments[i]);
-        for (const std::uint32_t i : bin.points)
-            out.draw(batch.points[i]);
     }
+    if (mesh_->lines() > 0 || mesh_->points() > 0) draw_on_ground(tile, out);
     for (int sample = 0; sample < out.samples(); ++sample)
         check_lanes(out.depths(sample));
+}
+
+void Geometry::draw_on_ground(int tile, VisibilityTile& out) const {
+    const auto at = static_cast<std::size_t>(tile);
+    const auto bare = [&](const Batch& batch) {
+        return batch.bins[at].segments.empty() && batch.bins[at].points.empty();
+    };
+    if (std::all_of(batches_.begin(), batches_.end(), bare)) return;
+    out.keep_ground();
+    const Ground ground(*mesh_, vertices_, *transform_);
+    for (const Batch& batch : batches_) {
+        for (const std::uint32_t i : batch.bins[at].segments)
+            out.draw(batch.segments[i], ground);
+        for (const std::uint32_t i : batch.bins[at].points)
+            out.draw(batch.points[i], ground);
+    }
 }
 
 std::uint64_t Geometry::triangles_drawn() const {

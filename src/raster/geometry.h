@@ -63,12 +63,14 @@ private:
     std::uint32_t flags(const Task& task, std::uint32_t vertex) const;
     void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
     void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
+    void draw_on_ground(int tile, VisibilityTile& out) const;
     template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 
     int width_ = 0, height_ = 0, across_ = 0, down_ = 0, tile_size_ = kTileSize;
     CullOptions cull_;
-    const geom::Mesh* mesh_ = nullptr; // of the last run
+    const geom::Mesh* mesh_ = nullptr;         // of the last run
+    std::optional<ScreenTransform> transform_; // likewise
     std::vector<ScreenVertex> vertices_;
     std::vector<Batch> batches_;
 };

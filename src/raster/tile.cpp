@@ -1,6 +1,7 @@
 #include "raster/tile.h"
 
 #include "raster/coverage.h"
+#include "raster/depth_bias.h"
 #include "raster/screen.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ void VisibilityTile::reset(const image::Rect& area, int samples) {
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     depth_.assign(size, 0.0F);
     id_.assign(size + 16, kNoPrimitive);
+    ground_depth_.clear();
+    ground_id_.clear();
 }
 
 image::Rect VisibilityTile::inside(const image::Rect& r) const {
@@ -27,10 +30,10 @@ void VisibilityTile::draw(std::span<const Triangle> triangles) {
     touched_ |= draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
 }
 
-void VisibilityTile::put_pixel(int x, int y, float depth, std::uint32_t id) {
-    if (x < area_.x0 || x >= area_.x1 || y < area_.y0 || y >= area_.y1) return;
-    for (int s = 0; s < samples_; ++s)
-        put(offset(x, y, s), depth, id);
+void VisibilityTile::keep_ground() {
+    const std::size_t size = kPlane * static_cast<std::size_t>(samples_);
+    ground_depth_.assign(depth_.begin(), depth_.begin() + static_cast<std::ptrdiff_t>(size));
+    ground_id_.assign(id_.begin(), id_.begin() + static_cast<std::ptrdiff_t>(size));
 }
 
 namespace {
@@ -39,26 +42,74 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
     return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// Lines lie on the surfaces that they outline: they come forward by the line's own slope across one
-// pixel and a few steps of the depth's precision (HARD-CASES R19).
-float line_depth(double depth, double slope_per_pixel) {
-    return static_cast<float>(depth + (slope_per_pixel + depth * 0x1p-19));
+// In front of what lies at this depth by no more than 2 r (HARD-CASES 17).
+float forward(double depth) {
+    const auto z = static_cast<float>(depth);
+    return static_cast<float>(double{z} + depth_bias({.constant = 2}, z, 0));
+}
+
+// How far behind a triangle that it does not belong to a line may be and still be seen: both were
+// snapped by up to 1/512 pixel in x and in y, and the triangle's plane is carried beyond its edge.
+// Never more than the triangle's own extent in depth, be it seen edge-on.
+double slack(const DepthSlope& slope, float depth) {
+    const double steepest = std::max(std::abs(slope.per_x), std::abs(slope.per_y)),
+                 most = slope.highest - slope.lowest + 2 * depth_step(depth);
+    return depth_bias({.constant = 2, .slope_scale = 1.0 / 64, .clamp = most}, depth, steepest);
 }
 
 } // namespace
 
+// The depth of a line is known on the line, that of the ground at samples up to a pixel beside it:
+// so the ground's depth is carried over to the line along the triangle's own plane, and no slope,
+// however steep, hides a line that lies on the triangle or shows one behind it. A triangle is
+// nowhere nearer or farther than its corners: there the plane ends.
+void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under& under) {
+    if (f.x < area_.x0 || f.x >= area_.x1 || f.y < area_.y0 || f.y >= area_.y1) return;
+    for (int s = 0; s < samples_; ++s) {
+        const std::size_t at = offset(f.x, f.y, s);
+        const std::uint32_t triangle = ground_id_.empty() ? kNoPrimitive : ground_id_[at];
+        if (triangle == kNoPrimitive) {
+            put(at, forward(f.depth), f.id);
+            continue;
+        }
+        if (triangle != under.triangle) {
+            under = {triangle, ground.contact(triangle, f.id), {}};
+            if (under.contact != Ground::Contact::holds) under.slope = ground.slope(triangle);
+        }
+        const float there = ground_depth_[at];
+        double height = 0; // of the line above the triangle
+        if (under.contact != Ground::Contact::holds) {
+            const SampleOffset sample = pattern_[static_cast<std::size_t>(s)];
+            const double dx = f.at_x - (f.x + sample.x / double{kSubpixel}),
+                         dy = f.at_y - (f.y + sample.y / double{kSubpixel});
+            const DepthSlope& slope = under.slope;
+            const double carried = double{there} + (slope.per_x * dx + slope.per_y * dy);
+            height = f.depth - std::clamp(carried, slope.lowest, slope.highest);
+            const bool behind = height < -slack(slope, there);
+            // The next triangle of the line's own surface hides what is behind it, but not what
+            // is beside it.
+            if (behind &&
+                (under.contact == Ground::Contact::none || ground.covers(triangle, f.at_x, f.at_y)))
+                continue;
+        }
+        put(at, forward(double{there} + std::max(height, 0.0)), f.id);
+    }
+}
+
 // One pixel for every pixel centre that the line passes on its longer axis, both ends included; the
 // pixel on the other axis by exact division. [A 2.1], [C 4.1]: Bresenham's pixels in closed form,
 // so that no error adds up and any part of a line can be drawn alone.
-void VisibilityTile::draw(const Segment& s) {
+void VisibilityTile::draw(const Segment& s, const Ground& ground) {
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
     if (box.empty()) return;
+    Under under;
     const std::int64_t dx = std::int64_t{s.x[1]} - s.x[0], dy = std::int64_t{s.y[1]} - s.y[0];
     const bool along_x = std::abs(dx) >= std::abs(dy);
     const std::int64_t length = along_x ? std::abs(dx) : std::abs(dy);
     if (length == 0) {
-        put_pixel(s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits,
-                  line_depth(std::max(s.depth[0], s.depth[1]), 0), s.id);
+        put_fragment({s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits, s.x[0] / double{kSubpixel},
+                      s.y[0] / double{kSubpixel}, std::max(s.depth[0], s.depth[1]), s.id},
+                     ground, under);
         return;
     }
     // Walk from the end with the lower coordinate, whichever the file names first.
@@ -66,8 +117,6 @@ void VisibilityTile::draw(const Segment& s) {
     const auto& minor = along_x ? s.y : s.x;
     const std::size_t lo = major[0] <= major[1] ? 0 : 1, hi = 1 - lo;
     const std::int64_t rise = std::int64_t{minor[hi]} - minor[lo];
-    const double slope =
-        std::abs(s.depth[1] - s.depth[0]) * kSubpixel / static_cast<double>(length);
     const int first = along_x ? box.x0 : box.y0, last = along_x ? box.x1 : box.y1;
     for (int pixel = first; pixel < last; ++pixel) {
         const std::int64_t along = std::int64_t{pixel} * kSubpixel + kSubpixel / 2 - major[lo];
@@ -75,15 +124,22 @@ void VisibilityTile::draw(const Segment& s) {
         const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
         const auto other = static_cast<int>(across >> kSubpixelBits);
         const double share = static_cast<double>(along) / static_cast<double>(length);
-        const float depth = line_depth(s.depth[lo] * (1 - share) + s.depth[hi] * share, slope);
-        put_pixel(along_x ? pixel : other, along_x ? other : pixel, depth, s.id);
+        const double middle = pixel + 0.5;
+        const double beside = (minor[lo] + static_cast<double>(rise) * share) / kSubpixel;
+        const double depth = s.depth[lo] * (1 - share) + s.depth[hi] * share;
+        if (along_x)
+            put_fragment({pixel, other, middle, beside, depth, s.id}, ground, under);
+        else
+            put_fragment({other, pixel, beside, middle, depth, s.id}, ground, under);
     }
 }
 
-void VisibilityTile::draw(const Point& p) {
+void VisibilityTile::draw(const Point& p, const Ground& ground) {
     const image::Rect box = inside(pixel_bounds(p, area_.x1, area_.y1));
     if (box.empty()) return;
-    put_pixel(box.x0, box.y0, static_cast<float>(p.depth + p.depth * 0x1p-19), p.id);
+    Under under;
+    put_fragment({box.x0, box.y0, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id},
+                 ground, under);
 }
 
 } // namespace scanout::raster

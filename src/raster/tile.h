@@ -3,6 +3,7 @@
 #pragma once
 
 #include "raster/coverage.h"
+#include "raster/ground.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
 
@@ -19,8 +20,11 @@ public:
 
     void draw(std::span<const Triangle> triangles);
     void draw(const Triangle& triangle) { draw(std::span(&triangle, 1)); }
-    void draw(const Segment& segment);
-    void draw(const Point& point);
+    // What is drawn so far, all triangles, is the ground: lines and points that follow are held
+    // against it, not against each other's pixels, so that their order does not matter.
+    void keep_ground();
+    void draw(const Segment& segment, const Ground& ground = {});
+    void draw(const Point& point, const Ground& ground = {});
 
     const image::Rect& area() const { return area_; }
     int samples() const { return samples_; }
@@ -54,7 +58,19 @@ private:
             touched_ = true;
         }
     }
-    void put_pixel(int x, int y, float depth, std::uint32_t id);
+    // A pixel of a line or point: the pixel, the place on the line that stands for it, in pixels,
+    // and the depth there.
+    struct Fragment {
+        int x, y;
+        double at_x, at_y, depth;
+        std::uint32_t id;
+    };
+    struct Under { // the last triangle of the ground that was asked about
+        std::uint32_t triangle = kNoPrimitive;
+        Ground::Contact contact = Ground::Contact::none;
+        DepthSlope slope;
+    };
+    void put_fragment(const Fragment& fragment, const Ground& ground, Under& under);
 
     image::Rect area_;
     int samples_ = 1;
@@ -62,6 +78,8 @@ private:
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
+    std::vector<float> ground_depth_; // empty until lines or points come
+    std::vector<std::uint32_t> ground_id_;
 };
 
 } // namespace scanout::raster

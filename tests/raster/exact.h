@@ -68,6 +68,7 @@ inline void add_triangle(geom::Mesh& mesh, const std::array<Vec3, 3>& v) {
         mesh.normal.emplace_back(0, 0, 1);
     }
     mesh.material.push_back(-1);
+    mesh.face.push_back(static_cast<std::uint32_t>(mesh.face.size()));
 }
 
 // The whole picture by the geometry stage, a copy of its planes.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frame/renderer.h"
+#include "geom/line_faces.h"
 #include "support/meshes.h"
 #include "support/random.h"
 
@@ -129,6 +130,19 @@ inline Shot wires(std::string name) {
     return s;
 }
 
+// Solids with their triangles' edges drawn over them, some of which lie on the far side.
+inline Shot edges(std::string name) {
+    Shot s = solids(std::move(name));
+    s.scene.materials.push_back(plain(Vec3(0.02F)));
+    geom::Mesh& mesh = s.scene.mesh;
+    for (std::size_t i = 0; i < mesh.index.size(); ++i) {
+        const std::uint32_t from = mesh.index[i], to = mesh.index[i % 3 == 2 ? i - 2 : i + 1];
+        if (from < to) add_line(mesh, from, to, 2);
+    }
+    geom::find_line_faces(mesh);
+    return s;
+}
+
 // A checkered floor that runs under and behind the eye.
 inline Shot near_clip(std::string name) {
     Shot s = shot(std::move(name));
@@ -160,6 +174,7 @@ inline std::vector<Shot> golden_shots() {
     shots.push_back(solids("orthographic"));
     shots.back().camera.projection = scene::Projection::orthographic;
     shots.push_back(wires("lines_and_points"));
+    shots.push_back(edges("lines_on_faces"));
     shots.push_back(solids("samples_8"));
     shots.back().options.samples = 8;
     return shots;

@@ -1,0 +1,21 @@
+// Depth bias: how far a primitive is moved towards the eye so that it is seen on the surface that
+// it lies on (HARD-CASES R19: Direct3D 11.3 functional specification 15.10, Vulkan "Depth Bias").
+#pragma once
+
+namespace scanout::raster {
+
+struct DepthBias {
+    double constant = 0;    // steps of the depth's precision
+    double slope_scale = 0; // pixels
+    double clamp = 0;       // > 0: at most, < 0: at least, 0: no bound
+};
+
+// The step r = 2^(exponent of depth - 23), the distance to the next float.
+double depth_step(float depth);
+
+// constant * r + slope_scale * max_slope, then clamped. max_depth: the largest |depth| of the
+// primitive; max_slope: the larger of |dz/dx| and |dz/dy|, a pixel. A slope_scale of 0 makes no
+// term, whatever the slope: 0 * infinity is not a depth.
+double depth_bias(const DepthBias& bias, float max_depth, double max_slope);
+
+} // namespace scanout::raster
