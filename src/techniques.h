@@ -5,4 +5,5 @@
 #define SCANOUT_INTERPOLATE(X) X(perspective)
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
 #define SCANOUT_MAP(X) X(diffuse)
+#define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
 #define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)

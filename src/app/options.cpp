@@ -1,5 +1,6 @@
 #include "app/options.h"
 
+#include "app/light_spec.h"
 #include "app/nearest.h"
 #include "app/values.h"
 #include "simd/targets.h"
@@ -113,6 +114,12 @@ Result<void> read_effect(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_light(Settings& s, std::string_view text) {
+    TRY_VOID(add_light(s.frame.lights, !s.light_given, text));
+    s.light_given = true;
+    return {};
+}
+
 Result<void> read_pixel_format(Settings& s, std::string_view text) {
     TRY(s.pixel_format, image::pixel_format(text));
     s.pixel_format_name = text;
@@ -171,6 +178,13 @@ const std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
      "how surfaces reflect (`list techniques`)"},
 
+    {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
+     "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "
+     "ambient:POWER, "
+     "directional:X,Y,Z (where it comes from), point:X,Y,Z, spot:X,Y,Z:to=X,Y,Z:cone=INNER,OUTER "
+     "in the file's coordinates, camera:X,Y,Z (fixed to the camera); each may go on with "
+     ":colour= :power= :size= :shape=sphere|square :shadow=on|off :frame=world|camera :name=",
+     false, true},
     {"effect", 0, "NAME=on|off|auto", "", "", 0, 0, Group::picture, kDraw, Parsed(read_effect),
      "force an effect on or off (`--verbose` names them with the reason for each); may be given "
      "again",

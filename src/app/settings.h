@@ -26,7 +26,7 @@ struct Settings {
     scene::ModelTransform model;
     scene::CameraOptions camera;
     std::string named_view; // --view; already in `camera`
-    bool camera_given = false;
+    bool camera_given = false, light_given = false;
 
     std::string target = "auto"; // SIMD target
     int threads = 0;             // 0: one a core

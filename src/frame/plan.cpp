@@ -21,13 +21,16 @@ Result<std::string> choose(std::string_view axis, const std::string& asked,
                 names_of(axis));
 }
 
-Result<void> check_size(const FrameOptions& o) {
+Result<void> check_numbers(const FrameOptions& o) {
     if (o.width < 1 || o.height < 1 || o.width > kMaxSide || o.height > kMaxSide)
         return fail(Exit::usage,
                     "a picture of {}x{} pixels is not possible: each side must be 1 to {}", o.width,
                     o.height, kMaxSide);
     if (raster::sample_pattern(o.samples).empty())
         return fail(Exit::usage, "--samples {}: choose 1, 2, 4, 8 or 16", o.samples);
+    if (o.lights.size() > scene::kMostLights)
+        return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
+                    scene::kMostLights);
     return {};
 }
 
@@ -79,6 +82,33 @@ private:
     FramePlan& plan_;
 };
 
+// One row for each kind of light: on where one shines that is not black, and something is lit.
+void plan_lights(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                 FramePlan& plan) {
+    for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
+                            scene::LightKind::point, scene::LightKind::spot}) {
+        std::string names;
+        std::vector<scene::Light> shining;
+        for (const scene::Light& light : options.lights) {
+            if (light.kind != kind || is_black(light)) continue;
+            names += (names.empty() ? "" : ", ") + light.name;
+            shining.push_back(light);
+        }
+        const bool lit = facts.triangles > 0;
+        const std::string because = shining.empty()
+                                        ? fmt::format("there is no {} light", name_of(kind))
+                                    : !lit ? "nothing is lit: there are no triangles"
+                                           : fmt::format("{} light{}: {}", shining.size(),
+                                                         shining.size() == 1 ? "" : "s", names);
+        const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
+                                       lit && !shining.empty(), because);
+        if (!on || !lit || shining.empty()) continue;
+        plan.lights.insert(plan.lights.end(), shining.begin(), shining.end());
+        // A directional light is the same in all lanes: there is nothing to write.
+        if (kind != scene::LightKind::directional) planner.stage("light", name_of(kind));
+    }
+}
+
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
@@ -95,7 +125,7 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
 } // namespace
 
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
-    TRY_VOID(check_size(options));
+    TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
     Planner planner(options, plan);
@@ -111,6 +141,8 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
         planner.filter(filter);
         planner.stage("map", "diffuse");
     }
+
+    plan_lights(options, facts, planner, plan);
 
     const bool shiny = facts.specular_triangles > 0;
     TRY(const std::string model, choose("reflection", options.reflection, "blinn_phong"));

@@ -33,6 +33,7 @@ struct FramePlan {
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;          // what has to be fetched for a block
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
+    std::vector<scene::Light> lights;      // those that reach something
     std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none

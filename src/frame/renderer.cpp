@@ -1,6 +1,7 @@
 #include "frame/renderer.h"
 
 #include "base/stopwatch.h"
+#include "frame/lights.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
 
@@ -72,7 +73,8 @@ const FrameStats& Renderer::stats() const {
     return state_->stats;
 }
 
-static shade::FrameState frame_state(const scene::View& view, const FramePlan& plan) {
+static shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
+                                     const FrameLights& lights) {
     shade::FrameState frame;
     for (int r = 0; r < 3; ++r)
         for (int c = 0; c < 3; ++c)
@@ -80,7 +82,7 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.orthographic = view.projection == scene::Projection::orthographic;
     frame.attributes = plan.attributes;
     frame.filter = plan.filter;
-    frame.lights = scene::default_lights();
+    lights.describe(frame);
     return frame;
 }
 
@@ -92,6 +94,7 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.mesh = &scene.mesh;
     in.geometry = &geometry;
     in.transform = &transform;
+    in.view = &view;
     in.materials = scene.materials;
     in.textures = scene.textures;
     in.stages = plan.stages;
@@ -118,7 +121,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                    {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size});
     const double geometry_ms = total.milliseconds();
 
-    const shade::FrameState frame = frame_state(view, plan);
+    const FrameLights lights(plan, view, scene.mesh);
+    const shade::FrameState frame = frame_state(view, plan, lights);
     shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;

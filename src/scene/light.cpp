@@ -1,14 +1,124 @@
 #include "scene/light.h"
 
-namespace scanout::scene {
+#include "math/rotation.h"
+#include "math/transcendental.h"
 
-const std::array<Light, 2>& default_lights() {
-    // Whole-number directions with whole-number lengths: (-2, 3, 6) / 7 and (6, -2, 3) / 7.
-    static const std::array<Light, 2> lights = {{
-        {{-2.0F / 7, 3.0F / 7, 6.0F / 7}, Vec3(0.80F)},
-        {{6.0F / 7, -2.0F / 7, 3.0F / 7}, Vec3(0.15F)},
-    }};
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace scanout::scene {
+namespace {
+
+// Beyond this many bounding radii a light's rays are parallel to the last bit of a direction.
+constexpr double kFarthest = 0x1p24;
+constexpr double kNearest = 0x1p-10; // nearer, a point light gets no brighter
+
+// `v`, shortened to kFarthest; also of infinities.
+DVec3 within_reach(DVec3 v) {
+    constexpr double kLimit = std::numeric_limits<double>::max();
+    double largest = 0;
+    for (int i = 0; i < 3; ++i) {
+        v[i] = v[i] > -kLimit ? (v[i] < kLimit ? v[i] : kLimit) : -kLimit;
+        largest = std::max(largest, std::abs(v[i]));
+    }
+    if (largest > 0x1p100) v = v / largest * 0x1p100;
+    const double length = scanout::sqrt(dot3(v, v));
+    return length > kFarthest ? v * (kFarthest / length) : v;
+}
+
+struct Placer {
+    const Light& light;
+    const View& view;
+    const geom::Mesh& mesh;
+    bool on_camera() const { return light.frame == LightFrame::camera; }
+
+    DVec3 place(const DVec3& at) const {
+        if (on_camera()) return within_reach(at);
+        return view.world_axes * within_reach(radii_from_centre(mesh, at)) + view.world_origin;
+    }
+    // Nothing depends on the length. A direction of the camera needs no rotation, and has no
+    // rounding from it.
+    DVec3 direction(const DVec3& towards) const {
+        const DVec3 unit = normalized(within_reach(towards));
+        return on_camera() ? unit : view.world_axes * unit;
+    }
+    DVec3 aim() const {
+        if (light.target) return place(*light.target);
+        return on_camera() ? light.position + DVec3(0, 0, -1) : view.world_origin;
+    }
+    double size() const {
+        const double radii = light.size > 0 && !on_camera() ? radii_per_unit(mesh) : 1;
+        const double size = light.size * radii;
+        return size < kFarthest ? size : kFarthest;
+    }
+};
+
+} // namespace
+
+bool is_black(const Light& light) {
+    return !(light.power > 0) || light.colour == Vec3(0);
+}
+
+std::string_view name_of(LightKind kind) {
+    constexpr std::array<std::string_view, kLightKinds> kNames = {"ambient", "directional", "point",
+                                                                  "spot"};
+    return kNames[static_cast<std::size_t>(kind)];
+}
+
+const std::vector<Light>& default_lights() {
+    static const std::vector<Light> lights = [] {
+        // Whole-number directions with whole-number lengths: 7.
+        Light key, fill, ambient;
+        key.name = "key";
+        key.frame = LightFrame::camera;
+        key.towards = {-2, 3, 6};
+        key.power = 0.80;
+        key.casts = false;
+        fill = key;
+        fill.name = "fill";
+        fill.towards = {6, -2, 3};
+        fill.power = 0.15;
+        ambient.name = "ambient";
+        ambient.kind = LightKind::ambient;
+        ambient.power = 0.15;
+        ambient.casts = false;
+        return std::vector<Light>{key, fill, ambient};
+    }();
     return lights;
+}
+
+ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) {
+    const Placer placer{light, view, mesh};
+    ViewLight seen;
+    seen.kind = light.kind;
+    seen.shape = light.shape;
+    seen.casts = light.casts && light.kind != LightKind::ambient;
+    seen.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMostPower));
+    if (light.kind == LightKind::ambient) return seen;
+    if (light.kind == LightKind::directional) {
+        seen.towards = Vec3(placer.direction(light.towards));
+        const double rim = std::clamp(light.size, 0.0, 80.0);
+        seen.size = static_cast<float>(sin_degrees(rim) / cos_degrees(rim));
+        return seen;
+    }
+    const DVec3 position = placer.place(light.position);
+    const DVec3 to_centre = view.world_origin - position;
+    seen.position = Vec3(position);
+    seen.reach = static_cast<float>(std::max(scanout::sqrt(dot3(to_centre, to_centre)), 1.0));
+    seen.size = static_cast<float>(placer.size());
+    seen.nearest = static_cast<float>(std::max(placer.size(), kNearest));
+    if (light.kind == LightKind::spot) {
+        seen.axis = Vec3(normalized(placer.aim() - position, DVec3(0, 0, -1)));
+        // A cone of half a turn holds what rounding leaves behind the light, too.
+        const auto cosine = [](double degrees) {
+            return degrees < 180 ? static_cast<float>(cos_degrees(degrees)) : -2.0F;
+        };
+        seen.cos_inner = cosine(light.inner_degrees);
+        seen.cos_outer = cosine(light.outer_degrees);
+    }
+    return seen;
 }
 
 } // namespace scanout::scene

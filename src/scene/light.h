@@ -1,20 +1,76 @@
-// Lights. Today: directional, fixed to the camera.
+// Lights: as the user describes them, and as a frame sees them in view space. Each has a size, 0 by
+// default, that only soft shadows read.
+//
+// Brightness: a surface that faces the light receives colour * power. A light at a place falls off
+// with the square of the distance and is that bright at the model's centre, or one bounding radius
+// away where it stands nearer than that: [A 11.1], [C 7].
 #pragma once
 
+#include "geom/mesh.h"
 #include "math/vec.h"
+#include "scene/view.h"
 
-#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace scanout::scene {
 
+enum class LightKind : std::uint8_t { ambient, directional, point, spot };
+inline constexpr int kLightKinds = 4;
+// What moves with the light. world: it stands in the model's file. camera: it hangs on the camera,
+// axes x right, y up, z towards the eye; places are in bounding radii from the eye.
+enum class LightFrame : std::uint8_t { world, camera };
+enum class LightShape : std::uint8_t { sphere, square };
+
 struct Light {
-    Vec3 towards; // unit, view space: from the surface to the light
-    Vec3 colour;  // linear
+    std::string name;
+    LightKind kind = LightKind::directional;
+    LightFrame frame = LightFrame::world;
+    DVec3 towards{0, 0, 1};      // directional: from the surface to the light; any length but 0
+    DVec3 position{0};           // point, spot
+    std::optional<DVec3> target; // spot: what it points at; none: the model's centre
+    double inner_degrees = 20,
+           outer_degrees = 30; // spot: full inside, nothing outside; half angles
+    Vec3 colour{1};            // linear
+    double power = 1;
+    // Radius of the sphere or half the side of the square, in the units of the position;
+    // directional: degrees from its middle to its rim. 0: a point.
+    double size = 0;
+    LightShape shape = LightShape::sphere;
+    bool casts = true; // may throw shadows
+    friend bool operator==(const Light&, const Light&) = default;
 };
 
+inline constexpr std::size_t kMostLights = 32;
+inline constexpr double kMostPower = 1e4;
 inline constexpr float kAmbient = 0.15F; // of Kd (DESIGN 1)
 
-// The default light: a key from above left and a weaker fill from the right, both behind the eye.
-const std::array<Light, 2>& default_lights();
+// Nothing arrives from it.
+bool is_black(const Light& light);
+std::string_view name_of(LightKind kind);
+
+// A key light from above left and a weaker fill from the right, both fixed to the camera and behind
+// the eye; and ambient light.
+const std::vector<Light>& default_lights();
+
+// In view space, made once a frame.
+struct ViewLight {
+    Vec3 towards{0, 0, 1}; // directional: unit, from the surface to the light
+    Vec3 colour{1};        // linear; times the power
+    LightKind kind = LightKind::directional;
+    Vec3 position{0};    // point, spot
+    float reach = 1;     // distance at which `colour` arrives
+    float nearest = 0;   // nearer than this it gets no brighter
+    Vec3 axis{0, 0, -1}; // spot: unit, where it points
+    float cos_inner = 1, cos_outer = 1;
+    float size = 0; // bounding radii; directional: tangent of the angle
+    LightShape shape = LightShape::sphere;
+    bool casts = false;
+    std::uint32_t source = 0; // index of its Light
+};
+ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh);
 
 } // namespace scanout::scene

@@ -41,13 +41,6 @@ struct Stand {
     DVec3 target{0};
 };
 
-DVec3 file_to_world(const geom::Mesh& mesh, const DMat3& up, const DVec3& file) {
-    DVec3 normalised = file - mesh.centre;
-    for (int axis = 0; axis < 3; ++axis)
-        normalised[axis] = scanout::scale(normalised[axis], -mesh.exponent);
-    return up * (normalised / mesh.radius);
-}
-
 Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, const DMat3& up,
                        double fit_distance) {
     Stand stand;
@@ -59,8 +52,8 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
     }
     if (!camera.eye || !camera.target)
         return fail(Exit::usage, "a camera's eye and target belong together: give both or neither");
-    const DVec3 eye = file_to_world(mesh, up, *camera.eye);
-    stand.target = file_to_world(mesh, up, *camera.target);
+    const DVec3 eye = up * radii_from_centre(mesh, *camera.eye);
+    stand.target = up * radii_from_centre(mesh, *camera.target);
     const DVec3 back = eye - stand.target;
     if (!finite(back) || dot3(back, back) == 0)
         return fail(Exit::usage,
@@ -119,6 +112,17 @@ void set_projection(View& view, const CameraOptions& camera, double tan_half, do
 
 } // namespace
 
+DVec3 radii_from_centre(const geom::Mesh& mesh, const DVec3& file) {
+    DVec3 normalised = file - mesh.centre;
+    for (int axis = 0; axis < 3; ++axis)
+        normalised[axis] = scanout::scale(normalised[axis], -mesh.exponent);
+    return normalised / mesh.radius;
+}
+
+double radii_per_unit(const geom::Mesh& mesh) {
+    return scanout::scale(1.0, -mesh.exponent) / mesh.radius;
+}
+
 std::optional<NamedView> named_view(std::string_view name) {
     static constexpr std::array<NamedView, 7> kViews = {
         {{"front", 0, 0},
@@ -168,6 +172,9 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     view.translation = turn * (model.translate - stand.target) +
                        pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
                        pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - DVec3(0, 0, distance);
+    view.world_axes = turn * up;
+    view.world_origin = turn * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
+                        DVec3(0, 0, distance);
     if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
         !finite(view.translation) || !std::isfinite(distance))
         return fail(Exit::usage,

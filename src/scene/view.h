@@ -54,7 +54,15 @@ struct View {
     // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
     double depth_origin = 0, depth_scale = 1;
     double centre_distance = 0; // from the eye's plane to the model's centre
+    // The world, which does not move with the model: the file's axes in view space, and where the
+    // model's centre stands before it is moved. Unit = bounding radius.
+    DMat3 world_axes{1};
+    DVec3 world_origin{0};
 };
+
+// File coordinates -> bounding radii from the model's centre, along the file's axes.
+DVec3 radii_from_centre(const geom::Mesh& mesh, const DVec3& file);
+double radii_per_unit(const geom::Mesh& mesh); // of the file
 
 // Fails (Exit::usage) for a singular camera: eye == target, numbers that are not finite.
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,

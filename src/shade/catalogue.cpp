@@ -14,6 +14,9 @@ SCANOUT_INTERPOLATE(SCANOUT_DECLARE)
 namespace map {
 SCANOUT_MAP(SCANOUT_DECLARE)
 }
+namespace light {
+SCANOUT_LIGHT(SCANOUT_DECLARE)
+}
 namespace reflection {
 SCANOUT_REFLECTION(SCANOUT_DECLARE)
 }
@@ -32,8 +35,11 @@ std::span<const Stage* const> stages() {
 #define SCANOUT_ROW(name) &map::name,
             SCANOUT_MAP(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &light::name,
+                SCANOUT_LIGHT(SCANOUT_ROW)
+#undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
-                SCANOUT_REFLECTION(SCANOUT_ROW)
+                    SCANOUT_REFLECTION(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;

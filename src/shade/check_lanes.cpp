@@ -23,6 +23,7 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], b.count, "albedo", stage);
         if (b.lit && frame.attributes.normal) check(b.normal[c], b.count, "normal", stage);
+        if (b.lit && frame.attributes.position) check(b.position[c], b.count, "position", stage);
         if (stage.card.axis == "reflection") check(b.colour[c], b.count, "colour", stage);
     }
     if (b.lit && frame.attributes.ray) {

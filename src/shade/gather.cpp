@@ -200,6 +200,8 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
     collect(tile, in);
     sums_.reset(shared_.size());
     Block& b = *block_;
+    b.ambient = Vec3(0);
+    if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     std::uint64_t lanes = 0;
     for (std::size_t i = 0; i < fragments_.size(); ++i) {
         const Fragment& f = fragments_[i];

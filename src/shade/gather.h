@@ -7,6 +7,7 @@
 #include "image/image.h"
 #include "raster/geometry.h"
 #include "raster/tile.h"
+#include "scene/view.h"
 #include "shade/linear_picture.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
@@ -24,6 +25,7 @@ struct GatherInput {
     const geom::Mesh* mesh = nullptr;
     const raster::Geometry* geometry = nullptr;
     const raster::ScreenTransform* transform = nullptr;
+    const scene::View* view = nullptr;
     std::span<const scene::Material> materials;
     std::span<const scene::Texture> textures;
     std::span<const Stage* const> stages;

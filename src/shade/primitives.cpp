@@ -24,7 +24,19 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool neg
         p.facing[c] = static_cast<float>(n[c]);
 }
 
-void set_attributes(Primitive& p, const geom::Mesh& mesh, const Corners& v, Attributes wanted) {
+// In view space, in double, rounded once.
+void set_positions(Primitive& p, const GatherInput& in, const Corners& v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DVec3 at = in.view->linear * DVec3(in.mesh->position[v[k]]) + in.view->translation;
+        for (int c = 0; c < 3; ++c)
+            p.position[c][k] = static_cast<float>(at[c]);
+    }
+}
+
+void set_attributes(Primitive& p, const GatherInput& in, const Corners& v) {
+    const geom::Mesh& mesh = *in.mesh;
+    const Attributes wanted = in.frame->attributes;
+    if (wanted.position) set_positions(p, in, v);
     for (std::size_t k = 0; k < 3; ++k) {
         for (int c = 0; c < 3; ++c) {
             if (wanted.normal) p.normal[c][k] = mesh.normal[v[k]][c];
@@ -103,7 +115,7 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     const bool clockwise =
         p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
     set_facing(p, mesh, v, clockwise != in.mirrored);
-    set_attributes(p, mesh, v, in.frame->attributes);
+    set_attributes(p, in, v);
     return p;
 }
 

@@ -23,10 +23,11 @@ inline constexpr int kRoom = kLanes + 16;
 
 // What a stage reads: vertex attributes, and the ray from the eye.
 struct Attributes {
-    bool normal = false, uv = false, colour = false, ray = false;
+    bool normal = false, uv = false, colour = false, ray = false, position = false;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray};
+    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray,
+            a.position || b.position};
 }
 
 // What all lanes of one triangle share, its vertices in canonical order.
@@ -42,6 +43,7 @@ struct Primitive {
     float facing[3];    // the triangle's own normal, towards the eye; object space
     // Of the three vertices; only what the frame's stages read.
     float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
+    float position[3][3];                       // view space
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -85,11 +87,14 @@ struct Block {
     // Written by the interpolation stage.
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
     alignas(64) float u[kRoom], v[kRoom];
+    alignas(64) float position[3][kRoom]; // view space
 
     // Of the map that was sampled last: red, green, blue, alpha; linear.
     alignas(64) float sampled[4][kRoom];
 
-    // One entry a light of the frame; written for those that FrameState::varies names.
+    // Written by the light stages: what comes from everywhere (linear), and one entry a light of
+    // the frame for those that FrameState::varies names.
+    Vec3 ambient{0};
     std::vector<LightLanes> light;
 
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
@@ -102,10 +107,11 @@ struct Filter;
 
 // What all blocks of a frame share.
 struct FrameState {
-    float normal_matrix[3][3] = {}; // object -> view, row major
-    bool orthographic = false;      // then every ray is (0, 0, -1)
-    Attributes attributes;          // what this frame's plan reads
-    std::span<const scene::Light> lights;
+    float normal_matrix[3][3] = {};           // object -> view, row major
+    bool orthographic = false;                // then every ray is (0, 0, -1)
+    Attributes attributes;                    // what this frame's plan reads
+    Vec3 ambient{0};                          // of all ambient lights together
+    std::span<const scene::ViewLight> lights; // the others
     // Of each light: differs from lane to lane, as do points, spots and all that is shadowed.
     // Empty: none does.
     std::span<const bool> varies;

@@ -1,4 +1,5 @@
 #include "image/compare.h"
+#include "support/lights.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ TEST(Picture, OfAnEmptyMeshIsTheBackground) {
 TEST(Picture, OfALitPlaneHasTheColourOfTheFormula) {
     const Image picture = draw(full_screen(1));
     double light = 0.15;
-    for (const scene::Light& l : scene::default_lights())
+    for (const scene::ViewLight& l : key_and_fill())
         light += static_cast<double>(l.colour.x) * l.towards.z;
     for (const Rgba8& p : picture.pixels()) {
         ASSERT_EQ(p.r, encoded(0.5 * light));
@@ -278,7 +279,7 @@ TEST(Picture, MixesEdgesInLinearLight) {
     // code of k / 4, not k / 4 of the code.
     Shot s = shot("edge", 64, 64);
     float light = scene::kAmbient;
-    for (const scene::Light& l : scene::default_lights())
+    for (const scene::ViewLight& l : key_and_fill())
         light += l.colour.x * l.towards.z;
     s.scene.materials = {plain(Vec3(1 / light))};
     add_square(s.scene.mesh, 0.5F, 0, 0);
@@ -372,7 +373,7 @@ TEST(Picture, ShowsTheTexelsThatRaysHitOnAPlaneThroughTheEyesPlane) {
             s.camera.target = eye + DVec3(0, 0, -1); // level: view axes are the world's
             const Image picture = draw(s);
             double light = 0.15;
-            for (const scene::Light& l : scene::default_lights())
+            for (const scene::ViewLight& l : key_and_fill())
                 light += l.colour.x * std::max(0.0, (height > 0 ? 1.0 : -1.0) * l.towards.y);
             const double half = std::tan(22.5 * std::numbers::pi / 180);
             for (int y = 0; y < 60; ++y) {

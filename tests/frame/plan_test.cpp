@@ -37,21 +37,21 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     SceneFacts facts;
     facts.triangles = 10;
     EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "light ambient", "reflection lambert"));
     EXPECT_FALSE(plan_of(facts).attributes.uv);
     EXPECT_FALSE(plan_of(facts).attributes.colour);
     EXPECT_TRUE(plan_of(facts).attributes.normal);
     facts.textured_triangles = 3;
     facts.uv = true;
-    EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
+    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
+                                                    "light ambient", "reflection lambert"));
     EXPECT_THAT(techniques(plan_of(facts)),
                 ElementsAre("interpolate perspective", "texture bilinear", "map diffuse",
-                            "reflection lambert"));
+                            "light ambient", "reflection lambert"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
-    EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "map diffuse", "reflection blinn_phong"));
+    EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
+                                                    "light ambient", "reflection blinn_phong"));
     facts.vertex_colours = true;
     EXPECT_TRUE(plan_of(facts).attributes.colour);
     // Lines and points are unlit: nothing is fetched for them but their colour.
@@ -81,8 +81,45 @@ TEST(Plan, RunsWhatTheUserNames) {
     options.texture = "nearest";
     options.reflection = "lambert";
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "map diffuse", "reflection lambert"));
+                ElementsAre("interpolate perspective", "map diffuse", "light ambient",
+                            "reflection lambert"));
     EXPECT_EQ(plan_of(facts, options).filter, shade::find_filter("nearest"));
+}
+
+TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    FrameOptions options;
+    const auto add = [&](scene::LightKind kind, double power) {
+        options.lights.push_back(test::light_of(kind, power));
+    };
+    EXPECT_FALSE(plan_of(facts, options).attributes.position);
+    EXPECT_EQ(plan_of(facts, options).lights.size(), 3U);
+    add(scene::LightKind::directional, 1);
+    add(scene::LightKind::point, 0); // black
+    EXPECT_FALSE(plan_of(facts, options).attributes.position);
+    EXPECT_FALSE(plan_of(facts, options).decision("point_light")->on());
+    EXPECT_EQ(plan_of(facts, options).lights.size(), 4U);
+    add(scene::LightKind::spot, 1);
+    add(scene::LightKind::point, 1);
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "light ambient", "light point", "light spot",
+                            "reflection lambert"));
+    EXPECT_TRUE(plan_of(facts, options).attributes.position);
+    EXPECT_THAT(plan_of(facts, options).decision("directional_light")->because,
+                HasSubstr("3 lights: key, fill, directional"));
+    options.effects = {{"point_light", false}, {"spot_light", false}, {"ambient_light", false}};
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "reflection lambert"));
+    EXPECT_TRUE(plan_of(facts, options).decision("point_light")->forced);
+    options.lights.clear();
+    options.effects = {{"point_light", true}, {"spot_light", true}, {"ambient_light", true}};
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "reflection lambert"));
+    SceneFacts wires;
+    wires.lines = 5;
+    EXPECT_THAT(stages(plan_of(wires)),
+                ElementsAre("interpolate perspective", "reflection lambert"));
 }
 
 TEST(Plan, GivesAReasonForEveryDecision) {
@@ -121,7 +158,8 @@ TEST(Plan, TheUserForcesAnEffectOnOrOff) {
     EXPECT_TRUE(forced.decision("vertex_colours")->on());
     EXPECT_FALSE(forced.attributes.colour); // there is nothing to fetch
     EXPECT_FALSE(forced.attributes.uv);
-    EXPECT_THAT(stages(forced), ElementsAre("interpolate perspective", "reflection blinn_phong"));
+    EXPECT_THAT(stages(forced),
+                ElementsAre("interpolate perspective", "light ambient", "reflection blinn_phong"));
     options.effects = {{"fog", true}};
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);

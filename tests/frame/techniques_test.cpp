@@ -14,6 +14,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
+        {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     std::set<std::pair<std::string_view, std::string_view>> table;

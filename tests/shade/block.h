@@ -21,9 +21,11 @@ inline std::unique_ptr<Block> new_block(const scene::Material& material) {
     auto b = std::make_unique<Block>();
     b->count = kLanes;
     b->material = &material;
+    b->ambient = Vec3(scene::kAmbient);
     for (int i = 0; i < kRoom; ++i) {
         for (int k = 0; k < 3; ++k) {
             b->normal[k][i] = k == 2 ? 1.0F : 0.0F;
+            b->position[k][i] = k == 2 ? -1.0F : 0.0F;
             b->albedo[k][i] = 1;
             b->colour[k][i] = 0;
         }
@@ -47,8 +49,12 @@ inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
     };
     bool equal = same(a.u, b.u) && same(a.v, b.v);
     for (int c = 0; c < 3; ++c)
-        equal = equal && same(a.normal[c], b.normal[c]) && same(a.albedo[c], b.albedo[c]) &&
-                same(a.colour[c], b.colour[c]);
+        for (std::size_t k = 0; k < a.light.size(); ++k)
+            equal = equal && same(a.light[k].towards[c], b.light[k].towards[c]) &&
+                    same(a.light[k].colour[c], b.light[k].colour[c]);
+    for (int c = 0; c < 3; ++c)
+        equal = equal && same(a.position[c], b.position[c]) && same(a.normal[c], b.normal[c]) &&
+                same(a.albedo[c], b.albedo[c]) && same(a.colour[c], b.colour[c]);
     return equal;
 }
 

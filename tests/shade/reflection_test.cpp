@@ -1,4 +1,5 @@
 #include "shade/block.h"
+#include "support/lights.h"
 
 #include <cmath>
 #include <set>
@@ -8,13 +9,13 @@ namespace scanout::shade::test {
 namespace {
 
 // DESIGN 1, word for word: 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
-double formula(const Block& b, int i, int channel, std::span<const scene::Light> lights,
+double formula(const Block& b, int i, int channel, std::span<const scene::ViewLight> lights,
                bool orthographic, bool highlight) {
     const double n[3] = {b.normal[0][i], b.normal[1][i], b.normal[2][i]};
     const double ray[3] = {orthographic ? 0 : b.ray_x[i], orthographic ? 0 : b.ray_y[i], -1};
     const double length = std::sqrt(ray[0] * ray[0] + ray[1] * ray[1] + 1);
     double colour = 0.15 * b.albedo[channel][i];
-    for (const scene::Light& light : lights) {
+    for (const scene::ViewLight& light : lights) {
         double n_l = 0, n_h = 0, h_h = 0;
         for (int k = 0; k < 3; ++k) {
             const double l = light.towards[k], h = l - ray[k] / length;
@@ -54,10 +55,9 @@ double worst_error(std::string_view name, float shininess, bool orthographic, st
     double worst = 0;
     for (int round = 0; round < 1000; ++round) {
         // The default lights, and any others.
-        std::vector<scene::Light> lights(scene::default_lights().begin(),
-                                         scene::default_lights().end());
+        std::vector<scene::ViewLight> lights = scanout::test::key_and_fill();
         if (round % 2 == 1) {
-            for (scene::Light& light : lights) {
+            for (scene::ViewLight& light : lights) {
                 const DVec3 l = random.in_cube(1);
                 light.towards = Vec3(l / std::sqrt(dot3(l, l)));
             }
@@ -103,7 +103,7 @@ TEST(Reflection, WithoutAHighlightBlinnPhongIsLambertToTheBit) {
         const scene::Material material = scanout::test::plain(Vec3(1), ks, ns);
         auto matt = new_block(material), glossy = new_block(material);
         FrameState frame = identity_frame();
-        frame.lights = scene::default_lights();
+        frame.lights = scanout::test::key_and_fill();
         randomise(*matt, random);
         *glossy = *matt;
         run_stage("reflection", "lambert", *matt, frame);
@@ -118,7 +118,7 @@ TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
     Random random(5);
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
     FrameState frame = identity_frame();
-    frame.lights = scene::default_lights();
+    frame.lights = scanout::test::key_and_fill();
     for (const char* name : {"lambert", "blinn_phong"}) {
         auto b = new_block(material);
         randomise(*b, random);
@@ -134,7 +134,7 @@ TEST(Reflection, ALaneDoesNotDependOnItsPlaceOrOnTheOthers) {
     Random random(6);
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(0.7F), 30);
     FrameState frame = identity_frame();
-    frame.lights = scene::default_lights();
+    frame.lights = scanout::test::key_and_fill();
     for (const char* name : {"lambert", "blinn_phong"}) {
         auto whole = new_block(material);
         randomise(*whole, random);
@@ -159,7 +159,7 @@ TEST(Reflection, ALaneDoesNotDependOnItsPlaceOrOnTheOthers) {
 TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
     auto b = new_block(material);
-    const scene::Light behind[] = {{{0, 0, -1}, Vec3(1)}};
+    const scene::ViewLight behind[] = {scanout::test::directional({0, 0, -1})};
     FrameState frame = identity_frame();
     frame.lights = behind;
     run_stage("reflection", "blinn_phong", *b, frame);
@@ -168,15 +168,15 @@ TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
 }
 
 TEST(DefaultLights, AreUnitAndInFrontOfTheModel) {
-    for (const scene::Light& light : scene::default_lights()) {
+    for (const scene::ViewLight& light : scanout::test::key_and_fill()) {
         const DVec3 l(light.towards);
         EXPECT_NEAR(dot3(l, l), 1, 1e-6);
         EXPECT_GT(l.z, 0.25);
     }
     // The key comes from above left, the fill from the right.
-    EXPECT_LT(scene::default_lights()[0].towards.x, 0);
-    EXPECT_GT(scene::default_lights()[0].towards.y, 0);
-    EXPECT_GT(scene::default_lights()[1].towards.x, 0);
+    EXPECT_LT(scanout::test::key_and_fill()[0].towards.x, 0);
+    EXPECT_GT(scanout::test::key_and_fill()[0].towards.y, 0);
+    EXPECT_GT(scanout::test::key_and_fill()[1].towards.x, 0);
 }
 
 TEST(Catalogue, FindsEveryStageAndFilterByItsNameAlone) {

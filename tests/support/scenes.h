@@ -106,6 +106,40 @@ inline Shot glossy(std::string name, const std::string& reflection) {
     return s;
 }
 
+// A ball and a box on a floor in the world's light, seen from above.
+inline Shot stage(std::string name, const std::vector<scene::Light>& lights) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.8F, 0.3F, 0.2F}, Vec3(0.4F), 30), plain({0.3F, 0.6F, 0.9F}),
+                         plain(Vec3(0.7F))};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {{{-1, -0.5F, 1}, {1, -0.5F, 1}, {1, -0.5F, -1}, {-1, -0.5F, -1}}}, {0, 1, 0},
+             2);
+    add_sphere(mesh, {-0.35F, -0.1F, 0}, 0.4F, 24, 12, 0);
+    const std::size_t box = mesh.position.size();
+    add_cube(mesh, 0.3F, 1);
+    for (std::size_t i = box; i < mesh.position.size(); ++i)
+        mesh.position[i] = mesh.position[i] + Vec3(0.45F, -0.2F, 0.25F);
+    mesh.uv.clear();
+    s.camera.azimuth_degrees = 20;
+    s.camera.elevation_degrees = 30;
+    s.camera.distance = 2.5;
+    s.options.lights = lights;
+    return s;
+}
+
+inline scene::Light light_of(scene::LightKind kind, double power) {
+    scene::Light light;
+    light.name = name_of(kind);
+    light.kind = kind;
+    light.power = power;
+    light.towards = {2, 3, 1};
+    light.position = {0.5, 0.8, 0.7};
+    light.target = DVec3(-0.2, -0.3, 0);
+    light.inner_degrees = 15;
+    light.outer_degrees = 25;
+    return light;
+}
+
 // A wire cube with vertex colours, and points on its diagonal.
 inline Shot wires(std::string name) {
     Shot s = shot(std::move(name));
@@ -161,6 +195,12 @@ inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
     shots.push_back(textured_cube("texture_bilinear", "bilinear"));
+    const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);
+    shots.push_back(stage("light_ambient", {light_of(scene::LightKind::ambient, 0.6)}));
+    for (const auto kind :
+         {scene::LightKind::directional, scene::LightKind::point, scene::LightKind::spot})
+        shots.push_back(
+            stage("light_" + std::string(name_of(kind)), {light_of(kind, 0.9), ambient}));
     shots.push_back(glossy("reflection_lambert", "lambert"));
     shots.push_back(glossy("reflection_blinn_phong", "blinn_phong"));
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.

@@ -71,8 +71,8 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
     store(select(usable, z * scale, F32x8(1.0F)), to_z);
 }
 
-void perspective_run(Block& b, const FrameState& frame) {
-    if (!b.lit) return;
+template <bool kPosition>
+HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
     const bool uv = frame.attributes.uv && b.map[kDiffuseMap].texture != nullptr;
     const float kd[3] = {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z};
@@ -86,12 +86,23 @@ void perspective_run(Block& b, const FrameState& frame) {
                 store(mix(w, t.uv[0]), b.u + i);
                 store(mix(w, t.uv[1]), b.v + i);
             }
+            if constexpr (kPosition)
+                for (int c = 0; c < 3; ++c)
+                    store(mix(w, t.position[c]), b.position[c] + i);
             for (int c = 0; c < 3; ++c) {
                 const F32x8 own = colour ? mix(w, t.colour[c]) : F32x8(1.0F);
                 store(F32x8(kd[c]) * own, b.albedo[c] + i);
             }
         }
     }
+}
+
+void perspective_run(Block& b, const FrameState& frame) {
+    if (!b.lit) return;
+    if (frame.attributes.position)
+        interpolate<true>(b, frame);
+    else
+        interpolate<false>(b, frame);
 }
 
 SIMD_END

@@ -13,11 +13,12 @@ SIMD_BEGIN(scanout::shade::reflection)
 // Sets b.colour; lines and points get their plain albedo.
 HWY_INLINE void diffuse(Block& b, const FrameState& frame) {
     const std::size_t light_count = b.lit ? frame.lights.size() : 0;
-    const F32 ambient = b.lit ? scene::kAmbient : 1.0F;
+    const F32 ambient[3] = {b.lit ? b.ambient.x : 1.0F, b.lit ? b.ambient.y : 1.0F,
+                            b.lit ? b.ambient.z : 1.0F};
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 nx = load<F32>(b.normal[0] + i), ny = load<F32>(b.normal[1] + i),
                   nz = load<F32>(b.normal[2] + i);
-        F32 red = ambient, green = ambient, blue = ambient;
+        F32 red = ambient[0], green = ambient[1], blue = ambient[2];
         for (std::size_t k = 0; k < light_count; ++k) {
             const Light l = light_at(b, frame, k, i);
             const F32 cosine = (nx * l.towards[0] + ny * l.towards[1]) + nz * l.towards[2];

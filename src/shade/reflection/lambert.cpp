@@ -1,4 +1,4 @@
-// Lambert's cosine law: colour = 0.15 Kd + sum over lights of light * Kd * max(n.l, 0). Lambert
+// Lambert's cosine law: colour = ambient Kd + sum over lights of light * Kd * max(n.l, 0). Lambert
 // 1760, [A 11.1], [B ch.6], [C 7]. No 1/pi, as MTL means it (DESIGN 1).
 #include "shade/stage.h"
 

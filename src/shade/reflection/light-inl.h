@@ -25,7 +25,7 @@ HWY_INLINE Light light_at(const Block& b, const FrameState& frame, std::size_t k
                 {load<F32>(l.colour[0] + lane), load<F32>(l.colour[1] + lane),
                  load<F32>(l.colour[2] + lane)}};
     }
-    const scene::Light& l = frame.lights.data()[k];
+    const scene::ViewLight& l = frame.lights.data()[k];
     return {{F32(l.towards.x), F32(l.towards.y), F32(l.towards.z)},
             {F32(l.colour.x), F32(l.colour.y), F32(l.colour.z)}};
 }

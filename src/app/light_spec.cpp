@@ -1,0 +1,213 @@
+#include "app/light_spec.h"
+
+#include "app/nearest.h"
+#include "app/values.h"
+#include "math/srgb.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace scanout::app {
+namespace {
+
+using scene::Light;
+using scene::LightFrame;
+using scene::LightKind;
+
+constexpr std::string_view kExample = "as in point:1,2,3 (`scanout render --help` lists them)";
+
+std::string_view take(std::string_view& text) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::string_view part = text.substr(0, colon);
+    text.remove_prefix(std::min(colon + 1, text.size()));
+    return part;
+}
+
+Result<bool> either(std::string_view text, std::string_view no, std::string_view yes) {
+    if (text == no || text == yes) return text == yes;
+    return fail(Exit::usage, "wants {} or {}, not '{}'", no, yes, text);
+}
+
+Result<double> number_between(std::string_view text, double least, double most) {
+    TRY(const double value, parse_real(text));
+    if (value >= least && value <= most) return value;
+    return fail(Exit::usage, "wants {} to {}, not {}", least, most, text);
+}
+
+Result<DVec3> direction(std::string_view text) {
+    TRY(const DVec3 towards, parse_vector(text));
+    if (towards == DVec3(0)) return fail(Exit::usage, "0,0,0 is no direction");
+    return towards;
+}
+
+Result<void> read_colour(Light& light, std::string_view text) {
+    TRY(const image::Rgba8 code, parse_colour(text));
+    light.colour = {srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)};
+    return {};
+}
+Result<void> read_power(Light& light, std::string_view text) {
+    TRY(light.power, number_between(text, 0, scene::kMostPower));
+    return {};
+}
+Result<void> read_size(Light& light, std::string_view text) {
+    TRY(light.size, number_between(text, 0, 1e300));
+    return {};
+}
+Result<void> read_shape(Light& light, std::string_view text) {
+    TRY(const bool square, either(text, "sphere", "square"));
+    light.shape = square ? scene::LightShape::square : scene::LightShape::sphere;
+    return {};
+}
+Result<void> read_shadow(Light& light, std::string_view text) {
+    TRY(light.casts, either(text, "off", "on"));
+    return {};
+}
+Result<void> read_frame(Light& light, std::string_view text) {
+    TRY(const bool camera, either(text, "world", "camera"));
+    light.frame = camera ? LightFrame::camera : LightFrame::world;
+    return {};
+}
+Result<void> read_name(Light& light, std::string_view text) {
+    if (text.empty() || text.size() > 40) return fail(Exit::usage, "wants 1 to 40 letters");
+    light.name = text;
+    return {};
+}
+Result<void> read_target(Light& light, std::string_view text) {
+    TRY(const DVec3 target, parse_vector(text));
+    light.target = target;
+    return {};
+}
+Result<void> read_cone(Light& light, std::string_view text) {
+    TRY(const std::vector<double> angles, parse_list(text, 2, 2));
+    if (!(angles[0] >= 0 && angles[0] <= angles[1] && angles[1] <= 180))
+        return fail(Exit::usage,
+                    "wants INNER,OUTER with 0 <= INNER <= OUTER <= 180 degrees, not "
+                    "'{}'",
+                    text);
+    light.inner_degrees = angles[0];
+    light.outer_degrees = angles[1];
+    return {};
+}
+
+struct Field {
+    std::string_view name;
+    Result<void> (*read)(Light&, std::string_view);
+    bool of_spots = false;
+};
+constexpr auto kFields = std::to_array<Field>({{"colour", read_colour},
+                                               {"color", read_colour},
+                                               {"power", read_power},
+                                               {"size", read_size},
+                                               {"shape", read_shape},
+                                               {"shadow", read_shadow},
+                                               {"frame", read_frame},
+                                               {"name", read_name},
+                                               {"to", read_target, true},
+                                               {"cone", read_cone, true}});
+
+Result<void> read_field(Light& light, std::string_view part) {
+    const std::size_t equals = part.find('=');
+    std::vector<std::string_view> known;
+    for (const Field& field : kFields) {
+        if (field.of_spots && light.kind != LightKind::spot) continue;
+        known.push_back(field.name);
+        if (equals == std::string_view::npos || part.substr(0, equals) != field.name) continue;
+        const Result<void> read = field.read(light, part.substr(equals + 1));
+        if (!read) return fail(read.error().exit, "{} {}", field.name, read.error().what);
+        return {};
+    }
+    return fail(Exit::usage, "'{}' is not NAME=VALUE{}; a {} light has {}", part,
+                did_you_mean(part.substr(0, equals), known), name_of(light.kind),
+                fmt::join(known, " "));
+}
+
+// The kind and what stands behind its colon without a name.
+Result<Light> read_kind(std::string_view word, std::string_view value) {
+    Light light;
+    light.name = word;
+    if (word == "ambient") {
+        light.kind = LightKind::ambient;
+        light.casts = false;
+        light.power = scene::kAmbient;
+        if (!value.empty()) TRY_VOID(read_power(light, value));
+        return light;
+    }
+    if (word == "camera") {
+        light.frame = LightFrame::camera;
+        light.casts = false;
+        if (!value.empty()) {
+            TRY(light.towards, direction(value));
+        }
+        return light;
+    }
+    for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot})
+        if (word == name_of(kind)) light.kind = kind;
+    if (word != name_of(light.kind)) {
+        const std::array<std::string_view, 8> known = {"none",        "key",   "fill", "ambient",
+                                                       "directional", "point", "spot", "camera"};
+        return fail(Exit::usage, "there is no light '{}'{}; choose one of {}", word,
+                    did_you_mean(word, known), fmt::join(known, " "));
+    }
+    if (value.empty()) return fail(Exit::usage, "{} wants X,Y,Z, {}", word, kExample);
+    if (light.kind == LightKind::directional) {
+        TRY(light.towards, direction(value));
+    } else {
+        TRY(light.position, parse_vector(value));
+    }
+    return light;
+}
+
+Result<Light> read_light(std::string_view spec) {
+    std::string_view rest = spec;
+    const std::string_view word = take(rest);
+    const bool has_value = rest.substr(0, rest.find(':')).find('=') == std::string_view::npos;
+    for (const Light& known : scene::default_lights()) {
+        if (known.name != word || known.kind == LightKind::ambient) continue;
+        Light light = known;
+        while (!rest.empty())
+            TRY_VOID(read_field(light, take(rest)));
+        return light;
+    }
+    const std::string_view value = has_value ? take(rest) : "";
+    TRY(Light light, read_kind(word, value));
+    while (!rest.empty())
+        TRY_VOID(read_field(light, take(rest)));
+    if (light.kind == LightKind::spot && light.target && *light.target == light.position)
+        return fail(Exit::usage, "spot points at the place where it stands; move `to`");
+    return light;
+}
+
+// Names tell lights apart: the second point is "point 2".
+void number_name(Light& light, const std::vector<Light>& others) {
+    const std::string name = light.name;
+    const auto taken = [&] {
+        return std::any_of(others.begin(), others.end(),
+                           [&](const Light& other) { return other.name == light.name; });
+    };
+    for (int number = 2; taken(); ++number)
+        light.name = fmt::format("{} {}", name, number);
+}
+
+} // namespace
+
+Result<void> add_light(std::vector<Light>& lights, bool first, std::string_view spec) {
+    const auto is_ambient = [](const Light& light) { return light.kind == LightKind::ambient; };
+    if (spec == "none") {
+        lights.clear();
+        return {};
+    }
+    TRY(Light light, read_light(spec));
+    if (first)
+        lights.erase(std::remove_if(lights.begin(), lights.end(), std::not_fn(is_ambient)),
+                     lights.end());
+    if (is_ambient(light)) // replaces the one that is always there
+        lights.erase(std::remove_if(lights.begin(), lights.end(), is_ambient), lights.end());
+    if (lights.size() >= scene::kMostLights)
+        return fail(Exit::usage, "{}: there may be {} lights", spec, scene::kMostLights);
+    number_name(light, lights);
+    lights.push_back(std::move(light));
+    return {};
+}
+
+} // namespace scanout::app

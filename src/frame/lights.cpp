@@ -1,0 +1,32 @@
+#include "frame/lights.h"
+
+#include "base/check.h"
+
+namespace scanout::frame {
+
+FrameLights::FrameLights(const FramePlan& plan, const scene::View& view, const geom::Mesh& mesh) {
+    CHECK(plan.lights.size() <= scene::kMostLights);
+    for (std::size_t i = 0; i < plan.lights.size(); ++i) {
+        scene::ViewLight light = in_view(plan.lights[i], view, mesh);
+        if (light.kind == scene::LightKind::ambient) {
+            ambient_ = ambient_ + light.colour;
+            continue;
+        }
+        light.source = static_cast<std::uint32_t>(i);
+        lights_.push_back(light);
+        if (light.kind != scene::LightKind::directional) set_varies(lights_.size() - 1);
+    }
+}
+
+void FrameLights::set_varies(std::size_t light) {
+    CHECK(light < lights_.size());
+    varies_[light] = some_varies_ = true;
+}
+
+void FrameLights::describe(shade::FrameState& frame) const {
+    frame.ambient = ambient_;
+    frame.lights = lights_;
+    if (some_varies_) frame.varies = {varies_.data(), lights_.size()};
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,42 @@
+// A light so far away that its rays are parallel: the same direction and colour everywhere. It is
+// written to the lanes only where something else, a shadow, makes it vary. [A 11.1], [C 7].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/light/directional.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/light/write-inl.h"
+
+SIMD_BEGIN(scanout::shade::light)
+
+void directional_run(Block& b, const FrameState& frame) {
+    for_each_lane(b, frame, scene::LightKind::directional,
+                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) HWY_ATTR {
+                      const Arrival everywhere = {
+                          {F32(light.towards.x), F32(light.towards.y), F32(light.towards.z)},
+                          F32(1.0F)};
+                      store_arrival(everywhere, light, lanes, i);
+                  });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::light {
+
+SIMD_REGISTER(directional_run);
+
+extern const Stage directional;
+constinit const Stage directional{{.axis = "light",
+                                   .name = "directional",
+                                   .blurb = "parallel rays, from the world or the camera",
+                                   .source = "[A 11.1], [C 7]",
+                                   .kind = Kind::effect},
+                                  {},
+                                  [](Block& block, const FrameState& frame) {
+                                      SIMD_CALL(directional_run)
+                                      (block, frame);
+                                  }};
+
+} // namespace scanout::shade::light
+#endif

@@ -1,0 +1,36 @@
+// A light at a place: what arrives falls off with the square of the distance. [A 11.1], [C 7].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/light/point.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/light/write-inl.h"
+
+SIMD_BEGIN(scanout::shade::light)
+
+void point_run(Block& b, const FrameState& frame) {
+    for_each_lane(b, frame, scene::LightKind::point,
+                  [&](const scene::ViewLight& light, LightLanes& lanes, int i)
+                      HWY_ATTR { store_arrival(arrival(b, light, i), light, lanes, i); });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::light {
+
+SIMD_REGISTER(point_run);
+
+extern const Stage point;
+constinit const Stage point{{.axis = "light",
+                             .name = "point",
+                             .blurb = "a place that shines by the inverse square of the distance",
+                             .source = "[A 11.1], [C 7]",
+                             .kind = Kind::effect},
+                            {.position = true},
+                            [](Block& block, const FrameState& frame) {
+                                SIMD_CALL(point_run)(block, frame);
+                            }};
+
+} // namespace scanout::shade::light
+#endif

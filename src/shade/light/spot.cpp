@@ -1,0 +1,49 @@
+// A point light with a cone: full inside the inner angle, nothing outside the outer, between them a
+// smooth step of the cosine: Hermite's cubic. Warn, "Lighting Controls for Synthetic Images", 1983.
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/light/spot.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/light/write-inl.h"
+
+SIMD_BEGIN(scanout::shade::light)
+
+void spot_run(Block& b, const FrameState& frame) {
+    for_each_lane(b, frame, scene::LightKind::spot,
+                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) HWY_ATTR {
+                      Arrival a = arrival(b, light, i);
+                      const F32 cosine =
+                          F32(0.0F) -
+                          ((a.towards[0] * F32(light.axis.x) + a.towards[1] * F32(light.axis.y)) +
+                           a.towards[2] * F32(light.axis.z));
+                      const float width = light.cos_inner - light.cos_outer;
+                      const F32 slope = width > 0 ? 1.0F / width : 0.0F; // 0: a hard edge
+                      const F32 rise = maximum((cosine - F32(light.cos_outer)) * slope, F32(0.0F));
+                      const F32 t = minimum(rise, F32(1.0F));
+                      const F32 smooth = (t * t) * (F32(3.0F) - F32(2.0F) * t);
+                      a.share = a.share * select(cosine >= F32(light.cos_inner), F32(1.0F), smooth);
+                      store_arrival(a, light, lanes, i);
+                  });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::light {
+
+SIMD_REGISTER(spot_run);
+
+extern const Stage spot;
+constinit const Stage spot{{.axis = "light",
+                            .name = "spot",
+                            .blurb = "a point light with a cone and a soft rim",
+                            .source = "Warn 1983",
+                            .kind = Kind::effect},
+                           {.position = true},
+                           [](Block& block, const FrameState& frame) {
+                               SIMD_CALL(spot_run)(block, frame);
+                           }};
+
+} // namespace scanout::shade::light
+#endif
