@@ -5,6 +5,7 @@
 #include "app/picture.h"
 #include "app/report.h"
 #include "image/compare.h"
+#include "image/flip.h"
 
 #include <sys/stat.h>
 
@@ -63,6 +64,7 @@ Result<Exit> run_compare(const Settings& settings) {
     TRY(const image::Image expected, image::load(settings.arguments[1]));
     const image::Difference difference = image::compare(got, expected, settings.max_difference);
     const bool same = difference.same_size && difference.over_tolerance <= settings.max_pixels;
+    const float flip = difference.same_size ? image::mean_flip(expected, got) : 0.0F;
 
     std::vector<std::string> written;
     if (!same) {
@@ -70,15 +72,16 @@ Result<Exit> run_compare(const Settings& settings) {
     }
     std::string line =
         difference.same_size
-            ? fmt::format("{}: {} of {} pixels differ, {} by more than {}; largest difference {}",
+            ? fmt::format("{}: {} of {} pixels differ, {} by more than {}; largest difference "
+                          "{}; mean FLIP {:.6f}",
                           same ? "same" : "different", difference.differing_pixels,
                           got.pixels().size(), difference.over_tolerance, settings.max_difference,
-                          difference.max_difference)
+                          difference.max_difference, flip)
             : fmt::format("different: sizes {}x{} and {}x{}", got.width(), got.height(),
                           expected.width(), expected.height());
     if (!same) line += fmt::format("; see {}", written.back());
     if (!settings.quiet) say(line, settings.json == "-" ? stderr : stdout);
-    TRY_VOID(write_report(settings, to_json(difference, settings, written)));
+    TRY_VOID(write_report(settings, to_json(difference, flip, settings, written)));
     if (same) return Exit::ok;
     return difference.same_size ? Exit::pixels_differ : Exit::sizes_differ;
 }

@@ -93,18 +93,21 @@ std::string to_json(const RunReport& report) {
                    {"version", SCANOUT_VERSION}});
 }
 
-std::string to_json(const image::Difference& difference, const Settings& settings,
+std::string to_json(const image::Difference& difference, float mean_flip, const Settings& settings,
                     const std::vector<std::string>& written) {
     const bool same = difference.same_size && difference.over_tolerance <= settings.max_pixels;
-    return dumped({{"same", same},
-                   {"same_size", difference.same_size},
-                   {"max_difference", difference.max_difference},
-                   {"differing_pixels", difference.differing_pixels},
-                   {"over_tolerance", difference.over_tolerance},
-                   {"tolerance",
-                    {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}}},
-                   {"written", written},
-                   {"version", SCANOUT_VERSION}});
+    return dumped(
+        {{"same", same},
+         {"same_size", difference.same_size},
+         {"max_difference", difference.max_difference},
+         {"differing_pixels", difference.differing_pixels},
+         {"over_tolerance", difference.over_tolerance},
+         {"mean_flip",
+          difference.same_size ? Json(std::round(double{mean_flip} * 1e6) / 1e6) : Json()},
+         {"tolerance",
+          {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}}},
+         {"written", written},
+         {"version", SCANOUT_VERSION}});
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

@@ -34,7 +34,7 @@ struct RunReport {
 };
 
 std::string to_json(const RunReport& report);
-std::string to_json(const image::Difference& difference, const Settings& settings,
+std::string to_json(const image::Difference& difference, float mean_flip, const Settings& settings,
                     const std::vector<std::string>& written);
 
 // The value at which `share` (0 to 1) of the values are reached: nearest rank. 0 for none.

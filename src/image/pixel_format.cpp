@@ -1,6 +1,7 @@
 #include "image/pixel_format.h"
 
 #include "base/check.h"
+#include "image/dither.h"
 
 #include <array>
 #include <bit>
@@ -120,31 +121,13 @@ static constexpr Levels levels_of(int bits) {
 constexpr std::array<Levels, 5> kLevels{levels_of(4), levels_of(5), levels_of(6), levels_of(7),
                                         levels_of(8)};
 
-// What the place (x, y) adds to a place among the levels, in 64ths, before it is cut to a whole
-// level: the 64 places of a square add 0 to 63 each once, and neighbours differ much. Bayer's
-// matrix: the digits of x ^ y and y interleaved, the lowest digit of the coordinates on top.
-using Thresholds = std::array<std::uint8_t, 8>;
-
-static constexpr std::array<Thresholds, 8> bayer() {
-    std::array<Thresholds, 8> square{};
-    for (unsigned y = 0; y < 8; ++y)
-        for (unsigned x = 0; x < 8; ++x) {
-            unsigned value = 0;
-            for (unsigned digit = 0; digit < 3; ++digit)
-                value = value << 2 | ((x ^ y) >> digit & 1u) << 1 | (y >> digit & 1u);
-            square[y][x] = static_cast<std::uint8_t>(63 - value);
-        }
-    return square;
-}
-constexpr std::array<Thresholds, 8> kBayer = bayer();
-
 // One channel on its way into a pixel.
 struct Packer {
     explicit Packer(const Channel& c)
         : levels(kLevels[static_cast<std::size_t>(c.bits - kFewestBits)]),
           shift(static_cast<unsigned>(c.offset)) {}
     std::uint32_t operator()(std::uint8_t code, std::uint32_t threshold) const {
-        return (levels[code] + threshold) / 64u << shift;
+        return (levels[code] + threshold) / kDitherSteps << shift;
     }
     const Levels& levels;
     unsigned shift;
@@ -155,10 +138,9 @@ static void pack_row(const PixelFormat& format, std::span<const Rgba8> row, int 
                      std::uint8_t* out) {
     const Packer red(format.red), green(format.green), blue(format.blue);
     const std::uint32_t alpha = mask_of(format.alpha);
-    const Thresholds& thresholds = kBayer[static_cast<std::size_t>(y) % 8];
-    auto x = static_cast<std::size_t>(x0);
+    auto x = static_cast<unsigned>(x0);
     for (const Rgba8& pixel : row) {
-        const std::uint32_t threshold = thresholds[x++ % 8];
+        const std::uint32_t threshold = dither_threshold(x++, static_cast<unsigned>(y));
         const std::uint32_t word =
             red(pixel.r, threshold) | green(pixel.g, threshold) | blue(pixel.b, threshold) | alpha;
         for (int i = 0; i < kBytes; ++i)

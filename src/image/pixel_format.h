@@ -44,10 +44,9 @@ Result<void> check(const PixelFormat& format);
 
 // Writes a row, or a part of one, whose first pixel stands at (x0, y) in the picture, both >= 0:
 // the same pixel at the same place gives the same bytes, whatever part is written. Channels of 8
-// bits keep their codes; narrower ones get an 8x8 ordered dither (B. E. Bayer, "An Optimum Method
-// for Two-Level Rendition of Continuous-Tone Pictures", 1973) between the two nearest codes that
-// decode_row() shows: a code that it can show is exact, so black, white and text stay clean. Unused
-// bits are 0, alpha is full. out holds at least row.size() * bytes_per_pixel() bytes.
+// bits keep their codes; narrower ones get an 8x8 ordered dither (dither.h) between the two nearest
+// codes that decode_row() shows: a code that it can show is exact, so black, white and text stay
+// clean. Unused bits are 0, alpha is full. out holds at least row.size() * bytes_per_pixel() bytes.
 void encode_row(const PixelFormat& format, std::span<const Rgba8> row, int x0, int y,
                 std::uint8_t* out);
 // What a display shows for those bytes: channels widened to 8 bits by repeating their upper digits,

@@ -1,0 +1,45 @@
+// One channel of numbers, and its convolution: what filters and metrics work on. The edge repeats
+// outwards: a picture has no dark frame.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace scanout::image {
+
+struct Plane {
+    int width = 0, height = 0;
+    std::vector<double> value; // rows from the top
+
+    Plane() = default;
+    Plane(int w, int h)
+        : width(w), height(h), value(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    double& at(int x, int y) { return value[offset(x, y)]; }
+    double at(int x, int y) const { return value[offset(x, y)]; }
+
+private:
+    std::size_t offset(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
+    }
+};
+
+// Weights around a place; sides are odd. Laid over the picture as it stands, not mirrored.
+struct Kernel {
+    int width = 1, height = 1;
+    std::vector<double> weight{1.0}; // rows from the top
+    // What a constant is multiplied by. Given apart from the weights, whose sum rounds: low-passes
+    // have exactly 1 and keep a constant as it is, high-passes have 0 and make it exactly 0.
+    double gain = 1;
+};
+
+Plane convolve(const Plane& plane, const Kernel& kernel);
+// The same for weights(x, y) = across[x] down[y], in two passes; each side has its gain.
+struct Side {
+    std::span<const double> weight;
+    double gain = 1;
+};
+Plane convolve(const Plane& plane, const Side& across, const Side& down);
+
+} // namespace scanout::image
