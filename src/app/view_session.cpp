@@ -357,8 +357,11 @@ Result<void> ViewSession::render() {
     options.height = background_.height();
     options.cull = viewer_.state().look.cull;
     TRY(const frame::FramePlan plan, frame::plan(options, facts_));
-    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
-    picture_ = &renderer_.render(model_->scene, view, plan);
+    // What the keys led to may be too near or too far away for any picture: then none is the
+    // model's.
+    const Result<scene::View> view = viewer_.view(model_->scene.mesh);
+    picture_ = view ? &renderer_.render(model_->scene, *view, plan) : &background_;
+    in_view_ = view && renderer_.stats().lanes_shaded > 0;
     return {};
 }
 
@@ -368,7 +371,7 @@ Result<void> ViewSession::draw(const Shown& wanted) {
     if (new_picture) TRY_VOID(render());
     if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) {
         Overlay overlay = wanted.overlay;
-        if (model_ && renderer_.stats().lanes_shaded == 0 && overlay.message.empty())
+        if (model_ && !in_view_ && overlay.message.empty())
             overlay.message = "model out of view: press R";
         if (!overlay.info.empty() && !steady_)
             overlay.info.push_back(fmt::format("{:.1f} ms  {:.0f} fps", renderer_.stats().total_ms,

@@ -115,6 +115,7 @@ private:
     Shown shown_;
     image::Image background_;
     const image::Image* picture_ = nullptr;
+    bool in_view_ = true; // the picture shows some of the model
     bool lost_ = false, repaint_ = true, quit_ = false;
     Time due_{}, last_draw_{}, load_start_{};
     double frames_per_second_ = 0;

@@ -101,6 +101,7 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.frame = &frame;
     in.mirrored = view.mirrored;
     in.background = plan.options.background;
+    if (frame.orthographic) return in; // every ray is the same; the extent may be no float
     in.rays.scale_x = static_cast<float>(2 * view.half_width / plan.options.width);
     in.rays.offset_x = static_cast<float>(-view.half_width);
     in.rays.scale_y = static_cast<float>(-2 * view.half_height / plan.options.height);

@@ -4,22 +4,52 @@
 #include "base/check.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace scanout::raster {
+namespace {
+
+void check_depth(double depth, std::string_view of, std::size_t number, std::string_view stage) {
+    if (std::isfinite(depth)) return;
+    check_failed(__FILE__, __LINE__, "every live lane is finite",
+                 fmt::format("depth of {} {} is {} after {}", of, number, depth, stage));
+}
+
+} // namespace
 
 void check_lanes(std::span<const ScreenVertex> vertices) {
     constexpr double kMost = kGuardPixels * kSubpixel;
-    for (const ScreenVertex& v : vertices) {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const ScreenVertex& v = vertices[i];
         if (!v.on_screen()) continue;
         CHECK_LE(std::abs(v.x), kMost);
         CHECK_LE(std::abs(v.y), kMost);
-        CHECK(std::isfinite(v.depth));
+        check_depth(v.depth, "vertex", i, "transform");
     }
 }
 
-void check_lanes(std::span<const float> depths) {
-    for (const float depth : depths)
-        CHECK(std::isfinite(depth));
+void check_lanes(std::span<const Triangle> triangles) {
+    for (const Triangle& t : triangles)
+        for (const double depth : t.depth)
+            check_depth(depth, "triangle", t.id, "set-up");
+}
+
+void check_lanes(const Segment& segment) {
+    for (const double depth : segment.depth)
+        check_depth(depth, "line", segment.id, "set-up");
+}
+
+void check_lanes(const Point& point) {
+    check_depth(point.depth, "point", point.id, "set-up");
+}
+
+void check_lanes(const VisibilityTile& tile) {
+    const image::Rect& area = tile.area();
+    for (int sample = 0; sample < tile.samples(); ++sample)
+        for (int y = area.y0; y < area.y1; ++y)
+            for (int x = area.x0; x < area.x1; ++x)
+                check_depth(tile.depth(x, y, sample), "primitive", tile.id(x, y, sample),
+                            "coverage");
 }
 
 } // namespace scanout::raster

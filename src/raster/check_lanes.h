@@ -1,19 +1,27 @@
 // In test builds (SCANOUT_CHECK_LANES), no vertex and no depth may be NaN or infinite after its
-// stage; the first that is ends the program. Elsewhere it is nothing.
+// stage; the first that is ends the program with the stage's name. Elsewhere it is nothing.
 #pragma once
 
+#include "raster/primitive.h"
 #include "raster/screen.h"
+#include "raster/tile.h"
 
 #include <span>
 
 namespace scanout::raster {
 
 #ifdef SCANOUT_CHECK_LANES
-void check_lanes(std::span<const ScreenVertex> vertices);
-void check_lanes(std::span<const float> depths); // of a tile
+void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
+void check_lanes(std::span<const Triangle> triangles);    // clipped and set up
+void check_lanes(const Segment& segment);
+void check_lanes(const Point& point);
+void check_lanes(const VisibilityTile& tile); // drawn; the pixels of its area
 #else
 inline void check_lanes(std::span<const ScreenVertex>) {}
-inline void check_lanes(std::span<const float>) {}
+inline void check_lanes(std::span<const Triangle>) {}
+inline void check_lanes(const Segment&) {}
+inline void check_lanes(const Point&) {}
+inline void check_lanes(const VisibilityTile&) {}
 #endif
 
 } // namespace scanout::raster

@@ -212,8 +212,7 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
         flush();
     }
     if (mesh_->lines() > 0 || mesh_->points() > 0) draw_on_ground(tile, out);
-    for (int sample = 0; sample < out.samples(); ++sample)
-        check_lanes(out.depths(sample));
+    check_lanes(out);
 }
 
 void Geometry::draw_on_ground(int tile, VisibilityTile& out) const {

@@ -1,5 +1,7 @@
 #include "raster/screen.h"
 
+#include "math/bits.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -16,17 +18,35 @@ std::int32_t snap(double pixels) {
     return static_cast<std::int32_t>((v + 0x1.8p52) - 0x1.8p52);
 }
 
+// The exponent that brings the largest length of a view to [1, 2).
+int to_one(const scene::View& view) {
+    double largest = 0;
+    for (int r = 0; r < 3; ++r) {
+        largest = std::max(largest, std::abs(view.translation[r]));
+        for (int c = 0; c < 3; ++c)
+            largest = std::max(largest, std::abs(view.linear[c][r]));
+    }
+    return largest > 0 && std::isfinite(largest) ? -decompose(largest).exponent : 0;
+}
+
 } // namespace
 
 ScreenTransform::ScreenTransform(const scene::View& view, int w, int h)
     : linear(), translation(), perspective(view.projection == scene::Projection::perspective),
       scale_x(w / (2 * view.half_width)), scale_y(h / (2 * view.half_height)), centre_x(w / 2.0),
-      centre_y(h / 2.0), width(w), height(h), depth_origin(view.depth_origin),
-      depth_scale(view.depth_scale), box{.near_w = perspective ? view.near_distance : 0.5} {
+      centre_y(h / 2.0), width(w), height(h), depth_origin(), depth_scale(), box{} {
+    const int exponent = to_one(view);
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c)
-            linear[r][c] = view.linear[c][r];
-        translation[r] = view.translation[r];
+            linear[r][c] = scale(view.linear[c][r], exponent);
+        translation[r] = scale(view.translation[r], exponent);
+    }
+    depth_origin = scale(view.depth_origin, exponent);
+    depth_scale = scale(view.depth_scale, -exponent);
+    box.near_w = perspective ? scale(view.near_distance, exponent) : 0.5;
+    if (!perspective) { // else the extent is that at distance 1, an angle
+        scale_x = scale(scale_x, -exponent);
+        scale_y = scale(scale_y, -exponent);
     }
 }
 

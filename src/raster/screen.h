@@ -52,7 +52,9 @@ struct ClipBox {
     double left = -kGuardPixels, right = kGuardPixels, top = -kGuardPixels, bottom = kGuardPixels;
 };
 
-// The view's numbers with the size of the picture folded in.
+// The view's numbers with the size of the picture folded in. Lengths are in a unit near the size of
+// the scene, a power of two of the view's: that changes no bit, and products of three coordinates
+// stay in the range of a double whatever the model is scaled to.
 struct ScreenTransform {
     ScreenTransform(const scene::View& view, int width, int height);
 
@@ -72,7 +74,7 @@ struct ScreenTransform {
     double linear[3][3]; // row major, mesh to view space
     double translation[3];
     bool perspective;
-    double scale_x, scale_y;   // view units to pixels at distance 1
+    double scale_x, scale_y;   // lengths to pixels at distance 1
     double centre_x, centre_y; // pixels
     double width, height;
     double depth_origin, depth_scale; // of parallel projections

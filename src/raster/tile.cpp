@@ -1,5 +1,6 @@
 #include "raster/tile.h"
 
+#include "raster/check_lanes.h"
 #include "raster/coverage.h"
 #include "raster/depth_bias.h"
 #include "raster/screen.h"
@@ -27,6 +28,7 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
 }
 
 void VisibilityTile::draw(std::span<const Triangle> triangles) {
+    check_lanes(triangles);
     touched_ |= draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
 }
 
@@ -100,6 +102,7 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
 // pixel on the other axis by exact division. [A 2.1], [C 4.1]: Bresenham's pixels in closed form,
 // so that no error adds up and any part of a line can be drawn alone.
 void VisibilityTile::draw(const Segment& s, const Ground& ground) {
+    check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
     if (box.empty()) return;
     Under under;
@@ -135,6 +138,7 @@ void VisibilityTile::draw(const Segment& s, const Ground& ground) {
 }
 
 void VisibilityTile::draw(const Point& p, const Ground& ground) {
+    check_lanes(p);
     const image::Rect box = inside(pixel_bounds(p, area_.x1, area_.y1));
     if (box.empty()) return;
     Under under;

@@ -35,6 +35,18 @@ bool finite(const DVec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
+// Of finite vectors of any size: squares alone would leave the range of a double. A power of two
+// changes no bit.
+double length(const DVec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0) return 0;
+    const int exponent = decompose(largest).exponent;
+    DVec3 unit;
+    for (int axis = 0; axis < 3; ++axis)
+        unit[axis] = scanout::scale(v[axis], -exponent);
+    return scanout::scale(scanout::sqrt(dot3(unit, unit)), exponent);
+}
+
 // Where the camera stands before the user's orbit: angles in degrees, distance and target in radii.
 struct Stand {
     double azimuth = 0, elevation = 0, distance = 0;
@@ -55,13 +67,13 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
     const DVec3 eye = up * radii_from_centre(mesh, *camera.eye);
     stand.target = up * radii_from_centre(mesh, *camera.target);
     const DVec3 back = eye - stand.target;
-    if (!finite(back) || dot3(back, back) == 0)
+    if (!finite(back)) return fail(Exit::usage, "the camera's eye and target must be finite");
+    stand.distance = length(back);
+    if (stand.distance == 0)
         return fail(Exit::usage,
                     "the camera's eye and target are the same point; move one of them");
-    const double level = scanout::sqrt(back.x * back.x + back.z * back.z);
     stand.azimuth = degrees(scanout::atan2(back.x, back.z));
-    stand.elevation = degrees(scanout::atan2(back.y, level));
-    stand.distance = scanout::sqrt(dot3(back, back));
+    stand.elevation = degrees(scanout::atan2(back.y, length({back.x, 0, back.z})));
     return stand;
 }
 
@@ -95,7 +107,7 @@ void set_normal_matrix(View& view) {
 }
 
 void set_projection(View& view, const CameraOptions& camera, double tan_half, double aspect,
-                    double distance) {
+                    double distance, double reach) {
     view.projection = camera.projection;
     view.centre_distance = -view.translation.z;
     const bool perspective = camera.projection == Projection::perspective;
@@ -104,10 +116,41 @@ void set_projection(View& view, const CameraOptions& camera, double tan_half, do
     // Reversed, infinite: depth = near / distance keeps its relative precision everywhere, so near
     // may be small; it is a fixed share of the distance and never cuts what a viewer looks at.
     view.near_distance = distance * 0x1p-14;
-    // The model's sphere in view space lies within `reach` of its centre.
-    const double reach = largest_entry(view.linear) * 3.001 + 0x1p-20; // |linear p| <= 3 max |p|
+    // Without perspective it changes nothing how far away the model stands; from very far its own
+    // depth would be lost in the sum.
+    if (!perspective && std::abs(view.translation.z) > reach * 0x1p20) {
+        view.world_origin.z -= view.translation.z;
+        view.translation.z = 0;
+    }
     view.depth_origin = view.translation.z - reach;
     view.depth_scale = 1 / (2 * reach);
+}
+
+// Whether all that is made of the view stays a number: floats hold depth, at most this small, and
+// doubles products of three coordinates.
+Result<void> check_ratios(const View& view, double distance, double reach) {
+    constexpr double kLeast = 0x1p-120;
+    const double far = std::max(view.centre_distance, 0.0) + reach;
+    const bool fits = view.projection == Projection::perspective
+                          ? view.near_distance >= far * kLeast
+                          : view.half_height >= reach * kLeast;
+    if (fits) return {};
+    return fail(Exit::usage,
+                "a camera {} bounding radii from its target is too close for a model that reaches "
+                "{}; give it a larger distance or the model a smaller scale",
+                distance, far);
+}
+
+Result<void> check_size(const View& view, double distance) {
+    const DVec3& t = view.translation;
+    const double size = std::max(
+        {largest_entry(view.linear), std::abs(t.x), std::abs(t.y), std::abs(t.z), distance});
+    if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
+        !finite(t) || !std::isfinite(distance) || size > 0x1p900 || size < 0x1p-900)
+        return fail(Exit::usage,
+                    "the camera or the model's transform leads to numbers that are too large, too "
+                    "small or not finite; give more moderate ones");
+    return {};
 }
 
 } // namespace
@@ -175,13 +218,14 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     view.world_axes = turn * up;
     view.world_origin = turn * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
                         DVec3(0, 0, distance);
-    if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
-        !finite(view.translation) || !std::isfinite(distance))
-        return fail(Exit::usage,
-                    "the camera or the model's transform leads to numbers that are not finite; "
-                    "give smaller ones");
+    TRY_VOID(check_size(view, distance));
     set_normal_matrix(view);
-    set_projection(view, camera, tan_half, aspect, distance);
+    // The model's sphere in view space lies within `reach` of its centre: |linear p| <= 3 max |p|.
+    const double largest = largest_entry(view.linear);
+    const double reach =
+        largest * 3.001 + (largest > 0 ? std::min(largest * 0x1p-10, 0x1p-20) : 0x1p-20);
+    set_projection(view, camera, tan_half, aspect, distance, reach);
+    TRY_VOID(check_ratios(view, distance, reach));
     return view;
 }
 

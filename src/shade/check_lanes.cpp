@@ -4,36 +4,48 @@
 #include "base/check.h"
 
 #include <cmath>
+#include <string>
 #include <string_view>
 
 namespace scanout::shade {
 namespace {
 
-void check(const float* lanes, int count, std::string_view what, const Stage& stage) {
-    for (int i = 0; i < count; ++i)
+void check(const float* lanes, std::size_t count, std::string_view what, std::string_view stage) {
+    for (std::size_t i = 0; i < count; ++i)
         if (!std::isfinite(lanes[i]))
             check_failed(__FILE__, __LINE__, "every live lane is finite",
-                         fmt::format("{} of lane {} is {} after {} {}", what, i, lanes[i],
-                                     stage.card.axis, stage.card.name));
+                         fmt::format("{} of lane {} is {} after {}", what, i, lanes[i], stage));
 }
 
 } // namespace
 
+void check_rays(const Block& b, const FrameState& frame) {
+    if (!b.lit || !frame.attributes.ray) return;
+    const auto count = static_cast<std::size_t>(b.count);
+    check(b.ray_x, count, "ray x", "place_lanes");
+    check(b.ray_y, count, "ray y", "place_lanes");
+}
+
 void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
+    const std::string name = fmt::format("{} {}", stage.card.axis, stage.card.name);
+    const auto count = static_cast<std::size_t>(b.count);
     for (int c = 0; c < 3; ++c) {
-        check(b.albedo[c], b.count, "albedo", stage);
-        if (b.lit && frame.attributes.normal) check(b.normal[c], b.count, "normal", stage);
-        if (b.lit && frame.attributes.position) check(b.position[c], b.count, "position", stage);
-        if (stage.card.axis == "reflection") check(b.colour[c], b.count, "colour", stage);
+        check(b.albedo[c], count, "albedo", name);
+        if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
+        if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
+        if (stage.card.axis == "reflection") check(b.colour[c], count, "colour", name);
     }
-    if (b.lit && frame.attributes.ray) {
-        check(b.ray_x, b.count, "ray x", stage);
-        check(b.ray_y, b.count, "ray y", stage);
-    }
-    if (b.map[kDiffuseMap].texture != nullptr) {
-        check(b.u, b.count, "u", stage);
-        check(b.v, b.count, "v", stage);
-    }
+    if (b.map[kDiffuseMap].texture == nullptr) return;
+    check(b.u, count, "u", name);
+    check(b.v, count, "v", name);
+    if (stage.card.axis != "map") return;
+    for (int c = 0; c < 3; ++c)
+        check(b.sampled[c], count, "sampled", name);
+}
+
+void check_sums(const PixelSums& sums, std::size_t count) {
+    for (const auto* channel : {&sums.red, &sums.green, &sums.blue})
+        check(channel->data(), count, "sum", "the sums of samples");
 }
 
 } // namespace scanout::shade

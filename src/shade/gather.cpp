@@ -141,6 +141,7 @@ void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInpu
     Block& b = *block_;
     if (b.count == 0) return;
     if (b.lit) place_lanes(b, *in.frame, in.rays);
+    check_rays(b, *in.frame);
     for (const Stage* stage : in.stages) {
         stage->run(b, *in.frame);
         check_lanes(b, *in.frame, *stage);
@@ -183,6 +184,7 @@ void Gatherer::keep_linear(const raster::VisibilityTile& tile, LinearPicture& li
 
 void Gatherer::resolve_shared(const raster::VisibilityTile& tile, const GatherInput& in,
                               image::Image& picture) {
+    check_sums(sums_, shared_.size());
     codes_.resize(shared_.size() + (kRoom - kLanes));
     resolve_pixels(sums_, tile.samples(), in.background, static_cast<int>(shared_.size()),
                    codes_.data());

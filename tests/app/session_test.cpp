@@ -204,6 +204,22 @@ TEST_F(Session, AModelThatIsLostSaysHowToComeBackAndRSeesItAgain) {
     }
 }
 
+// The view of a key has a distance of its own, far too close for this scale.
+TEST_F(Session, AViewThatIsNoneSaysHowToComeBackAndRSeesTheModelAgain) {
+    settings.model.scale = DVec3(1e40);
+    settings.camera.distance = 3e40;
+    const image::Image empty(160, 120, settings.frame.background);
+    const std::string lost = folder.file("lost.png"), back = folder.file("back.png");
+    port::HeadlessDisplay display = make_display();
+    ASSERT_TRUE(play("view_front\nframe " + lost + "\n+1 reset\nframe " + back + "\n", display));
+    const image::Image picture = *image::load(lost);
+    EXPECT_NE(picture, empty);
+    for (int y = 0; y < 90; ++y)
+        for (int x = 0; x < 160; ++x)
+            ASSERT_EQ(picture.at(x, y), empty.at(x, y)) << "a line at the lower left, no more";
+    EXPECT_EQ(*image::load(back), rendered({}));
+}
+
 TEST_F(Session, ARecordingOfAReplayIsTheReplay) {
     const std::string text =
         "0 rotate_left\n+30 drag_begin\ndrag_rotate 12 -3\n+1 drag_end\n+0 frame " +

@@ -459,6 +459,61 @@ TEST(Picture, SurvivesHugeAndTinyZoom) {
     }
 }
 
+// What the eye stands within is cut by near and by the guard band, on all sides.
+TEST(Picture, IsTheSameAtEveryScaleOfModelAndCamera) {
+    for (const auto projection :
+         {scene::Projection::perspective, scene::Projection::orthographic}) {
+        for (Shot s : {solids("solids"), glossy("glossy", "blinn_phong"),
+                       near_clip("floor behind the eye")}) {
+            s.camera.eye = s.camera.target = std::nullopt;
+            s.camera.elevation_degrees = 20;
+            s.camera.projection = projection;
+            for (const double distance : {0.25, 3.0}) {
+                s.camera.distance = distance;
+                s.model.scale = DVec3(1);
+                frame::Visibility seen, first;
+                const Image picture = draw(s, {.visibility = &first});
+                EXPECT_GT(covered(picture, s.options.background), 300);
+                for (const int exponent : {-880, -500, -200, -100, -20, 20, 100, 200, 500, 880}) {
+                    s.model.scale = DVec3(std::ldexp(1.0, exponent));
+                    s.camera.distance = std::ldexp(distance, exponent);
+                    EXPECT_EQ(draw(s, {.visibility = &seen}), picture) << s.name << exponent;
+                    EXPECT_EQ(seen.id, first.id) << s.name << exponent;
+                }
+            }
+        }
+    }
+}
+
+// Far closer to its target than a vertex can be told from its neighbour, the eye is where it is.
+TEST(Picture, FromWithinAModelIsTheSameHoweverCloseTheEyeIsToItsCentre) {
+    for (Shot s : {solids("solids"), soup("soup", 300, 1, 5)}) {
+        s.camera.distance = 0x1p-80;
+        frame::Visibility seen, first;
+        const Image picture = draw(s, {.visibility = &first});
+        EXPECT_GT(covered(picture, s.options.background), 4000);
+        for (const int exponent : {-85, -87, -95, -100, -102, -104}) {
+            s.camera.distance = std::ldexp(1.0, exponent);
+            EXPECT_EQ(draw(s, {.visibility = &seen}), picture) << s.name << exponent;
+            EXPECT_EQ(seen.id, first.id) << s.name << exponent;
+        }
+    }
+}
+
+// Without perspective a model looks the same from anywhere on the view axis.
+TEST(Picture, WithoutPerspectiveIsTheSameHoweverFarAwayTheModelIsMoved) {
+    Shot s = solids("solids");
+    s.camera.azimuth_degrees = s.camera.elevation_degrees = 0;
+    s.camera.projection = scene::Projection::orthographic;
+    frame::Visibility seen, first;
+    const Image picture = draw(s, {.visibility = &first});
+    for (const double z : {-1e30, -1e12, -1e5, 1e3, 1e7, 1e20, 1e200}) {
+        s.model.translate = {0, 0, z};
+        EXPECT_EQ(draw(s, {.visibility = &seen}), picture) << z;
+        EXPECT_EQ(seen.id, first.id) << z;
+    }
+}
+
 TEST(Picture, CountsWhatItDid) {
     frame::FrameStats stats;
     Shot s = full_screen(4);

@@ -125,5 +125,14 @@ TEST_F(Hashes, AreTheSameForEveryTileSize) {
     }
 }
 
+// Skipped, and counted as such, where nothing above was drawn on one of them.
+TEST_F(Hashes, WereComparedOnEveryTargetOfTheProgram) {
+    std::string lacking;
+    for (const simd::Target& target : simd::targets())
+        if (!target.supported) lacking += ' ' + target.name;
+    if (!lacking.empty())
+        GTEST_SKIP() << "this CPU lacks" << lacking << ": no hash was compared there";
+}
+
 } // namespace
 } // namespace scanout::test

@@ -278,6 +278,84 @@ TEST(Depth, OfTwoTriangulationsOfAQuadDiffersByTwoUnitsInTheLastPlaceAtMost) {
     record("worst_ulp", static_cast<double>(worst));
 }
 
+// Five points in one plane, as above, but steep, and down to where depth is too small for floats to
+// add up: triangles near the far side take the double path, the others the one that is near to
+// flat.
+struct SteepQuad {
+    Corner corner[5];
+    std::array<double, 5> depth;
+    explicit SteepQuad(Random& random) {
+        const auto about = [&](int x, int y) {
+            return Corner{x * 256 + random.whole(-2560, 2560), y * 256 + random.whole(-2560, 2560)};
+        };
+        corner[0] = about(-8, -8);
+        corner[1] = about(72, -8);
+        corner[2] = about(72, 72);
+        corner[3] = about(-8, 72);
+        corner[4] = about(32, 32);
+        const auto slope = [&] {
+            return std::exp2(random.in(20, 28)) * (random.bits() % 2 ? 1 : -1);
+        };
+        const auto a = static_cast<std::int64_t>(slope()), b = static_cast<std::int64_t>(slope());
+        const auto plane = [&](const Corner& c) { return a * c.x + b * c.y; };
+        std::int64_t least = plane(corner[0]);
+        for (const Corner& c : corner)
+            least = std::min(least, plane(c));
+        // Whole numbers below 2^53: depth is in the plane exactly.
+        const auto above = static_cast<std::int64_t>(std::exp2(random.in(34, 44)));
+        const int exponent =
+            random.bits() % 4 == 0 ? random.whole(-148, -130) : random.whole(-60, -44);
+        for (std::size_t i = 0; i < 5; ++i)
+            depth[i] = std::ldexp(static_cast<double>(plane(corner[i]) - least + above), exponent);
+    }
+    // Draws the triangles with ids 0, 1, ...; which of them are near to flat.
+    std::vector<bool> draw(VisibilityTile& tile,
+                           std::initializer_list<std::array<std::size_t, 3>> triangles) const {
+        std::vector<bool> flat;
+        for (const auto& [i, j, k] : triangles) {
+            const Triangle t =
+                set_up({corner[i], corner[j], corner[k]}, static_cast<std::uint32_t>(flat.size()),
+                       {depth[i], depth[j], depth[k]});
+            flat.push_back(depth_plane(t, edges_of(t)).flat);
+            tile.draw(t);
+        }
+        return flat;
+    }
+};
+
+// HARD-CASES row 18, whichever of the two paths computes which of the depths.
+TEST(Depth, OfTwoTriangulationsDiffersByTwoUnitsAtMostOnEitherPath) {
+    Random random(11);
+    VisibilityTile one, other;
+    std::int64_t worst[3] = {}, compared[3] = {}; // by how many of the two are near to flat
+    for (int i = 0; i < 4000; ++i) {
+        const SteepQuad quad(random);
+        const int samples = i % 4 == 0 ? 4 : 1;
+        one.reset({0, 0, kSide, kSide}, samples);
+        other.reset({0, 0, kSide, kSide}, samples);
+        const auto two = quad.draw(one, {{0, 1, 2}, {0, 2, 3}});
+        const auto four = quad.draw(other, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x)
+                for (int s = 0; s < samples; ++s) {
+                    const std::uint32_t a = one.id(x, y, s), b = other.id(x, y, s);
+                    if (a == kNoPrimitive || b == kNoPrimitive) continue;
+                    const int paths = (two[a] ? 1 : 0) + (four[b] ? 1 : 0);
+                    worst[paths] =
+                        std::max(worst[paths],
+                                 oracle::floats_between(one.depth(x, y, s), other.depth(x, y, s)));
+                    ++compared[paths];
+                }
+    }
+    constexpr const char* kName[] = {"double_double", "double_flat", "flat_flat"};
+    for (std::size_t paths = 0; paths < 3; ++paths) {
+        EXPECT_LE(worst[paths], 2) << kName[paths];
+        EXPECT_GT(compared[paths], 100000) << kName[paths];
+        record(std::string("worst_ulp_") + kName[paths], static_cast<double>(worst[paths]));
+        record(std::string("samples_") + kName[paths], static_cast<double>(compared[paths]));
+    }
+}
+
 // A quad of 80 x 80 pixels turned away from the eye by `tilt` degrees, so that it is thinner on the
 // screen, whose depths reach from 0.9 down to 0.9 / ratio: of exactly one plane, as those of
 // CoplanarQuad. Cut in two, and in four about a vertex inside.

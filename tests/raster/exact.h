@@ -86,7 +86,8 @@ struct Planes {
     std::uint32_t id(int x, int y, int sample = 0) const { return ids[at(x, y, sample)]; }
 };
 inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width,
-                          int height, int samples = 1, Facing keep = Facing::any) {
+                          int height, int samples = 1, Facing keep = Facing::any,
+                          int tile_size = kTileSize) {
     Geometry geometry;
     GeometryOptions options;
     options.width = width;
@@ -94,6 +95,7 @@ inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View&
     options.samples = samples;
     options.keep = keep;
     options.mirrored = view.mirrored;
+    options.tile_size = tile_size;
     geometry.run(jobs, mesh, ScreenTransform(view, width, height), options);
     Planes out{width, samples, {}, {}};
     const std::size_t size = out.at(0, height);

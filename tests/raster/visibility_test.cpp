@@ -222,9 +222,12 @@ TEST(Visibility, ThreadsAndTilesChangeNoBit) {
     std::optional<Planes> first;
     for (const int threads : {1, 2, 3, 7, 16}) {
         Jobs jobs(threads);
-        const Planes now = draw_planes(jobs, mesh, camera_at(1), 300, 200);
-        if (!first) first = now;
-        ASSERT_EQ(*first, now) << threads;
+        for (const int tile_size : {8, 16, 32, 64}) {
+            const Planes now =
+                draw_planes(jobs, mesh, camera_at(1), 300, 200, 1, Facing::any, tile_size);
+            if (!first) first = now;
+            ASSERT_EQ(*first, now) << threads << " threads, tiles of " << tile_size;
+        }
     }
 }
 

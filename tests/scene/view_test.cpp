@@ -343,7 +343,9 @@ TEST(View, NormalsStayFiniteAtScalesWithoutAnInverse) {
                 ModelTransform model;
                 model.scale = {x, y, z};
                 model.rotate_degrees = {10, 20, 30};
-                const View v = view_of({}, {}, {}, model);
+                CameraOptions outside; // of all of it
+                outside.distance = 3 * std::max({1.0, x, y, z});
+                const View v = view_of(outside, {}, {}, model);
                 double largest = 0;
                 for (int c = 0; c < 3; ++c)
                     for (int r = 0; r < 3; ++r) {
@@ -423,6 +425,41 @@ TEST(View, APixelsSizeIsThatOfTheCentrePlane) {
     }
 }
 
+// Depth is near / w: where a float could not hold it all over the model, there is no view.
+TEST(View, TheWholeModelHasADepthThatAFloatHoldsFromAnyEyeThatThereIs) {
+    int views = 0, refused = 0;
+    for (int d = -890; d <= 890; d += 13) {
+        for (int s = -890; s <= 890; s += 17) {
+            CameraOptions camera;
+            camera.distance = std::ldexp(1.0, d);
+            const ModelTransform model{DVec3(std::ldexp(1.0, s)), DVec3(0), DVec3(0)};
+            const auto v = make_view(test::empty_mesh(), model, {}, camera, {}, 64, 64);
+            ASSERT_EQ(v.has_value(), s - d <= 104) << d << ' ' << s;
+            (v ? views : refused) += 1;
+            if (!v) continue;
+            const double far = camera.distance + model.scale.x;
+            EXPECT_EQ(v->near_distance, camera.distance * 0x1p-14);
+            EXPECT_GE(v->near_distance / far, 0x1p-122) << d << ' ' << s;
+        }
+    }
+    EXPECT_GT(views, 5000);
+    EXPECT_GT(refused, 2000);
+}
+
+TEST(View, EyeAndTargetMayBeVeryCloseAndVeryFarApart) {
+    for (int exponent = -888; exponent <= 888; exponent += 27) {
+        const double scale = std::ldexp(1.0, exponent);
+        CameraOptions camera;
+        camera.eye = DVec3(3, 12, 4) * scale;
+        camera.target = DVec3(0);
+        const ModelTransform model{DVec3(std::min(scale, 1.0)), DVec3(0), DVec3(0)};
+        const View v = view_of(camera, {}, {}, model);
+        EXPECT_EQ(-v.translation.z, 13 * scale) << exponent;
+        camera.eye = DVec3(3, 12, 4);
+        EXPECT_EQ(v.linear, view_of(camera, {}, {}, model).linear) << exponent;
+    }
+}
+
 TEST(View, RefusesCamerasThatAreNone) {
     const auto refused = [](const CameraOptions& camera, const ModelTransform& model = {}) {
         const auto v = make_view(test::empty_mesh(), model, {}, camera, {}, 64, 64);
@@ -451,6 +488,20 @@ TEST(View, RefusesCamerasThatAreNone) {
         translate.translate.x = bad;
         for (const ModelTransform& model : {scale, rotate, translate})
             EXPECT_TRUE(refused({}, model)) << bad;
+    }
+    // Products of three coordinates must stay numbers.
+    for (const double bad : {1e-300, 1e-280, 1e275, 1e308}) {
+        CameraOptions apart;
+        apart.distance = bad;
+        EXPECT_TRUE(refused(apart, {DVec3(bad), DVec3(0), DVec3(0)})) << bad;
+    }
+    for (const auto projection : {Projection::perspective, Projection::orthographic}) {
+        CameraOptions close;
+        close.projection = projection;
+        for (const double bad : {1e-40, 1e-300, 5e-324}) {
+            close.distance = bad;
+            EXPECT_TRUE(refused(close)) << bad;
+        }
     }
     CameraOptions elevation, distance, narrow, wide;
     elevation.elevation_degrees = kNaN;
