@@ -1,4 +1,4 @@
-// What a kernel needs to walk over the blocks of a tile that a triangle may cover.
+// What kernels need to draw the blocks of a tile that a triangle may cover.
 #pragma once
 
 #include "raster/coverage.h"
@@ -21,6 +21,16 @@ struct BlockWalk {
     int row0, row1;     // of the tile: the rows that can hold a sample
     // How far an edge function may lie below and above its value at a block's corner.
     std::int64_t lowest[3], highest[3];
+};
+
+// The pixels of a block in which a piece of a triangle covers a sample, and its depth there: what
+// is left to do for the lanes.
+struct PieceBlock {
+    std::uint64_t inside;        // bit 8 y + x
+    const float* depths;         // of the pixels, eight a row; null: on a plane
+    double corner, per_x, per_y; // the plane, from the first pixel's sample on, in pixels
+    double least, most;          // of the vertices: no depth lies beyond, not even by rounding
+    std::uint32_t id;
 };
 
 } // namespace scanout::raster

@@ -7,7 +7,7 @@
 namespace scanout::raster {
 namespace {
 
-constexpr int kPlanes = 5; // near first, then left, right, top, bottom of the guard band
+constexpr int kNear = 0, kPlanes = 5; // then left, right, top, bottom of the guard band
 
 // Signed distance, >= 0 inside.
 double distance(int plane, const ClipVertex& v, const ClipBox& box) {
@@ -39,23 +39,6 @@ ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double
     return v;
 }
 
-void clip_plane(ClipPolygon& polygon, int plane, const ClipBox& box) {
-    ClipPolygon out;
-    for (int i = 0; i < polygon.count; ++i) {
-        const ClipVertex& a = polygon.vertex[static_cast<std::size_t>(i)];
-        const ClipVertex& b = polygon.vertex[static_cast<std::size_t>((i + 1) % polygon.count)];
-        const double da = distance(plane, a, box), db = distance(plane, b, box);
-        const bool a_inside = da >= 0, b_inside = db >= 0;
-        if (a_inside) out.vertex[static_cast<std::size_t>(out.count++)] = a;
-        if (a_inside != b_inside) {
-            out.vertex[static_cast<std::size_t>(out.count++)] =
-                a_inside ? intersect(plane, box, a, da, b, db)
-                         : intersect(plane, box, b, db, a, da);
-        }
-    }
-    polygon = out;
-}
-
 DVec3 cross_rows(const ClipVertex& a, const ClipVertex& b) {
     return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
 }
@@ -63,7 +46,7 @@ DVec3 cross_rows(const ClipVertex& a, const ClipVertex& b) {
 } // namespace
 
 HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex) {
-    HomogeneousTriangle t{{{0, 1, 2}, false}, false, false, {}};
+    HomogeneousTriangle t{{{0, 1, 2}, false}, false, {}};
     auto& order = t.order.vertex;
     const auto before = [&](std::uint8_t i, std::uint8_t j) {
         const ClipVertex &a = vertex[i], &b = vertex[j];
@@ -78,7 +61,6 @@ HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex
     t.row = {cross_rows(b, c), cross_rows(c, a), cross_rows(a, b)};
     // The determinant has the sign of the visible part's area.
     const double det = dot3(t.row[0], DVec3(a.x, a.y, a.w));
-    t.seen = det < 0 || det > 0;
     t.clockwise = det > 0;
     if (det < 0)
         for (DVec3& row : t.row)
@@ -86,9 +68,24 @@ HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex
     return t;
 }
 
-void clip(ClipPolygon& polygon, const ClipBox& box) {
-    for (int plane = 0; plane < kPlanes && polygon.count >= 3; ++plane)
-        clip_plane(polygon, plane, box);
+NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w) {
+    const ClipBox box{.near_w = near_w};
+    NearPolygon out;
+    const auto put = [&](const ClipVertex& v, int corner) {
+        out.vertex[static_cast<std::size_t>(out.count)] = v;
+        out.corner[static_cast<std::size_t>(out.count++)] = corner;
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ClipVertex &a = triangle[i], &b = triangle[(i + 1) % 3];
+        const double da = distance(kNear, a, box), db = distance(kNear, b, box);
+        const bool a_inside = da >= 0, b_inside = db >= 0;
+        if (a_inside) put(a, static_cast<int>(i));
+        if (a_inside != b_inside)
+            put(a_inside ? intersect(kNear, box, a, da, b, db)
+                         : intersect(kNear, box, b, db, a, da),
+                -1);
+    }
+    return out;
 }
 
 bool clip(ClipVertex& a, ClipVertex& b, const ClipBox& box) {

@@ -8,9 +8,9 @@
 #define SIMD_FILE "raster/coverage.cpp"
 #include "simd/for_each_target.h"
 
-SIMD_BEGIN(scanout::raster)
+#include "raster/show-inl.h"
 
-using MaskX8 = Mask<F32x8::Tag>;
+SIMD_BEGIN(scanout::raster)
 
 struct Block {
     std::int32_t first[3];           // floor((E + bias) / 256) at the first pixel's sample
@@ -43,15 +43,7 @@ HWY_INLINE void draw_row(const BlockWalk& walk, const Block& b, int y, float sam
             };
             z = to_f32((term(0) + term(1)) + term(2));
         }
-        const F32x8 old = load<F32x8>(depth + x);
-        const I32x8 old_id = load<I32x8>(id + x), new_id = static_cast<std::int32_t>(b.id);
-        // Ids are compared as unsigned numbers: their order is that of signed ones moved by 2^31.
-        const I32x8 half = INT32_MIN;
-        const MaskX8 pass =
-            inside & ((z > old) | ((z == old) & ((new_id + half) < (old_id + half))));
-        store(select(pass, z, old), depth + x);
-        store(select(pass, new_id, old_id), id + x);
-        drawn = select(pass, I32x8(-1), drawn);
+        show(inside, z, b.id, depth + x, id + x, drawn);
     }
 }
 

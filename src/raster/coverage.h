@@ -4,6 +4,7 @@
 #pragma once
 
 #include "image/image.h"
+#include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
 
@@ -24,6 +25,7 @@ struct TilePlanes {
 
 // Did any of them show? Pixels of the planes beyond the area may be drawn, too.
 bool draw_triangles(const TilePlanes& tile, std::span<const Triangle> triangles);
+bool draw_piece(const TilePlanes& tile, const Piece& piece);
 
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23
 // of the exact plane through the snapped vertices (HARD-CASES 14, 15):
@@ -36,7 +38,8 @@ bool draw_triangles(const TilePlanes& tile, std::span<const Triangle> triangles)
 // - else in double: E_0 d_0 / area + E_1 d_1 / area + E_2 d_2 / area, no term of which is negative,
 //   so nothing cancels, rounded once.
 //
-// Neither depends on the tile, the vertices' order or what else is drawn.
+// Neither depends on the tile, the vertices' order or what else is drawn. Pieces have the same
+// bound (raster/piece_coverage.cpp).
 struct DepthPlane {
     bool flat;
     double share[3];     // depth of a vertex / area

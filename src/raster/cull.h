@@ -29,8 +29,8 @@ struct KeptTriangle {
 };
 
 // index: three vertices each of the triangles first, first + 1, ... Appends to `kept` those on the
-// screen that have an area, face as wanted and may cover a sample, and to `cut` those that must be
-// clipped first. Both have room for all; the counts are set.
+// screen that have an area, face as wanted and may cover a sample, and to `cut` those that have a
+// vertex off the screen and may be seen. Both have room for all; the counts are set.
 struct CullResult {
     std::span<KeptTriangle> kept;
     std::span<std::uint32_t> cut;

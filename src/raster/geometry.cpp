@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <tuple>
 
 namespace scanout::raster {
 
@@ -119,37 +118,30 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
     const std::uint32_t* index = task.mesh.index.data() + std::size_t{triangle} * 3;
     if ((flags(task, index[0]) & flags(task, index[1]) & flags(task, index[2]) & kOutsideMask) != 0)
         return;
-    ClipPolygon polygon;
-    polygon.count = 3;
-    for (std::size_t i = 0; i < 3; ++i)
-        polygon.vertex[i] = task.transform.to_clip(task.mesh.position[index[i]]);
-    const HomogeneousTriangle whole =
-        homogeneous_triangle({polygon.vertex[0], polygon.vertex[1], polygon.vertex[2]});
-    if (!whole.seen) return;
-    clip(polygon, task.transform.box);
-    const auto count = static_cast<std::size_t>(polygon.count);
-    if (count < 3) return;
-    std::array<ScreenVertex, std::tuple_size_v<decltype(polygon.vertex)>> corner;
-    for (std::size_t i = 0; i < count; ++i)
-        corner[i] = task.transform.to_screen(polygon.vertex[i]);
-    // The fan's hub is the first corner in canonical order, not the first that the file names.
-    const auto before = [](const ScreenVertex& a, const ScreenVertex& b) {
-        return std::tie(a.y, a.x, a.depth) < std::tie(b.y, b.x, b.depth);
-    };
-    const auto end = corner.begin() + static_cast<std::ptrdiff_t>(count);
-    std::rotate(corner.begin(), std::min_element(corner.begin(), end, before), end);
-    // Pieces face where the whole does, whatever snapping did to them.
-    if (!faces_as_wanted(cull_, whole.clockwise != whole.order.odd)) return;
-    for (std::size_t i = 2; i < count; ++i) {
-        const std::optional<SetUp> piece = set_up({corner[0], corner[i - 1], corner[i]}, triangle);
-        if (!piece) continue;
-        const image::Rect bounds = pixel_bounds(piece->triangle, width_, height_, cull_.extent);
+    bool drawn = false;
+    for (const Piece& piece : pieces(triangle)) {
+        const image::Rect bounds = pixel_bounds(piece, width_, height_, cull_.extent);
         if (bounds.empty()) continue;
-        ++batch.triangles_drawn;
+        drawn = true;
         const auto number = static_cast<std::uint32_t>(batch.pieces.size());
-        batch.pieces.push_back(piece->triangle);
+        batch.pieces.push_back(piece);
         for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].pieces.push_back(number); });
     }
+    batch.triangles_drawn += drawn ? 1 : 0;
+}
+
+Pieces Geometry::pieces(std::uint32_t triangle) const {
+    const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
+    const auto vertex = [&](std::size_t i) {
+        return transform_->to_clip(mesh_->position[index[i]]);
+    };
+    const Pieces all = pieces_of({vertex(0), vertex(1), vertex(2)}, corners(triangle),
+                                 transform_->box.near_w, triangle);
+    Pieces kept;
+    for (const Piece& piece : all)
+        if (faces_as_wanted(cull_, piece.clockwise))
+            kept.piece[static_cast<std::size_t>(kept.count++)] = piece;
+    return kept;
 }
 
 void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment) const {
@@ -205,11 +197,9 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
                 ready[count++] = t->triangle;
             if (count == ready.size()) flush();
         }
-        for (const std::uint32_t i : bin.pieces) {
-            ready[count++] = batch.pieces[i];
-            if (count == ready.size()) flush();
-        }
         flush();
+        for (const std::uint32_t i : bin.pieces)
+            out.draw(batch.pieces[i]);
     }
     if (mesh_->lines() > 0 || mesh_->points() > 0) draw_on_ground(tile, out);
     check_lanes(out);

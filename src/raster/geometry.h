@@ -1,4 +1,4 @@
-// The geometry stage of a frame: transform every vertex once, clip, snap, cull, put into canonical
+// The geometry stage of a frame: transform every vertex once, snap, cull, clip, put into canonical
 // order, and hand each primitive to the tiles that it may touch. On all cores; what a tile holds
 // does not depend on which worker did what, only its order does, and visibility is commutative.
 #pragma once
@@ -6,6 +6,7 @@
 #include "base/jobs.h"
 #include "geom/mesh.h"
 #include "raster/cull.h"
+#include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
 #include "raster/tile.h"
@@ -38,13 +39,15 @@ public:
     void draw(int tile, VisibilityTile& out) const;
 
     std::span<const ScreenVertex> vertices() const { return vertices_; }
+    // What is drawn of a triangle that has a vertex off the screen.
+    Pieces pieces(std::uint32_t triangle) const;
     std::uint64_t triangles_drawn() const;
 
 private:
     // What one worker found, with one list a tile. Whole triangles are named by their id and set up
     // again by the tile that draws them: four bytes each instead of sixty.
     struct Batch {
-        std::vector<Triangle> pieces; // of clipped triangles
+        std::vector<Piece> pieces;
         std::vector<Segment> segments;
         std::vector<Point> points;
         struct Bin {

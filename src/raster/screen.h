@@ -14,7 +14,7 @@ namespace scanout::raster {
 inline constexpr std::size_t kMostVertices = std::size_t{1} << 29; // lanes index words in 31 bits
 inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
-inline constexpr double kGuardPixels = 32767; // |x|, |y| beyond it are clipped away
+inline constexpr double kGuardPixels = 32767; // vertices beyond it, |x| or |y|, are not snapped
 inline constexpr double kMostDepth = 0x1p64;  // z beyond it, in near_w, counts as not finite
 
 // A vertex before the perspective divide. x and y are pixels times w (y down), depth is z / w.
@@ -34,8 +34,8 @@ enum VertexFlags : std::uint32_t {
     kNeedsClip = kOutsideNear | kOutsideGuard,
 };
 
-// A vertex on the screen. x, y in 1/256 pixel. A vertex that has no place there before it is
-// clipped, or is not finite, has x = kOffScreen and its flags in y.
+// A vertex on the screen. x, y in 1/256 pixel. A vertex that has no place there, or is not finite,
+// has x = kOffScreen and its flags in y.
 struct ScreenVertex {
     static constexpr std::int32_t kOffScreen = INT32_MIN;
     std::int32_t x = kOffScreen, y = 0;
@@ -46,7 +46,8 @@ struct ScreenVertex {
 };
 static_assert(sizeof(ScreenVertex) == 16);
 
-// What is clipped away: behind the near plane, and beyond the guard band (pixels).
+// Where vertices stand on the screen: not before the near plane, not beyond the guard band
+// (pixels). Triangles are cut at the near plane alone (raster/piece.h), segments at all five.
 struct ClipBox {
     double near_w;
     double left = -kGuardPixels, right = kGuardPixels, top = -kGuardPixels, bottom = kGuardPixels;
@@ -58,8 +59,8 @@ struct ClipBox {
 struct ScreenTransform {
     ScreenTransform(const scene::View& view, int width, int height);
 
-    // Clips closer: this many pixels around the picture. Shapes stay the same but for 1/256 pixel
-    // along the cuts (HARD-CASES P7).
+    // A closer guard band: this many pixels around the picture. Shapes stay the same but for 1/256
+    // pixel along edges to vertices that are snapped no longer (HARD-CASES P7).
     void set_guard(double pixels);
 
     ClipVertex to_clip(const Vec3& mesh_position) const;

@@ -32,6 +32,10 @@ void VisibilityTile::draw(std::span<const Triangle> triangles) {
     touched_ |= draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
 }
 
+void VisibilityTile::draw(const Piece& piece) {
+    touched_ |= draw_piece({area_, pattern_, depth_.data(), id_.data()}, piece);
+}
+
 void VisibilityTile::keep_ground() {
     const std::size_t size = kPlane * static_cast<std::size_t>(samples_);
     ground_depth_.assign(depth_.begin(), depth_.begin() + static_cast<std::ptrdiff_t>(size));

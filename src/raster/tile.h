@@ -20,6 +20,7 @@ public:
 
     void draw(std::span<const Triangle> triangles);
     void draw(const Triangle& triangle) { draw(std::span(&triangle, 1)); }
+    void draw(const Piece& piece);
     // What is drawn so far, all triangles, is the ground: lines and points that follow are held
     // against it, not against each other's pixels, so that their order does not matter.
     void keep_ground();

@@ -62,6 +62,13 @@ void bind_maps(Block& b, const GatherInput& in) {
     }
 }
 
+// Does a clipped triangle cover the point (1/256 pixel)?
+bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
+    const raster::Pieces pieces = in.geometry->pieces(triangle);
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [&](const raster::Piece& piece) { return raster::covers(piece, x, y); });
+}
+
 } // namespace
 
 Gatherer::Gatherer()
@@ -124,16 +131,32 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
 }
 
 // Lanes for `count` pixels of the fragment, `skip` pixels from its first.
-void Gatherer::add_run(const raster::VisibilityTile& tile, const Fragment& f, int skip, int count,
-                       const Primitive& primitive) {
+void Gatherer::add_run(const raster::VisibilityTile& tile, const GatherInput& in, const Fragment& f,
+                       int skip, int count) {
     Block& b = *block_;
     const int x = tile.area().x0 + f.pixel % kTileSize + skip;
     const int y = tile.area().y0 + f.pixel / kTileSize;
-    const raster::SampleOffset centre = raster::kPixelCentre;
+    const Primitive& primitive = primitives_->get(in, f.id);
     const raster::SampleOffset at = tile.pattern()[f.sample];
-    b.run[b.runs++] = {
-        &primitive,      b.count,        count, x * kSubpixel + centre.x, y * kSubpixel + centre.y,
-        at.x - centre.x, at.y - centre.y};
+    Run run{&primitive,
+            b.count,
+            count,
+            x * kSubpixel + raster::kPixelCentre.x,
+            y * kSubpixel + raster::kPixelCentre.y,
+            at.x - raster::kPixelCentre.x,
+            at.y - raster::kPixelCentre.y};
+    if (f.weight == tile.samples()) {
+        // What covers all samples covers the centre, which lies among them.
+        run.dx = run.dy = 0;
+    } else if (primitive.clipped) {
+        // The weights are those of the triangle before the clip: what was drawn decides.
+        if (!covers(in, f.id, run.x, run.y)) {
+            run.x += run.dx;
+            run.y += run.dy;
+        }
+        run.dx = run.dy = 0;
+    }
+    b.run[b.runs++] = run;
 }
 
 void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInput& in,
@@ -222,7 +245,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
             }
             const int count = std::min(f.count - done, kLanes - b.count);
             if (f.lit) {
-                add_run(tile, f, done, count, primitives_->get(in, f.id));
+                add_run(tile, in, f, done, count);
             } else {
                 for (int k = 0; k < count; ++k) {
                     const int x = tile.area().x0 + f.pixel % kTileSize + done + k;

@@ -52,8 +52,8 @@ private:
     class Primitives;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
-    void add_run(const raster::VisibilityTile& tile, const Fragment& fragment, int skip, int count,
-                 const Primitive& primitive);
+    void add_run(const raster::VisibilityTile& tile, const GatherInput& input,
+                 const Fragment& fragment, int skip, int count);
     void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
                       image::Image& picture);
     void keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const;

@@ -37,7 +37,8 @@ struct Primitive {
     // vertex i, whole numbers and exact, where the triangle was not clipped; else the row of
     // raster::HomogeneousTriangle. Inside, none is negative.
     double a[3], b[3], c[3];
-    double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule
+    double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
+                     // asked for where the triangle was clipped
     bool clipped;
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space

@@ -8,10 +8,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace scanout::oracle {
 
@@ -63,20 +61,6 @@ public:
     }
     bool inside(const std::array<Int128, 3>& e) const {
         return !empty_ && e[0] > 0 && e[1] > 0 && e[2] > 0;
-    }
-
-    // How far the sample is from the nearest of the three edges' lines, in pixels.
-    double distance_to_edges(std::int64_t x, std::int64_t y) const {
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double dx = static_cast<double>(to_[i].x) - from_[i].x,
-                         dy = static_cast<double>(to_[i].y) - from_[i].y;
-            const double length = std::hypot(dx, dy);
-            if (length == 0) continue;
-            const auto e = static_cast<double>(cross(from_[i], to_[i], x, y));
-            least = std::min(least, std::abs(e) / length / kUnitsPerPixel);
-        }
-        return least;
     }
 
 private:

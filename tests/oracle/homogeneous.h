@@ -7,6 +7,7 @@
 
 #include "oracle/coverage.h"
 
+#include <cmath>
 #include <tuple>
 
 namespace scanout::oracle {

@@ -2,6 +2,7 @@
 // covered: HARD-CASES P7, P8, row 12.
 #include "oracle/homogeneous.h"
 #include "raster/exactly_once.h"
+#include "raster/off_screen_mesh.h"
 
 #include <cmath>
 
@@ -120,6 +121,57 @@ TEST(Guard, MeshesAcrossThePicturesEdgesAreCoveredOnceAtEveryWidth) {
         }
     }
     record("samples_covered_once", static_cast<double>(once));
+}
+
+// Of every triangle alone.
+Hits hits_one_by_one(Jobs& jobs, const OffScreenMesh& off_screen, double guard, int samples) {
+    constexpr int kSide = OffScreenMesh::kSide;
+    std::vector<int> count(static_cast<std::size_t>(kSide * kSide * samples));
+    for (std::size_t t = 0; t < off_screen.triangle.size(); ++t) {
+        geom::Mesh mesh;
+        add_triangle(mesh, off_screen.corners(t));
+        const Planes planes =
+            draw_guarded(jobs, mesh, OffScreenMesh::view(), kSide, kSide, guard, 64, samples);
+        for (std::size_t k = 0; k < count.size(); ++k)
+            count[k] += planes.ids[k] == 0 ? 1 : 0;
+    }
+    Hits hits;
+    for (const int n : count)
+        (n == 0 ? hits.none : n == 1 ? hits.once : hits.more) += 1;
+    return hits;
+}
+
+using Generator = std::optional<OffScreenMesh> (*)(Random&, double guard);
+void expect_once(Generator make, int meshes, std::uint64_t seed) {
+    Jobs jobs(1);
+    Random random(seed);
+    for (const double guard : kGuards) {
+        Hits all;
+        int drawn = 0, tries = 0;
+        for (; drawn < meshes && tries < 100 * meshes; ++tries) {
+            const std::optional<OffScreenMesh> mesh = make(random, guard);
+            if (!mesh) continue;
+            all += hits_one_by_one(jobs, *mesh, guard, drawn % 4 == 3 ? 8 : 1);
+            ++drawn;
+        }
+        EXPECT_EQ(drawn, meshes);
+        EXPECT_EQ(all.none, 0) << "guard " << guard;
+        EXPECT_EQ(all.more, 0) << "guard " << guard;
+        const std::string name = "_at_guard_" + testing::PrintToString(guard);
+        record("once" + name, static_cast<double>(all.once));
+        record("tries" + name, tries);
+    }
+}
+
+// HARD-CASES P7, rows 3, 8 and 12: never a gap or a double hit, slivers included.
+TEST(Guard, ASliverWithAnEndOffTheScreenAndItsNeighboursCoverEverySampleOnce) {
+    expect_once(sliver, 2000, 4);
+}
+TEST(Guard, TrianglesAboutAVertexOfThePictureCoverEverySampleOnceWhereverTheirRimLies) {
+    expect_once(star, 1000, 5);
+}
+TEST(Guard, TrianglesAboutAVertexOffThePictureCoverEverySampleOnce) {
+    expect_once(comb, 1000, 6);
 }
 
 // HARD-CASES P8: tiles of 8, 16, 32 and 64 pixels, on 1, 2, 3, 7 and 16 threads; colour is compared

@@ -1,0 +1,77 @@
+// Triangles that have a vertex off the screen: too near, behind the eye, or beyond the guard band.
+// Nothing is cut at the picture's sides, and no cut is snapped. What lies before the near plane is
+// one triangle or two, and these are drawn as they are: a vertex on the screen stands where it
+// snapped to, as in triangles that are whole, any other stays where it is in homogeneous
+// coordinates, to 50 bits. From there on every number is a whole one and every sign exact, so an
+// edge is the same line for both its neighbours, and edges that meet in a vertex meet there however
+// far away it is: no gap, no double hit (HARD-CASES P7, rows 3, 8, 12). Edges as homogeneous
+// lines: Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997.
+//
+// Why the near plane still cuts: an edge to a vertex behind the eye would turn about it when its
+// other end snaps, and be displaced by up to the ratio of their distances from the eye, not 1/256
+// pixel. The cut point lies before the eye, so what is between it and the other end moves less.
+#pragma once
+
+#include "image/image.h"
+#include "raster/clip.h"
+#include "raster/primitive.h"
+#include "raster/sample_pattern.h"
+#include "raster/screen.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace scanout::raster {
+
+__extension__ using Int128 = __int128;
+
+// Stands at (x / w, y / w) 2^23 on the screen, in 1/256 pixel; w >= 0, |x|, |y|, w <= 2^50. So
+// scaled, w is as fine as x and y on the screen.
+struct ExactPoint {
+    static constexpr int kBits = 23;
+    std::int64_t x, y, w;
+    double z;     // depth times w 2^-23
+    double depth; // in (0, 1], greater is nearer
+};
+ExactPoint point_on_screen(const ScreenVertex& vertex);
+ExactPoint point_off_screen(const ClipVertex& vertex); // w >= the near plane's
+
+// The vertices are in canonical order (lowest y, x, w first).
+struct Piece {
+    std::array<ExactPoint, 3> vertex;
+    std::uint32_t id;
+    bool flipped;   // edges in this order have their interior on the negative side
+    bool clockwise; // on the screen, in the order in which the vertices were given
+};
+
+// What is left of a triangle; none has area 0.
+struct Pieces {
+    std::array<Piece, 2> piece;
+    int count = 0;
+    auto begin() const { return piece.begin(); }
+    auto end() const { return piece.begin() + count; }
+};
+// Cuts at the near plane. on_screen: the vertices once more, where they snapped to.
+Pieces pieces_of(const std::array<ClipVertex, 3>& vertex,
+                 const std::array<ScreenVertex, 3>& on_screen, double near_w, std::uint32_t id);
+// A polygon of three or four vertices. Which diagonal cuts it does not depend on where it begins.
+Pieces split(std::span<const ExactPoint> polygon, std::uint32_t id);
+
+// E_i = a_i x + b_i y + c_i (x, y in 1/256 pixel), opposite vertex i. A sample is inside where none
+// is negative: the top-left rule is in c. |E| < 2^126 within the picture.
+struct ExactEdges {
+    std::array<Int128, 3> a, b, c;
+    Int128 at(std::size_t i, std::int64_t x, std::int64_t y) const {
+        return a[i] * x + b[i] * y + c[i];
+    }
+};
+ExactEdges edges_of(const Piece& piece);
+bool covers(const Piece& piece, std::int32_t x, std::int32_t y); // 1/256 pixel
+
+// Twice the area times the three w, always positive; rounded.
+double size_of(const Piece& piece);
+
+image::Rect pixel_bounds(const Piece& piece, int width, int height, const SampleExtent& extent);
+
+} // namespace scanout::raster

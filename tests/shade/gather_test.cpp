@@ -1,0 +1,111 @@
+// Where a triangle is shaded in a pixel: at the centre if it covers it, else at its first covered
+// sample. For clipped triangles, too, coverage and shading say the same.
+#include "base/jobs.h"
+#include "shade/gather.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+namespace scanout::shade::test {
+namespace {
+
+using scanout::test::Random;
+
+constexpr int kSide = 48;
+
+// The samples that stand for pixels, in the order of shading; a stage has no other memory.
+std::map<std::pair<int, int>, std::pair<int, int>>& shaded() {
+    static std::map<std::pair<int, int>, std::pair<int, int>> at;
+    return at;
+}
+const Stage kNoting{
+    {.axis = "test", .name = "noting", .blurb = "", .source = ""},
+    {},
+    [](Block& block, const FrameState&) {
+        for (int i = 0; i < block.count; ++i) {
+            const int x = block.x[i], y = block.y[i];
+            EXPECT_TRUE(shaded().try_emplace({x >> 8, y >> 8}, x & 255, y & 255).second);
+            for (auto& channel : block.albedo)
+                channel[i] = 1;
+            for (auto& channel : block.colour)
+                channel[i] = 1;
+        }
+    }};
+
+struct Drawn {
+    raster::Geometry geometry;
+    raster::VisibilityTile tile;
+    Drawn(Jobs& jobs, const geom::Mesh& mesh, const raster::ScreenTransform& transform,
+          int samples) {
+        raster::GeometryOptions options;
+        options.width = options.height = kSide;
+        options.samples = samples;
+        geometry.run(jobs, mesh, transform, options);
+        tile.reset(geometry.tile_area(0), samples);
+        geometry.draw(0, tile);
+    }
+};
+
+TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
+    Jobs jobs(1);
+    Random random(1);
+    scene::View view;
+    view.half_width = view.half_height = 0.5;
+    view.near_distance = 0x1p-8;
+    const raster::ScreenTransform transform(view, kSide, kSide);
+    int at_centre[2] = {}, elsewhere[2] = {};
+    for (int i = 0; i < 3000; ++i) {
+        geom::Mesh mesh;
+        const double size = std::exp2(random.in(-6, 3));
+        for (std::uint32_t k = 0; k < 3; ++k) {
+            mesh.index.push_back(k);
+            const DVec3 p = random.in_cube(size);
+            // Half of them in front of the eye with all vertices.
+            mesh.position.emplace_back(p.x, p.y, i % 2 == 0 ? -1.5 + p.z / size : p.z);
+            mesh.normal.emplace_back(0, 0, 1);
+        }
+        mesh.material.push_back(-1);
+        const int samples = 2 << (i % 4);
+        const Drawn centres(jobs, mesh, transform, 1), all(jobs, mesh, transform, samples);
+        const auto vertices = all.geometry.vertices();
+        const bool clipped = !std::all_of(vertices.begin(), vertices.end(),
+                                          [](const auto& v) { return v.on_screen(); });
+        const Stage* stages[] = {&kNoting};
+        FrameState frame;
+        GatherInput in;
+        in.mesh = &mesh;
+        in.geometry = &all.geometry;
+        in.transform = &transform;
+        in.stages = stages;
+        in.frame = &frame;
+        image::Image picture(kSide, kSide);
+        shaded().clear();
+        Gatherer().shade(all.tile, in, picture);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                const auto found = shaded().find({x, y});
+                int first = 0;
+                while (first < samples && all.tile.id(x, y, first) != 0)
+                    ++first;
+                ASSERT_EQ(found == shaded().end(), first == samples);
+                if (first == samples) continue;
+                const bool centre = centres.tile.id(x, y) == 0;
+                const raster::SampleOffset at =
+                    centre ? raster::kPixelCentre
+                           : all.tile.pattern()[static_cast<std::size_t>(first)];
+                ASSERT_EQ(found->second, std::pair(at.x, at.y)) << i << ": " << x << ' ' << y;
+                (centre ? at_centre : elsewhere)[clipped ? 1 : 0] += 1;
+            }
+    }
+    for (const int k : {0, 1}) {
+        EXPECT_GT(at_centre[k], 20000);
+        EXPECT_GT(elsewhere[k], 2000);
+    }
+}
+
+} // namespace
+} // namespace scanout::shade::test
