@@ -37,6 +37,9 @@ std::string turntable_text(State s) {
 std::string info_text(State s) {
     return on_off(s.info);
 }
+std::string explain_text(State s) {
+    return on_off(s.explain);
+}
 
 // clang-format off
 // Rows stand in the order of ActionId. Columns: id, name, keys, sheet, help, numbers, repeats, state.
@@ -69,6 +72,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text},
     {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text},
+    {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text},
     {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text},
     {Id::undo, "undo", "U", "U", "undo"},
     {Id::reload, "reload", "F5", "F5", "read the file again"},

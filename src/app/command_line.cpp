@@ -20,7 +20,8 @@ struct NamedCommand {
 };
 constexpr std::array kCommands = {
     NamedCommand{"view", Command::view}, NamedCommand{"render", Command::render},
-    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
+    NamedCommand{"explain", Command::explain}, NamedCommand{"compare", Command::compare},
+    NamedCommand{"list", Command::list}};
 
 bool exists(const std::string& path) {
     return ::access(path.c_str(), F_OK) == 0;
@@ -107,7 +108,8 @@ Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments,
 
 struct Given {
     const Option* option;
-    std::vector<std::string> texts; // as often as it was given; unless it repeats, the last one counts
+    std::vector<std::string>
+        texts; // as often as it was given; unless it repeats, the last one counts
 };
 
 void declare(CLI::App& parser, Given& given) {

@@ -15,6 +15,7 @@ Exit run(int argc, char** argv);
 // `start_bytes`: the resident memory before anything was done, for the reports.
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes);
 Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes);
+Result<Exit> run_explain(const Settings& settings);
 Result<Exit> run_compare(const Settings& settings);
 Result<Exit> run_list(const Settings& settings);
 

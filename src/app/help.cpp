@@ -13,11 +13,13 @@ constexpr std::string_view kOverview =
     "  scanout models/spot/spot.obj                  show a model; arrows turn it, H helps, Q "
     "quits\n"
     "  scanout render models/spot/spot.obj -o s.png  draw a picture, without a display\n"
+    "  scanout explain models/spot/spot.obj          what runs for it, why, and at what price\n"
     "  scanout compare got.png expected.png          are two pictures the same?\n"
     "\n"
     "Commands:\n"
     "  view MODEL...      show models on the display (also without the word view)\n"
     "  render MODEL       draw to PNG, PPM or PAM files or to standard output\n"
+    "  explain MODEL      each effect: on or off, why, its time, its memory, the error without it\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options\n"
     "\n"
@@ -47,6 +49,18 @@ std::string_view introduction(Command command) {
                "  scanout render spot.obj -o turn-{n}.png --turntable 36 --view iso\n"
                "  scanout render spot.obj --hash                        the picture's fingerprint\n"
                "  scanout render spot.obj -o spot.png --json            times and counts\n";
+    case Command::explain:
+        return "scanout explain MODEL - the plan of a frame: each effect, and why it runs or not\n"
+               "\n"
+               "  scanout explain spot.obj\n"
+               "  scanout explain spot.obj --camera 150,20 --samples 4   of this frame\n"
+               "  scanout explain spot.obj --no-times                    without milliseconds\n"
+               "  scanout explain spot.obj --json=plan.json\n"
+               "\n"
+               "ms: a frame with the effect minus one without. codes, FLIP, pixels: what differs "
+               "when "
+               "it\n"
+               "is switched the other way.\n";
     case Command::compare:
         return "scanout compare A B - compare the picture A (got) with the picture B (expected)\n"
                "\n"

@@ -15,7 +15,9 @@ constexpr unsigned kView = static_cast<unsigned>(Command::view);
 constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
 constexpr unsigned kList = static_cast<unsigned>(Command::list);
-constexpr unsigned kDraw = kView | kRender;
+constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
+constexpr unsigned kShow = kView | kRender; // to someone, or into a file
+constexpr unsigned kDraw = kShow | kExplain;
 constexpr unsigned kAll = kDraw | kCompare | kList;
 
 std::vector<std::string_view> words(std::string_view text) {
@@ -152,7 +154,7 @@ const std::array kOptions = std::to_array<Option>({
          s.picture_format = kFormats[i];
      }),
      "the file's format, where its extension does not say it"},
-    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
+    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kShow, Parsed(read_pixel_format),
      "the bytes of a display (`list formats`): raw files hold them, other pictures and hashes show "
      "what such a display would show"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
@@ -186,7 +188,8 @@ const std::array kOptions = std::to_array<Option>({
      ":colour= :power= :size= :shape=sphere|square :shadow=on|off :frame=world|camera :name=",
      false, true},
     {"effect", 0, "NAME=on|off|auto", "", "", 0, 0, Group::picture, kDraw, Parsed(read_effect),
-     "force an effect on or off (`--verbose` names them with the reason for each); may be given "
+     "force an effect on or off (`scanout explain` names them, with the reason for each); may be "
+     "given "
      "again",
      false, true},
 
@@ -235,11 +238,10 @@ const std::array kOptions = std::to_array<Option>({
      "the DRM mode (`list modes`); default: the one that the monitor prefers"},
     {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
-    {"no-times", 0, "", "", "", 0, 0, Group::display, kView,
+    {"no-times", 0, "", "", "", 0, 0, Group::times, kView | kExplain,
      Switch([](Settings& s) -> bool& { return s.no_times; }),
-     "show nothing that depends on the clock, so that equal states are equal pictures; --record "
-     "and "
-     "--replay imply it"},
+     "show nothing that depends on the clock, so that equal states are equal pictures and equal "
+     "tables; --record and --replay imply it"},
     {"record", 0, "FILE", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.record; }),
      "write every action with the step of its time, for --replay"},
@@ -367,7 +369,8 @@ std::string options_markdown() {
                        "|---|---|---|---|---|---|\n";
     constexpr std::array kCommands = {
         std::pair{Command::view, "view"}, std::pair{Command::render, "render"},
-        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
+        std::pair{Command::explain, "explain"}, std::pair{Command::compare, "compare"},
+        std::pair{Command::list, "list"}};
     for (const Option& option : kOptions) {
         std::string commands;
         for (const auto& [command, name] : kCommands)

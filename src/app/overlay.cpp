@@ -83,8 +83,9 @@ std::size_t letters_across(int width, int height) {
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
     // The help sheet says how everything stands, and takes the room.
-    if (!overlay.info.empty() && overlay.help.empty())
-        draw_block(picture, overlay.info, 0, 0, scale);
+    std::vector<std::string> left = overlay.info;
+    left.insert(left.end(), overlay.explain.begin(), overlay.explain.end());
+    if (!left.empty() && overlay.help.empty()) draw_block(picture, left, 0, 0, scale);
     if (!overlay.message.empty()) {
         const std::vector<std::string> lines = {overlay.message};
         draw_block(picture, lines, 0, picture.height() - size_of(lines, scale).height, scale);

@@ -1,5 +1,5 @@
-// What lies on the picture: the help sheet, the information lines, a message, a notice in the
-// middle. All text, in the bitmap font; nothing here depends on the clock unless its text does.
+// What lies on the picture: the help sheet, the information lines, the plan, a message, a notice in
+// the middle. All text, in the bitmap font; nothing here depends on the clock unless its text does.
 #pragma once
 
 #include "app/viewer_state.h"
@@ -11,10 +11,11 @@
 namespace scanout::app {
 
 struct Overlay {
-    std::vector<std::string> help;   // the sheet's lines; empty: closed
-    std::vector<std::string> info;   // lines at the upper left
-    std::string message;             // a line at the lower left
-    std::vector<std::string> notice; // lines in the middle: loading, errors
+    std::vector<std::string> help;    // the sheet's lines; empty: closed
+    std::vector<std::string> info;    // lines at the upper left
+    std::vector<std::string> explain; // lines under them
+    std::string message;              // a line at the lower left
+    std::vector<std::string> notice;  // lines in the middle: loading, errors
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 

@@ -52,6 +52,24 @@ Json times(const RunReport& report) {
               {"tiles", median(&FrameStats::tiles_ms)}}}};
 }
 
+Json effect_json(const measure::EffectRow& row) {
+    const frame::Decision& d = row.decision;
+    Json json = {{"effect", d.effect}, {"on", d.on()},       {"technique", d.technique},
+                 {"needed", d.needed}, {"forced", d.forced}, {"because", d.because},
+                 {"bytes", row.bytes}};
+    json["pixel_share"] = row.pixel_share ? Json(*row.pixel_share) : Json(nullptr);
+    if (row.change) {
+        json["switched"] = {{"pixels", row.change->pixels},
+                            {"largest_code", row.change->largest_code},
+                            {"mean_flip", row.change->mean_flip}};
+    } else {
+        json["switched"] = nullptr;
+        json["refused"] = row.refusal;
+    }
+    if (row.milliseconds) json["ms"] = rounded(*row.milliseconds);
+    return json;
+}
+
 } // namespace
 
 double percentile(std::vector<double> values, double share) {
@@ -108,6 +126,26 @@ std::string to_json(const image::Difference& difference, float mean_flip, const 
           {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}}},
          {"written", written},
          {"version", SCANOUT_VERSION}});
+}
+
+std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
+    Json effects = Json::array(), techniques = Json::array();
+    for (const measure::EffectRow& row : e.rows)
+        effects.push_back(effect_json(row));
+    for (const Technique* t : e.techniques)
+        techniques.push_back({{"axis", t->axis}, {"name", t->name}});
+    Json json = {
+        {"model", {{"path", model.scene.path}, {"triangles", model.scene.counts.triangles}}},
+        {"width", e.width},
+        {"height", e.height},
+        {"covered_share", e.covered_share},
+        {"special", e.special},
+        {"effects", effects},
+        {"techniques", techniques},
+        {"warnings", model.warnings},
+        {"version", SCANOUT_VERSION}};
+    if (e.milliseconds) json["ms"] = rounded(*e.milliseconds);
+    return dumped(json);
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

@@ -1,11 +1,13 @@
 // What a run reports as JSON: one object a run (README, "JSON").
 #pragma once
 
+#include "app/model_file.h"
 #include "app/settings.h"
 #include "base/result.h"
 #include "frame/renderer.h"
 #include "image/compare.h"
 #include "io/load.h"
+#include "measure/explain.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -36,6 +38,7 @@ struct RunReport {
 std::string to_json(const RunReport& report);
 std::string to_json(const image::Difference& difference, float mean_flip, const Settings& settings,
                     const std::vector<std::string>& written);
+std::string to_json(const LoadedModel& model, const measure::Explanation& explanation);
 
 // The value at which `share` (0 to 1) of the values are reached: nearest rank. 0 for none.
 double percentile(std::vector<double> values, double share);

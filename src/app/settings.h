@@ -12,7 +12,7 @@
 
 namespace scanout::app {
 
-enum class Command : unsigned { view = 1, render = 2, compare = 4, list = 8 };
+enum class Command : unsigned { view = 1, render = 2, compare = 4, list = 8, explain = 16 };
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };

@@ -1,5 +1,6 @@
 #include "app/view_session.h"
 
+#include "app/explain_report.h"
 #include "app/message.h"
 #include "app/picture.h"
 #include "base/check.h"
@@ -333,6 +334,9 @@ Overlay ViewSession::overlay() const {
     overlay.message = message_;
     if (!error_.empty())
         overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
+    if (state.explain && model_)
+        if (const auto now = plan())
+            overlay.explain = plan_lines(*now, letters_across(display.width, display.height));
     if (!state.info) return overlay;
     const std::string& path = settings_.arguments[static_cast<std::size_t>(state.file)];
     overlay.info.push_back(fmt::format("{}  ({} of {})", path.substr(path.rfind('/') + 1),
@@ -347,20 +351,25 @@ Overlay ViewSession::overlay() const {
     return overlay;
 }
 
+// Of the model on show, as it stands now.
+Result<frame::FramePlan> ViewSession::plan() const {
+    frame::FrameOptions options = settings_.frame;
+    options.width = background_.width();
+    options.height = background_.height();
+    options.cull = viewer_.state().look.cull;
+    return frame::plan(options, facts_);
+}
+
 Result<void> ViewSession::render() {
     if (!model_) {
         picture_ = &background_;
         return {};
     }
-    frame::FrameOptions options = settings_.frame;
-    options.width = background_.width();
-    options.height = background_.height();
-    options.cull = viewer_.state().look.cull;
-    TRY(const frame::FramePlan plan, frame::plan(options, facts_));
+    TRY(const frame::FramePlan now, plan());
     // What the keys led to may be too near or too far away for any picture: then none is the
     // model's.
     const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    picture_ = view ? &renderer_.render(model_->scene, *view, plan) : &background_;
+    picture_ = view ? &renderer_.render(model_->scene, *view, now) : &background_;
     in_view_ = view && renderer_.stats().lanes_shaded > 0;
     return {};
 }
@@ -376,6 +385,10 @@ Result<void> ViewSession::draw(const Shown& wanted) {
         if (!overlay.info.empty() && !steady_)
             overlay.info.push_back(fmt::format("{:.1f} ms  {:.0f} fps", renderer_.stats().total_ms,
                                                frames_per_second_));
+        if (!overlay.explain.empty() && !steady_)
+            overlay.explain.push_back(fmt::format("geometry {:.1f} ms  tiles {:.1f} ms",
+                                                  renderer_.stats().geometry_ms,
+                                                  renderer_.stats().tiles_ms));
         composer_.set_picture(*picture_,
                               [&](image::Image& picture) { draw_overlay(picture, overlay); });
     }

@@ -84,6 +84,7 @@ private:
     Overlay overlay() const;
     bool wants_frame() const { return repaint_ || frame_file_ || !(wanted() == shown_); }
     Result<void> draw(const Shown& wanted);
+    Result<frame::FramePlan> plan() const;
     Result<void> render();
     Result<void> present();
     Result<void> draw_if_due(Time now);

@@ -77,6 +77,9 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
     case ActionId::toggle_info:
         state_.info = !state_.info;
         return Effect::none;
+    case ActionId::toggle_explain:
+        state_.explain = !state_.explain;
+        return Effect::none;
     case ActionId::toggle_help:
         state_.help = !state_.help;
         return Effect::none;

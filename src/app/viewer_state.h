@@ -32,7 +32,7 @@ struct PointerState {
 struct ViewerState {
     Look look;
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
-    bool help = false, info = false;
+    bool help = false, info = false, explain = false;
     int file = 0;
     PointerState pointer;
     friend bool operator==(const ViewerState&, const ViewerState&) = default;

@@ -129,11 +129,44 @@ TEST_F(Session, NothingIsDrawnWhenNothingChangesAndTheProcessSleeps) {
     EXPECT_LT(cpu_seconds() - before, 0.5) << "1.5 s of waiting";
 }
 
+// HARD-CASES Z5, with the plan on the picture: it is text like any other and costs nothing to keep.
+TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfTheProcessor) {
+    port::HeadlessDisplay display = make_display();
+    TimedInput timed({{100ms, {press(XKB_KEY_x)}}, {900ms, {}}, {10s, {quit()}}});
+    struct Looking final : port::Input { // at processor time and frames, each time it is asked
+        Looking(TimedInput& t, port::HeadlessDisplay& d) : timed(t), display(d) {}
+        int event_fd() const override { return timed.event_fd(); }
+        Result<void> dispatch(std::vector<port::Event>& events) override {
+            seen.emplace_back(cpu_seconds(), display.frames());
+            return timed.dispatch(events);
+        }
+        std::string description() const override { return "looking"; }
+        TimedInput& timed;
+        port::HeadlessDisplay& display;
+        std::vector<std::pair<double, std::size_t>> seen;
+    } input(timed, display);
+    auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+    ASSERT_TRUE((*session)->run());
+    ASSERT_EQ(input.seen.size(), 3U) << "nothing else wakes it up";
+    EXPECT_EQ(input.seen[1].second, 2U) << "the first frame, and the plan";
+    EXPECT_EQ(input.seen[2].second, 2U);
+    EXPECT_LT(input.seen[2].first - input.seen[1].first, 0.010);
+}
+
+TEST_F(Session, XLaysThePlanOnThePictureAndTakesItAway) {
+    const std::string open = folder.file("open.png"), closed = folder.file("closed.png");
+    port::HeadlessDisplay display = make_display();
+    ASSERT_TRUE(play(
+        "toggle_explain\nframe " + open + "\n+1 toggle_explain\nframe " + closed + "\n", display));
+    EXPECT_EQ(*image::load(closed), rendered({}));
+    EXPECT_NE(*image::load(open), rendered({}));
+}
+
 TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
     port::Event release = press(XKB_KEY_Left);
     release.pressed = false;
     EXPECT_EQ(run({{50ms, {press(XKB_KEY_Left), release}},
-                   {300ms, {press(XKB_KEY_x)}},
+                   {300ms, {press(XKB_KEY_j)}},
                    {300ms, {quit()}}}),
               2U);
 }
@@ -346,7 +379,7 @@ private:
 
 TEST_F(Session, AConsoleThatComesBackIsDrawnAtOnceEvenIfNothingChanged) {
     FlakyDisplay display;
-    TimedInput timed({{200ms, {press(XKB_KEY_x)}}, {200ms, {press(XKB_KEY_x)}}, {300ms, {quit()}}});
+    TimedInput timed({{200ms, {press(XKB_KEY_j)}}, {200ms, {press(XKB_KEY_j)}}, {300ms, {quit()}}});
     SwitchingInput input(timed, display);
     auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
     ASSERT_TRUE((*session)->run());

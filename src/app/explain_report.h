@@ -1,0 +1,24 @@
+// The plan of a frame as a table for people; report.h has it as JSON.
+#pragma once
+
+#include "app/model_file.h"
+#include "measure/explain.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+// The fact of a row, with its share of the picture: "3 of 14 materials ..., 1.8 % of pixels".
+std::string because(const measure::EffectRow& row);
+
+// Lines without line ends. A line above the table says when nothing special is called for.
+// Milliseconds where they were measured: without them the text depends on no clock.
+std::vector<std::string> explain_table(const LoadedModel& model,
+                                       const measure::Explanation& explanation);
+
+// The plan alone, for the viewer: an effect a line. Lines are cut to `letters`; what each
+// effect costs and changes takes many frames to find out and is left to the command.
+std::vector<std::string> plan_lines(const frame::FramePlan& plan, std::size_t letters);
+
+} // namespace scanout::app

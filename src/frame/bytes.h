@@ -1,0 +1,18 @@
+// The memory that a frame's effects hold.
+#pragma once
+
+#include "frame/plan.h"
+#include "scene/scene.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace scanout::frame {
+
+// Bytes by the effects' names in the plan; what is off, or holds nothing, is not in it.
+using EffectBytes = std::map<std::string, std::uint64_t, std::less<>>;
+
+EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan);
+
+} // namespace scanout::frame

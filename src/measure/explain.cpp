@@ -1,0 +1,163 @@
+#include "measure/explain.h"
+
+#include "base/stopwatch.h"
+#include "frame/bytes.h"
+#include "image/compare.h"
+#include "measure/median.h"
+#include "raster/primitive.h"
+
+#include <algorithm>
+
+namespace scanout::measure {
+namespace {
+
+constexpr std::size_t kFewestPairs = 3, kMostPairs = 25;
+
+// The material that a primitive has, as an index into frame::MaterialSet.
+std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t none) {
+    const std::size_t triangles = mesh.triangles(), lines = mesh.lines();
+    std::int32_t material = -1;
+    if (id < triangles)
+        material = mesh.material[id];
+    else if (id - triangles < lines)
+        material = mesh.line_material[id - triangles];
+    else
+        material = mesh.point_material[id - triangles - lines];
+    return material < 0 ? none : static_cast<std::size_t>(material);
+}
+
+frame::FrameOptions switched(frame::FrameOptions options, const std::string& effect, bool on) {
+    options.effects[effect] = on;
+    return options;
+}
+
+Change change_between(const image::Image& reference, const image::Image& other) {
+    const image::Difference d = image::compare(reference, other);
+    return {d.differing_pixels, d.max_difference, 0};
+}
+
+// The frame that is explained, and the means to draw others of the same view.
+class Explainer {
+public:
+    Explainer(const scene::Scene& scene, const scene::View& view,
+              const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
+        : scene_(scene), view_(view), options_(options), facts_(frame::facts(scene)), how_(how),
+          renderer_(jobs), other_renderer_(jobs) {}
+
+    Result<Explanation> run() {
+        TRY(plan_, frame::plan(options_, facts_));
+        picture_ = renderer_.render(scene_, view_, plan_);
+        Explanation result;
+        result.width = options_.width;
+        result.height = options_.height;
+        result.techniques = plan_.techniques;
+        TRY_VOID(count_pixels(result));
+        TRY(result.special, special_rows());
+        const frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
+        for (const frame::Decision& decision : plan_.decisions) {
+            if (how_.progress)
+                how_.progress(static_cast<double>(result.rows.size()) /
+                              static_cast<double>(plan_.decisions.size()));
+            EffectRow row;
+            row.decision = decision;
+            if (const auto share = shares_.find(decision.effect); share != shares_.end())
+                row.pixel_share = share->second;
+            if (const auto held = bytes.find(decision.effect); held != bytes.end())
+                row.bytes = held->second;
+            switch_it(row);
+            result.rows.push_back(std::move(row));
+        }
+        if (how_.times) result.milliseconds = median(own_times_);
+        return result;
+    }
+
+private:
+    // Pixels by what their nearest surface calls for. Nothing that acts on materials runs for it:
+    // what is transparent or cut out counts as what it covers.
+    Result<void> count_pixels(Explanation& result) {
+        frame::FrameOptions bare = options_;
+        bare.samples = 1;
+        for (const auto& [effect, materials] : facts_.materials_of)
+            if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
+        TRY(const frame::FramePlan plan, frame::plan(bare, facts_));
+        frame::Visibility visible;
+        other_renderer_.render(scene_, view_, plan, &visible);
+        const std::size_t none = scene_.materials.size();
+        std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
+        std::int64_t covered = 0;
+        for (const std::uint32_t id : visible.id) {
+            if (id == raster::kNoPrimitive) continue;
+            ++covered;
+            ++shown[material_of(scene_.mesh, id, none)];
+        }
+        const double pixels = static_cast<double>(options_.width) * options_.height;
+        result.covered_share = static_cast<double>(covered) / pixels;
+        for (const auto& [effect, materials] : facts_.materials_of) {
+            std::int64_t calling = 0;
+            for (std::size_t i = 0; i <= none; ++i)
+                calling += materials[i] ? shown[i] : 0;
+            shares_[effect] = static_cast<double>(calling) / pixels;
+        }
+        return {};
+    }
+
+    // What a grey triangle under the default lights gets is nothing special.
+    Result<int> special_rows() const {
+        frame::SceneFacts grey;
+        grey.triangles = 1;
+        TRY(const frame::FramePlan plain, frame::plan({}, grey));
+        int special = 0;
+        for (const frame::Decision& decision : plan_.decisions) {
+            const frame::Decision* same = plain.decision(decision.effect);
+            special += decision.on() && (same == nullptr || !same->on()) ? 1 : 0;
+        }
+        return special;
+    }
+
+    // Draws the frame with the effect the other way round.
+    void switch_it(EffectRow& row) {
+        const bool on = row.decision.on();
+        const auto other = frame::plan(switched(options_, row.decision.effect, !on), facts_);
+        if (!other) {
+            row.refusal = other.error().what;
+            return;
+        }
+        row.change = change_between(picture_, other_renderer_.render(scene_, view_, *other));
+        if (!how_.times) return;
+        // In turn: what else the machine does meets both alike. The first frame of each made room.
+        std::vector<double> differences;
+        const Stopwatch watch;
+        while (
+            differences.size() < kFewestPairs ||
+            (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
+            renderer_.render(scene_, view_, plan_);
+            other_renderer_.render(scene_, view_, *other);
+            const double own = renderer_.stats().total_ms;
+            const double others = other_renderer_.stats().total_ms;
+            own_times_.push_back(own);
+            differences.push_back(on ? own - others : others - own);
+        }
+        row.milliseconds = median(differences);
+    }
+
+    const scene::Scene& scene_;
+    const scene::View& view_;
+    const frame::FrameOptions& options_;
+    const frame::SceneFacts facts_;
+    const ExplainOptions& how_;
+    frame::Renderer renderer_, other_renderer_;
+    frame::FramePlan plan_;
+    image::Image picture_;
+    std::map<std::string, double, std::less<>> shares_;
+    std::vector<double> own_times_;
+};
+
+} // namespace
+
+Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
+                            const frame::FrameOptions& options, Jobs& jobs,
+                            const ExplainOptions& how) {
+    return Explainer(scene, view, options, jobs, how).run();
+}
+
+} // namespace scanout::measure

@@ -1,0 +1,64 @@
+// Why a frame looks as it does: each effect of its plan with the fact that decided it, its share of
+// the picture, its price in time and memory, and what would change if it were switched the other
+// way: for what is on the error of leaving it out, for what is off the proof that nothing is
+// missing.
+#pragma once
+
+#include "base/jobs.h"
+#include "base/result.h"
+#include "frame/plan.h"
+#include "frame/renderer.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scanout::measure {
+
+// Between two pictures of one size.
+struct Change {
+    std::int64_t pixels = 0; // that differ
+    int largest_code = 0;    // of any channel, 0 to 255
+    double mean_flip = 0;    // 0 to 1
+    friend bool operator==(const Change&, const Change&) = default;
+};
+
+struct EffectRow {
+    frame::Decision decision;
+    // The share of the picture's pixels whose nearest surface calls for the effect, 0 to 1; nothing
+    // where that is not a matter of the material.
+    std::optional<double> pixel_share;
+    std::uint64_t bytes = 0; // that the effect holds
+    // When it is switched the other way; or why it cannot be.
+    std::optional<Change> change;
+    std::string refusal;
+    // A frame with it minus one without, median of pairs; nothing without times.
+    std::optional<double> milliseconds;
+};
+
+struct Explanation {
+    int width = 0, height = 0; // pixels
+    double covered_share = 0;  // of the pixels, whose centre shows something
+    // The rows that are on and would not be for a grey triangle: none means a plain scene.
+    int special = 0;
+    std::vector<EffectRow> rows; // as in the plan
+    std::vector<const Technique*> techniques;
+    std::optional<double> milliseconds; // of the frame as it is, median
+};
+
+struct ExplainOptions {
+    bool times = true;
+    double seconds_a_row = 0.25; // of measuring time, about; never fewer than 3 pairs
+    std::function<void(double share)> progress;
+};
+
+// Draws the frame with each effect switched. Fails like frame::plan.
+Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
+                            const frame::FrameOptions& options, Jobs& jobs,
+                            const ExplainOptions& how = {});
+
+} // namespace scanout::measure

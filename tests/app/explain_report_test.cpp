@@ -1,0 +1,106 @@
+#include "app/explain_report.h"
+#include "app/report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scanout::app {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::HasSubstr;
+using testing::Not;
+
+measure::EffectRow row(const std::string& effect, const std::string& technique,
+                       const std::string& fact) {
+    measure::EffectRow r;
+    r.decision.effect = effect;
+    r.decision.technique = technique;
+    r.decision.because = fact;
+    r.decision.needed = r.decision.on();
+    r.change = measure::Change{};
+    return r;
+}
+
+struct Example {
+    LoadedModel model;
+    measure::Explanation e;
+    Example() {
+        model.scene.path = "models/x.obj";
+        model.scene.counts.triangles = 12;
+        e.width = 64;
+        e.height = 48;
+        e.covered_share = 0.5;
+        e.special = 1;
+        e.rows = {row("texture", "bilinear", "3 of 14 materials have a map"),
+                  row("fog", "off", "there is none")};
+        e.rows[0].pixel_share = 0.018;
+        e.rows[0].bytes = 65536;
+        e.rows[0].change = measure::Change{100, 77, 0.0123};
+        e.rows[1].pixel_share = 0;
+    }
+};
+
+TEST(ExplainTable, ShowsWhatRunsWhyAndWhatItChanges) {
+    const Example x;
+    EXPECT_EQ(explain_table(x.model, x.e),
+              (std::vector<std::string>{
+                  "x.obj  12 triangles  64x48  50.0 % of pixels covered",
+                  "effect   runs      memory  codes    FLIP  pixels  because",
+                  "texture  bilinear  64 KiB     77  0.0123     100  3 of 14 materials have a map, "
+                  "1.8 % of pixels",
+                  "fog      off            0      0  0.0000       0  there is none",
+                  "switching on any of the 1 that are off: 0 pixels differ"}));
+}
+
+TEST(ExplainTable, HasAColumnOfTimesWhereTheyWereMeasured) {
+    Example x;
+    x.e.milliseconds = 3.25;
+    x.e.rows[0].milliseconds = 1.5;
+    x.e.rows[1].milliseconds = -0.001;
+    const auto lines = explain_table(x.model, x.e);
+    EXPECT_THAT(lines[0], HasSubstr("3.25 ms"));
+    EXPECT_THAT(lines[1], HasSubstr("  ms  "));
+    EXPECT_THAT(lines[2], HasSubstr("1.50"));
+    EXPECT_THAT(lines[3], AllOf(HasSubstr("0.00"), Not(HasSubstr("-"))));
+}
+
+TEST(ExplainTable, SaysWhenNothingSpecialIsCalledFor) {
+    Example x;
+    EXPECT_THAT(explain_table(x.model, x.e), Each(Not(HasSubstr("nothing special"))));
+    x.e.special = 0;
+    EXPECT_THAT(explain_table(x.model, x.e)[1], HasSubstr("nothing special"));
+}
+
+TEST(ExplainTable, DoesNotHideThatSwitchingOnWouldChangeSomething) {
+    Example x;
+    x.e.rows[1].change->pixels = 5;
+    EXPECT_EQ(explain_table(x.model, x.e).back(),
+              "switching on what is off changes pixels in 1 of 1 rows");
+}
+
+TEST(ExplainTable, SaysWhatWasForcedAndWhatCannotBeSwitched) {
+    Example x;
+    x.e.rows[0].decision.forced = true;
+    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("1.8 % of pixels (forced)"));
+    x.e.rows[1].change.reset();
+    x.e.rows[1].refusal = "it cannot be";
+    EXPECT_EQ(because(x.e.rows[1]), "there is none; it cannot be");
+    EXPECT_THAT(to_json(x.model, x.e), HasSubstr("\"refused\": \"it cannot be\""));
+}
+
+TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
+    frame::FramePlan plan;
+    plan.decisions = {row("texture", "bilinear", "a fact").decision,
+                      row("fog", "off", "none").decision};
+    const auto lines = plan_lines(plan, 40);
+    ASSERT_EQ(lines.size(), 3U);
+    EXPECT_EQ(lines[0], "texture  bilinear  a fact");
+    EXPECT_EQ(lines[1], "fog      off       none");
+    EXPECT_THAT(lines[2], HasSubstr("scanout explain"));
+    EXPECT_THAT(plan_lines(plan, 5), Each(testing::SizeIs(5)));
+}
+
+} // namespace
+} // namespace scanout::app

@@ -1,0 +1,169 @@
+#include "image/compare.h"
+#include "measure/explain.h"
+#include "measure/median.h"
+#include "support/scenes.h"
+
+#include <gmock/gmock.h>
+
+namespace scanout::measure {
+namespace {
+
+using test::Shot;
+
+ExplainOptions without_times() {
+    ExplainOptions how;
+    how.times = false;
+    return how;
+}
+
+Explanation explained(const Shot& s, const ExplainOptions& how = without_times()) {
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    Jobs jobs(2);
+    auto result = explain(s.scene, *view, s.options, jobs, how);
+    EXPECT_TRUE(result) << (result ? "" : result.error().what);
+    return result.value_or(Explanation());
+}
+
+const EffectRow& row(const Explanation& e, std::string_view effect) {
+    for (const EffectRow& found : e.rows)
+        if (found.decision.effect == effect) return found;
+    static const EffectRow none;
+    ADD_FAILURE() << "no row " << effect;
+    return none;
+}
+
+// Three materials side by side: textured, glossy, plain; a fifth of the picture each.
+Shot stripes() {
+    Shot s = test::shot("stripes", 50, 50);
+    s.scene.materials = {test::textured(0), test::plain(Vec3(0.5F), Vec3(0.5F), 2),
+                         test::plain(Vec3(0.5F))};
+    s.scene.textures = {test::checkers()};
+    for (int i = 0; i < 3; ++i) {
+        const float left = -1 + 0.4F * static_cast<float>(i);
+        test::add_quad(s.scene.mesh,
+                       {{{left, -1, 0}, {left + 0.4F, -1, 0}, {left + 0.4F, 1, 0}, {left, 1, 0}}},
+                       {0, 0, 1}, i);
+    }
+    s.camera.projection = scene::Projection::orthographic;
+    return s;
+}
+
+TEST(Explain, HasARowForEveryEffectOfThePlanAsThePlanDecidedIt) {
+    const Shot s = stripes();
+    const Explanation e = explained(s);
+    const auto plan = frame::plan(s.options, frame::facts(s.scene));
+    ASSERT_EQ(e.rows.size(), plan->decisions.size());
+    for (std::size_t i = 0; i < e.rows.size(); ++i)
+        EXPECT_EQ(e.rows[i].decision, plan->decisions[i]);
+    EXPECT_EQ(e.techniques, plan->techniques);
+    EXPECT_EQ(e.width, 50);
+    EXPECT_FALSE(e.milliseconds);
+}
+
+TEST(Explain, CountsThePixelsWhoseSurfaceCallsForAnEffect) {
+    Shot s = stripes();
+    const Explanation e = explained(s);
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 50, 50);
+    ASSERT_TRUE(view);
+    // Counted by hand from the ids: two triangles a stripe.
+    frame::Visibility visible;
+    test::draw(s, {.visibility = &visible});
+    const auto share = [&](std::uint32_t first) {
+        return static_cast<double>(std::count_if(
+                   visible.id.begin(), visible.id.end(),
+                   [&](std::uint32_t id) { return id == first || id == first + 1; })) /
+               2500;
+    };
+    ASSERT_GT(share(0), 0.05);
+    ASSERT_GT(share(2), 0.05);
+    EXPECT_DOUBLE_EQ(*row(e, "texture").pixel_share, share(0));
+    EXPECT_DOUBLE_EQ(*row(e, "highlight").pixel_share, share(2));
+    EXPECT_DOUBLE_EQ(e.covered_share, share(0) + share(2) + share(4));
+    EXPECT_FALSE(row(e, "vertex_colours").pixel_share) << "no matter of the material";
+    // What is hidden is not counted: a plain wall in front of everything.
+    s.scene.materials.push_back(test::plain(Vec3(1)));
+    test::add_quad(s.scene.mesh, {{{-2, -2, 1}, {2, -2, 1}, {2, 2, 1}, {-2, 2, 1}}}, {0, 0, 1}, 3);
+    EXPECT_EQ(*row(explained(s), "texture").pixel_share, 0);
+}
+
+TEST(Explain, SaysWhatChangesWhenAnEffectIsSwitched) {
+    const Shot s = stripes();
+    const image::Image whole = test::draw(s);
+    const Explanation e = explained(s);
+    for (const EffectRow& r : e.rows) {
+        Shot other = s;
+        other.options.effects[r.decision.effect] = !r.decision.on();
+        const image::Difference d = image::compare(whole, test::draw(other));
+        ASSERT_TRUE(r.change) << r.decision.effect;
+        EXPECT_EQ(r.change->pixels, d.differing_pixels) << r.decision.effect;
+        EXPECT_EQ(r.change->largest_code, d.max_difference) << r.decision.effect;
+        EXPECT_EQ(r.change->pixels > 0, r.decision.on()) << r.decision.effect;
+    }
+    EXPECT_GT(row(e, "texture").change->largest_code, 50);
+    EXPECT_GT(row(e, "highlight").change->largest_code, 5);
+}
+
+TEST(Explain, AForcedRowIsSwitchedBackToWhatTheSceneCallsFor) {
+    Shot s = stripes();
+    const image::Image whole = test::draw(s);
+    s.options.effects = {{"texture", false}};
+    const Explanation e = explained(s);
+    EXPECT_TRUE(row(e, "texture").decision.forced);
+    EXPECT_EQ(row(e, "texture").change->pixels,
+              image::compare(whole, test::draw(s)).differing_pixels);
+    EXPECT_EQ(row(e, "texture").bytes, 0U);
+}
+
+TEST(Explain, CountsTheBytesOfWhatRunsAndNoneOfWhatDoesNot) {
+    const Shot s = stripes();
+    const Explanation e = explained(s);
+    EXPECT_EQ(row(e, "texture").bytes, s.scene.textures[0].image.pixels().size_bytes());
+    for (const EffectRow& r : e.rows)
+        EXPECT_TRUE(r.decision.on() || r.bytes == 0) << r.decision.effect;
+    Shot unused = s; // a texture that no triangle shows holds nothing
+    unused.scene.textures.push_back(test::checkers());
+    unused.scene.materials.push_back(test::textured(1));
+    EXPECT_EQ(row(explained(unused), "texture").bytes, row(e, "texture").bytes);
+}
+
+TEST(Explain, APlainSceneHasNothingSpecial) {
+    EXPECT_EQ(explained(test::solids("plain")).special, 0);
+    EXPECT_EQ(explained(stripes()).special, 2);
+}
+
+TEST(Explain, MeasuresTimesAndTellsHowFarItIs) {
+    std::vector<double> shares;
+    ExplainOptions how;
+    how.seconds_a_row = 0;
+    how.progress = [&](double share) { shares.push_back(share); };
+    const Explanation e = explained(stripes(), how);
+    EXPECT_EQ(shares.size(), e.rows.size());
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_LT(shares.back(), 1);
+    ASSERT_TRUE(e.milliseconds);
+    EXPECT_GT(*e.milliseconds, 0);
+    for (const EffectRow& r : e.rows)
+        EXPECT_TRUE(r.milliseconds);
+}
+
+TEST(Explain, FailsLikeThePlan) {
+    Shot s = stripes();
+    s.options.texture = "fog";
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 50, 50);
+    Jobs jobs(1);
+    const auto result = explain(s.scene, *view, s.options, jobs);
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().exit, Exit::usage);
+}
+
+TEST(Median, IsTheLowerMiddleValue) {
+    EXPECT_EQ(median({}), 0);
+    EXPECT_EQ(median({4}), 4);
+    EXPECT_EQ(median({9, 1, 5}), 5);
+    EXPECT_EQ(median({9, 1, 5, 7}), 5);
+}
+
+} // namespace
+} // namespace scanout::measure
