@@ -38,6 +38,7 @@ Stage poisoned(const Stage& stage, void (*run)(Block&, const FrameState&)) {
 // Two textured triangles with a highlight: a square of 30 x 20 pixels, its sides between samples.
 class ShadeLanesDeathTest : public testing::Test {
 protected:
+    const std::vector<scene::ViewLight> lights_ = scanout::test::key_and_fill();
     void SetUp() override {
 #ifndef SCANOUT_CHECK_LANES
         GTEST_SKIP() << "built without SCANOUT_CHECK_LANES";
@@ -49,7 +50,7 @@ protected:
             {{{5.3F, 5.3F, 0.5F}, {35.3F, 5.3F, 0.5F}, {35.3F, 25.3F, 0.5F}, {5.3F, 25.3F, 0.5F}}},
             {0, 0, 1}, 0);
         frame_.attributes = {.normal = true, .uv = true, .ray = true};
-        frame_.lights = scene::default_lights();
+        frame_.lights = lights_;
         frame_.filter = find_filter("bilinear");
         materials_[0].specular = Vec3(1);
         materials_[0].shininess = 10;
