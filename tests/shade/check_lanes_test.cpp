@@ -4,6 +4,7 @@
 #include "shade/block.h"
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
+#include "support/lights.h"
 
 #include <limits>
 
