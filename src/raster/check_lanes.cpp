@@ -34,6 +34,13 @@ void check_lanes(std::span<const Triangle> triangles) {
             check_depth(depth, "triangle", t.id, "set-up");
 }
 
+void check_lanes(const Piece& piece) {
+    for (const ExactPoint& v : piece.vertex) {
+        check_depth(v.z, "triangle", piece.id, "set-up");
+        check_depth(v.depth, "triangle", piece.id, "set-up");
+    }
+}
+
 void check_lanes(const Segment& segment) {
     for (const double depth : segment.depth)
         check_depth(depth, "line", segment.id, "set-up");

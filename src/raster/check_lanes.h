@@ -2,6 +2,7 @@
 // stage; the first that is ends the program with the stage's name. Elsewhere it is nothing.
 #pragma once
 
+#include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
 #include "raster/tile.h"
@@ -12,13 +13,15 @@ namespace scanout::raster {
 
 #ifdef SCANOUT_CHECK_LANES
 void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
-void check_lanes(std::span<const Triangle> triangles);    // clipped and set up
+void check_lanes(std::span<const Triangle> triangles);    // set up
+void check_lanes(const Piece& piece);                     // likewise
 void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
 void check_lanes(const VisibilityTile& tile); // drawn; the pixels of its area
 #else
 inline void check_lanes(std::span<const ScreenVertex>) {}
 inline void check_lanes(std::span<const Triangle>) {}
+inline void check_lanes(const Piece&) {}
 inline void check_lanes(const Segment&) {}
 inline void check_lanes(const Point&) {}
 inline void check_lanes(const VisibilityTile&) {}

@@ -33,6 +33,7 @@ void VisibilityTile::draw(std::span<const Triangle> triangles) {
 }
 
 void VisibilityTile::draw(const Piece& piece) {
+    check_lanes(piece);
     touched_ |= draw_piece({area_, pattern_, depth_.data(), id_.data()}, piece);
 }
 

@@ -105,10 +105,13 @@ ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) 
     }
     const DVec3 position = placer.place(light.position);
     const DVec3 to_centre = view.world_origin - position;
-    seen.position = Vec3(position);
-    seen.reach = static_cast<float>(std::max(scanout::sqrt(dot3(to_centre, to_centre)), 1.0));
-    seen.size = static_cast<float>(placer.size());
-    seen.nearest = static_cast<float>(std::max(placer.size(), kNearest));
+    const double unit = to_floats(view);
+    seen.position = Vec3(position * unit);
+    seen.reach =
+        static_cast<float>(std::max(scanout::sqrt(dot3(to_centre, to_centre)), 1.0) * unit);
+    seen.size = static_cast<float>(placer.size() * unit);
+    // Its square must not be 0: shares are divided by it.
+    seen.nearest = static_cast<float>(std::max(std::max(placer.size(), kNearest) * unit, 0x1p-50));
     if (light.kind == LightKind::spot) {
         seen.axis = Vec3(normalized(placer.aim() - position, DVec3(0, 0, -1)));
         // A cone of half a turn holds what rounding leaves behind the light, too.

@@ -56,7 +56,7 @@ std::string_view name_of(LightKind kind);
 // the eye; and ambient light.
 const std::vector<Light>& default_lights();
 
-// In view space, made once a frame.
+// In view space, made once a frame; lengths times to_floats(view), as positions of lanes are.
 struct ViewLight {
     Vec3 towards{0, 0, 1}; // directional: unit, from the surface to the light
     Vec3 colour{1};        // linear; times the power

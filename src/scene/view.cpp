@@ -141,12 +141,15 @@ Result<void> check_ratios(const View& view, double distance, double reach) {
                 distance, far);
 }
 
-Result<void> check_size(const View& view, double distance) {
+double largest_length(const View& view) {
     const DVec3& t = view.translation;
-    const double size = std::max(
-        {largest_entry(view.linear), std::abs(t.x), std::abs(t.y), std::abs(t.z), distance});
+    return std::max({largest_entry(view.linear), std::abs(t.x), std::abs(t.y), std::abs(t.z)});
+}
+
+Result<void> check_size(const View& view, double distance) {
+    const double size = std::max(largest_length(view), distance);
     if (!finite(view.linear[0]) || !finite(view.linear[1]) || !finite(view.linear[2]) ||
-        !finite(t) || !std::isfinite(distance) || size > 0x1p900 || size < 0x1p-900)
+        !finite(view.translation) || !std::isfinite(distance) || size > 0x1p900 || size < 0x1p-900)
         return fail(Exit::usage,
                     "the camera or the model's transform leads to numbers that are too large, too "
                     "small or not finite; give more moderate ones");
@@ -227,6 +230,11 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     set_projection(view, camera, tan_half, aspect, distance, reach);
     TRY_VOID(check_ratios(view, distance, reach));
     return view;
+}
+
+double to_floats(const View& view) {
+    const double largest = largest_length(view);
+    return largest < 0x1p40 ? 1.0 : scanout::scale(0x1p40, -decompose(largest).exponent);
 }
 
 double world_units_per_pixel(const View& view, int height) {

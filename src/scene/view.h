@@ -68,6 +68,10 @@ double radii_per_unit(const geom::Mesh& mesh); // of the file
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
                        const CameraOptions& camera, const Orbit& orbit, int width, int height);
 
+// What brings the view's lengths to where floats have squares: a power of two, and 1 but for scenes
+// of 2^40 bounding radii and more.
+double to_floats(const View& view);
+
 // How many world units of the plane through the model's centre one pixel spans: for dragging.
 double world_units_per_pixel(const View& view, int height);
 

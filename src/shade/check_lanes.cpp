@@ -17,6 +17,18 @@ void check(const float* lanes, std::size_t count, std::string_view what, std::st
                          fmt::format("{} of lane {} is {} after {}", what, i, lanes[i], stage));
 }
 
+// What a stage of the axis light writes: the lights of its kind that vary.
+void check_light(const Block& b, const FrameState& frame, std::string_view kind,
+                 std::string_view stage) {
+    for (std::size_t k = 0; k < frame.varies.size(); ++k) {
+        if (!frame.varies[k] || name_of(frame.lights[k].kind) != kind) continue;
+        for (int c = 0; c < 3; ++c) {
+            check(b.light[k].towards[c], static_cast<std::size_t>(b.count), "direction", stage);
+            check(b.light[k].colour[c], static_cast<std::size_t>(b.count), "light", stage);
+        }
+    }
+}
+
 } // namespace
 
 void check_rays(const Block& b, const FrameState& frame) {
@@ -35,6 +47,7 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
         if (stage.card.axis == "reflection") check(b.colour[c], count, "colour", name);
     }
+    if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
     if (b.map[kDiffuseMap].texture == nullptr) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);

@@ -26,10 +26,11 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool neg
 
 // In view space, in double, rounded once.
 void set_positions(Primitive& p, const GatherInput& in, const Corners& v) {
+    const double unit = to_floats(*in.view);
     for (std::size_t k = 0; k < 3; ++k) {
         const DVec3 at = in.view->linear * DVec3(in.mesh->position[v[k]]) + in.view->translation;
         for (int c = 0; c < 3; ++c)
-            p.position[c][k] = static_cast<float>(at[c]);
+            p.position[c][k] = static_cast<float>(at[c] * unit);
     }
 }
 

@@ -44,7 +44,7 @@ struct Primitive {
     float facing[3];    // the triangle's own normal, towards the eye; object space
     // Of the three vertices; only what the frame's stages read.
     float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
-    float position[3][3];                       // view space
+    float position[3][3];                       // view space, times scene::to_floats
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -88,7 +88,7 @@ struct Block {
     // Written by the interpolation stage.
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
     alignas(64) float u[kRoom], v[kRoom];
-    alignas(64) float position[3][kRoom]; // view space
+    alignas(64) float position[3][kRoom]; // view space, times scene::to_floats
 
     // Of the map that was sampled last: red, green, blue, alpha; linear.
     alignas(64) float sampled[4][kRoom];

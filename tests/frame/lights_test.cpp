@@ -107,5 +107,29 @@ TEST(Lights, OfTheWorldLightTheSamePlaceFromEverywhere) {
     EXPECT_GT(middles.front().r, 60);
 }
 
+// Floats hold neither its surfaces' places nor their squares; the picture has a meaning all the
+// same.
+TEST(Lights, OfTheWorldAreTooWeakForAModelScaledBeyondAllFloats) {
+    for (const auto kind : {scene::LightKind::point, scene::LightKind::spot}) {
+        Shot s = solids("solids");
+        scene::Light light, ambient;
+        light.kind = kind;
+        light.position = {0.5, 2, 3};
+        ambient.kind = scene::LightKind::ambient;
+        s.options.lights = {ambient};
+        s.camera.distance = 3;
+        const image::Image dark = draw(s);
+        for (const double exponent : {20, 41, 60, 100, 130, 300, 880}) {
+            s.options.lights = {ambient, light};
+            s.model.scale = DVec3(std::exp2(exponent));
+            s.camera.distance = 3 * std::exp2(exponent);
+            EXPECT_EQ(draw(s), dark) << exponent;
+        }
+        s.model.scale = DVec3(1);
+        s.camera.distance = 3;
+        EXPECT_NE(draw(s), dark);
+    }
+}
+
 } // namespace
 } // namespace scanout::test

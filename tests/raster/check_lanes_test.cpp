@@ -53,6 +53,13 @@ TEST_F(RasterLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetU
     for (const double bad : {kNaN, kInf, -kInf}) {
         EXPECT_DEATH(tile.draw(set_up(kEverywhere, 5, {0.5, 0.5, bad})),
                      "depth of triangle 5 is -?(nan|inf) after set-up");
+        Piece piece{};
+        piece.id = 8;
+        piece.vertex[1].z = bad;
+        EXPECT_DEATH(tile.draw(piece), "depth of triangle 8 is -?(nan|inf) after set-up");
+        piece.vertex[1].z = 1;
+        piece.vertex[2].depth = bad;
+        EXPECT_DEATH(tile.draw(piece), "depth of triangle 8 is -?(nan|inf) after set-up");
         EXPECT_DEATH(tile.draw(Segment{{0, 9000}, {0, 5000}, {bad, 0.5}, 6}),
                      "depth of line 6 is -?(nan|inf) after set-up");
         EXPECT_DEATH(tile.draw(Point{500, 500, bad, 7}),

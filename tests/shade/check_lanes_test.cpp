@@ -4,8 +4,8 @@
 #include "shade/block.h"
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
-#include "support/lights.h"
 
+#include <array>
 #include <limits>
 
 namespace scanout::shade::test {
@@ -16,7 +16,7 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 
 // What a stage of the tests does after the one that it stands for.
 struct Poison {
-    enum class Lanes { albedo, normal, colour, u, v, sampled };
+    enum class Lanes { albedo, normal, colour, u, v, sampled, position, towards, light };
     Lanes lanes = Lanes::albedo;
     int lane = -1; // none
     bool dead = false;
@@ -27,7 +27,9 @@ Poison poison; // a Stage is a plain function
 void write_poison(Block& b) {
     if (poison.lane < 0) return;
     const int lane = poison.dead ? b.count + poison.lane : poison.lane;
-    float* const lanes[] = {b.albedo[1], b.normal[2], b.colour[0], b.u, b.v, b.sampled[2]};
+    float* const lanes[] = {
+        b.albedo[1],   b.normal[2],           b.colour[0],         b.u, b.v, b.sampled[2],
+        b.position[1], b.light[0].towards[1], b.light[0].colour[2]};
     lanes[static_cast<std::size_t>(poison.lanes)][lane] = poison.value;
 }
 
@@ -39,7 +41,6 @@ Stage poisoned(const Stage& stage, void (*run)(Block&, const FrameState&)) {
 // Two textured triangles with a highlight: a square of 30 x 20 pixels, its sides between samples.
 class ShadeLanesDeathTest : public testing::Test {
 protected:
-    const std::vector<scene::ViewLight> lights_ = scanout::test::key_and_fill();
     void SetUp() override {
 #ifndef SCANOUT_CHECK_LANES
         GTEST_SKIP() << "built without SCANOUT_CHECK_LANES";
@@ -50,8 +51,11 @@ protected:
             mesh_,
             {{{5.3F, 5.3F, 0.5F}, {35.3F, 5.3F, 0.5F}, {35.3F, 25.3F, 0.5F}, {5.3F, 25.3F, 0.5F}}},
             {0, 0, 1}, 0);
-        frame_.attributes = {.normal = true, .uv = true, .ray = true};
+        frame_.attributes = {.normal = true, .uv = true, .ray = true, .position = true};
+        lights_[0].kind = scene::LightKind::point;
+        lights_[0].position = {0, 0, 3};
         frame_.lights = lights_;
+        frame_.varies = varies_;
         frame_.filter = find_filter("bilinear");
         materials_[0].specular = Vec3(1);
         materials_[0].shininess = 10;
@@ -78,6 +82,7 @@ protected:
         in.stages = stages_;
         in.frame = &frame_;
         in.rays = rays_;
+        in.view = &view;
         image::Image picture(64, 64);
         Gatherer gatherer;
         EXPECT_GE(gatherer.shade(tile, in, picture), 600U);
@@ -86,6 +91,8 @@ protected:
     geom::Mesh mesh_ = scanout::test::empty_mesh();
     std::vector<scene::Material> materials_{scanout::test::textured(0)};
     std::vector<scene::Texture> textures_{scanout::test::checkers()};
+    std::vector<scene::ViewLight> lights_{1};
+    std::array<bool, 1> varies_{true};
     FrameState frame_ = identity_frame();
     Rays rays_{0.01F, 0, 0.01F, 0};
     const Stage interpolate_ =
@@ -93,6 +100,10 @@ protected:
             stage("interpolate", "perspective").run(b, f);
             write_poison(b);
         });
+    const Stage light_ = poisoned(stage("light", "point"), [](Block& b, const FrameState& f) {
+        stage("light", "point").run(b, f);
+        write_poison(b);
+    });
     const Stage map_ = poisoned(stage("map", "diffuse"), [](Block& b, const FrameState& f) {
         stage("map", "diffuse").run(b, f);
         write_poison(b);
@@ -103,7 +114,7 @@ protected:
             write_poison(b);
         });
     std::vector<const Stage*> stages_{&stage("interpolate", "perspective"),
-                                      &stage("map", "diffuse"),
+                                      &stage("light", "point"), &stage("map", "diffuse"),
                                       &stage("reflection", "blinn_phong")};
 };
 
@@ -118,13 +129,16 @@ constexpr Written kWritten[] = {
     {0, Lanes::normal, "normal of lane 5 is -?(nan|inf) after interpolate perspective"},
     {0, Lanes::u, "u of lane 5 is -?(nan|inf) after interpolate perspective"},
     {0, Lanes::v, "v of lane 5 is -?(nan|inf) after interpolate perspective"},
-    {1, Lanes::albedo, "albedo of lane 5 is -?(nan|inf) after map diffuse"},
-    {1, Lanes::sampled, "sampled of lane 5 is -?(nan|inf) after map diffuse"},
-    {2, Lanes::colour, "colour of lane 5 is -?(nan|inf) after reflection blinn_phong"},
+    {0, Lanes::position, "position of lane 5 is -?(nan|inf) after interpolate perspective"},
+    {1, Lanes::towards, "direction of lane 5 is -?(nan|inf) after light point"},
+    {1, Lanes::light, "light of lane 5 is -?(nan|inf) after light point"},
+    {2, Lanes::albedo, "albedo of lane 5 is -?(nan|inf) after map diffuse"},
+    {2, Lanes::sampled, "sampled of lane 5 is -?(nan|inf) after map diffuse"},
+    {3, Lanes::colour, "colour of lane 5 is -?(nan|inf) after reflection blinn_phong"},
 };
 
 TEST_F(ShadeLanesDeathTest, ALiveLaneThatIsNotFiniteEndsTheProgramAfterEveryStage) {
-    const Stage* const poisonous[] = {&interpolate_, &map_, &reflection_};
+    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &reflection_};
     shade();
     for (const Written& w : kWritten) {
         const auto sound = stages_;
@@ -138,7 +152,7 @@ TEST_F(ShadeLanesDeathTest, ALiveLaneThatIsNotFiniteEndsTheProgramAfterEveryStag
 }
 
 TEST_F(ShadeLanesDeathTest, ADeadLaneMayHoldAnything) {
-    const Stage* const poisonous[] = {&interpolate_, &map_, &reflection_};
+    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &reflection_};
     for (const Written& w : kWritten) {
         const auto sound = stages_;
         stages_[w.stage] = poisonous[w.stage];
@@ -163,7 +177,7 @@ TEST_F(ShadeLanesDeathTest, ARayThatIsNotFiniteEndsTheProgramAfterPlaceLanes) {
     rays_ = {0.01F, 0, kNaN, 0};
     EXPECT_DEATH(shade(), "ray y of lane 0 is -?nan after place_lanes");
     frame_.attributes.ray = false; // nobody reads them
-    stages_[2] = &stage("reflection", "lambert");
+    stages_[3] = &stage("reflection", "lambert");
     shade();
 }
 
