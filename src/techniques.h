@@ -6,4 +6,5 @@
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
 #define SCANOUT_MAP(X) X(diffuse)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
-#define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)
+#define SCANOUT_REFLECTION(X) X(lambert) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
+#define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
