@@ -26,7 +26,7 @@ struct GeometryOptions {
     int samples = 1;           // of the tiles that will be drawn
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
     // Of the default material, then of each material of the scene. Empty: all are opaque.
-    std::span<const Layer> layers;
+    std::span<const Layer> layers = {};
 };
 
 class Geometry {

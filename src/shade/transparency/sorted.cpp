@@ -30,7 +30,7 @@ void nearest_first(std::span<std::uint32_t> triangles, const GatherInput& in) {
     std::vector<Keyed> keyed;
     keyed.reserve(triangles.size());
     for (const std::uint32_t t : triangles)
-        keyed.push_back({distance(in, t.id), t});
+        keyed.push_back({distance(in, t), t});
     std::sort(keyed.begin(), keyed.end(), [](const Keyed& a, const Keyed& b) {
         return a.distance < b.distance || (a.distance == b.distance && a.triangle < b.triangle);
     });
