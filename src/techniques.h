@@ -4,6 +4,7 @@
 
 #define SCANOUT_INTERPOLATE(X) X(perspective)
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
-#define SCANOUT_MAP(X) X(diffuse)
+#define SCANOUT_MAP(X) X(diffuse) X(opacity)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
 #define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)
+#define SCANOUT_TRANSPARENCY(X) X(cut_out) X(sorted) X(exact)

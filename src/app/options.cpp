@@ -179,6 +179,13 @@ const std::array kOptions = std::to_array<Option>({
     {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
      "how surfaces reflect (`list techniques`)"},
+    {"transparency", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.transparency; }),
+     "how surfaces that let light through are drawn (`list techniques`); auto: exact, and cut_out "
+     "where alpha is 0 or 1 alone"},
+    {"alpha-cut", 0, "ALPHA", "", "0.5", 0, 1, Group::picture, kDraw,
+     Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
+     "cut-out surfaces show where their alpha is at least this"},
 
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
      "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "

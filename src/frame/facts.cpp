@@ -47,6 +47,15 @@ SceneFacts facts(const scene::Scene& scene) {
     });
     facts.specular_triangles =
         census.count(facts, "highlight", [](const scene::Material& m) { return has_highlight(m); });
+    facts.alpha = alpha_facts(scene);
+    const auto materials = [&](auto... classes) {
+        MaterialSet set(scene.materials.size() + 1, false);
+        for (std::size_t i = 0; i < scene.materials.size(); ++i)
+            set[i] = ((facts.alpha.of_material[i + 1] == classes) || ...);
+        return set;
+    };
+    facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
+    facts.materials_of.emplace("blending", materials(AlphaClass::blended));
     return facts;
 }
 

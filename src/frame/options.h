@@ -24,6 +24,9 @@ struct FrameOptions {
     std::string texture = "auto";
     std::string reflection = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
+    std::string transparency = "auto";
+    double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
+    int most_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
 };

@@ -122,6 +122,72 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     return {};
 }
 
+// How much of the scene is of one kind: "3 of 14 materials (120 of 900 triangles)".
+std::string part(std::size_t materials, std::size_t triangles, const SceneFacts& facts) {
+    return fmt::format("{} of {} materials ({} of {} triangles)", materials, facts.alpha.materials,
+                       triangles, facts.triangles);
+}
+
+// Which materials are cut out or blended, and how alpha is found.
+Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                               const std::string& filter) {
+    const FrameOptions& o = plan.options;
+    const AlphaFacts& a = facts.alpha;
+    TRY(const std::string cut_name, choose("transparency", o.transparency, "cut_out"));
+    TRY(const std::string blend_name, choose("transparency", o.transparency, "exact"));
+    if (!(o.alpha_cut >= 0 && o.alpha_cut <= 1))
+        return fail(Exit::usage, "--alpha-cut {}: choose 0 to 1", o.alpha_cut);
+    const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
+    const bool blends = a.blended_triangles > 0;
+    const bool cut = planner.effect(
+        "cut_out", cut_name, cuts,
+        cuts ? fmt::format("{} have alpha 0 in places, and else 1",
+                           part(a.cut_out_materials + a.unseen_materials,
+                                a.cut_out_triangles + a.unseen_triangles, facts))
+             : "no triangle's alpha is 0 anywhere without being between 0 and 1 elsewhere");
+    const bool blend = planner.effect(
+        "blending", blend_name, blends,
+        blends ? fmt::format("{} have alpha between 0 and 1, d from {}",
+                             part(a.blended_materials, a.blended_triangles, facts), a.least_d)
+               : "no triangle's alpha is between 0 and 1");
+    if (facts.triangles == 0 || !(cut || blend)) return {};
+    TransparencyPlan& t = plan.transparency;
+    const auto layer_by = [&](const std::string& name) {
+        const shade::Transparency* found = shade::find_transparency(name);
+        CHECK(found != nullptr);
+        (found->cuts ? t.cut_out : t.blended) = found;
+        return found->cuts ? raster::Layer::cut_out : raster::Layer::blended;
+    };
+    const raster::Layer cut_layer = cut ? layer_by(cut_name) : raster::Layer::opaque;
+    const raster::Layer blend_layer = blend ? layer_by(blend_name) : raster::Layer::opaque;
+    // Forced on where nothing calls for it: opaque triangles take that way, and look the same.
+    t.opaque_blended = blend && !blends && blend_layer == raster::Layer::blended;
+    const raster::Layer opaque_layer =
+        blend && !blends ? blend_layer : (cut && !cuts ? cut_layer : raster::Layer::opaque);
+    const raster::Layer layer_of_class[] = {opaque_layer, cut_layer, blend_layer,
+                                            cut ? raster::Layer::nothing : raster::Layer::opaque};
+    for (const AlphaClass c : a.of_material)
+        t.layers.push_back(layer_of_class[static_cast<std::size_t>(c)]);
+    t.alpha = a.maps;
+    for (const shade::Transparency* technique : {t.cut_out, t.blended})
+        if (technique != nullptr) plan.techniques.push_back(&technique->card);
+    const bool mapped = std::any_of(a.maps.begin(), a.maps.end(), [](const auto& maps) {
+        return maps.diffuse_map || maps.opacity_map;
+    });
+    if (!mapped) return {};
+    for (const auto& [axis, name] : {std::pair("interpolate", "perspective"), {"map", "opacity"}}) {
+        t.stages.push_back(shade::find_stage(axis, name));
+        CHECK(t.stages.back() != nullptr);
+        t.attributes = t.attributes | t.stages.back()->needs;
+    }
+    plan.techniques.push_back(&t.stages.back()->card);
+    t.filter = shade::find_filter(filter);
+    CHECK(t.filter != nullptr);
+    if (plan.filter == nullptr) plan.techniques.push_back(&t.filter->card);
+    t.attributes = t.attributes | t.filter->needs;
+    return {};
+}
+
 } // namespace
 
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
@@ -155,6 +221,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
+    TRY_VOID(plan_transparency(planner, plan, facts, filter));
     if (facts.triangles == 0)
         plan.attributes.normal = plan.attributes.uv = false; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

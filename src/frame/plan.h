@@ -6,6 +6,7 @@
 #include "frame/facts.h"
 #include "frame/options.h"
 #include "shade/stage.h"
+#include "shade/transparency.h"
 
 #include <string>
 #include <string_view>
@@ -25,6 +26,18 @@ struct Decision {
 };
 std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 ..."
 
+// What is not drawn as opaque.
+struct TransparencyPlan {
+    std::vector<raster::Layer> layers; // of the default material, then of each; empty: all opaque
+    std::vector<shade::MaterialAlpha> alpha;      // as many
+    const shade::Transparency* cut_out = nullptr; // null where no triangle wants it
+    const shade::Transparency* blended = nullptr;
+    bool opaque_blended = false; // forced on where nothing calls for it: what is blended is opaque
+    std::vector<const shade::Stage*> stages; // find alpha where a map has it
+    shade::Attributes attributes;            // what they read
+    const shade::Filter* filter = nullptr;
+};
+
 struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does.
@@ -34,7 +47,8 @@ struct FramePlan {
     shade::Attributes attributes;          // what has to be fetched for a block
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
     std::vector<scene::Light> lights;      // those that reach something
-    std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
+    TransparencyPlan transparency;
+    std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };

@@ -4,6 +4,7 @@
 #include "frame/lights.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
+#include "shade/layers.h"
 
 #include <algorithm>
 #include <vector>
@@ -15,6 +16,7 @@ namespace {
 struct Worker {
     raster::VisibilityTile visibility;
     shade::Gatherer gatherer;
+    std::unique_ptr<shade::Layers> layers; // made when a plan wants it
     std::uint64_t lanes = 0;
 };
 
@@ -109,6 +111,22 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     return in;
 }
 
+static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameState& frame) {
+    const TransparencyPlan& t = plan.transparency;
+    shade::LayerInput in;
+    in.cut_out = t.cut_out;
+    in.blended = t.blended;
+    in.opaque_blended = t.opaque_blended;
+    in.alpha = t.alpha;
+    in.stages = t.stages;
+    in.frame = frame;
+    in.frame.attributes = t.attributes;
+    in.frame.filter = t.filter;
+    in.cut = static_cast<float>(plan.options.alpha_cut);
+    in.most_fragments = static_cast<std::size_t>(plan.options.most_fragments);
+    return in;
+}
+
 const image::Image& Renderer::render(const scene::Scene& scene, const scene::View& view,
                                      const FramePlan& plan, Visibility* visibility, int tile_size,
                                      shade::LinearPicture* linear) {
@@ -119,7 +137,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const Stopwatch total;
     const raster::ScreenTransform transform(view, o.width, o.height);
     s.geometry.run(s.jobs, scene.mesh, transform,
-                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size});
+                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size,
+                    plan.transparency.layers});
     const double geometry_ms = total.milliseconds();
 
     const FrameLights lights(plan, view, scene.mesh);
@@ -127,8 +146,18 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;
-    for (Worker& worker : s.workers)
+    const bool layered = !plan.transparency.layers.empty();
+    const shade::LayerInput layers = layered ? layer_input(plan, frame) : shade::LayerInput();
+    if (layered) in.layers = &layers;
+    for (Worker& worker : s.workers) {
         worker.lanes = 0;
+        if (!layered)
+            worker.layers.reset();
+        else if (worker.layers == nullptr)
+            worker.layers = std::make_unique<shade::Layers>();
+        else
+            worker.layers->begin_frame();
+    }
     if (visibility != nullptr) {
         const std::size_t samples = static_cast<std::size_t>(o.width) *
                                     static_cast<std::size_t>(o.height) *
@@ -140,10 +169,21 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         Worker& worker = s.workers[static_cast<std::size_t>(number)];
         const image::Rect area = s.geometry.tile_area(tile);
         worker.visibility.reset(area, o.samples);
-        s.geometry.draw(tile, worker.visibility);
+        s.geometry.draw_triangles(tile, worker.visibility);
+        if (layers.cut_out != nullptr)
+            worker.layers->cut_out(s.geometry, tile, in, worker.visibility);
+        const bool elsewhere = layers.opaque_blended; // what lines lie on
+        s.geometry.draw_on_ground(tile,
+                                  elsewhere
+                                      ? worker.layers->ground(s.geometry, tile, worker.visibility)
+                                      : worker.visibility,
+                                  worker.visibility);
         if (visibility != nullptr) keep(worker.visibility, *visibility);
         clear(area, o.background, s.back_buffer);
-        if (!worker.visibility.empty())
+        if (layers.blended != nullptr)
+            worker.lanes += worker.layers->shade(s.geometry, tile, in, worker.visibility,
+                                                 worker.gatherer, s.back_buffer);
+        else if (!worker.visibility.empty())
             worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
     });
     s.stats = {total.milliseconds(),
@@ -152,8 +192,12 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                scene.mesh.triangles(),
                s.geometry.triangles_drawn(),
                0};
-    for (const Worker& worker : s.workers)
+    for (const Worker& worker : s.workers) {
         s.stats.lanes_shaded += worker.lanes;
+        if (worker.layers == nullptr) continue;
+        s.stats.fragments_blended += worker.layers->fragments();
+        s.stats.layer_bytes += worker.layers->bytes();
+    }
     return s.back_buffer;
 }
 

@@ -22,6 +22,8 @@ struct FrameStats {
     std::uint64_t triangles_submitted = 0; // of the mesh
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t lanes_shaded = 0;
+    std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
+    std::size_t layer_bytes = 0;         // held for what is not opaque
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x].

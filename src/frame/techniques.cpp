@@ -1,6 +1,7 @@
 #include "frame/techniques.h"
 
 #include "shade/stage.h"
+#include "shade/transparency.h"
 
 #include <fmt/format.h>
 
@@ -13,6 +14,8 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&filter->card);
         for (const shade::Stage* stage : shade::stages())
             found.push_back(&stage->card);
+        for (const shade::Transparency* transparency : shade::transparencies())
+            found.push_back(&transparency->card);
         return found;
     }();
     return all;

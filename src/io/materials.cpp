@@ -92,8 +92,12 @@ private:
     void read_library(const std::string& name, std::size_t line);
     void use(const NameAtLine& used);
     void name_what_is_not_drawn();
-    std::int32_t texture(const std::string& name, const std::string& library_path);
-    std::int32_t load_texture(const std::string& path, const std::string& library_path);
+    void load_map(scene::TextureMap& map, std::string_view keyword,
+                  const std::string& library_path);
+    std::int32_t texture(const std::string& name, std::string_view keyword,
+                         const std::string& library_path);
+    std::int32_t load_texture(const std::string& path, std::string_view keyword,
+                              const std::string& library_path);
     void texture_fault(const std::string& name, std::string line);
 
     const ObjFile& obj_;
@@ -183,8 +187,17 @@ void MaterialLoader::use(const NameAtLine& used) {
     out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
     scene::Material& material = out_.materials.emplace_back(m.material);
     // The other maps stay names until something draws them: what is not used costs nothing.
+    load_map(material.map_opacity, "map_d", library.path);
+    if (material.map_opacity.texture >= 0 && material.map_opacity.channel == 0) {
+        // Its channel is not given: alpha, where the file has an alpha channel that says something.
+        const auto& t = out_.textures[static_cast<std::size_t>(material.map_opacity.texture)];
+        const auto pixels = t.image.pixels();
+        const bool alpha = std::any_of(pixels.begin(), pixels.end(),
+                                       [](const image::Rgba8& p) { return p.a != 255; });
+        material.map_opacity.channel = alpha ? 'm' : 'l';
+    }
     if (!material.map_diffuse.given()) return;
-    material.map_diffuse.texture = texture(material.map_diffuse.path, library.path);
+    load_map(material.map_diffuse, "map_Kd", library.path);
     // Kd 0 0 0 beside a map is an exporter's "see the map"; without the map it would be a hole.
     if (material.map_diffuse.texture < 0 && material.diffuse == Vec3(0))
         material.diffuse = scene::Material().diffuse;
@@ -199,7 +212,13 @@ void MaterialLoader::name_what_is_not_drawn() {
                                       library.not_drawn.size() == 1 ? "is" : "are"));
 }
 
-std::int32_t MaterialLoader::texture(const std::string& name, const std::string& library_path) {
+void MaterialLoader::load_map(scene::TextureMap& map, std::string_view keyword,
+                              const std::string& library_path) {
+    if (map.given()) map.texture = texture(map.path, keyword, library_path);
+}
+
+std::int32_t MaterialLoader::texture(const std::string& name, std::string_view keyword,
+                                     const std::string& library_path) {
     const std::string folder = folder_of(library_path);
     const auto [known, is_new] = textures_.try_emplace(folder + '\n' + name, -1);
     if (!is_new) return known->second;
@@ -216,19 +235,19 @@ std::int32_t MaterialLoader::texture(const std::string& name, const std::string&
     }
     const std::string real = canonical(*path);
     const auto [loaded, first] = textures_.try_emplace(real, -1);
-    if (first) loaded->second = load_texture(*path, library_path);
+    if (first) loaded->second = load_texture(*path, keyword, library_path);
     return textures_[folder + '\n' + name] = textures_[real];
 }
 
-std::int32_t MaterialLoader::load_texture(const std::string& path,
+std::int32_t MaterialLoader::load_texture(const std::string& path, std::string_view keyword,
                                           const std::string& library_path) {
     image::DecodeLimits limits;
     limits.max_pixels = std::min(
         limits.max_pixels, static_cast<std::int64_t>(texture_bytes_left_ / sizeof(image::Rgba8)));
     auto picture = image::load(path, limits);
     if (!picture) {
-        texture_fault(
-            path, fmt::format("{}: map_Kd: {}; drawn plain", library_path, picture.error().what));
+        texture_fault(path, fmt::format("{}: {}: {}; drawn plain", library_path, keyword,
+                                        picture.error().what));
         return -1;
     }
     const std::uint64_t bytes = picture->pixels().size_bytes();

@@ -71,7 +71,7 @@ private:
     bool map_option(Cursor& at, TextureMap& map) const;
     bool map_options(Cursor& at, TextureMap& map) const;
     void map_file(TextureMap& map);
-    void note_map_options(const TextureMap& map);
+    void note_map_options(const Material& material);
     void not_drawn(std::string_view what);
 
     void warn(std::string_view kind, std::string_view text) {
@@ -191,26 +191,32 @@ void MtlReader::finish_material() {
     // map_Kd is multiplied by Kd; a material that gives the map alone means the map's own colours.
     if (now_->map_diffuse.given() && !has_diffuse_) now_->diffuse = Vec3(1);
     for (const MapKeyword& known : kMaps)
-        if (known.map != &Material::map_diffuse && (now_->*known.map).given())
+        if (known.map != &Material::map_diffuse && known.map != &Material::map_opacity &&
+            (now_->*known.map).given())
             not_drawn(known.name);
-    note_map_options(now_->map_diffuse);
-    if (now_->opacity < 1) not_drawn("d (transparency)");
+    note_map_options(*now_);
     if (now_->emission != Vec3(0)) not_drawn("Ke");
     now_ = nullptr;
 }
 
-// -o, -s and -clamp are drawn.
-void MtlReader::note_map_options(const TextureMap& map) {
-    const TextureMap plain;
-    if (map.turbulence != plain.turbulence) not_drawn("map_Kd -t");
-    if (map.base != plain.base || map.gain != plain.gain) not_drawn("map_Kd -mm");
-    if (map.boost != plain.boost) not_drawn("map_Kd -boost");
-    if (map.colour_correction) not_drawn("map_Kd -cc");
-    if (!map.blend_u) not_drawn("map_Kd -blendu off");
-    if (!map.blend_v) not_drawn("map_Kd -blendv off");
-    if (map.resolution != 0) not_drawn("map_Kd -texres");
-    if (map.channel != 0) not_drawn("map_Kd -imfchan");
-    if (!map.reflection_type.empty()) not_drawn("map_Kd -type");
+// -o, -s and -clamp are drawn, and -imfchan of the map that has one channel.
+void MtlReader::note_map_options(const Material& material) {
+    const TextureMap &kd = material.map_diffuse, &d = material.map_opacity, plain;
+    const auto note = [&](auto&& differs, std::string_view in_kd, std::string_view in_d) {
+        if (differs(kd)) not_drawn(in_kd);
+        if (differs(d)) not_drawn(in_d);
+    };
+    using Map = const TextureMap&;
+    note([&](Map m) { return m.turbulence != plain.turbulence; }, "map_Kd -t", "map_d -t");
+    note([&](Map m) { return m.base != plain.base || m.gain != plain.gain; }, "map_Kd -mm",
+         "map_d -mm");
+    note([&](Map m) { return m.boost != plain.boost; }, "map_Kd -boost", "map_d -boost");
+    note([](Map m) { return m.colour_correction; }, "map_Kd -cc", "map_d -cc");
+    note([](Map m) { return !m.blend_u; }, "map_Kd -blendu off", "map_d -blendu off");
+    note([](Map m) { return !m.blend_v; }, "map_Kd -blendv off", "map_d -blendv off");
+    note([](Map m) { return m.resolution != 0; }, "map_Kd -texres", "map_d -texres");
+    note([](Map m) { return !m.reflection_type.empty(); }, "map_Kd -type", "map_d -type");
+    if (kd.channel != 0) not_drawn("map_Kd -imfchan");
 }
 
 void MtlReader::not_drawn(std::string_view what) {

@@ -15,17 +15,20 @@ struct Geometry::Task {
     const GeometryOptions& options;
 };
 
-void Geometry::Batch::clear(int tiles) {
+void Geometry::Batch::clear(int tiles, bool layers) {
     triangles_drawn = 0;
     pieces.clear();
     segments.clear();
     points.clear();
     bins.resize(static_cast<std::size_t>(tiles));
-    for (Bin& bin : bins) {
-        bin.triangles.clear();
-        bin.pieces.clear();
-        bin.segments.clear();
-        bin.points.clear();
+    layered.resize(layers ? static_cast<std::size_t>(tiles) : 0);
+    for (auto* all : {&bins, &layered}) {
+        for (Bin& bin : *all) {
+            bin.triangles.clear();
+            bin.pieces.clear();
+            bin.segments.clear();
+            bin.points.clear();
+        }
     }
 }
 
@@ -51,11 +54,12 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
              extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
     transform_ = transform;
+    layers_.assign(options.layers.begin(), options.layers.end());
     CHECK_LE(mesh.position.size(), kMostVertices);
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)
-        batch.clear(tiles());
+        batch.clear(tiles(), !layers_.empty());
 
     constexpr std::size_t kChunk = 4096;
     const auto chunks = [](std::size_t n) { return static_cast<int>((n + kChunk - 1) / kChunk); };
@@ -99,9 +103,16 @@ void Geometry::add_triangles(const Task& task, Batch& batch, std::size_t begin,
     CullResult found{batch.kept, batch.cut};
     cull(cull_, vertices_, std::span(task.mesh.index).subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
-    for (const KeptTriangle& t : found.kept.first(found.kept_count))
+    for (const KeptTriangle& t : found.kept.first(found.kept_count)) {
+        std::vector<Batch::Bin>* bins = &batch.bins;
+        if (!layers_.empty()) {
+            const Layer layer = layer_of(t.triangle);
+            if (layer == Layer::nothing) continue;
+            if (layer != Layer::opaque) bins = &batch.layered;
+        }
         for_tiles({t.x0, t.y0, t.x1, t.y1},
-                  [&](std::size_t tile) { batch.bins[tile].triangles.push_back(t.triangle); });
+                  [&](std::size_t tile) { (*bins)[tile].triangles.push_back(t.triangle); });
+    }
     batch.triangles_drawn += found.kept_count;
     for (const std::uint32_t triangle : found.cut.first(found.cut_count))
         add_clipped(task, batch, triangle);
@@ -115,6 +126,9 @@ std::uint32_t Geometry::flags(const Task& task, std::uint32_t vertex) const {
 }
 
 void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const {
+    const Layer layer = layers_.empty() ? Layer::opaque : layer_of(triangle);
+    if (layer == Layer::nothing) return;
+    std::vector<Batch::Bin>& bins = layer == Layer::opaque ? batch.bins : batch.layered;
     const std::uint32_t* index = task.mesh.index.data() + std::size_t{triangle} * 3;
     if ((flags(task, index[0]) & flags(task, index[1]) & flags(task, index[2]) & kOutsideMask) != 0)
         return;
@@ -125,7 +139,7 @@ void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangl
         drawn = true;
         const auto number = static_cast<std::uint32_t>(batch.pieces.size());
         batch.pieces.push_back(piece);
-        for_tiles(bounds, [&](std::size_t tile) { batch.bins[tile].pieces.push_back(number); });
+        for_tiles(bounds, [&](std::size_t tile) { bins[tile].pieces.push_back(number); });
     }
     batch.triangles_drawn += drawn ? 1 : 0;
 }
@@ -184,6 +198,11 @@ image::Rect Geometry::tile_area(int tile) const {
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) const {
+    draw_triangles(tile, out);
+    draw_on_ground(tile, out, out);
+}
+
+void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
     std::array<Triangle, 64> ready;
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
@@ -201,17 +220,17 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
         for (const std::uint32_t i : bin.pieces)
             out.draw(batch.pieces[i]);
     }
-    if (mesh_->lines() > 0 || mesh_->points() > 0) draw_on_ground(tile, out);
     check_lanes(out);
 }
 
-void Geometry::draw_on_ground(int tile, VisibilityTile& out) const {
+void Geometry::draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
+    if (mesh_->lines() == 0 && mesh_->points() == 0) return;
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [&](const Batch& batch) {
         return batch.bins[at].segments.empty() && batch.bins[at].points.empty();
     };
     if (std::all_of(batches_.begin(), batches_.end(), bare)) return;
-    out.keep_ground();
+    out.keep_ground(shown);
     const Ground ground(*mesh_, vertices_, *transform_);
     for (const Batch& batch : batches_) {
         for (const std::uint32_t i : batch.bins[at].segments)
@@ -219,6 +238,41 @@ void Geometry::draw_on_ground(int tile, VisibilityTile& out) const {
         for (const std::uint32_t i : batch.bins[at].points)
             out.draw(batch.points[i], ground);
     }
+    check_lanes(out);
+}
+
+void Geometry::layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    for (const Batch& batch : batches_) {
+        if (batch.layered.empty()) continue;
+        const Batch::Bin& bin = batch.layered[static_cast<std::size_t>(tile)];
+        for (const std::uint32_t id : bin.triangles)
+            if (layer_of(id) == layer) out.push_back(id);
+        for (const std::uint32_t i : bin.pieces)
+            if (layer_of(batch.pieces[i].id) == layer) out.push_back(batch.pieces[i].id);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // two pieces of one
+}
+
+image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
+    const image::Rect& area = out.area();
+    image::Rect drawn{area.x1, area.y1, area.x0, area.y0};
+    const auto add = [&](const image::Rect& r) {
+        drawn = {std::min(drawn.x0, std::max(r.x0, area.x0)),
+                 std::min(drawn.y0, std::max(r.y0, area.y0)), std::max(drawn.x1, r.x1),
+                 std::max(drawn.y1, r.y1)};
+    };
+    const std::array<ScreenVertex, 3> corner = corners(triangle);
+    if (corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen()) {
+        const std::optional<SetUp> t = set_up(corner, triangle);
+        if (t && out.draw(t->triangle))
+            add(pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent));
+        return drawn;
+    }
+    for (const Piece& piece : pieces(triangle))
+        if (out.draw(piece)) add(pixel_bounds(piece, area.x1, area.y1, cull_.extent));
+    return drawn;
 }
 
 std::uint64_t Geometry::triangles_drawn() const {

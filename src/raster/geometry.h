@@ -6,6 +6,7 @@
 #include "base/jobs.h"
 #include "geom/mesh.h"
 #include "raster/cull.h"
+#include "raster/layer.h"
 #include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
@@ -24,6 +25,8 @@ struct GeometryOptions {
     bool mirrored = false;     // front faces wind clockwise in view space
     int samples = 1;           // of the tiles that will be drawn
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
+    // Of the default material, then of each material of the scene. Empty: all are opaque.
+    std::span<const Layer> layers = {};
 };
 
 class Geometry {
@@ -35,8 +38,15 @@ public:
     int tiles_across() const { return across_; }
     int tiles() const { return across_ * down_; }
     image::Rect tile_area(int tile) const;
-    // Draws everything that may touch the tile.
+    // Draws everything opaque that may touch the tile.
     void draw(int tile, VisibilityTile& out) const;
+    // The same in two parts: triangles, then lines and points on the ground that is shown.
+    void draw_triangles(int tile, VisibilityTile& out) const;
+    void draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const;
+    // Those of this layer that may touch the tile, by id.
+    void layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const;
+    // Draws one triangle; returns the pixels that it may have changed, none if it does not show.
+    image::Rect draw_one(std::uint32_t triangle, VisibilityTile& out) const;
 
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.
@@ -54,19 +64,22 @@ private:
             std::vector<std::uint32_t> triangles, pieces, segments, points;
         };
         std::vector<Bin> bins;
+        std::vector<Bin> layered;       // what is not opaque: none where everything is
         std::vector<KeptTriangle> kept; // of one chunk
         std::vector<std::uint32_t> cut;
         std::uint64_t triangles_drawn = 0;
-        void clear(int tiles);
+        void clear(int tiles, bool layers);
     };
     struct Task; // the arguments of one run
     void add_triangles(const Task& task, Batch& batch, std::size_t begin, std::size_t end) const;
     void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
+    Layer layer_of(std::uint32_t triangle) const {
+        return layers_[static_cast<std::size_t>(mesh_->material[triangle] + 1)];
+    }
     std::uint32_t flags(const Task& task, std::uint32_t vertex) const;
     void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
     void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
-    void draw_on_ground(int tile, VisibilityTile& out) const;
     template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 
@@ -74,6 +87,7 @@ private:
     CullOptions cull_;
     const geom::Mesh* mesh_ = nullptr;         // of the last run
     std::optional<ScreenTransform> transform_; // likewise
+    std::vector<Layer> layers_;
     std::vector<ScreenVertex> vertices_;
     std::vector<Batch> batches_;
 };

@@ -27,20 +27,38 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
             std::min(r.y1, area_.y1)};
 }
 
-void VisibilityTile::draw(std::span<const Triangle> triangles) {
+bool VisibilityTile::draw(std::span<const Triangle> triangles) {
     check_lanes(triangles);
-    touched_ |= draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
+    const bool shows = draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
+    touched_ |= shows;
+    return shows;
 }
 
-void VisibilityTile::draw(const Piece& piece) {
+bool VisibilityTile::draw(const Piece& piece) {
     check_lanes(piece);
-    touched_ |= draw_piece({area_, pattern_, depth_.data(), id_.data()}, piece);
+    const bool shows = draw_piece({area_, pattern_, depth_.data(), id_.data()}, piece);
+    touched_ |= shows;
+    return shows;
 }
 
-void VisibilityTile::keep_ground() {
+void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels) {
+    const image::Rect r = inside(pixels);
+    for (int sample = 0; sample < samples_; ++sample) {
+        for (int y = r.y0; y < r.y1; ++y) {
+            const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));
+            const auto end = begin + r.width();
+            std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + begin);
+            std::copy(from.depth_.begin() + begin, from.depth_.begin() + end,
+                      depth_.begin() + begin);
+        }
+    }
+}
+
+void VisibilityTile::keep_ground(const VisibilityTile& from) {
     const std::size_t size = kPlane * static_cast<std::size_t>(samples_);
-    ground_depth_.assign(depth_.begin(), depth_.begin() + static_cast<std::ptrdiff_t>(size));
-    ground_id_.assign(id_.begin(), id_.begin() + static_cast<std::ptrdiff_t>(size));
+    const auto end = static_cast<std::ptrdiff_t>(size);
+    ground_depth_.assign(from.depth_.begin(), from.depth_.begin() + end);
+    ground_id_.assign(from.id_.begin(), from.id_.begin() + end);
 }
 
 namespace {

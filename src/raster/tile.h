@@ -18,19 +18,31 @@ public:
     // Makes the tile empty: `area` is at most kTileSize on a side.
     void reset(const image::Rect& area, int samples);
 
-    void draw(std::span<const Triangle> triangles);
-    void draw(const Triangle& triangle) { draw(std::span(&triangle, 1)); }
-    void draw(const Piece& piece);
-    // What is drawn so far, all triangles, is the ground: lines and points that follow are held
-    // against it, not against each other's pixels, so that their order does not matter.
-    void keep_ground();
+    // Triangles: does any of them show? Pixels beyond area() count, too.
+    bool draw(std::span<const Triangle> triangles);
+    bool draw(const Triangle& triangle) { return draw(std::span(&triangle, 1)); }
+    bool draw(const Piece& piece);
+    // What is drawn there so far, all triangles, is the ground, as a rule of this very tile: lines
+    // and points that follow are held against it, not against each other's pixels, so that their
+    // order does not matter.
+    void keep_ground(const VisibilityTile& from);
     void draw(const Segment& segment, const Ground& ground = {});
     void draw(const Point& point, const Ground& ground = {});
+
+    // Shows the primitive at one sample if it is the nearest there.
+    void draw(int x, int y, int sample, float depth, std::uint32_t id) {
+        put(offset(x, y, sample), depth, id);
+    }
+    // Samples of these pixels become what they are in a tile of the same area.
+    void take(const VisibilityTile& from, const image::Rect& pixels);
 
     const image::Rect& area() const { return area_; }
     int samples() const { return samples_; }
     std::span<const SampleOffset> pattern() const { return pattern_; }
     bool empty() const { return !touched_; }
+    std::size_t bytes() const {
+        return depth_.capacity() * sizeof(float) + id_.capacity() * sizeof(std::uint32_t);
+    }
 
     // x, y: a pixel of the picture inside area().
     std::uint32_t id(int x, int y, int sample = 0) const { return id_[offset(x, y, sample)]; }

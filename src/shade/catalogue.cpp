@@ -1,6 +1,7 @@
 // Every stage and filter by name: techniques.h expanded once. A name without a file is a link
 // error.
 #include "shade/stage.h"
+#include "shade/transparency.h"
 #include "techniques.h"
 
 #include <array>
@@ -24,6 +25,11 @@ SCANOUT_REFLECTION(SCANOUT_DECLARE)
 #define SCANOUT_DECLARE(name) extern const Filter name;
 namespace texture {
 SCANOUT_TEXTURE(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Transparency name;
+namespace transparency {
+SCANOUT_TRANSPARENCY(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
 
@@ -52,6 +58,14 @@ std::span<const Filter* const> filters() {
     return kFilters;
 }
 
+std::span<const Transparency* const> transparencies() {
+#define SCANOUT_ROW(name) &transparency::name,
+    static constexpr auto kAll =
+        std::to_array<const Transparency*>({SCANOUT_TRANSPARENCY(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kAll;
+}
+
 const Stage* find_stage(std::string_view axis, std::string_view name) {
     for (const Stage* stage : stages())
         if (stage->card.axis == axis && stage->card.name == name) return stage;
@@ -61,6 +75,12 @@ const Stage* find_stage(std::string_view axis, std::string_view name) {
 const Filter* find_filter(std::string_view name) {
     for (const Filter* filter : filters())
         if (filter->card.name == name) return filter;
+    return nullptr;
+}
+
+const Transparency* find_transparency(std::string_view name) {
+    for (const Transparency* transparency : transparencies())
+        if (transparency->card.name == name) return transparency;
     return nullptr;
 }
 

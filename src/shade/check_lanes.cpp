@@ -48,10 +48,11 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         if (stage.card.axis == "reflection") check(b.colour[c], count, "colour", name);
     }
     if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
-    if (b.map[kDiffuseMap].texture == nullptr) return;
+    if (!any_map(b)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
     if (stage.card.axis != "map") return;
+    if (stage.card.name == "opacity") return check(b.alpha, count, "alpha", name);
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);
 }

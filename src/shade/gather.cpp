@@ -1,6 +1,7 @@
 #include "shade/gather.h"
 
 #include "shade/check_lanes.h"
+#include "shade/layers.h"
 #include "shade/primitives.h"
 #include "shade/tile_runs.h"
 #include "shade/unlit.h"
@@ -9,6 +10,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <tuple>
 #include <utility>
 
 namespace scanout::shade {
@@ -23,18 +25,26 @@ struct Gatherer::Fragment {
     std::uint16_t pixel;   // the first, in the tile
     std::uint8_t count;    // pixels
     std::uint8_t sample;   // the first that shows it
-    std::uint8_t weight;   // how many samples show it; if all, the pixels are its own
     bool lit;              // lines and points are not
-    std::uint16_t shared;  // otherwise: place in the list of shared pixels
+    std::uint8_t rank;     // of a pixel with blended fragments: 0 is shaded first
+    std::uint16_t shared;  // place in the list of shared pixels, or kOwn
+    float weight;          // its share of a shared pixel
+};
+
+struct Gatherer::Seen {
+    float depth; // at the first sample that shows it
+    Fragment fragment;
 };
 
 struct Gatherer::Piece {
     int lane, count; // of the block
     std::uint16_t pixel, shared;
-    std::uint8_t weight;
+    float weight;
 };
 
 namespace {
+
+constexpr std::uint16_t kOwn = 0xffff; // all samples show this fragment, and nothing else
 
 const scene::Material& default_material() {
     static const scene::Material material;
@@ -52,14 +62,25 @@ Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
     return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
 }
 
-// The maps of the block's material that some stage of the frame reads.
+// The maps of the block's material that some stage of the frame reads; alpha is known by now.
 void bind_maps(Block& b, const GatherInput& in) {
-    const scene::TextureMap* const maps[kMaps] = {&b.material->map_diffuse};
+    const scene::TextureMap* const maps[kMaps] = {&b.material->map_diffuse, nullptr};
     for (std::size_t i = 0; i < kMaps; ++i) {
         b.map[i] = {nullptr, maps[i]};
-        if (maps[i]->texture >= 0 && b.lit && in.frame->attributes.uv)
+        if (maps[i] != nullptr && maps[i]->texture >= 0 && b.lit && in.frame->attributes.uv)
             b.map[i].texture = &in.textures[static_cast<std::size_t>(maps[i]->texture)];
     }
+}
+
+// Of one lane.
+Run run_at_centre(const Primitive& primitive, int lane, int x, int y) {
+    return {&primitive,
+            lane,
+            1,
+            x * kSubpixel + raster::kPixelCentre.x,
+            y * kSubpixel + raster::kPixelCentre.y,
+            0,
+            0};
 }
 
 // Does a clipped triangle cover the point (1/256 pixel)?
@@ -70,6 +91,25 @@ bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::
 }
 
 } // namespace
+
+Run run_at(const GatherInput& in, const Primitive& primitive, int lane, int x, int y,
+           raster::SampleOffset sample) {
+    Run run = run_at_centre(primitive, lane, x, y);
+    const int dx = sample.x - raster::kPixelCentre.x, dy = sample.y - raster::kPixelCentre.y;
+    if (!primitive.clipped) {
+        run.dx = dx;
+        run.dy = dy;
+    } else if (!covers(in, primitive.id, run.x, run.y)) {
+        // The weights are those of the triangle before the clip: what was drawn decides.
+        run.x += dx;
+        run.y += dy;
+    }
+    return run;
+}
+
+const scene::Material& GatherInput::material(std::int32_t index) const {
+    return index >= 0 ? materials[static_cast<std::size_t>(index)] : default_material();
+}
 
 Gatherer::Gatherer()
     : primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()) {}
@@ -84,28 +124,88 @@ void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherIn
     const auto pixel =
         static_cast<std::uint16_t>((y - tile.area().y0) * kTileSize + (x - tile.area().x0));
     const auto end = id.begin() + static_cast<std::ptrdiff_t>(samples);
+    const float share = 1.0F / static_cast<float>(samples);
+    const auto share_of = [&](std::uint32_t primitive) {
+        return static_cast<float>(std::count(id.begin(), end, primitive)) * share;
+    };
     for (std::size_t s = 0; s < samples; ++s) {
         const auto here = id.begin() + static_cast<std::ptrdiff_t>(s);
         // Counted at its first sample in the pixel.
         if (*here == raster::kNoPrimitive || std::find(id.begin(), here, *here) != here) continue;
         const auto [material, lit] = look_of(*in.mesh, *here);
-        fragments_.push_back({*here, material, pixel, 1, static_cast<std::uint8_t>(s),
-                              static_cast<std::uint8_t>(std::count(here, end, *here)), lit,
-                              static_cast<std::uint16_t>(shared_.size())});
+        fragments_.push_back({*here, material, pixel, 1, static_cast<std::uint8_t>(s), lit, 0,
+                              static_cast<std::uint16_t>(shared_.size()), share_of(*here)});
     }
     shared_.push_back(pixel);
+    through_.push_back(share_of(raster::kNoPrimitive));
 }
 
-void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in) {
+// The surfaces of a pixel that has blended fragments, opaque ones among them, with their weights:
+// in the order in which their sum is taken where nothing blends, by the first sample that shows
+// them; then by depth there, and by id.
+void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherInput& in,
+                               const BlendedPixels& blended, int x, int y) {
+    const auto pixel =
+        static_cast<std::uint16_t>((y - tile.area().y0) * kTileSize + (x - tile.area().x0));
+    const float* through = blended.through.data() + blended.slot[pixel];
+    const float share = 1.0F / static_cast<float>(tile.samples());
+    std::vector<Seen>& seen = seen_;
+    seen.clear();
+    float background = 0;
+    const auto add = [&](std::uint32_t id, int sample, float depth, float weight) {
+        const auto [material, lit] = look_of(*in.mesh, id);
+        seen.push_back({depth,
+                        {id, material, pixel, 1, static_cast<std::uint8_t>(sample), lit, 0,
+                         static_cast<std::uint16_t>(shared_.size()), weight}});
+    };
+    for (int s = 0; s < tile.samples(); ++s) {
+        const std::uint32_t id = tile.id(x, y, s);
+        const float weight = through[s] * share;
+        const auto known = std::find_if(seen.begin(), seen.end(),
+                                        [&](const Seen& other) { return other.fragment.id == id; });
+        if (id == raster::kNoPrimitive)
+            background += weight;
+        else if (known != seen.end())
+            known->fragment.weight += weight;
+        else if (weight > 0)
+            add(id, s, tile.depth(x, y, s), weight);
+    }
+    for (const std::uint32_t i : blended.fragments(pixel)) {
+        const BlendFragment& f = blended.list.fragments[i];
+        if (f.weight > 0) add(f.id, f.first, blended.list.depth_at(f, f.first), f.weight);
+    }
+    if (seen.empty()) return; // nothing shows but the background
+    std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
+        return std::tuple(a.fragment.sample, b.depth, a.fragment.id) <
+               std::tuple(b.fragment.sample, a.depth, b.fragment.id);
+    });
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        seen[i].fragment.rank = static_cast<std::uint8_t>(std::min<std::size_t>(i, 255));
+        fragments_.push_back(seen[i].fragment);
+    }
+    shared_.push_back(pixel);
+    through_.push_back(background);
+}
+
+void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
+                       const BlendedPixels* blended) {
     fragments_.clear();
     shared_.clear();
+    through_.clear();
     const image::Rect& area = tile.area();
-    const int width = area.x1 - area.x0;
-    for (int row = 0; row < area.y1 - area.y0; ++row) {
-        const RowBits found = row_bits(tile, row);
-        for (int x = 0; x < width;) {
+    const image::Rect& part = blended != nullptr ? blended->part : area;
+    const int width = part.x1 - area.x0;
+    for (int row = part.y0 - area.y0; row < part.y1 - area.y0; ++row) {
+        RowBits found = row_bits(tile, row);
+        const std::uint64_t layered =
+            blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
+        found.shared |= layered;
+        for (int x = part.x0 - area.x0; x < width;) {
             if ((found.shared >> x & 1) != 0) {
-                collect_shared(tile, in, area.x0 + x, area.y0 + row);
+                if ((layered >> x & 1) != 0)
+                    collect_blended(tile, in, *blended, area.x0 + x, area.y0 + row);
+                else
+                    collect_shared(tile, in, area.x0 + x, area.y0 + row);
                 ++x;
                 continue;
             }
@@ -116,14 +216,13 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
             if (id != raster::kNoPrimitive) {
                 const auto [material, lit] = look_of(*in.mesh, id);
                 fragments_.push_back({id, material, static_cast<std::uint16_t>(row * kTileSize + x),
-                                      static_cast<std::uint8_t>(last - x + 1), 0,
-                                      static_cast<std::uint8_t>(tile.samples()), lit, 0});
+                                      static_cast<std::uint8_t>(last - x + 1), 0, lit, 0, kOwn, 1});
             }
             x = last + 1;
         }
     }
     // One material a block; the order inside a material stays that of the pixels.
-    const auto key = [](const Fragment& f) { return std::pair(f.lit, f.material); };
+    const auto key = [](const Fragment& f) { return std::tuple(f.lit, f.material, f.rank); };
     const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
     if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
         std::stable_sort(fragments_.begin(), fragments_.end(),
@@ -137,25 +236,10 @@ void Gatherer::add_run(const raster::VisibilityTile& tile, const GatherInput& in
     const int x = tile.area().x0 + f.pixel % kTileSize + skip;
     const int y = tile.area().y0 + f.pixel / kTileSize;
     const Primitive& primitive = primitives_->get(in, f.id);
-    const raster::SampleOffset at = tile.pattern()[f.sample];
-    Run run{&primitive,
-            b.count,
-            count,
-            x * kSubpixel + raster::kPixelCentre.x,
-            y * kSubpixel + raster::kPixelCentre.y,
-            at.x - raster::kPixelCentre.x,
-            at.y - raster::kPixelCentre.y};
-    if (f.weight == tile.samples()) {
-        // What covers all samples covers the centre, which lies among them.
-        run.dx = run.dy = 0;
-    } else if (primitive.clipped) {
-        // The weights are those of the triangle before the clip: what was drawn decides.
-        if (!covers(in, f.id, run.x, run.y)) {
-            run.x += run.dx;
-            run.y += run.dy;
-        }
-        run.dx = run.dy = 0;
-    }
+    // What covers all samples covers the centre, which lies among them.
+    Run run = f.shared == kOwn ? run_at_centre(primitive, b.count, x, y)
+                               : run_at(in, primitive, b.count, x, y, tile.pattern()[f.sample]);
+    run.count = count;
     b.run[b.runs++] = run;
 }
 
@@ -172,20 +256,17 @@ void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInpu
     if (in.linear != nullptr) keep_linear(tile, *in.linear);
     std::array<std::uint32_t, kRoom> code;
     encode_pixels(b.colour[0], b.colour[1], b.colour[2], b.count, code.data());
-    const float share = 1.0F / static_cast<float>(tile.samples());
     for (const Piece& piece : pieces_) {
-        if (piece.weight == tile.samples()) {
+        if (piece.shared == kOwn) {
             const int x = tile.area().x0 + piece.pixel % kTileSize;
             const int y = tile.area().y0 + piece.pixel / kTileSize;
             std::memcpy(static_cast<void*>(&picture.at(x, y)), code.data() + piece.lane,
                         static_cast<std::size_t>(piece.count) * sizeof(std::uint32_t));
             continue;
         }
-        const float weight = static_cast<float>(piece.weight) * share;
-        sums_.red[piece.shared] += b.colour[0][piece.lane] * weight;
-        sums_.green[piece.shared] += b.colour[1][piece.lane] * weight;
-        sums_.blue[piece.shared] += b.colour[2][piece.lane] * weight;
-        sums_.covered[piece.shared] += piece.weight;
+        sums_.red[piece.shared] += b.colour[0][piece.lane] * piece.weight;
+        sums_.green[piece.shared] += b.colour[1][piece.lane] * piece.weight;
+        sums_.blue[piece.shared] += b.colour[2][piece.lane] * piece.weight;
     }
     pieces_.clear();
     b.count = b.runs = 0;
@@ -194,13 +275,12 @@ void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInpu
 // Adds the block's lanes; pixels that fragments share are summed in the order of their blocks.
 void Gatherer::keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const {
     for (const Piece& piece : pieces_) {
-        const float weight = static_cast<float>(piece.weight) / static_cast<float>(tile.samples());
         for (int k = 0; k < piece.count; ++k) {
             std::array<float, 4>& pixel = linear.at(tile.area().x0 + piece.pixel % kTileSize + k,
                                                     tile.area().y0 + piece.pixel / kTileSize);
             for (std::size_t c = 0; c < 3; ++c)
-                pixel[c] += block_->colour[c][piece.lane + k] * weight;
-            pixel[3] += weight;
+                pixel[c] += block_->colour[c][piece.lane + k] * piece.weight;
+            pixel[3] += piece.weight;
         }
     }
 }
@@ -209,8 +289,8 @@ void Gatherer::resolve_shared(const raster::VisibilityTile& tile, const GatherIn
                               image::Image& picture) {
     check_sums(sums_, shared_.size());
     codes_.resize(shared_.size() + (kRoom - kLanes));
-    resolve_pixels(sums_, tile.samples(), in.background, static_cast<int>(shared_.size()),
-                   codes_.data());
+    std::copy(through_.begin(), through_.end(), sums_.through.begin());
+    resolve_pixels(sums_, in.background, static_cast<int>(shared_.size()), codes_.data());
     for (std::size_t i = 0; i < shared_.size(); ++i) {
         const int x = tile.area().x0 + shared_[i] % kTileSize;
         const int y = tile.area().y0 + shared_[i] / kTileSize;
@@ -218,11 +298,19 @@ void Gatherer::resolve_shared(const raster::VisibilityTile& tile, const GatherIn
     }
 }
 
+// The last run goes on where the one before it ends: fragments of neighbouring pixels come one by
+// one where they blend.
+void Gatherer::join_runs() {
+    Block& b = *block_;
+    if (b.runs > 1 && continues(b.run[b.runs - 2], b.run[b.runs - 1]))
+        b.run[--b.runs - 1].count += 1;
+}
+
 std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
-                              image::Image& picture) {
+                              image::Image& picture, const BlendedPixels* blended) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
-    collect(tile, in);
+    collect(tile, in, blended);
     sums_.reset(shared_.size());
     Block& b = *block_;
     b.ambient = Vec3(0);
@@ -233,8 +321,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
         if (i == 0 || f.lit != fragments_[i - 1].lit || f.material != fragments_[i - 1].material) {
             finish_block(tile, in, picture);
             b.lit = f.lit;
-            b.material = f.material >= 0 ? &in.materials[static_cast<std::size_t>(f.material)]
-                                         : &default_material();
+            b.material = &in.material(f.material);
             bind_maps(b, in);
         }
         for (int done = 0; done < f.count;) {
@@ -246,6 +333,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
             const int count = std::min(f.count - done, kLanes - b.count);
             if (f.lit) {
                 add_run(tile, in, f, done, count);
+                if (blended != nullptr && count == 1) join_runs();
             } else {
                 for (int k = 0; k < count; ++k) {
                     const int x = tile.area().x0 + f.pixel % kTileSize + done + k;

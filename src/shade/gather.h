@@ -12,6 +12,7 @@
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
 #include "shade/stage.h"
+#include "shade/transparency.h"
 
 #include <cstdint>
 #include <memory>
@@ -19,6 +20,20 @@
 #include <vector>
 
 namespace scanout::shade {
+
+// What is not opaque, and how it is drawn.
+struct LayerInput {
+    const Transparency* cut_out = nullptr; // null where no triangle wants it
+    const Transparency* blended = nullptr;
+    bool opaque_blended = false;          // all that is blended has alpha 1
+    std::span<const MaterialAlpha> alpha; // of the default material, then of each of the scene
+    std::span<const Stage* const> stages; // find alpha
+    FrameState frame;                     // of those stages
+    float cut = 0.5F;                     // least alpha that is drawn
+    std::size_t most_fragments = 0;       // of a list; what is drawn does not depend on it
+};
+
+struct BlendedPixels;
 
 // What shading a tile needs to know of the frame.
 struct GatherInput {
@@ -33,27 +48,40 @@ struct GatherInput {
     bool mirrored = false;
     Rays rays;
     image::Rgba8 background{};
-    LinearPicture* linear = nullptr; // also kept there
+    LinearPicture* linear = nullptr;    // also kept there
+    const LayerInput* layers = nullptr; // null where all is opaque
+
+    const scene::Material& material(std::int32_t index) const; // -1: the default material
 };
+
+// One lane for a triangle in a pixel: at the centre where the triangle covers it, else at a sample
+// that it covers; place_lanes has the last word.
+Run run_at(const GatherInput& input, const Primitive& primitive, int lane, int x, int y,
+           raster::SampleOffset sample);
 
 // One a worker: the block and the lists live from tile to tile.
 class Gatherer {
 public:
     Gatherer();
     ~Gatherer();
-    // Writes every pixel of the tile that shows a primitive; the others are left alone. Returns how
-    // many lanes were shaded.
+    // Writes every pixel of the tile that shows a primitive; the others are left alone. With
+    // blended fragments: of their part of the tile. Returns how many lanes were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,
-                        image::Image& picture);
+                        image::Image& picture, const BlendedPixels* blended = nullptr);
+
+    // Primitives of the tile, made when first seen.
+    class Primitives;
 
 private:
     struct Fragment;
-    // Primitives of the tile, made when first seen.
-    class Primitives;
-    void collect(const raster::VisibilityTile& tile, const GatherInput& input);
+    void collect(const raster::VisibilityTile& tile, const GatherInput& input,
+                 const BlendedPixels* blended);
+    void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
+                         const BlendedPixels& blended, int x, int y);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void add_run(const raster::VisibilityTile& tile, const GatherInput& input,
                  const Fragment& fragment, int skip, int count);
+    void join_runs();
     void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
                       image::Image& picture);
     void keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const;
@@ -61,12 +89,15 @@ private:
                         image::Image& picture);
 
     std::vector<Fragment> fragments_;
+    struct Seen; // a fragment of one pixel
+    std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
     struct Piece; // lanes of a block that one fragment fills
     std::vector<Piece> pieces_;
     PixelSums sums_; // of the pixels in shared_
     std::vector<std::uint16_t> shared_;
+    std::vector<float> through_; // the background's share of each
     std::vector<std::uint32_t> codes_;
 };
 

@@ -24,23 +24,18 @@ void encode(const float* red, const float* green, const float* blue, int count,
               out + i);
 }
 
-void resolve(const float* const* sum, const std::int32_t* covered, int samples, const float* back,
-             std::int32_t back_alpha, int count, std::uint32_t* out) {
-    const F32 share = 1.0F / static_cast<float>(samples);
+void resolve(const float* const* sum, const float* through, const float* back, float back_alpha,
+             int count, std::uint32_t* out) {
     for (int i = 0; i < count; i += kLanes) {
-        const I32 shown = load<I32>(covered + i), uncovered = I32(samples) - shown;
-        const F32 back_share =
-            (to_f32(uncovered) * share) * F32(static_cast<float>(back_alpha)) / F32(255.0F);
-        const I32 alpha = shown * I32(255) + uncovered * I32(back_alpha); // times samples
-        const auto some = alpha > I32(0); // lanes beyond the last pixel hold nothing
-        const F32 whole =
-            F32(255.0F * static_cast<float>(samples)) / select(some, to_f32(alpha), F32(1.0F));
+        const F32 share = load<F32>(through + i);
+        const F32 back_share = share * F32(back_alpha) / F32(255.0F);
+        // Exact where shares are those of samples; and 255 where the background is opaque.
+        const F32 alpha = F32(255.0F) - share * F32(255.0F - back_alpha);
+        const F32 whole = F32(255.0F) / select(alpha > F32(0.0F), alpha, F32(1.0F));
         const auto code = [&](int c) {
             return srgb_encode((load<F32>(sum[c] + i) + F32(back[c]) * back_share) * whole);
         };
-        // alpha / samples, rounded down: exact, samples is a power of two
-        const I32 mean = to_i32(to_f32(alpha) * share);
-        store(packed(code(0), code(1), code(2), mean), out + i);
+        store(packed(code(0), code(1), code(2), to_i32(alpha)), out + i); // rounded down
     }
 }
 
@@ -58,17 +53,17 @@ void encode_pixels(const float* red, const float* green, const float* blue, int 
 }
 
 void PixelSums::reset(std::size_t count) {
-    for (auto* channel : {&red, &green, &blue})
+    for (auto* channel : {&red, &green, &blue, &through})
         channel->assign(count + (kRoom - kLanes), 0.0F);
-    covered.assign(count + (kRoom - kLanes), 0);
 }
 
-void resolve_pixels(const PixelSums& sums, int samples, const image::Rgba8& background, int count,
+void resolve_pixels(const PixelSums& sums, const image::Rgba8& background, int count,
                     std::uint32_t* out) {
     const float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
     const float back[3] = {srgb_decode(background.r), srgb_decode(background.g),
                            srgb_decode(background.b)};
-    SIMD_CALL(resolve)(sum, sums.covered.data(), samples, back, background.a, count, out);
+    SIMD_CALL(resolve)
+    (sum, sums.through.data(), back, static_cast<float>(background.a), count, out);
 }
 
 } // namespace scanout::shade

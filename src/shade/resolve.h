@@ -17,13 +17,13 @@ void encode_pixels(const float* red, const float* green, const float* blue, int 
 // samples, in linear light.
 struct PixelSums {
     std::vector<float> red, green, blue;
-    std::vector<std::int32_t> covered; // samples that show a primitive
+    std::vector<float> through; // the background's share of the pixel
     // Room for count pixels, all zero, and a register more.
     void reset(std::size_t count);
 };
-// What is not covered shows the background. A pixel's colour counts by its alpha, as PNG and PAM
-// want it: where the background lets through, the primitive's colour is undiluted by it.
-void resolve_pixels(const PixelSums& sums, int samples, const image::Rgba8& background, int count,
+// A pixel's colour counts by its alpha, as PNG and PAM want it: where the background lets through,
+// the primitive's colour is undiluted by it.
+void resolve_pixels(const PixelSums& sums, const image::Rgba8& background, int count,
                     std::uint32_t* out);
 
 } // namespace scanout::shade

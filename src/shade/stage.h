@@ -56,8 +56,15 @@ struct Run {
                          // not cover the centre; 0 when it always does
 };
 
+// Does a run of one lane stand right behind a run, so that it may become its next lane?
+inline bool continues(const Run& run, const Run& next) {
+    return run.primitive == next.primitive && run.first + run.count == next.first &&
+           run.y == next.y && run.x + 256 * run.count == next.x && run.dx == next.dx &&
+           run.dy == next.dy;
+}
+
 // The maps that a material can have.
-enum Map : std::uint8_t { kDiffuseMap, kMaps };
+enum Map : std::uint8_t { kDiffuseMap, kOpacityMap, kMaps };
 
 // A map of the block's material; no texture where the material has none, or where no stage of the
 // frame reads it.
@@ -90,8 +97,11 @@ struct Block {
     alignas(64) float u[kRoom], v[kRoom];
     alignas(64) float position[3][kRoom]; // view space, times scene::to_floats
 
-    // Of the map that was sampled last: red, green, blue, alpha; linear.
+    // Of the map that was sampled last: red, green, blue, or alpha; linear.
     alignas(64) float sampled[4][kRoom];
+
+    // Written by map/opacity: how much of what lies behind the lane does not show.
+    alignas(64) float alpha[kRoom];
 
     // Written by the light stages: what comes from everywhere (linear), and one entry a light of
     // the frame for those that FrameState::varies names.
@@ -125,13 +135,21 @@ struct Stage {
     void (*run)(Block& block, const FrameState& frame);
 };
 
-// A texture filter: reads a map at b.u, b.v into b.sampled.
-enum class TexelKind : std::uint8_t { colour, data }; // sRGB, or linear numbers
+// A texture filter: reads a map at b.u, b.v into b.sampled, red to blue as sRGB or as linear
+// numbers, or alpha alone.
+enum class TexelKind : std::uint8_t { colour, data, alpha };
 struct Filter {
     Technique card;
     Attributes needs;
     void (*sample)(Block& block, const BoundMap& map, TexelKind kind);
 };
+
+// Some map of the block has a texture: it wants u and v.
+inline bool any_map(const Block& block) {
+    for (const BoundMap& map : block.map)
+        if (map.texture != nullptr) return true;
+    return false;
+}
 
 // Every stage and every filter there is, in the order of techniques.h; null where there is no such
 // name.

@@ -23,8 +23,14 @@ HWY_INLINE I32 floor_to_int(F32 x) {
     return whole - select(to_f32(whole) > x, I32(1), I32(0));
 }
 
-struct Rgb {
-    F32 channel[3];
+// What a kind of texel has: red, green and blue, or alpha alone.
+template <bool kAlpha>
+inline constexpr int kFirstChannel = kAlpha ? 3 : 0;
+template <bool kAlpha>
+inline constexpr int kEndChannel = kAlpha ? 4 : 3;
+
+struct Texel {
+    F32 channel[4];
 };
 
 class TexelReader {
@@ -51,12 +57,19 @@ public:
     HWY_INLINE I32 row(I32 y) const {
         return (I32(height_ - 1) - address(y, height_)) * I32(width_);
     }
-    // Linear light of a texel.
-    HWY_INLINE Rgb read(I32 column, I32 row) const {
+    // Linear light of a texel, or its alpha.
+    template <bool kAlpha>
+    HWY_INLINE Texel read(I32 column, I32 row) const {
         const I32 texel = gather(texels_, row + column), code_mask = 255;
-        return {{gather(decode_, texel & code_mask),
-                 gather(decode_, shift_right<8>(texel) & code_mask),
-                 gather(decode_, shift_right<16>(texel) & code_mask)}};
+        Texel t;
+        if constexpr (kAlpha) {
+            t.channel[3] = gather(decode_, shift_right<24>(texel) & code_mask);
+        } else {
+            t.channel[0] = gather(decode_, texel & code_mask);
+            t.channel[1] = gather(decode_, shift_right<8>(texel) & code_mask);
+            t.channel[2] = gather(decode_, shift_right<16>(texel) & code_mask);
+        }
+        return t;
     }
 
 private:

@@ -41,6 +41,8 @@ TEST(LanesShaded, AreThePrimitivesSeenInEveryPixel) {
     shots.push_back(soup("soup_around_the_eye", 500, 6, 2));
     std::uint64_t lanes = 0, most = 0;
     for (Shot& s : shots) {
+        if (s.name == "transparency_sorted" || s.name == "transparency_exact")
+            continue; // a sample shows more than one
         s.options.width = 150;
         s.options.height = 97;
         for (const int samples : kSamples) {

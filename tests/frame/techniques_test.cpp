@@ -15,7 +15,8 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
-        {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}}};
+        {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     std::set<std::pair<std::string_view, std::string_view>> table;
     for (const auto& [axis, names] : axes)

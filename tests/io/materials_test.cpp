@@ -218,6 +218,23 @@ TEST(Textures, ABlackKdBesideAMapThatCannotBeUsedIsNoBlackHole) {
     EXPECT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
 }
 
+TEST(Textures, AnOpacityMapIsReadByItsAlphaWhereThatSaysSomething) {
+    const Folder folder;
+    folder.write_picture("grey.png", 1, 1, {100, 100, 100, 255});
+    folder.write_picture("alpha.png", 1, 1, {100, 100, 100, 30});
+    folder.write("m.mtl", "newmtl a\nmap_d grey.png\nnewmtl b\nmap_d alpha.png\nnewmtl c\nmap_d "
+                          "-imfchan g alpha.png\nnewmtl d\nmap_d gone.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\nusemtl d\n");
+    const auto& m = l.materials.materials;
+    ASSERT_EQ(m.size(), 4u);
+    EXPECT_EQ(m[0].map_opacity.channel, 'l');
+    EXPECT_EQ(m[1].map_opacity.channel, 'm');
+    EXPECT_EQ(m[2].map_opacity.channel, 'g');
+    EXPECT_EQ(m[3].map_opacity.texture, -1);
+    EXPECT_EQ(l.materials.textures.size(), 2u);
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl: texture 'gone.png' is not there"}));
+}
+
 TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
     const Folder folder;
     std::string mtl, obj = "mtllib m.mtl\n";

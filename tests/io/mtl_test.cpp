@@ -44,7 +44,7 @@ TEST(Mtl, ReadsEveryValue) {
     EXPECT_EQ(m.refraction, 1.45f);
     EXPECT_EQ(m.illumination, 7);
     EXPECT_EQ(m.opacity, 0.25f);
-    EXPECT_THAT(r.materials[0].not_drawn, ElementsAre("d (transparency)", "Ke"));
+    EXPECT_THAT(r.materials[0].not_drawn, ElementsAre("Ke"));
 }
 
 TEST(Mtl, NamesMayHoldBlanksAndEndWithTabs) {
@@ -111,8 +111,8 @@ TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
     EXPECT_EQ(r.first().map_normal.bump_multiplier, 3);
     EXPECT_EQ(r.first().map_decal.path, "g.png");
     EXPECT_THAT(r.materials[0].not_drawn,
-                ElementsAre("map_Ka", "map_Ks", "map_Ns", "map_d", "map_Ke", "map_bump", "norm",
-                            "disp", "decal", "refl", "map_Kd -t", "map_Kd -mm", "map_Kd -boost",
+                ElementsAre("map_Ka", "map_Ks", "map_Ns", "map_Ke", "map_bump", "norm", "disp",
+                            "decal", "refl", "map_Kd -t", "map_Kd -mm", "map_Kd -boost",
                             "map_Kd -cc", "map_Kd -blendu off", "map_Kd -blendv off",
                             "map_Kd -texres"));
 }

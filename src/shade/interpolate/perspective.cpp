@@ -74,7 +74,7 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
 template <bool kPosition>
 HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
-    const bool uv = frame.attributes.uv && b.map[kDiffuseMap].texture != nullptr;
+    const bool uv = frame.attributes.uv && any_map(b);
     const float kd[3] = {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z};
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;

@@ -8,14 +8,23 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
-void nearest_sample(Block& b, const BoundMap& map, TexelKind kind) {
-    const TexelReader reader(map, kind);
+template <bool kAlpha>
+HWY_INLINE void nearest(Block& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
-        const Rgb texel = reader.read(reader.column(floor_to_int(x)), reader.row(floor_to_int(y)));
-        for (int c = 0; c < 3; ++c)
+        const Texel texel =
+            reader.read<kAlpha>(reader.column(floor_to_int(x)), reader.row(floor_to_int(y)));
+        for (int c = kFirstChannel<kAlpha>; c < kEndChannel<kAlpha>; ++c)
             store(texel.channel[c], b.sampled[c] + i);
     }
+}
+
+void nearest_sample(Block& b, const BoundMap& map, TexelKind kind) {
+    const TexelReader reader(map, kind);
+    if (kind == TexelKind::alpha)
+        nearest<true>(b, reader);
+    else
+        nearest<false>(b, reader);
 }
 
 SIMD_END

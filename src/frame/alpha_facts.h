@@ -1,0 +1,34 @@
+// What the materials of a scene let through, from their numbers and the texels of their maps: a
+// texture whose alpha is 255 everywhere calls for nothing.
+#pragma once
+
+#include "scene/scene.h"
+#include "shade/transparency.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace scanout::frame {
+
+// Least first: of several factors the last decides, but for unseen.
+enum class AlphaClass : std::uint8_t {
+    opaque,  // alpha is 1
+    cut_out, // 0 in places, else 1
+    blended, // between them somewhere
+    unseen   // 0: d 0
+};
+
+// Counts of triangles, and of the materials that they have.
+struct AlphaFacts {
+    std::size_t cut_out_triangles = 0, blended_triangles = 0, unseen_triangles = 0;
+    std::size_t cut_out_materials = 0, blended_materials = 0, unseen_materials = 0;
+    std::size_t materials = 0; // that triangles have
+    float least_d = 1;         // of blended materials
+    // Of the default material, then of each of the scene; those that no triangle has are opaque.
+    std::vector<AlphaClass> of_material;
+    std::vector<shade::MaterialAlpha> maps; // what alpha has to be read from
+};
+AlphaFacts alpha_facts(const scene::Scene& scene);
+
+} // namespace scanout::frame

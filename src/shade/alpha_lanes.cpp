@@ -1,0 +1,91 @@
+#include "shade/alpha_lanes.h"
+
+#include "shade/check_lanes.h"
+#include "shade/primitives.h"
+
+namespace scanout::shade {
+
+using raster::kSubpixel;
+
+AlphaLanes::AlphaLanes()
+    : block_(std::make_unique<Block>()), primitives_(std::make_unique<Gatherer::Primitives>()) {}
+AlphaLanes::~AlphaLanes() = default;
+
+void AlphaLanes::begin(const GatherInput& input, At at, std::vector<float>& out) {
+    in_ = input;
+    in_.frame = &input.layers->frame;
+    at_ = at;
+    out_ = &out;
+    out.clear();
+    material_ = -2;
+    primitives_->clear();
+    block_->lit = true;
+    block_->count = block_->runs = 0;
+}
+
+void AlphaLanes::bind(std::int32_t index) {
+    run_block();
+    material_ = index;
+    Block& b = *block_;
+    b.material = &in_.material(index);
+    const MaterialAlpha& alpha = in_.layers->alpha[static_cast<std::size_t>(index + 1)];
+    constant_ = !alpha.diffuse_map && !alpha.opacity_map;
+    const auto texture = [&](bool matters, const scene::TextureMap& map) {
+        return BoundMap{matters ? &in_.textures[static_cast<std::size_t>(map.texture)] : nullptr,
+                        &map};
+    };
+    for (BoundMap& map : b.map)
+        map = {};
+    b.map[kDiffuseMap] = texture(alpha.diffuse_map, b.material->map_diffuse);
+    b.map[kOpacityMap] = texture(alpha.opacity_map, b.material->map_opacity);
+}
+
+void AlphaLanes::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
+    const std::int32_t material = in_.mesh->material[triangle];
+    if (material != material_) bind(material);
+    out_->push_back(block_->material->opacity);
+    if (!constant_) add_lane(triangle, x, y, sample);
+}
+
+void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
+    Block& b = *block_;
+    if (b.count == kLanes) run_block();
+    if (primitives_->full()) {
+        run_block();
+        primitives_->clear();
+    }
+    const Primitive& primitive = primitives_->get(in_, triangle);
+    Run next = run_at(in_, primitive, b.count, x, y, sample);
+    if (at_ == At::sample) { // place_lanes would look for the centre
+        next.x = x * kSubpixel + sample.x;
+        next.y = y * kSubpixel + sample.y;
+        next.dx = next.dy = 0;
+        b.x[b.count] = next.x;
+        b.y[b.count] = next.y;
+    }
+    Run* last = b.runs > 0 ? &b.run[b.runs - 1] : nullptr;
+    if (last != nullptr && continues(*last, next))
+        ++last->count;
+    else
+        b.run[b.runs++] = next;
+    place_[b.count++] = out_->size() - 1;
+}
+
+void AlphaLanes::run_block() {
+    Block& b = *block_;
+    if (b.count == 0) return;
+    if (at_ == At::centre) place_lanes(b, *in_.frame, in_.rays);
+    for (const Stage* stage : in_.layers->stages) {
+        stage->run(b, *in_.frame);
+        check_lanes(b, *in_.frame, *stage);
+    }
+    for (int i = 0; i < b.count; ++i)
+        (*out_)[place_[i]] = b.alpha[i];
+    b.count = b.runs = 0;
+}
+
+void AlphaLanes::finish() {
+    run_block();
+}
+
+} // namespace scanout::shade

@@ -1,0 +1,82 @@
+// What is not opaque in a tile: samples cut out by their alpha, and fragments that blend with what
+// lies behind. Blending is a sum: a fragment's weight is its alpha times what all fragments before
+// it let through, at every sample; then it is shaded once, like any other, and added by its weight.
+// Nothing that is hidden is shaded, and a pixel whose fragments all have alpha 1 or 0 is what it
+// would be without blending, to the bit.
+#pragma once
+
+#include "raster/probe.h"
+#include "shade/alpha_lanes.h"
+#include "shade/gather.h"
+#include "shade/transparency.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace scanout::shade {
+
+// Fragments of a part of a tile, with their weights.
+struct BlendedPixels {
+    image::Rect part; // of the picture
+    int samples = 1;
+    BlendList list;
+    std::vector<std::uint32_t> of_pixel;               // fragments, by pixel
+    std::vector<std::uint32_t> start;                  // where a pixel's begin in it; and the end
+    std::array<std::uint64_t, raster::kTileSize> rows; // bit x: the pixel has some
+    // What reaches the opaque surface of each sample, of pixels that have some, from `slot` on.
+    std::vector<float> through;
+    std::vector<std::uint32_t> slot; // of a pixel of the tile
+
+    std::span<const std::uint32_t> fragments(int pixel) const {
+        const auto p = static_cast<std::size_t>(pixel);
+        return std::span(of_pixel).subspan(start[p], start[p + 1] - start[p]);
+    }
+};
+
+// One a worker.
+class Layers {
+public:
+    // Draws the samples of cut-out triangles whose alpha lets them.
+    void cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
+                 raster::VisibilityTile& visibility);
+    // The tile with its blended triangles, as if they were opaque.
+    const raster::VisibilityTile& ground(const raster::Geometry& geometry, int tile,
+                                         const raster::VisibilityTile& visibility);
+    // Shades the tile with its blended fragments, in parts when they are more than the list holds.
+    // Returns how many lanes were shaded.
+    std::uint64_t shade(const raster::Geometry& geometry, int tile, const GatherInput& input,
+                        const raster::VisibilityTile& visibility, Gatherer& gatherer,
+                        image::Image& picture);
+
+    void begin_frame() { found_ = 0; }
+    std::uint64_t fragments() const { return found_; } // blended ones since then
+    std::size_t bytes() const;                         // held
+
+private:
+    struct Task; // the arguments of one tile
+    struct Candidate {
+        std::uint32_t id;
+        float depth;
+        std::uint16_t pixel;
+        std::uint8_t sample;
+    };
+    void draw_candidates(const GatherInput& input, raster::VisibilityTile& visibility);
+    std::uint64_t shade_part(const Task& task, const image::Rect& part);
+    bool find(const Task& task, const image::Rect& part);
+    bool find(const Task& task, const image::Rect& part, std::uint32_t triangle);
+    void sort_by_pixel();
+    void weigh(const Task& task, int pixel);
+
+    raster::Probe probe_;
+    raster::VisibilityTile ground_;
+    AlphaLanes lanes_;
+    std::vector<float> alpha_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<Candidate> candidates_;
+    BlendedPixels pixels_;
+    std::vector<std::uint32_t> at_sample_;
+    std::uint64_t found_ = 0;
+};
+
+} // namespace scanout::shade

@@ -1,0 +1,20 @@
+// Cut out: a sample shows the surface where its alpha, evaluated there, reaches a threshold; depth
+// is written only then, so that nothing has to be sorted. Exact where alpha is 0 or 1 and nothing
+// between; else its error is what it leaves out: up to half of any colour. The alpha test of
+// GL, 1992; [C 1.6].
+#include "shade/transparency.h"
+
+namespace scanout::shade::transparency {
+
+extern const Transparency cut_out;
+constinit const Transparency cut_out{
+    {.axis = "transparency",
+     .name = "cut_out",
+     .blurb = "a sample shows where its alpha reaches --alpha-cut; nothing is blended",
+     .source = "the alpha test of GL, 1992",
+     .kind = Kind::rung},
+    nullptr,
+    nullptr,
+    true};
+
+} // namespace scanout::shade::transparency

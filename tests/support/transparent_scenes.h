@@ -1,0 +1,72 @@
+// Scenes with surfaces that let light through: panes and leaves.
+#pragma once
+
+#include "support/shot.h"
+
+namespace scanout::test {
+
+inline scene::Material glass(const Vec3& kd, float d) {
+    scene::Material material = plain(kd);
+    material.opacity = d;
+    return material;
+}
+
+// Eight by eight: a disc of alpha 255 in 0, or of a slope from 255 in the middle to 0.
+inline scene::Texture leaf(bool soft) {
+    image::Image image(8, 8);
+    for (int y = 0; y < 8; ++y) {
+        for (int x = 0; x < 8; ++x) {
+            const int dx = 2 * x - 7, dy = 2 * y - 7, from_middle = dx * dx + dy * dy;
+            const int alpha = soft ? std::max(0, 255 - 5 * from_middle) : (from_middle < 40) * 255;
+            image.at(x, y) = {static_cast<std::uint8_t>(20 * x),
+                              static_cast<std::uint8_t>(230 - 15 * y), 60,
+                              static_cast<std::uint8_t>(alpha)};
+        }
+    }
+    return {soft ? "soft leaf" : "leaf", image};
+}
+
+// Three panes that stand in each other, before a ball; and two leaves, one with a soft edge.
+inline Shot panes(std::string name, const std::string& transparency) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.8F, 0.7F, 0.6F}),
+                         glass({0.9F, 0.1F, 0.1F}, 0.6F),
+                         glass({0.1F, 0.8F, 0.1F}, 0.5F),
+                         glass({0.1F, 0.2F, 0.9F}, 0.4F),
+                         textured(0),
+                         textured(1)};
+    s.scene.textures = {leaf(false), leaf(true)};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(
+        mesh,
+        {{{-0.8F, -0.6F, 0.5F}, {0.7F, -0.6F, -0.5F}, {0.7F, 0.7F, -0.5F}, {-0.8F, 0.7F, 0.5F}}},
+        {0.6F, 0, 0.8F}, 1);
+    add_sphere(mesh, {0.1F, 0, -0.3F}, 0.45F, 24, 12, 0);
+    add_quad(
+        mesh,
+        {{{-0.7F, -0.5F, -0.6F}, {0.8F, -0.5F, 0.4F}, {0.8F, 0.6F, 0.4F}, {-0.7F, 0.6F, -0.6F}}},
+        {-0.6F, 0, 0.8F}, 2);
+    add_quad(
+        mesh,
+        {{{-0.9F, -0.1F, 0.6F}, {0.9F, -0.1F, 0.6F}, {0.9F, 0.2F, -0.6F}, {-0.9F, 0.2F, -0.6F}}},
+        {0, 0.97F, 0.24F}, 3);
+    add_quad(
+        mesh,
+        {{{-0.9F, 0.3F, 0.2F}, {-0.2F, 0.3F, 0.2F}, {-0.2F, 0.95F, 0.2F}, {-0.9F, 0.95F, 0.2F}}},
+        {0, 0, 1}, 4);
+    add_quad(mesh,
+             {{{0.1F, 0.3F, 0.2F}, {0.9F, 0.3F, 0.2F}, {0.9F, 0.95F, 0.2F}, {0.1F, 0.95F, 0.2F}}},
+             {0, 0, 1}, 5);
+    s.options.transparency = transparency;
+    s.options.texture = "bilinear";
+    return s;
+}
+
+inline std::vector<Shot> transparent_shots() {
+    std::vector<Shot> shots;
+    for (const char* name : {"cut_out", "sorted", "exact"})
+        shots.push_back(panes(std::string("transparency_") + name, name));
+    return shots;
+}
+
+} // namespace scanout::test
