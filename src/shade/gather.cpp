@@ -236,11 +236,11 @@ void Gatherer::add_run(const raster::VisibilityTile& tile, const GatherInput& in
     const int x = tile.area().x0 + f.pixel % kTileSize + skip;
     const int y = tile.area().y0 + f.pixel / kTileSize;
     const Primitive& primitive = primitives_->get(in, f.id);
+    Run& run = b.run[b.runs++];
     // What covers all samples covers the centre, which lies among them.
-    Run run = f.shared == kOwn ? run_at_centre(primitive, b.count, x, y)
-                               : run_at(in, primitive, b.count, x, y, tile.pattern()[f.sample]);
+    run = run_at_centre(primitive, b.count, x, y);
+    if (f.shared != kOwn) run = run_at(in, primitive, b.count, x, y, tile.pattern()[f.sample]);
     run.count = count;
-    b.run[b.runs++] = run;
 }
 
 void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInput& in,
