@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "raster/clip.h"
+#include "shade/interpolation_step.h"
 
 #include <algorithm>
 #include <array>
@@ -117,6 +118,7 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
         p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
     set_facing(p, mesh, v, clockwise != in.mirrored);
     set_attributes(p, in, v);
+    p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
     return p;
 }
 

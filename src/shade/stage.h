@@ -42,6 +42,7 @@ struct Primitive {
     bool clipped;
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
+    std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
     // Of the three vertices; only what the frame's stages read.
     float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
     float position[3][3];                       // view space, times scene::to_floats
@@ -115,6 +116,7 @@ struct Block {
 };
 
 struct Filter;
+struct StepLimits;
 
 // What all blocks of a frame share.
 struct FrameState {
@@ -126,7 +128,9 @@ struct FrameState {
     // Of each light: differs from lane to lane, as do points, spots and all that is shadowed.
     // Empty: none does.
     std::span<const bool> varies;
-    const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    const Filter* filter = nullptr;    // how maps are read; null where no stage reads one
+    const StepLimits* steps = nullptr; // of adaptive interpolation; null where none is
+    float exposure = 1;                // what light is multiplied by before it is shown
 };
 
 struct Stage {
