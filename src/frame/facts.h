@@ -2,6 +2,7 @@
 // from. Counted once when a model is loaded.
 #pragma once
 
+#include "frame/minification.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -21,6 +22,7 @@ struct SceneFacts {
     std::size_t specular_triangles = 0; // material has a highlight
     bool uv = false;                    // some face has texture coordinates
     bool vertex_colours = false;
+    std::vector<TexturedSurface> textured_surfaces;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

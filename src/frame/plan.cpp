@@ -60,8 +60,14 @@ public:
         const bool is_forced = forced != options_.effects.end();
         const bool on = is_forced ? forced->second : needed;
         plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
-                                   std::move(because), needed, is_forced && on != needed});
+                                   std::move(because), needed, is_forced && on != needed, false});
         return on;
+    }
+    // Notes what was chosen on an axis that is no effect: its own option decides.
+    void choice(std::string axis, std::string technique, std::string because, bool needed,
+                bool forced) {
+        plan_.decisions.push_back(
+            {std::move(axis), std::move(technique), std::move(because), needed, forced, true});
     }
     void stage(std::string_view axis, std::string_view name) {
         const shade::Stage* found = shade::find_stage(axis, name);
@@ -70,11 +76,15 @@ public:
         plan_.techniques.push_back(&found->card);
         plan_.attributes = plan_.attributes | found->needs;
     }
-    void filter(std::string_view name) {
-        plan_.filter = shade::find_filter(name);
-        CHECK(plan_.filter != nullptr);
-        plan_.techniques.push_back(&plan_.filter->card);
-        plan_.attributes = plan_.attributes | plan_.filter->needs;
+    void filter(const shade::Filter& filter) {
+        for (Decision& decision : plan_.decisions)
+            if (decision.effect == "texture" && decision.on())
+                decision.technique = filter.card.name;
+        plan_.filter = &filter;
+        const auto first_map = std::find_if(plan_.techniques.begin(), plan_.techniques.end(),
+                                            [](const Technique* t) { return t->axis == "map"; });
+        plan_.techniques.insert(first_map, &filter.card); // in the order of techniques.h
+        plan_.attributes = plan_.attributes | filter.needs;
     }
 
 private:
@@ -112,10 +122,14 @@ void plan_lights(const FrameOptions& options, const SceneFacts& facts, Planner& 
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
-        if (plan.decision(name) != nullptr) continue;
+        const Decision* row = plan.decision(name);
+        if (row != nullptr && !row->choice) continue;
+        if (row != nullptr)
+            return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{0} NAME", name,
+                        on ? "on" : "off");
         std::string known;
         for (const Decision& d : plan.decisions)
-            known += " " + d.effect;
+            if (!d.choice) known += " " + d.effect;
         return fail(Exit::usage, "--effect {}={}: there is no such effect; choose one of{}", name,
                     on ? "on" : "off", known);
     }
@@ -124,23 +138,88 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
 
 } // namespace
 
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
+namespace {
+
+// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
+Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                         const scene::View& view) {
+    const FrameOptions& options = plan.options;
+    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
+    const shade::Filter* filter = shade::find_filter(name);
+    CHECK(filter != nullptr);
+    const bool automatic = options.texture == "auto", any = plan.attributes.maps != 0;
+    double most = 0; // texels a pixel
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if ((plan.attributes.maps & shade::bit_of(surface.map)) == 0) continue;
+        const double texels = texels_per_pixel(surface, view, options.width, options.height);
+        most = std::max(most, texels);
+        // A filter that the user names is drawn as it is; else what is not minified needs no
+        // mipmaps.
+        if (automatic && texels * kMostSlant <= 1) continue;
+        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
+            plan.mips.push_back(surface.texture);
+    }
+    const bool mipmaps = planner.effect(
+        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
+        any ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
+                          most, most * kMostSlant)
+            : "no texture is read");
+    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
+    if (!any) return {};
+    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
+    planner.filter(*filter);
+    return {};
+}
+
+// What lies beyond textures' edges: what each map says, unless the user does.
+Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.wrap;
+    TRY(const std::string name, choose("wrap", asked, "repeat"));
+    std::size_t maps = 0, clamped = 0;
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if ((plan.attributes.maps & shade::bit_of(surface.map)) == 0) continue;
+        ++maps;
+        if (surface.clamp) ++clamped;
+    }
+    const auto use = [&](std::string_view wrapping) {
+        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
+        return shade::find_wrapping(wrapping)->wrap;
+    };
+    if (asked != "auto") plan.wrap = use(name);
+    if (asked == "auto" && clamped < maps) use("repeat");
+    if (asked == "auto" && clamped > 0) use("clamp");
+    planner.choice("wrap",
+                   maps == 0         ? "off"
+                   : asked != "auto" ? name
+                   : clamped == 0    ? "repeat"
+                   : clamped == maps ? "clamp"
+                                     : "repeat and clamp",
+                   maps == 0 ? "no texture is read"
+                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
+                   maps > 0, asked != "auto");
+    return {};
+}
+
+} // namespace
+
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view) {
     TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
     Planner planner(options, plan);
     planner.stage("interpolate", "perspective");
 
-    TRY(const std::string filter, choose("texture", options.texture, "bilinear"));
     const bool textured = facts.textured_triangles > 0;
-    if (planner.effect("texture", filter, textured,
+    if (planner.effect("texture", options.texture == "auto" ? "bilinear" : options.texture,
+                       textured,
                        textured ? fmt::format("{} of {} triangles have a readable map_Kd",
                                               facts.textured_triangles, facts.triangles)
                                 : "no triangle has a readable map_Kd and texture coordinates") &&
-        facts.triangles > 0 && facts.uv) {
-        planner.filter(filter);
+        facts.triangles > 0 && facts.uv)
         planner.stage("map", "diffuse");
-    }
+    TRY_VOID(plan_filter(planner, plan, facts, view));
+    TRY_VOID(plan_wrap(planner, plan, facts));
 
     plan_lights(options, facts, planner, plan);
 
@@ -156,7 +235,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     if (facts.triangles == 0)
-        plan.attributes.normal = plan.attributes.uv = false; // lines and points are unlit
+        plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));
     return plan;
 }

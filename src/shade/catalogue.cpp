@@ -26,6 +26,11 @@ namespace texture {
 SCANOUT_TEXTURE(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Wrapping name;
+namespace wrap {
+SCANOUT_WRAP(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 
 std::span<const Stage* const> stages() {
     static constexpr auto kStages = std::to_array<const Stage*>({
@@ -52,6 +57,19 @@ std::span<const Filter* const> filters() {
     return kFilters;
 }
 
+std::span<const Wrapping* const> wrappings() {
+#define SCANOUT_ROW(name) &wrap::name,
+    static constexpr auto kWrappings = std::to_array<const Wrapping*>({SCANOUT_WRAP(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kWrappings;
+}
+
+const std::array<MapSlot, kMaps>& map_slots() {
+    static constexpr std::array<MapSlot, kMaps> kSlots = {
+        MapSlot{&scene::Material::map_diffuse, TexelKind::colour}};
+    return kSlots;
+}
+
 const Stage* find_stage(std::string_view axis, std::string_view name) {
     for (const Stage* stage : stages())
         if (stage->card.axis == axis && stage->card.name == name) return stage;
@@ -61,6 +79,12 @@ const Stage* find_stage(std::string_view axis, std::string_view name) {
 const Filter* find_filter(std::string_view name) {
     for (const Filter* filter : filters())
         if (filter->card.name == name) return filter;
+    return nullptr;
+}
+
+const Wrapping* find_wrapping(std::string_view name) {
+    for (const Wrapping* wrapping : wrappings())
+        if (wrapping->card.name == name) return wrapping;
     return nullptr;
 }
 

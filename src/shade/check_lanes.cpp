@@ -48,9 +48,12 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         if (stage.card.axis == "reflection") check(b.colour[c], count, "colour", name);
     }
     if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
-    if (b.map[kDiffuseMap].texture == nullptr) return;
+    if (!reads_a_map(b)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
+    if (frame.attributes.footprint)
+        for (const float* slope : {b.u_x, b.v_x, b.u_y, b.v_y})
+            check(slope, count, "slope of u or v", name);
     if (stage.card.axis != "map") return;
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);
