@@ -2,8 +2,10 @@
 // from. Counted once when a model is loaded.
 #pragma once
 
+#include "frame/minification.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -17,10 +19,15 @@ using MaterialSet = std::vector<bool>;
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
+    std::size_t textured_triangles = 0; // material has a readable map_Kd
     std::size_t specular_triangles = 0; // material has a highlight
     bool uv = false;                    // some face has texture coordinates
     bool vertex_colours = false;
+    // Whose material has the map, and in it something that can change a pixel.
+    std::array<std::size_t, shade::kMaps> mapped_triangles{};
+    shade::MapBits readable_maps = 0;   // some material has it, whatever it holds
+    std::size_t emitting_triangles = 0; // Ke above 0
+    std::vector<TexturedSurface> textured_surfaces;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

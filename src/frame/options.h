@@ -22,6 +22,8 @@ struct FrameOptions {
     image::Rgba8 background{48, 51, 56, 255};
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string texture = "auto";
+    std::string wrap = "auto";
+    std::string source = "auto", mapping = "auto";
     std::string reflection = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.

@@ -7,6 +7,7 @@
 #include "frame/options.h"
 #include "shade/stage.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ struct Decision {
     std::string because;   // "30 of 40 triangles have a readable map_Kd"
     bool needed = false;   // the scene calls for it
     bool forced = false;   // the user decided
+    bool choice = false;   // of a technique by --EFFECT NAME: nothing to switch on or off
     bool on() const { return technique != "off"; }
     friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -34,12 +36,18 @@ struct FramePlan {
     shade::Attributes attributes;          // what has to be fetched for a block
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
     std::vector<scene::Light> lights;      // those that reach something
+    std::vector<shade::MipUse> mips;       // the textures that have mipmaps in this frame
+    std::optional<shade::Wrap> wrap;       // of all textures; else as each map says
+    const shade::Source* source = nullptr; // what map_Kd is instead of its picture
+    bool mapped = false;                   // u and v are made, not the model's
     std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };
 
-// Fails (Exit::usage) when the options name a technique or a size that does not exist.
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts);
+// Fails (Exit::usage) when the options name a technique or a size that does not exist. Without a
+// view, nothing counts as far away.
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view = {});
 
 } // namespace scanout::frame

@@ -63,6 +63,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<Worker> workers;
     raster::Geometry geometry;
+    shade::MipChains mips;
     image::Image back_buffer;
     FrameStats stats;
 };
@@ -82,6 +83,8 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.orthographic = view.projection == scene::Projection::orthographic;
     frame.attributes = plan.attributes;
     frame.filter = plan.filter;
+    frame.source = plan.source;
+    frame.mapped = plan.mapped;
     lights.describe(frame);
     return frame;
 }
@@ -89,7 +92,8 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
 static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
                                        const FramePlan& plan, const raster::Geometry& geometry,
                                        const raster::ScreenTransform& transform,
-                                       const shade::FrameState& frame) {
+                                       const shade::FrameState& frame,
+                                       const shade::MipChains& mips) {
     shade::GatherInput in;
     in.mesh = &scene.mesh;
     in.geometry = &geometry;
@@ -97,6 +101,8 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.view = &view;
     in.materials = scene.materials;
     in.textures = scene.textures;
+    in.mips = &mips;
+    in.wrap = plan.wrap;
     in.stages = plan.stages;
     in.frame = &frame;
     in.mirrored = view.mirrored;
@@ -117,6 +123,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
         s.back_buffer = image::Image(o.width, o.height);
     const Stopwatch total;
+    s.mips.update(scene, plan.mips, s.jobs);
     const raster::ScreenTransform transform(view, o.width, o.height);
     s.geometry.run(s.jobs, scene.mesh, transform,
                    {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size});
@@ -124,7 +131,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
 
     const FrameLights lights(plan, view, scene.mesh);
     const shade::FrameState frame = frame_state(view, plan, lights);
-    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
+    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame, s.mips);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;
     for (Worker& worker : s.workers)
@@ -151,7 +158,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                total.milliseconds() - geometry_ms,
                scene.mesh.triangles(),
                s.geometry.triangles_drawn(),
-               0};
+               0,
+               s.mips.bytes()};
     for (const Worker& worker : s.workers)
         s.stats.lanes_shaded += worker.lanes;
     return s.back_buffer;

@@ -22,6 +22,7 @@ struct FrameStats {
     std::uint64_t triangles_submitted = 0; // of the mesh
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t lanes_shaded = 0;
+    std::uint64_t mipmap_bytes = 0; // held; 0 where no texture is minified
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x].

@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,21 @@ std::string unquoted(const std::string& text, std::size_t begin, std::size_t end
     return name;
 }
 
+// Exporters that know no norm write a normal map as map_bump. Such a picture is bluish, and its
+// colours are unit vectors.
+bool holds_normals(const image::Image& image) {
+    std::size_t units = 0;
+    std::int64_t bluer = 0;
+    for (const image::Rgba8& p : image.pixels()) {
+        const int x = 2 * p.r - 255, y = 2 * p.g - 255, z = 2 * p.b - 255;
+        const int square = x * x + y * y + z * z;
+        units += z > 0 && square > 255 * 255 * 4 / 5 && square < 255 * 255 * 6 / 5 ? 1 : 0;
+        bluer += p.b - p.r;
+    }
+    const std::size_t texels = image.pixels().size();
+    return units >= texels - texels / 50 && bluer > 32 * static_cast<std::int64_t>(texels);
+}
+
 class MaterialLoader {
 public:
     MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
@@ -92,8 +108,12 @@ private:
     void read_library(const std::string& name, std::size_t line);
     void use(const NameAtLine& used);
     void name_what_is_not_drawn();
-    std::int32_t texture(const std::string& name, const std::string& library_path);
-    std::int32_t load_texture(const std::string& path, const std::string& library_path);
+    void load_map(scene::TextureMap& map, std::string_view keyword,
+                  const std::string& library_path);
+    std::int32_t texture(const std::string& name, std::string_view keyword,
+                         const std::string& library_path);
+    std::int32_t load_texture(const std::string& path, std::string_view keyword,
+                              const std::string& library_path);
     void texture_fault(const std::string& name, std::string line);
 
     const ObjFile& obj_;
@@ -182,9 +202,20 @@ void MaterialLoader::use(const NameAtLine& used) {
             library.not_drawn.push_back(what);
     out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
     scene::Material& material = out_.materials.emplace_back(m.material);
-    // The other maps stay names until something draws them: what is not used costs nothing.
+    // The other maps stay names: what is not used costs nothing.
+    load_map(material.map_normal, "norm", library.path);
+    if (material.map_bump.bump_multiplier != 0)
+        load_map(material.map_bump, "map_bump", library.path);
+    if (material.map_bump.texture >= 0 && !material.map_normal.given() &&
+        holds_normals(out_.textures[static_cast<std::size_t>(material.map_bump.texture)].image))
+        std::swap(material.map_bump, material.map_normal);
+    if (has_highlight(material)) {
+        load_map(material.map_specular, "map_Ks", library.path);
+        load_map(material.map_shininess, "map_Ns", library.path);
+    }
+    if (material.emission != Vec3(0)) load_map(material.map_emission, "map_Ke", library.path);
     if (!material.map_diffuse.given()) return;
-    material.map_diffuse.texture = texture(material.map_diffuse.path, library.path);
+    load_map(material.map_diffuse, "map_Kd", library.path);
     // Kd 0 0 0 beside a map is an exporter's "see the map"; without the map it would be a hole.
     if (material.map_diffuse.texture < 0 && material.diffuse == Vec3(0))
         material.diffuse = scene::Material().diffuse;
@@ -199,7 +230,13 @@ void MaterialLoader::name_what_is_not_drawn() {
                                       library.not_drawn.size() == 1 ? "is" : "are"));
 }
 
-std::int32_t MaterialLoader::texture(const std::string& name, const std::string& library_path) {
+void MaterialLoader::load_map(scene::TextureMap& map, std::string_view keyword,
+                              const std::string& library_path) {
+    if (map.given()) map.texture = texture(map.path, keyword, library_path);
+}
+
+std::int32_t MaterialLoader::texture(const std::string& name, std::string_view keyword,
+                                     const std::string& library_path) {
     const std::string folder = folder_of(library_path);
     const auto [known, is_new] = textures_.try_emplace(folder + '\n' + name, -1);
     if (!is_new) return known->second;
@@ -216,19 +253,19 @@ std::int32_t MaterialLoader::texture(const std::string& name, const std::string&
     }
     const std::string real = canonical(*path);
     const auto [loaded, first] = textures_.try_emplace(real, -1);
-    if (first) loaded->second = load_texture(*path, library_path);
+    if (first) loaded->second = load_texture(*path, keyword, library_path);
     return textures_[folder + '\n' + name] = textures_[real];
 }
 
-std::int32_t MaterialLoader::load_texture(const std::string& path,
+std::int32_t MaterialLoader::load_texture(const std::string& path, std::string_view keyword,
                                           const std::string& library_path) {
     image::DecodeLimits limits;
     limits.max_pixels = std::min(
         limits.max_pixels, static_cast<std::int64_t>(texture_bytes_left_ / sizeof(image::Rgba8)));
     auto picture = image::load(path, limits);
     if (!picture) {
-        texture_fault(
-            path, fmt::format("{}: map_Kd: {}; drawn plain", library_path, picture.error().what));
+        texture_fault(path, fmt::format("{}: {}: {}; drawn plain", library_path, keyword,
+                                        picture.error().what));
         return -1;
     }
     const std::uint64_t bytes = picture->pixels().size_bytes();

@@ -45,7 +45,7 @@ public:
           renderer_(jobs), other_renderer_(jobs) {}
 
     Result<Explanation> run() {
-        TRY(plan_, frame::plan(options_, facts_));
+        TRY(plan_, frame::plan(options_, facts_, view_));
         picture_ = renderer_.render(scene_, view_, plan_);
         Explanation result;
         result.width = options_.width;
@@ -79,7 +79,7 @@ private:
         bare.samples = 1;
         for (const auto& [effect, materials] : facts_.materials_of)
             if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
-        TRY(const frame::FramePlan plan, frame::plan(bare, facts_));
+        TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));
         frame::Visibility visible;
         other_renderer_.render(scene_, view_, plan, &visible);
         const std::size_t none = scene_.materials.size();
@@ -117,7 +117,7 @@ private:
     // Draws the frame with the effect the other way round.
     void switch_it(EffectRow& row) {
         const bool on = row.decision.on();
-        const auto other = frame::plan(switched(options_, row.decision.effect, !on), facts_);
+        const auto other = frame::plan(switched(options_, row.decision.effect, !on), facts_, view_);
         if (!other) {
             row.refusal = other.error().what;
             return;

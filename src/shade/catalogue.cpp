@@ -11,6 +11,9 @@ namespace scanout::shade {
 namespace interpolate {
 SCANOUT_INTERPOLATE(SCANOUT_DECLARE)
 }
+namespace mapping {
+SCANOUT_MAPPING(SCANOUT_DECLARE)
+}
 namespace map {
 SCANOUT_MAP(SCANOUT_DECLARE)
 }
@@ -26,20 +29,33 @@ namespace texture {
 SCANOUT_TEXTURE(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Source name;
+namespace source {
+SCANOUT_SOURCE(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Wrapping name;
+namespace wrap {
+SCANOUT_WRAP(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 
 std::span<const Stage* const> stages() {
     static constexpr auto kStages = std::to_array<const Stage*>({
 #define SCANOUT_ROW(name) &interpolate::name,
         SCANOUT_INTERPOLATE(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &mapping::name,
+            SCANOUT_MAPPING(SCANOUT_ROW)
+#undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &map::name,
-            SCANOUT_MAP(SCANOUT_ROW)
+                SCANOUT_MAP(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &light::name,
-                SCANOUT_LIGHT(SCANOUT_ROW)
+                    SCANOUT_LIGHT(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
-                    SCANOUT_REFLECTION(SCANOUT_ROW)
+                        SCANOUT_REFLECTION(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;
@@ -52,6 +68,31 @@ std::span<const Filter* const> filters() {
     return kFilters;
 }
 
+std::span<const Source* const> sources() {
+#define SCANOUT_ROW(name) &source::name,
+    static constexpr auto kSources = std::to_array<const Source*>({SCANOUT_SOURCE(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kSources;
+}
+
+std::span<const Wrapping* const> wrappings() {
+#define SCANOUT_ROW(name) &wrap::name,
+    static constexpr auto kWrappings = std::to_array<const Wrapping*>({SCANOUT_WRAP(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kWrappings;
+}
+
+const std::array<MapSlot, kMaps>& map_slots() {
+    static constexpr std::array<MapSlot, kMaps> kSlots = {
+        MapSlot{&scene::Material::map_diffuse, TexelKind::colour},
+        MapSlot{&scene::Material::map_normal, TexelKind::data},
+        MapSlot{&scene::Material::map_bump, TexelKind::data},
+        MapSlot{&scene::Material::map_specular, TexelKind::data},
+        MapSlot{&scene::Material::map_shininess, TexelKind::data},
+        MapSlot{&scene::Material::map_emission, TexelKind::colour}};
+    return kSlots;
+}
+
 const Stage* find_stage(std::string_view axis, std::string_view name) {
     for (const Stage* stage : stages())
         if (stage->card.axis == axis && stage->card.name == name) return stage;
@@ -61,6 +102,18 @@ const Stage* find_stage(std::string_view axis, std::string_view name) {
 const Filter* find_filter(std::string_view name) {
     for (const Filter* filter : filters())
         if (filter->card.name == name) return filter;
+    return nullptr;
+}
+
+const Wrapping* find_wrapping(std::string_view name) {
+    for (const Wrapping* wrapping : wrappings())
+        if (wrapping->card.name == name) return wrapping;
+    return nullptr;
+}
+
+const Source* find_source(std::string_view name) {
+    for (const Source* source : sources())
+        if (source->card.name == name) return source;
     return nullptr;
 }
 

@@ -44,13 +44,18 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], count, "albedo", name);
         if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
+        if (b.lit && stage.card.axis == "map" && stage.card.name == "emission")
+            check(b.colour[c], count, "colour", name);
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
         if (stage.card.axis == "reflection") check(b.colour[c], count, "colour", name);
     }
     if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
-    if (b.map[kDiffuseMap].texture == nullptr) return;
+    if (!wants_uv(b, frame)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
+    if (frame.attributes.footprint)
+        for (const float* slope : {b.u_x, b.v_x, b.u_y, b.v_y})
+            check(slope, count, "slope of u or v", name);
     if (stage.card.axis != "map") return;
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);

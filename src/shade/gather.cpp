@@ -54,11 +54,14 @@ Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
 
 // The maps of the block's material that some stage of the frame reads.
 void bind_maps(Block& b, const GatherInput& in) {
-    const scene::TextureMap* const maps[kMaps] = {&b.material->map_diffuse};
     for (std::size_t i = 0; i < kMaps; ++i) {
-        b.map[i] = {nullptr, maps[i]};
-        if (maps[i]->texture >= 0 && b.lit && in.frame->attributes.uv)
-            b.map[i].texture = &in.textures[static_cast<std::size_t>(maps[i]->texture)];
+        const scene::TextureMap& map = b.material->*map_slots()[i].map;
+        b.map[i] = {nullptr, &map, nullptr, Wrap::repeat};
+        const bool read = (in.frame->attributes.maps & bit_of(static_cast<Map>(i))) != 0;
+        if (map.texture < 0 || !b.lit || !read) continue;
+        b.map[i].texture = &in.textures[static_cast<std::size_t>(map.texture)];
+        b.map[i].mips = in.mips->find(map.texture, map_slots()[i].kind);
+        b.map[i].wrap = in.wrap.value_or(map.clamp ? Wrap::clamp : Wrap::repeat);
     }
 }
 

@@ -9,12 +9,14 @@
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/linear_picture.h"
+#include "shade/mip_chain.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
 #include "shade/stage.h"
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -28,6 +30,8 @@ struct GatherInput {
     const scene::View* view = nullptr;
     std::span<const scene::Material> materials;
     std::span<const scene::Texture> textures;
+    const MipChains* mips = nullptr;
+    std::optional<Wrap> wrap; // of every map; else as each says
     std::span<const Stage* const> stages;
     const FrameState* frame = nullptr;
     bool mirrored = false;

@@ -42,8 +42,9 @@ void set_attributes(Primitive& p, const GatherInput& in, const Corners& v) {
         for (int c = 0; c < 3; ++c) {
             if (wanted.normal) p.normal[c][k] = mesh.normal[v[k]][c];
             if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
+            if (wanted.object) p.object[c][k] = mesh.position[v[k]][c];
         }
-        if (wanted.uv) {
+        if (wanted.uv && !in.frame->mapped) {
             p.uv[0][k] = mesh.uv[v[k]].x;
             p.uv[1][k] = mesh.uv[v[k]].y;
         }

@@ -8,6 +8,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -21,13 +22,36 @@ inline constexpr int kLanes = 128;
 // stands there is finite.
 inline constexpr int kRoom = kLanes + 16;
 
-// What a stage reads: vertex attributes, and the ray from the eye.
+// What a map's texels mean: sRGB colours, linear numbers, or that only their alpha counts.
+enum class TexelKind : std::uint8_t { colour, data, alpha };
+
+// The maps that a material can have.
+enum Map : std::uint8_t {
+    kDiffuseMap,
+    kNormalMap,
+    kBumpMap,
+    kSpecularMap,
+    kShininessMap,
+    kEmissionMap,
+    kMaps
+};
+using MapBits = std::uint16_t;
+constexpr MapBits bit_of(Map map) {
+    return static_cast<MapBits>(1U << map);
+}
+
+// What a stage reads: vertex attributes, maps, and the ray from the eye.
 struct Attributes {
     bool normal = false, uv = false, colour = false, ray = false, position = false;
+    bool footprint = false; // how u and v change from pixel to pixel
+    bool object = false;    // vertices' places in object space
+    MapBits maps = 0;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray,
-            a.position || b.position};
+    return {a.normal || b.normal,     a.uv || b.uv,
+            a.colour || b.colour,     a.ray || b.ray,
+            a.position || b.position, a.footprint || b.footprint,
+            a.object || b.object,     static_cast<MapBits>(a.maps | b.maps)};
 }
 
 // What all lanes of one triangle share, its vertices in canonical order.
@@ -45,6 +69,7 @@ struct Primitive {
     // Of the three vertices; only what the frame's stages read.
     float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
     float position[3][3];                       // view space, times scene::to_floats
+    float object[3][3];                         // place in object space
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -56,14 +81,25 @@ struct Run {
                          // not cover the centre; 0 when it always does
 };
 
-// The maps that a material can have.
-enum Map : std::uint8_t { kDiffuseMap, kMaps };
+// Where a material keeps each, and how its texels are read.
+struct MapSlot {
+    scene::TextureMap scene::Material::*map;
+    TexelKind kind;
+};
+const std::array<MapSlot, kMaps>& map_slots(); // [Map]
+
+struct MipChain;
+
+// What lies beyond the edges of a texture.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 
 // A map of the block's material; no texture where the material has none, or where no stage of the
 // frame reads it.
 struct BoundMap {
     const scene::Texture* texture = nullptr;
     const scene::TextureMap* map = nullptr; // its options
+    const MipChain* mips = nullptr;         // null where the texture is nowhere minified
+    Wrap wrap = Wrap::repeat;
 };
 
 // A light as the lanes of a block see it.
@@ -89,6 +125,11 @@ struct Block {
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
     alignas(64) float u[kRoom], v[kRoom];
     alignas(64) float position[3][kRoom]; // view space, times scene::to_floats
+    // Change of u and v a pixel, to the right and downwards; where the frame asks for a footprint.
+    alignas(64) float u_x[kRoom], v_x[kRoom], u_y[kRoom], v_y[kRoom];
+
+    // Written by the maps of normals and bumps: directions of u and v on the surface (map/tangent).
+    alignas(64) float tangent[2][3][kRoom];
 
     // Of the map that was sampled last: red, green, blue, alpha; linear.
     alignas(64) float sampled[4][kRoom];
@@ -98,6 +139,9 @@ struct Block {
     Vec3 ambient{0};
     std::vector<LightLanes> light;
 
+    // Ks and Ns times their maps, where the block has these maps; else the material's own count.
+    alignas(64) float specular[3][kRoom], shininess[kRoom];
+
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
     alignas(64) float albedo[3][kRoom];
@@ -105,6 +149,7 @@ struct Block {
 };
 
 struct Filter;
+struct Source;
 
 // What all blocks of a frame share.
 struct FrameState {
@@ -117,7 +162,18 @@ struct FrameState {
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    const Source* source = nullptr; // what map_Kd is, instead of the picture that the file names
+    bool mapped = false;            // a mapping stage writes u and v; they are not the model's
 };
+
+// Some stage of the frame wants the block's u and v.
+inline bool wants_uv(const Block& b, const FrameState& frame) {
+    if (!frame.attributes.uv || !b.lit) return false;
+    bool map = frame.source != nullptr;
+    for (const BoundMap& bound : b.map)
+        map = map || bound.texture != nullptr;
+    return map;
+}
 
 struct Stage {
     Technique card;
@@ -125,19 +181,37 @@ struct Stage {
     void (*run)(Block& block, const FrameState& frame);
 };
 
-// A texture filter: reads a map at b.u, b.v into b.sampled.
-enum class TexelKind : std::uint8_t { colour, data }; // sRGB, or linear numbers
+// A texture filter: reads a map at b.u, b.v into b.sampled: its first three rows, or, where only
+// alpha counts, its last.
 struct Filter {
     Technique card;
     Attributes needs;
     void (*sample)(Block& block, const BoundMap& map, TexelKind kind);
 };
 
-// Every stage and every filter there is, in the order of techniques.h; null where there is no such
-// name.
+// A choice of what lies beyond a texture's edges.
+struct Wrapping {
+    Technique card;
+    Wrap wrap;
+};
+
+// Where a texture comes from: computes b.sampled from u and v; null is the picture that the file
+// names.
+struct Source {
+    Technique card;
+    Attributes needs;
+    void (*sample)(Block& block);
+};
+
+// Every stage, filter, wrapping and source there is, in the order of techniques.h; null where there
+// is no such name.
 std::span<const Stage* const> stages();
 std::span<const Filter* const> filters();
+std::span<const Wrapping* const> wrappings();
+std::span<const Source* const> sources();
 const Stage* find_stage(std::string_view axis, std::string_view name);
 const Filter* find_filter(std::string_view name);
+const Wrapping* find_wrapping(std::string_view name);
+const Source* find_source(std::string_view name);
 
 } // namespace scanout::shade

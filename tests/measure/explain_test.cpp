@@ -52,7 +52,9 @@ Shot stripes() {
 TEST(Explain, HasARowForEveryEffectOfThePlanAsThePlanDecidedIt) {
     const Shot s = stripes();
     const Explanation e = explained(s);
-    const auto plan = frame::plan(s.options, frame::facts(s.scene));
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 50, 50);
+    ASSERT_TRUE(view);
+    const auto plan = frame::plan(s.options, frame::facts(s.scene), *view);
     ASSERT_EQ(e.rows.size(), plan->decisions.size());
     for (std::size_t i = 0; i < e.rows.size(); ++i)
         EXPECT_EQ(e.rows[i].decision, plan->decisions[i]);

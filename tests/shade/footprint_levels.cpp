@@ -8,17 +8,24 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 // Arrays have room for whole registers.
-void levels_wide(const Primitive& t, double width, double height, const std::int32_t* x,
-                 const std::int32_t* y, int count, float* out) {
-    const Footprint footprint(t, width, height);
-    for (int i = 0; i < count; i += kLanes)
-        store(footprint.level(load<I32>(x + i), load<I32>(y + i)), out + i);
+template <class D>
+HWY_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
+                          const std::int32_t* y, int count, float* out) {
+    const PlaneOf<2> plane(t, t.uv);
+    for (int i = 0; i < count; i += static_cast<int>(Int<D>::kLanes)) {
+        const auto at = plane.at(load<Int<D>>(x + i), load<Int<D>>(y + i));
+        store(level_of_detail<D>({at.right[0] * width, at.right[1] * height, at.down[0] * width,
+                                  at.down[1] * height}),
+              out + i);
+    }
 }
-void levels_narrow(const Primitive& t, double width, double height, const std::int32_t* x,
+void levels_wide(const Primitive& t, float width, float height, const std::int32_t* x,
+                 const std::int32_t* y, int count, float* out) {
+    levels_of<F32::Tag>(t, width, height, x, y, count, out);
+}
+void levels_narrow(const Primitive& t, float width, float height, const std::int32_t* x,
                    const std::int32_t* y, int count, float* out) {
-    const Footprint footprint(t, width, height);
-    for (int i = 0; i < count; i += kLanesX8)
-        store(footprint.level(load<I32x8>(x + i), load<I32x8>(y + i)), out + i);
+    levels_of<F32x8::Tag>(t, width, height, x, y, count, out);
 }
 
 SIMD_END
@@ -28,7 +35,7 @@ namespace scanout::shade::texture {
 SIMD_REGISTER(levels_wide);
 SIMD_REGISTER(levels_narrow);
 
-static void run(bool narrow, const Primitive& t, double width, double height, const std::int32_t* x,
+static void run(bool narrow, const Primitive& t, float width, float height, const std::int32_t* x,
                 const std::int32_t* y, int count, float* out) {
     const auto kernel = narrow ? SIMD_CALL(levels_narrow) : SIMD_CALL(levels_wide);
     kernel(t, width, height, x, y, count, out);
@@ -37,7 +44,7 @@ static void run(bool narrow, const Primitive& t, double width, double height, co
 
 namespace scanout::shade::test {
 
-std::vector<float> levels(bool narrow, const Primitive& triangle, double width, double height,
+std::vector<float> levels(bool narrow, const Primitive& triangle, float width, float height,
                           const std::vector<Sample>& samples) {
     std::vector<std::int32_t> x(samples.size() + 16), y(samples.size() + 16);
     std::vector<float> out(samples.size() + 16);

@@ -37,9 +37,10 @@ inline image::Image draw(const Shot& shot, const DrawOptions& options = {}) {
     const auto view = scene::make_view(shot.scene.mesh, shot.model, shot.pose, shot.camera, {},
                                        shot.options.width, shot.options.height);
     if (!view) ADD_FAILURE() << shot.name << ": " << view.error().what;
-    const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
+    if (!view) return {};
+    const auto plan = frame::plan(shot.options, frame::facts(shot.scene), *view);
     if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
-    if (!view || !plan) return {};
+    if (!plan) return {};
     Jobs jobs(options.threads);
     frame::Renderer renderer(jobs);
     image::Image picture = renderer.render(shot.scene, *view, *plan, options.visibility,
@@ -188,13 +189,97 @@ inline Shot near_clip(std::string name) {
         uv = {uv.x * 4, uv.y * 4};
     s.camera.eye = DVec3(0.1, 0.1, 0.3);
     s.camera.target = DVec3(0, 0, -0.4);
+    s.options.texture = "bilinear"; // far squares flicker: lines and clipping are the subject
     return s;
+}
+
+// A floor of coarse noise that runs to the horizon: what each filter makes of minified texels.
+inline Shot noisy_floor(std::string name, const std::string& filter) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {noisy(64, 5)};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}}, {0, 1, 0}, 0);
+    for (Vec2& uv : mesh.uv)
+        uv = {uv.x * 5, uv.y * 5};
+    s.camera.eye = DVec3(0.1, 0.06, 0.9);
+    s.camera.target = DVec3(0, -0.1, -0.4);
+    s.options.texture = filter;
+    return s;
+}
+
+// A picture in the middle third of a square, and what lies beyond its edges.
+inline Shot wrapped_square(std::string name, const std::string& wrap) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    add_square(s.scene.mesh, 0.7F, 0, 0);
+    for (Vec2& uv : s.scene.mesh.uv)
+        uv = {uv.x * 3 - 1, uv.y * 3 - 1};
+    s.camera.azimuth_degrees = 20;
+    s.options.texture = "bilinear";
+    s.options.wrap = wrap;
+    return s;
+}
+
+// A glossy sphere with one map of many small tiles.
+inline Shot mapped_sphere(std::string name, scene::TextureMap scene::Material::*map,
+                          scene::Texture texture) {
+    Shot s = shot(std::move(name));
+    scene::Material material = plain(Vec3(0.4F), Vec3(0.6F), 20);
+    (material.*map).texture = 0;
+    (material.*map).path = "made by the test";
+    (material.*map).scale = {8, 4, 1};
+    (material.*map).bump_multiplier = 3;
+    if (map == &scene::Material::map_emission) material.emission = {0.5F, 0.2F, 0};
+    s.scene.materials = {material};
+    s.scene.textures = {std::move(texture)};
+    add_sphere(s.scene.mesh, Vec3(0), 0.95F, 32, 16, 0);
+    s.camera.elevation_degrees = 20;
+    return s;
+}
+
+// A sphere and a cube under a texture of another make, or laid on in another way.
+inline Shot covered_solids(std::string name, const std::string& source,
+                           const std::string& mapping) {
+    Shot s = solids(std::move(name));
+    s.scene.materials = {textured(0), textured(0)};
+    s.scene.textures = {checkers()};
+    s.scene.mesh = empty_mesh();
+    add_cube(s.scene.mesh, 0.45F, 1);
+    add_sphere(s.scene.mesh, {0.45F, 0.35F, 0.3F}, 0.4F, 24, 12, 0);
+    s.options.source = source;
+    s.options.mapping = mapping;
+    return s;
+}
+
+inline std::vector<Shot> map_shots() {
+    using scene::Material;
+    std::vector<Shot> shots;
+    shots.push_back(mapped_sphere("map_diffuse", &Material::map_diffuse, checkers()));
+    shots.push_back(mapped_sphere("map_normal", &Material::map_normal, pyramids()));
+    shots.push_back(mapped_sphere("map_bump", &Material::map_bump, noisy(16, 3)));
+    shots.push_back(mapped_sphere("map_specular", &Material::map_specular, checkers()));
+    shots.push_back(mapped_sphere("map_gloss", &Material::map_shininess, checkers()));
+    shots.push_back(mapped_sphere("map_emission", &Material::map_emission, checkers()));
+    for (const char* source : {"image", "checker", "white_noise", "perlin_noise"})
+        shots.push_back(covered_solids(std::string("source_") + source, source, "auto"));
+    for (const char* mapping : {"uv", "plane", "box", "cylinder", "sphere"})
+        shots.push_back(covered_solids(std::string("mapping_") + mapping, "auto", mapping));
+    return shots;
 }
 
 inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
     shots.push_back(textured_cube("texture_bilinear", "bilinear"));
+    for (const char* filter : {"mipmap", "trilinear", "anisotropic_2", "anisotropic_4",
+                               "anisotropic_8", "anisotropic_16"})
+        shots.push_back(noisy_floor(std::string("texture_") + filter, filter));
+    for (const char* wrap : {"repeat", "mirror", "clamp"})
+        shots.push_back(wrapped_square(std::string("wrap_") + wrap, wrap));
+    for (Shot& s : map_shots())
+        shots.push_back(std::move(s));
     const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);
     shots.push_back(stage("light_ambient", {light_of(scene::LightKind::ambient, 0.6)}));
     for (const auto kind :

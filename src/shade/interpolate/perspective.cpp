@@ -8,6 +8,8 @@
 #define SIMD_FILE "shade/interpolate/perspective.cpp"
 #include "simd/for_each_target.h"
 
+#include "shade/footprint-inl.h"
+
 SIMD_BEGIN(scanout::shade::interpolate)
 
 // Of vertices 1 and 2; vertex 0 has the rest.
@@ -74,7 +76,7 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
 template <bool kPosition>
 HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
-    const bool uv = frame.attributes.uv && b.map[kDiffuseMap].texture != nullptr;
+    const bool uv = wants_uv(b, frame) && !frame.mapped;
     const float kd[3] = {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z};
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
@@ -103,6 +105,8 @@ void perspective_run(Block& b, const FrameState& frame) {
         interpolate<true>(b, frame);
     else
         interpolate<false>(b, frame);
+    if (frame.attributes.footprint && !frame.mapped && wants_uv(b, frame))
+        texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END
