@@ -6,4 +6,5 @@
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
 #define SCANOUT_MAP(X) X(diffuse)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
+#define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
 #define SCANOUT_REFLECTION(X) X(lambert) X(blinn_phong)

@@ -23,11 +23,15 @@ struct FrameOptions {
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string texture = "auto";
     std::string reflection = "auto";
+    std::string shadow = "auto";
+    int shadow_size = 1024; // texels a side of a shadow map
+    int shadow_filter = 3;  // texels a side that a filtered shadow asks
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
 };
 
+inline constexpr int kLeastShadowSize = 64, kMostShadowSize = 8192, kMostShadowFilter = 15;
 inline constexpr int kMaxSide = 16384;
 
 } // namespace scanout::frame

@@ -31,6 +31,12 @@ Result<void> check_numbers(const FrameOptions& o) {
     if (o.lights.size() > scene::kMostLights)
         return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
                     scene::kMostLights);
+    if (o.shadow_size < kLeastShadowSize || o.shadow_size > kMostShadowSize)
+        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
+                    kLeastShadowSize, kMostShadowSize);
+    if (o.shadow_filter < 1 || o.shadow_filter > kMostShadowFilter)
+        return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
+                    kMostShadowFilter);
     return {};
 }
 
@@ -69,6 +75,12 @@ public:
         plan_.stages.push_back(found);
         plan_.techniques.push_back(&found->card);
         plan_.attributes = plan_.attributes | found->needs;
+    }
+    // It runs without a stage.
+    void technique(std::string_view axis, std::string_view name) {
+        const shade::Stage* found = shade::find_stage(axis, name);
+        CHECK(found != nullptr);
+        plan_.techniques.push_back(&found->card);
     }
     void filter(std::string_view name) {
         plan_.filter = shade::find_filter(name);
@@ -109,6 +121,44 @@ void plan_lights(const FrameOptions& options, const SceneFacts& facts, Planner& 
     }
 }
 
+// Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
+// a point are sharp, and the filtered map is the cheapest that shows no steps.
+Result<void> plan_shadows(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                          FramePlan& plan) {
+    std::string names;
+    int casting = 0, sized = 0;
+    bool directional = false;
+    for (const scene::Light& light : plan.lights) {
+        if (!light.casts || light.kind == scene::LightKind::ambient) continue;
+        names += (names.empty() ? "" : ", ") + light.name;
+        ++casting;
+        sized += light.size > 0 ? 1 : 0;
+        directional = directional || light.kind == scene::LightKind::directional;
+    }
+    TRY(const std::string name,
+        choose("shadow", options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
+    const bool floor = name != "projected" || facts.ground.triangles > 0;
+    std::string because =
+        facts.triangles == 0 ? "nothing is lit: there are no triangles"
+        : casting == 0       ? "no light that reaches anything casts shadows"
+        : !floor
+            ? "no triangle lies flat on a side of the model's box, to project shadows onto"
+            : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
+    if (casting > 0 && sized > 0) because += fmt::format("; {} with a size", sized);
+    const bool possible = casting > 0 && facts.triangles > 0 && floor;
+    if (!planner.effect("shadow", name, possible, std::move(because)) || !possible) return {};
+    if (name == "attached") {
+        planner.technique("shadow", name);
+        return {};
+    }
+    // A directional light now differs from lane to lane, too.
+    if (directional) planner.stage("light", "directional");
+    planner.stage("shadow", name);
+    plan.shadow = plan.stages.back();
+    plan.ground = facts.ground;
+    return {};
+}
+
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
@@ -143,6 +193,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
     }
 
     plan_lights(options, facts, planner, plan);
+    TRY_VOID(plan_shadows(options, facts, planner, plan));
 
     const bool shiny = facts.specular_triangles > 0;
     TRY(const std::string model, choose("reflection", options.reflection, "blinn_phong"));

@@ -34,6 +34,8 @@ struct FramePlan {
     shade::Attributes attributes;          // what has to be fetched for a block
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
     std::vector<scene::Light> lights;      // those that reach something
+    const shade::Stage* shadow = nullptr;  // of the stages, that of shadows; null: no pass either
+    Ground ground;                         // on which projected shadows fall
     std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none

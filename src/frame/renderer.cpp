@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "frame/lights.h"
+#include "frame/shadow_pass.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
 
@@ -64,6 +65,7 @@ struct Renderer::State {
     std::vector<Worker> workers;
     raster::Geometry geometry;
     image::Image back_buffer;
+    std::unique_ptr<ShadowPass> shadows; // while a plan runs them
     FrameStats stats;
 };
 
@@ -82,8 +84,25 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.orthographic = view.projection == scene::Projection::orthographic;
     frame.attributes = plan.attributes;
     frame.filter = plan.filter;
+    frame.shadow_filter = plan.options.shadow_filter;
     lights.describe(frame);
     return frame;
+}
+
+// Makes the frame's shadows, or frees what those of an earlier frame held.
+static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, Jobs& jobs,
+                               const scene::Scene& scene, const scene::View& view,
+                               const FramePlan& plan, const raster::ScreenTransform& transform,
+                               int tile_size, FrameLights& lights) {
+    if (plan.shadow == nullptr) {
+        pass.reset();
+        return nullptr;
+    }
+    const FrameOptions& o = plan.options;
+    if (pass == nullptr) pass = std::make_unique<ShadowPass>(jobs.threads());
+    pass->run(jobs, scene, view, plan, transform, {o.width, o.height, tile_size, o.samples},
+              lights);
+    return pass.get();
 }
 
 static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
@@ -120,15 +139,21 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const raster::ScreenTransform transform(view, o.width, o.height);
     s.geometry.run(s.jobs, scene.mesh, transform,
                    {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size});
+    FrameLights lights(plan, view, scene.mesh);
+    const double before_shadows_ms = total.milliseconds();
+    ShadowPass* const shadows =
+        shadow_pass(s.shadows, s.jobs, scene, view, plan, transform, tile_size, lights);
     const double geometry_ms = total.milliseconds();
 
-    const FrameLights lights(plan, view, scene.mesh);
-    const shade::FrameState frame = frame_state(view, plan, lights);
+    shade::FrameState frame = frame_state(view, plan, lights);
+    if (shadows != nullptr) frame.shadows = shadows->lights();
     shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;
-    for (Worker& worker : s.workers)
+    for (Worker& worker : s.workers) {
         worker.lanes = 0;
+        worker.gatherer.set_shadow(nullptr);
+    }
     if (visibility != nullptr) {
         const std::size_t samples = static_cast<std::size_t>(o.width) *
                                     static_cast<std::size_t>(o.height) *
@@ -143,15 +168,21 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.geometry.draw(tile, worker.visibility);
         if (visibility != nullptr) keep(worker.visibility, *visibility);
         clear(area, o.background, s.back_buffer);
-        if (!worker.visibility.empty())
-            worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
+        if (worker.visibility.empty()) return;
+        if (shadows != nullptr)
+            worker.gatherer.set_shadow(shadows->count(tile, number, worker.visibility));
+        worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
     });
-    s.stats = {total.milliseconds(),
-               geometry_ms,
-               total.milliseconds() - geometry_ms,
-               scene.mesh.triangles(),
-               s.geometry.triangles_drawn(),
-               0};
+    s.stats = {};
+    s.stats.total_ms = total.milliseconds();
+    s.stats.geometry_ms = geometry_ms;
+    s.stats.tiles_ms = s.stats.total_ms - geometry_ms;
+    s.stats.triangles_submitted = scene.mesh.triangles();
+    s.stats.triangles_drawn = s.geometry.triangles_drawn();
+    if (shadows != nullptr) {
+        s.stats.shadow_ms = geometry_ms - before_shadows_ms;
+        s.stats.shadow_bytes = shadows->bytes();
+    }
     for (const Worker& worker : s.workers)
         s.stats.lanes_shaded += worker.lanes;
     return s.back_buffer;

@@ -77,6 +77,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         add_triangles(task, batch, begin, end);
     });
+    if (options.triangles_only) return;
     run_all(mesh.lines(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             add_segment(task, batch, static_cast<std::uint32_t>(i));

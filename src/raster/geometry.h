@@ -21,9 +21,10 @@ namespace scanout::raster {
 struct GeometryOptions {
     int width = 0, height = 0;
     Facing keep = Facing::any;
-    bool mirrored = false;     // front faces wind clockwise in view space
-    int samples = 1;           // of the tiles that will be drawn
-    int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
+    bool mirrored = false;       // front faces wind clockwise in view space
+    int samples = 1;             // of the tiles that will be drawn
+    int tile_size = kTileSize;   // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
+    bool triangles_only = false; // no lines, no points
 };
 
 class Geometry {

@@ -75,6 +75,10 @@ Gatherer::Gatherer()
     : primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()) {}
 Gatherer::~Gatherer() = default;
 
+void Gatherer::set_shadow(const TileShadow* shadow) {
+    block_->shadow = shadow;
+}
+
 void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
                               int y) {
     std::array<std::uint32_t, 16> id{};

@@ -7,6 +7,7 @@
 #include "math/vec.h"
 #include "scene/light.h"
 #include "scene/material.h"
+#include "shade/shadow.h"
 
 #include <cstdint>
 #include <span>
@@ -97,6 +98,7 @@ struct Block {
     // the frame for those that FrameState::varies names.
     Vec3 ambient{0};
     std::vector<LightLanes> light;
+    const TileShadow* shadow = nullptr; // set with the tile, in frames that count shadows
 
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
@@ -116,7 +118,9 @@ struct FrameState {
     // Of each light: differs from lane to lane, as do points, spots and all that is shadowed.
     // Empty: none does.
     std::span<const bool> varies;
-    const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    const Filter* filter = nullptr;       // how maps are read; null where no stage reads one
+    std::span<const LightShadow> shadows; // of each light; empty: none casts
+    int shadow_filter = 3;                // texels a side that a filtered shadow asks
 };
 
 struct Stage {

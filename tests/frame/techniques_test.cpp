@@ -15,6 +15,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
+        {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     std::set<std::pair<std::string_view, std::string_view>> table;

@@ -137,7 +137,21 @@ inline scene::Light light_of(scene::LightKind kind, double power) {
     light.target = DVec3(-0.2, -0.3, 0);
     light.inner_degrees = 15;
     light.outer_degrees = 25;
+    light.casts = false;
     return light;
+}
+
+// The stage in the light of one lamp that casts shadows.
+inline Shot shadowed(std::string name, const std::string& technique,
+                     scene::LightKind kind = scene::LightKind::directional, double size = 0) {
+    scene::Light lamp = light_of(kind, 0.9);
+    lamp.casts = true;
+    lamp.size = size;
+    if (kind == scene::LightKind::spot) lamp.outer_degrees = 50;
+    Shot s = stage(std::move(name), {lamp, light_of(scene::LightKind::ambient, 0.15)});
+    s.options.shadow = technique;
+    s.options.shadow_size = 256;
+    return s;
 }
 
 // A wire cube with vertex colours, and points on its diagonal.
@@ -201,6 +215,11 @@ inline std::vector<Shot> golden_shots() {
          {scene::LightKind::directional, scene::LightKind::point, scene::LightKind::spot})
         shots.push_back(
             stage("light_" + std::string(name_of(kind)), {light_of(kind, 0.9), ambient}));
+    for (const char* technique : {"attached", "projected", "map", "map_pcf"})
+        shots.push_back(shadowed("shadow_" + std::string(technique), technique));
+    shots.back().options.shadow_filter = 5;
+    shots.push_back(shadowed("shadow_map_soft", "map_soft", scene::LightKind::directional, 8));
+    shots.push_back(shadowed("shadow_volume", "volume"));
     shots.push_back(glossy("reflection_lambert", "lambert"));
     shots.push_back(glossy("reflection_blinn_phong", "blinn_phong"));
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.
