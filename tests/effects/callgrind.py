@@ -28,18 +28,17 @@ def parse(path, names):
     return instructions, ran
 
 
-def calls(symbol, command, folder_of=None):
-    """Runs the command on AVX2, which callgrind knows. Returns its output and, for each call of the function with this
-    (mangled) name, parse()'s pair. The checks that test builds put after each stage do not count."""
-    with tempfile.TemporaryDirectory(dir=folder_of) as folder:
+def calls(collected, dumped, command):
+    """Runs the command on AVX2, which callgrind knows. Collects inside of the function `collected`; dumps after each call
+    of `dumped` inside or outside of it (callgrind cannot do both for one function). Returns the command's output and, for
+    each dump, parse()'s pair. The checks that test builds put after each stage do not count inside of `collected`."""
+    with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
         done = subprocess.run(["valgrind", "--tool=callgrind", "--demangle=no", f"--callgrind-out-file={out}",
-                               f"--toggle-collect={symbol}*", "--toggle-collect=*check_lanes*", f"--dump-after={symbol}*",
-                               *command, "--target", "avx2"], capture_output=True, text=True)
+                               f"--toggle-collect={collected}*", "--toggle-collect=*check_lanes*",
+                               f"--dump-after={dumped}*", *command, "--target", "avx2"], capture_output=True, text=True)
         if done.returncode != 0:
             raise RuntimeError(f"{command}: exit code {done.returncode}\n{done.stderr}")
-        dumps = sorted((p for p in glob.glob(out + ".*")), key=lambda p: int(p.rsplit(".", 1)[1]))
-        names, found = {}, []
-        for path in dumps:
-            found.append(parse(path, names))
-        return done.stdout, found
+        dumps = sorted(glob.glob(out + ".*"), key=lambda p: int(p.rsplit(".", 1)[1]))
+        names = {}
+        return done.stdout, [parse(path, names) for path in dumps]

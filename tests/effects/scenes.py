@@ -3,7 +3,7 @@ import os
 import sys
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-SIZE = ["--size", "96x72"]
+SIZE = ["--size", "192x144"]
 
 
 def rows():
