@@ -11,14 +11,21 @@
 namespace scanout::frame {
 namespace {
 
+// The command line's name of an axis.
+std::string option_of(std::string_view axis) {
+    std::string name(axis);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
+
 // What the user asked for on an axis, or the automatic choice, when the axis has it.
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
     for (const Technique* technique : techniques())
         if (technique->axis == axis && technique->name == name) return std::string(name);
-    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", axis, asked,
-                names_of(axis));
+    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option_of(axis),
+                asked, names_of(axis));
 }
 
 Result<void> check_numbers(const FrameOptions& o) {
@@ -62,6 +69,17 @@ public:
         plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
                                    std::move(because), needed, is_forced && on != needed});
         return on;
+    }
+    // Decides what no scene calls for, on an axis of its own: what the user asks for, and no row
+    // where that is the usual. Returns the name of what runs.
+    std::string choice(std::string_view axis, std::string asked, std::string_view usual) {
+        const auto switched = options_.effects.find(axis);
+        if (asked == usual) return asked;
+        const bool on = switched == options_.effects.end() || switched->second;
+        plan_.decisions.push_back(
+            {std::string(axis), on ? asked : "off",
+             fmt::format("--{} {}; as a rule it is {}", option_of(axis), asked, usual), false, on});
+        return on ? asked : std::string(usual);
     }
     void stage(std::string_view axis, std::string_view name) {
         const shade::Stage* found = shade::find_stage(axis, name);
@@ -190,6 +208,31 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
 
 } // namespace
 
+namespace {
+
+// Which surfaces are seen, and how they are mixed: choices of the user's.
+Result<void> plan_output(Planner& planner, FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    TRY(const std::string depth, choose("depth", o.depth, "reversed"));
+    TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
+    TRY(const std::string blend, choose("blend", o.blend, "over"));
+    const auto* format = raster::find_depth_format(planner.choice("depth", depth, "reversed"));
+    const auto* compare = raster::find_depth_test(planner.choice("depth_test", test, "greater"));
+    const auto* mix = shade::find_blend(planner.choice("blend", blend, "over"));
+    CHECK(format != nullptr && compare != nullptr && mix != nullptr);
+    plan.visible = {compare->test, format->standard, format->steps};
+    plan.transparency.blend = mix;
+    constexpr std::string_view kSides[] = {"none", "back", "front"};
+    const std::string_view cull = kSides[static_cast<std::size_t>(o.cull)];
+    if (planner.choice("cull", std::string(cull), "none") == "none") plan.options.cull = Cull::none;
+    if (format->card.name != "reversed") plan.techniques.push_back(&format->card);
+    if (compare->card.name != "greater") plan.techniques.push_back(&compare->card);
+    if (mix->card.name != "over") plan.techniques.push_back(&mix->card);
+    return {};
+}
+
+} // namespace
+
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
     TRY_VOID(check_numbers(options));
     FramePlan plan;
@@ -222,6 +265,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts, filter));
+    TRY_VOID(plan_output(planner, plan));
     if (facts.triangles == 0)
         plan.attributes.normal = plan.attributes.uv = false; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

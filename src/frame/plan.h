@@ -32,6 +32,7 @@ struct TransparencyPlan {
     std::vector<shade::MaterialAlpha> alpha;      // as many
     const shade::Transparency* cut_out = nullptr; // null where no triangle wants it
     const shade::Transparency* blended = nullptr;
+    const shade::Blend* blend = nullptr;
     bool opaque_blended = false; // forced on where nothing calls for it: what is blended is opaque
     std::vector<const shade::Stage*> stages; // find alpha where a map has it
     shade::Attributes attributes;            // what they read
@@ -40,7 +41,8 @@ struct TransparencyPlan {
 
 struct FramePlan {
     FrameOptions options;
-    // Every technique that runs, in the order in which it was decided; no other one does.
+    // Every technique that runs, in the order in which it was decided; no other one does. The usual
+    // depth, depth test and blending are not named.
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation first, reflection last.
     std::vector<const shade::Stage*> stages;
@@ -48,6 +50,7 @@ struct FramePlan {
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
     std::vector<scene::Light> lights;      // those that reach something
     TransparencyPlan transparency;
+    raster::VisibleRule visible;     // which of several surfaces is seen
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none

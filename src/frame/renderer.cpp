@@ -116,6 +116,7 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
     shade::LayerInput in;
     in.cut_out = t.cut_out;
     in.blended = t.blended;
+    in.blend = t.blend;
     in.opaque_blended = t.opaque_blended;
     in.alpha = t.alpha;
     in.stages = t.stages;
@@ -168,7 +169,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     s.jobs.for_each(s.geometry.tiles(), [&](int tile, int number) {
         Worker& worker = s.workers[static_cast<std::size_t>(number)];
         const image::Rect area = s.geometry.tile_area(tile);
-        worker.visibility.reset(area, o.samples);
+        worker.visibility.reset(area, o.samples, plan.visible);
         s.geometry.draw_triangles(tile, worker.visibility);
         if (layers.cut_out != nullptr)
             worker.layers->cut_out(s.geometry, tile, in, worker.visibility);

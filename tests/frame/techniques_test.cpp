@@ -16,6 +16,9 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
+        {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
+        {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     std::set<std::pair<std::string_view, std::string_view>> table;

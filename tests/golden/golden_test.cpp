@@ -67,6 +67,9 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
+        {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
+        {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
         {"cull", {"none", "back", "front"}}};
 #undef SCANOUT_NAME
