@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "frame/bytes.h"
 #include "image/compare.h"
+#include "image/flip.h"
 #include "measure/median.h"
 #include "raster/primitive.h"
 
@@ -33,7 +34,9 @@ frame::FrameOptions switched(frame::FrameOptions options, const std::string& eff
 
 Change change_between(const image::Image& reference, const image::Image& other) {
     const image::Difference d = image::compare(reference, other);
-    return {d.differing_pixels, d.max_difference, 0};
+    const bool same = d.differing_pixels == 0; // then there is nothing to look at
+    return {d.differing_pixels, d.max_difference,
+            same ? 0.0 : double{image::mean_flip(reference, other)}};
 }
 
 // The frame that is explained, and the means to draw others of the same view.

@@ -1,4 +1,5 @@
 #include "image/compare.h"
+#include "image/flip.h"
 #include "measure/explain.h"
 #include "measure/median.h"
 #include "support/scenes.h"
@@ -99,6 +100,8 @@ TEST(Explain, SaysWhatChangesWhenAnEffectIsSwitched) {
         EXPECT_EQ(r.change->pixels, d.differing_pixels) << r.decision.effect;
         EXPECT_EQ(r.change->largest_code, d.max_difference) << r.decision.effect;
         EXPECT_EQ(r.change->pixels > 0, r.decision.on()) << r.decision.effect;
+        EXPECT_EQ(r.change->mean_flip, image::mean_flip(whole, test::draw(other)));
+        EXPECT_EQ(r.change->mean_flip > 0, r.decision.on()) << r.decision.effect;
     }
     EXPECT_GT(row(e, "texture").change->largest_code, 50);
     EXPECT_GT(row(e, "highlight").change->largest_code, 5);
