@@ -70,16 +70,15 @@ private:
         std::uint64_t triangles_drawn = 0;
         void clear(int tiles, bool layers);
     };
-    struct Task; // the arguments of one run
-    void add_triangles(const Task& task, Batch& batch, std::size_t begin, std::size_t end) const;
-    void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
+    void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     Layer layer_of(std::uint32_t triangle) const {
         return layers_[static_cast<std::size_t>(mesh_->material[triangle] + 1)];
     }
-    std::uint32_t flags(const Task& task, std::uint32_t vertex) const;
-    void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
-    void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
+    std::uint32_t flags(std::uint32_t vertex) const;
+    void add_segment(Batch& batch, std::uint32_t segment) const;
+    void add_point(Batch& batch, std::uint32_t point) const;
     template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 

@@ -4,6 +4,7 @@
 #include "oracle/plane.h"
 #include "raster/sample_pattern.h"
 #include "support/scenes.h"
+#include "support/srgb_formula.h"
 
 #include <cmath>
 
@@ -11,15 +12,6 @@ namespace scanout::test {
 namespace {
 
 constexpr int kSide = 64;
-
-double decoded(int code) {
-    const double c = code / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-double encoded(double linear) { // in codes, not rounded
-    const double x = std::min(linear, 1.0);
-    return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
 
 struct Colour {
     DVec3 linear{0}; // times alpha
@@ -58,17 +50,7 @@ struct Sheets {
         colour.emplace_back(c);
         alpha.push_back(d);
     }
-    image::Image picture() const {
-        scene::View view;
-        view.projection = scene::Projection::orthographic;
-        view.half_width = view.half_height = kSide / 2.0;
-        view.translation = {-kSide / 2.0, -kSide / 2.0, 0};
-        const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
-        EXPECT_TRUE(plan);
-        Jobs jobs(1);
-        frame::Renderer renderer(jobs);
-        return renderer.render(shot.scene, view, *plan);
-    }
+    image::Image picture() const { return draw_in_pixels(shot); }
     // What a sample shows (1/256 pixel). `close`: two depths too near each other to tell.
     Colour at(int x, int y, bool& close) const {
         struct Hit {
