@@ -187,6 +187,9 @@ const std::array kOptions = std::to_array<Option>({
      Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
      "cut-out surfaces show where their alpha is at least this"},
 
+    {"shading", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.shading; }),
+     "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)"},
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
      "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "
      "ambient:POWER, "

@@ -66,6 +66,7 @@ Json effect_json(const measure::EffectRow& row) {
         json["switched"] = nullptr;
         json["refused"] = row.refusal;
     }
+    if (!row.cheapest.empty()) json["compared_with"] = row.cheapest;
     if (row.milliseconds) json["ms"] = rounded(*row.milliseconds);
     return json;
 }

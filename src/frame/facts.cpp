@@ -16,13 +16,16 @@ public:
     template <class Predicate>
     std::size_t count(SceneFacts& facts, std::string_view effect, Predicate calls) const {
         MaterialSet set(uses_.size() + 1, false);
-        std::size_t triangles = 0;
-        for (std::size_t i = 0; i < uses_.size(); ++i) {
-            if (!calls(scene_.materials[i])) continue;
-            set[i] = true;
-            triangles += uses_[i];
-        }
+        for (std::size_t i = 0; i < uses_.size(); ++i)
+            set[i] = calls(scene_.materials[i]);
         facts.materials_of.emplace(effect, std::move(set));
+        return count(calls);
+    }
+    template <class Predicate>
+    std::size_t count(Predicate calls) const {
+        std::size_t triangles = 0;
+        for (std::size_t i = 0; i < uses_.size(); ++i)
+            if (calls(scene_.materials[i])) triangles += uses_[i];
         return triangles;
     }
 
@@ -45,8 +48,12 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.textured_triangles = census.count(facts, "texture", [&](const scene::Material& m) {
         return m.map_diffuse.texture >= 0 && facts.uv;
     });
-    facts.specular_triangles =
-        census.count(facts, "highlight", [](const scene::Material& m) { return has_highlight(m); });
+    facts.specular_triangles = census.count(facts, "highlight", [](const scene::Material& m) {
+        return surface_of(m) != scene::Surface::matt;
+    });
+    facts.physical_triangles = census.count(
+        [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
+    facts.sides = mesh_sides(mesh);
     facts.alpha = alpha_facts(scene);
     const auto materials = [&](auto... classes) {
         MaterialSet set(scene.materials.size() + 1, false);

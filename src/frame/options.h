@@ -9,6 +9,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scanout::frame {
@@ -23,6 +24,7 @@ struct FrameOptions {
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string texture = "auto";
     std::string reflection = "auto";
+    std::string shading = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     std::string transparency = "auto";
     double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
@@ -30,6 +32,9 @@ struct FrameOptions {
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
 };
+
+// Where the name of the technique on an axis stands; null for an axis without an option.
+std::string* asked(FrameOptions& options, std::string_view axis);
 
 inline constexpr int kMaxSide = 16384;
 

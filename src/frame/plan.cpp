@@ -60,8 +60,14 @@ public:
         const bool is_forced = forced != options_.effects.end();
         const bool on = is_forced ? forced->second : needed;
         plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
-                                   std::move(because), needed, is_forced && on != needed});
+                                   std::move(because), needed, is_forced && on != needed, false});
         return on;
+    }
+    // Notes what was chosen on an axis that is no effect: its own option decides.
+    void choice(std::string axis, std::string technique, std::string because, bool needed,
+                bool forced) {
+        plan_.decisions.push_back(
+            {std::move(axis), std::move(technique), std::move(because), needed, forced, true});
     }
     void stage(std::string_view axis, std::string_view name) {
         const shade::Stage* found = shade::find_stage(axis, name);
@@ -69,6 +75,15 @@ public:
         plan_.stages.push_back(found);
         plan_.techniques.push_back(&found->card);
         plan_.attributes = plan_.attributes | found->needs;
+    }
+    // A stage that another one calls; it reads `needs` of every lane.
+    const shade::Stage* called(std::string_view axis, std::string_view name,
+                               shade::Attributes needs) {
+        const shade::Stage* found = shade::find_stage(axis, name);
+        CHECK(found != nullptr);
+        plan_.techniques.push_back(&found->card);
+        plan_.attributes = plan_.attributes | needs;
+        return found;
     }
     void filter(std::string_view name) {
         plan_.filter = shade::find_filter(name);
@@ -83,8 +98,9 @@ private:
 };
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
-void plan_lights(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
-                 FramePlan& plan) {
+void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                 const shade::Stage& shading) {
+    const FrameOptions& options = plan.options;
     for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
                             scene::LightKind::point, scene::LightKind::spot}) {
         std::string names;
@@ -105,17 +121,109 @@ void plan_lights(const FrameOptions& options, const SceneFacts& facts, Planner& 
         if (!on || !lit || shining.empty()) continue;
         plan.lights.insert(plan.lights.end(), shining.begin(), shining.end());
         // A directional light is the same in all lanes: there is nothing to write.
-        if (kind != scene::LightKind::directional) planner.stage("light", name_of(kind));
+        if (kind == scene::LightKind::directional) continue;
+        if (shading.needs.corners)
+            plan.corner_lights.push_back(planner.called("light", name_of(kind), {}));
+        else
+            planner.stage("light", name_of(kind));
     }
+}
+
+// Which model reflects on each kind of surface.
+Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                             const shade::Stage& shading) {
+    const std::string& asked = plan.options.reflection;
+    TRY(const std::string glossy, choose("reflection", asked, "blinn_phong"));
+    TRY(const std::string physical, choose("reflection", asked, "ggx"));
+    const std::size_t shiny = facts.specular_triangles, rough = facts.physical_triangles;
+    const bool highlight = planner.effect(
+        "highlight",
+        rough == 0 || glossy == physical ? glossy
+        : rough == shiny                 ? physical
+                                         : glossy + " and " + physical,
+        shiny > 0 && glossy != "lambert",
+        fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0{})", shiny,
+                    facts.triangles,
+                    rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
+    // Each model that some surface has, once; lines and points go the way of the matt ones.
+    const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
+        const shade::Stage*& model = plan.reflection[static_cast<std::size_t>(surface)];
+        model = shade::find_stage("reflection", name);
+        CHECK(model != nullptr);
+        const auto& ran = plan.techniques;
+        if (!used || std::find(ran.begin(), ran.end(), &model->card) != ran.end()) return;
+        planner.called("reflection", name,
+                       shading.needs.corners ? shade::Attributes{} : model->needs);
+    };
+    use(scene::Surface::matt, "lambert", shiny < facts.triangles || facts.triangles == 0);
+    use(scene::Surface::glossy, highlight ? glossy : "lambert", shiny > rough);
+    use(scene::Surface::physical, highlight ? physical : "lambert", rough > 0);
+    return {};
+}
+
+// Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
+// the one that the eye sees.
+void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const MeshSides& sides = facts.sides;
+    const Cull cull = plan.options.cull;
+    bool needed = facts.triangles > 0;
+    std::string because;
+    if (!needed) {
+        because = "nothing is lit: there are no triangles";
+    } else if (sides.leaning > 0) {
+        because = fmt::format("{} of {} triangles have a normal that leans to their back",
+                              sides.leaning, facts.triangles);
+    } else if (cull == Cull::front) {
+        because = "backs alone are drawn (--cull front)";
+    } else if (cull == Cull::back) {
+        needed = false;
+        because = "backs are left out (--cull back)";
+    } else if (facts.alpha.see_through_triangles() > 0) {
+        because = fmt::format("backs show through {} of {} triangles that are not opaque",
+                              facts.alpha.see_through_triangles(), facts.triangles);
+    } else if (!sides.closed) {
+        because = "the mesh has open edges: backs can be seen";
+    } else if (!sides.outward) {
+        because = "the mesh is closed, but wound inside out";
+    } else {
+        needed = false;
+        because = "the mesh is closed and its normals point outwards: no back can be seen";
+    }
+    const bool on = planner.effect("two_sided", "on", needed, std::move(because));
+    plan.sides = needed && !on       ? shade::Sides::file
+                 : sides.leaning > 0 ? shade::Sides::eye
+                                     : shade::Sides::face;
+}
+
+// Lights, sides, reflection, and how often they are evaluated.
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.shading;
+    TRY(const std::string name, choose("shading", asked, "per_pixel"));
+    const shade::Stage* shading = shade::find_stage("shading", name);
+    CHECK(shading != nullptr);
+    plan_lights(planner, plan, facts, *shading);
+    plan_sides(planner, plan, facts);
+    TRY_VOID(plan_reflection(planner, plan, facts, *shading));
+    planner.choice("shading", facts.triangles > 0 ? name : "off",
+                   facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
+                                       : "nothing is lit: there are no triangles",
+                   facts.triangles > 0, asked != "auto");
+    planner.stage("shading", name);
+    plan.corner_normals = name == "gouraud" || name == "per_pixel_raw";
+    return {};
 }
 
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
-        if (plan.decision(name) != nullptr) continue;
+        const Decision* row = plan.decision(name);
+        if (row != nullptr && !row->choice) continue;
+        if (row != nullptr)
+            return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{0} NAME", name,
+                        on ? "on" : "off");
         std::string known;
         for (const Decision& d : plan.decisions)
-            known += " " + d.effect;
+            if (!d.choice) known += " " + d.effect;
         return fail(Exit::usage, "--effect {}={}: there is no such effect; choose one of{}", name,
                     on ? "on" : "off", known);
     }
@@ -139,12 +247,12 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         return fail(Exit::usage, "--alpha-cut {}: choose 0 to 1", o.alpha_cut);
     const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
     const bool blends = a.blended_triangles > 0;
-    const bool cut = planner.effect(
-        "cut_out", cut_name, cuts,
-        cuts ? fmt::format("{} have alpha 0 in places, and else 1",
-                           part(a.cut_out_materials + a.unseen_materials,
-                                a.cut_out_triangles + a.unseen_triangles, facts))
-             : "no triangle's alpha is 0 anywhere without being between 0 and 1 elsewhere");
+    const bool cut =
+        planner.effect("cut_out", cut_name, cuts,
+                       cuts ? fmt::format("{} have alpha 0 in places, and else 1",
+                                          part(a.cut_out_materials + a.unseen_materials,
+                                               a.cut_out_triangles + a.unseen_triangles, facts))
+                            : "no triangle has alpha 0 in places, and else 1");
     const bool blend = planner.effect(
         "blending", blend_name, blends,
         blends ? fmt::format("{} have alpha between 0 and 1, d from {}",
@@ -208,22 +316,14 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
         planner.stage("map", "diffuse");
     }
 
-    plan_lights(options, facts, planner, plan);
-
-    const bool shiny = facts.specular_triangles > 0;
-    TRY(const std::string model, choose("reflection", options.reflection, "blinn_phong"));
-    const bool highlight =
-        planner.effect("highlight", model, shiny && model != "lambert",
-                       fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0)",
-                                   facts.specular_triangles, facts.triangles));
-    planner.stage("reflection", highlight ? model : "lambert");
+    TRY_VOID(plan_light(planner, plan, facts));
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts, filter));
     if (facts.triangles == 0)
-        plan.attributes.normal = plan.attributes.uv = false; // lines and points are unlit
+        plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));
     return plan;
 }

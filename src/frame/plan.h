@@ -8,6 +8,7 @@
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,7 @@ struct Decision {
     std::string because;   // "30 of 40 triangles have a readable map_Kd"
     bool needed = false;   // the scene calls for it
     bool forced = false;   // the user decided
+    bool choice = false;   // an axis with an option of its own, not an effect
     bool on() const { return technique != "off"; }
     friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -42,12 +44,18 @@ struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does.
     std::vector<const Technique*> techniques;
-    // The stages of a block, in order: interpolation first, reflection last.
+    // The stages of a block, in order: interpolation first, shading last.
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;          // what has to be fetched for a block
     const shade::Filter* filter = nullptr; // how maps are read; null where none is
     std::vector<scene::Light> lights;      // those that reach something
     TransparencyPlan transparency;
+    // How each kind of surface reflects: what the shading stage, the last of `stages`, calls.
+    std::array<const shade::Stage*, scene::kSurfaces> reflection{};
+    // Where light is not evaluated at pixels: the light stages that run over vertices or faces.
+    std::vector<const shade::Stage*> corner_lights;
+    bool corner_normals = false;
+    shade::Sides sides = shade::Sides::eye;
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none

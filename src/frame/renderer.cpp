@@ -84,6 +84,10 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.orthographic = view.projection == scene::Projection::orthographic;
     frame.attributes = plan.attributes;
     frame.filter = plan.filter;
+    frame.reflection = plan.reflection;
+    frame.sides = plan.sides;
+    frame.corner_normals = plan.corner_normals;
+    frame.corner_lights = plan.corner_lights;
     lights.describe(frame);
     return frame;
 }

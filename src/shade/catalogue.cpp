@@ -21,6 +21,9 @@ SCANOUT_LIGHT(SCANOUT_DECLARE)
 namespace reflection {
 SCANOUT_REFLECTION(SCANOUT_DECLARE)
 }
+namespace shading {
+SCANOUT_SHADING(SCANOUT_DECLARE)
+}
 #undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Filter name;
 namespace texture {
@@ -46,6 +49,9 @@ std::span<const Stage* const> stages() {
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
                     SCANOUT_REFLECTION(SCANOUT_ROW)
+#undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &shading::name,
+                        SCANOUT_SHADING(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;

@@ -1,6 +1,7 @@
 #include "shade/gather.h"
 
 #include "shade/check_lanes.h"
+#include "shade/corner_light.h"
 #include "shade/layers.h"
 #include "shade/primitives.h"
 #include "shade/tile_runs.h"
@@ -314,6 +315,10 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
     sums_.reset(shared_.size());
     Block& b = *block_;
     b.ambient = Vec3(0);
+    if (in.frame->attributes.corners && corners_ == nullptr) {
+        corners_ = std::make_unique<CornerLight>();
+        b.corners = corners_.get();
+    }
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     std::uint64_t lanes = 0;
     for (std::size_t i = 0; i < fragments_.size(); ++i) {
@@ -322,6 +327,8 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
             finish_block(tile, in, picture);
             b.lit = f.lit;
             b.material = &in.material(f.material);
+            const auto surface = f.lit ? surface_of(*b.material) : scene::Surface::matt;
+            b.model = in.frame->reflection[static_cast<std::size_t>(surface)];
             bind_maps(b, in);
         }
         for (int done = 0; done < f.count;) {

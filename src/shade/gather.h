@@ -93,7 +93,8 @@ private:
     std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
-    struct Piece; // lanes of a block that one fragment fills
+    std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
+    struct Piece;                          // lanes of a block that one fragment fills
     std::vector<Piece> pieces_;
     PixelSums sums_; // of the pixels in shared_
     std::vector<std::uint16_t> shared_;

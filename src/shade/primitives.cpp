@@ -1,6 +1,7 @@
 #include "shade/primitives.h"
 
 #include "base/check.h"
+#include "math/rotation.h"
 #include "raster/clip.h"
 
 #include <algorithm>
@@ -34,13 +35,42 @@ void set_positions(Primitive& p, const GatherInput& in, const Corners& v) {
     }
 }
 
-void set_attributes(Primitive& p, const GatherInput& in, const Corners& v) {
+// Each vertex's own, unit and in view space, on the side that the frame's `sides` choose.
+void set_corner_normals(Primitive& p, const GatherInput& in, const Corners& v, bool behind) {
+    const auto& m = in.frame->normal_matrix;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DVec3 own(in.mesh->normal[v[k]]), facing(p.facing[0], p.facing[1], p.facing[2]);
+        const Sides sides = in.frame->sides;
+        const bool turn =
+            sides == Sides::eye ? dot3(own, facing) < 0 : sides == Sides::face && behind;
+        const DVec3 n = turn ? -own : own;
+        DVec3 seen;
+        for (int r = 0; r < 3; ++r)
+            seen[r] = (m[r][0] * n.x + m[r][1] * n.y) + m[r][2] * n.z;
+        seen = normalized(seen);
+        for (int c = 0; c < 3; ++c)
+            p.normal[c][k] = static_cast<float>(seen[c]);
+    }
+}
+
+// The eye sees the side from which the vertices wind clockwise: in the order of `v`, and in the
+// file's.
+struct Behind {
+    bool of_order, of_file;
+};
+void set_attributes(Primitive& p, const GatherInput& in, const Corners& v, Behind behind) {
     const geom::Mesh& mesh = *in.mesh;
-    const Attributes wanted = in.frame->attributes;
-    if (wanted.position) set_positions(p, in, v);
+    const FrameState& frame = *in.frame;
+    const Attributes wanted = frame.attributes;
+    if (frame.sides == Sides::eye || wanted.corners)
+        set_facing(p, mesh, v, behind.of_order != (frame.sides == Sides::file && behind.of_file));
+    if (wanted.position || wanted.corners) set_positions(p, in, v);
+    const bool own_normals = wanted.normal && !frame.corner_normals;
+    if (frame.corner_normals) set_corner_normals(p, in, v, behind.of_file);
+    const float side = frame.sides == Sides::face && behind.of_file ? -1.0F : 1.0F;
     for (std::size_t k = 0; k < 3; ++k) {
         for (int c = 0; c < 3; ++c) {
-            if (wanted.normal) p.normal[c][k] = mesh.normal[v[k]][c];
+            if (own_normals) p.normal[c][k] = mesh.normal[v[k]][c] * side;
             if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
         }
         if (wanted.uv) {
@@ -50,10 +80,15 @@ void set_attributes(Primitive& p, const GatherInput& in, const Corners& v) {
     }
 }
 
-// From the snapped edge functions. Returns whether the vertices wind clockwise in the order that
-// now holds, seen in object space, which a mirrored view turns round.
-bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 3>& corner,
-               bool perspective) {
+// How a triangle's vertices wind in canonical order, seen in object space, which a mirrored view
+// turns round; and whether that order turns the file's round.
+struct Winding {
+    bool clockwise, reordered;
+};
+
+// From the snapped edge functions.
+Winding set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 3>& corner,
+                  bool perspective) {
     const std::optional<raster::SetUp> t = raster::set_up(corner, p.id);
     CHECK(t); // what is visible has an area
     const raster::Edges edges = raster::edges_of(t->triangle);
@@ -67,11 +102,11 @@ bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 
         p.c[k] = static_cast<double>(edges.c[k]);
         p.least[k] = static_cast<double>(-edges.bias[k]);
     }
-    return !t->triangle.flipped;
+    return {!t->triangle.flipped, t->order.odd};
 }
 
 // From the whole triangle before the clip, so that no attribute is ever clipped.
-bool set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
+Winding set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
     const auto clip_vertex = [&](std::size_t k) {
         return in.transform->to_clip(in.mesh->position[v[k]]);
     };
@@ -86,7 +121,7 @@ bool set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
         p.c[k] = t.row[k].z;
         p.least[k] = 0;
     }
-    return t.clockwise;
+    return {t.clockwise, t.order.odd};
 }
 
 } // namespace
@@ -113,10 +148,10 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     const std::array<raster::ScreenVertex, 3> corner = {vertices[v[0]], vertices[v[1]],
                                                         vertices[v[2]]};
     p.clipped = !(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen());
-    const bool clockwise =
+    const Winding winds =
         p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
-    set_facing(p, mesh, v, clockwise != in.mirrored);
-    set_attributes(p, in, v);
+    const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
+    set_attributes(p, in, v, {behind, behind != winds.reordered});
     return p;
 }
 

@@ -8,6 +8,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -24,10 +25,11 @@ inline constexpr int kRoom = kLanes + 16;
 // What a stage reads: vertex attributes, and the ray from the eye.
 struct Attributes {
     bool normal = false, uv = false, colour = false, ray = false, position = false;
+    bool corners = false; // normals and positions of the vertices; no lane needs its own
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray,
-            a.position || b.position};
+    return {a.normal || b.normal,     a.uv || b.uv,          a.colour || b.colour, a.ray || b.ray,
+            a.position || b.position, a.corners || b.corners};
 }
 
 // What all lanes of one triangle share, its vertices in canonical order.
@@ -42,9 +44,10 @@ struct Primitive {
     bool clipped;
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
-    // Of the three vertices; only what the frame's stages read.
-    float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
-    float position[3][3];                       // view space, times scene::to_floats
+    // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
+    // object space, or unit in view space where the frame says corner_normals.
+    float normal[3][3], uv[2][3], colour[3][3];
+    float position[3][3]; // view space, times scene::to_floats
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -79,9 +82,13 @@ struct LightLanes {
     alignas(64) float colour[3][kRoom];  // what arrives: linear
 };
 
+struct Stage;
+struct CornerLight;
+
 struct Block {
     int count = 0; // live lanes
     const scene::Material* material = nullptr;
+    const Stage* model = nullptr; // how the material reflects
     BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
@@ -91,6 +98,9 @@ struct Block {
     alignas(64) std::int32_t x[kRoom],
         y[kRoom]; // the sample that stands for the pixel, 1/256 pixel
     alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
+    // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
+    const float (*eye)[kRoom] = nullptr;
+    CornerLight* corners = nullptr; // room for the stages that light vertices or faces
 
     // Written by the interpolation stage.
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
@@ -116,6 +126,13 @@ struct Block {
 
 struct Filter;
 
+// Which side of a face its normals light.
+enum class Sides : std::uint8_t {
+    eye,  // the one that the eye sees, decided at every lane
+    face, // the same where all normals of a face lie on one side of it: decided once a face
+    file  // the one that the file's normals point to
+};
+
 // What all blocks of a frame share.
 struct FrameState {
     float normal_matrix[3][3] = {};           // object -> view, row major
@@ -127,6 +144,10 @@ struct FrameState {
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
+    Sides sides = Sides::eye;
+    bool corner_normals = false;                 // vertices' normals are unit, in view space
+    std::span<const Stage* const> corner_lights; // the light stages that run over vertices
 };
 
 struct Stage {

@@ -37,21 +37,21 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     SceneFacts facts;
     facts.triangles = 10;
     EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "light ambient", "reflection lambert"));
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
     EXPECT_FALSE(plan_of(facts).attributes.uv);
     EXPECT_FALSE(plan_of(facts).attributes.colour);
     EXPECT_TRUE(plan_of(facts).attributes.normal);
     facts.textured_triangles = 3;
     facts.uv = true;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
-                                                    "light ambient", "reflection lambert"));
+                                                    "light ambient", "shading per_pixel"));
     EXPECT_THAT(techniques(plan_of(facts)),
                 ElementsAre("interpolate perspective", "texture bilinear", "map diffuse",
-                            "light ambient", "reflection lambert"));
+                            "light ambient", "reflection lambert", "shading per_pixel"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
-                                                    "light ambient", "reflection blinn_phong"));
+                                                    "light ambient", "shading per_pixel"));
     facts.vertex_colours = true;
     EXPECT_TRUE(plan_of(facts).attributes.colour);
     // Lines and points are unlit: nothing is fetched for them but their colour.
@@ -82,8 +82,57 @@ TEST(Plan, RunsWhatTheUserNames) {
     options.reflection = "lambert";
     EXPECT_THAT(stages(plan_of(facts, options)),
                 ElementsAre("interpolate perspective", "map diffuse", "light ambient",
-                            "reflection lambert"));
+                            "shading per_pixel"));
     EXPECT_EQ(plan_of(facts, options).filter, shade::find_filter("nearest"));
+}
+
+TEST(Plan, ChoosesAModelForEachKindOfSurface) {
+    const auto models = [](const SceneFacts& facts, const std::string& asked = "auto") {
+        FrameOptions options;
+        options.reflection = asked;
+        std::vector<std::string> names;
+        for (const shade::Stage* model : plan_of(facts, options).reflection)
+            names.emplace_back(model->card.name);
+        return names;
+    };
+    SceneFacts facts;
+    facts.triangles = 10;
+    facts.specular_triangles = 7;
+    facts.physical_triangles = 3;
+    EXPECT_THAT(models(facts), ElementsAre("lambert", "blinn_phong", "ggx"));
+    EXPECT_THAT(models(facts, "phong"), ElementsAre("lambert", "phong", "phong"));
+    EXPECT_THAT(models(facts, "lambert"), ElementsAre("lambert", "lambert", "lambert"));
+    EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "blinn_phong and ggx");
+    EXPECT_THAT(techniques(plan_of(facts)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
+                            "reflection blinn_phong", "reflection ggx", "shading per_pixel"));
+    FrameOptions off;
+    off.effects["highlight"] = false;
+    EXPECT_THAT(techniques(plan_of(facts, off)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
+                            "shading per_pixel"));
+    EXPECT_FALSE(plan_of(facts, off).attributes.ray);
+    facts.specular_triangles = facts.physical_triangles = 10;
+    EXPECT_THAT(techniques(plan_of(facts)), ElementsAre("interpolate perspective", "light ambient",
+                                                        "reflection ggx", "shading per_pixel"));
+    EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "ggx");
+    EXPECT_TRUE(plan_of(facts).attributes.ray);
+    // Forced on where nothing has one, it runs nowhere.
+    SceneFacts matt;
+    matt.triangles = 10;
+    FrameOptions on;
+    on.effects["highlight"] = true;
+    EXPECT_FALSE(plan_of(matt, on).attributes.ray);
+}
+
+TEST(Plan, AnAxisIsNoEffect) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    FrameOptions options;
+    options.effects["shading"] = false;
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("say --shading NAME"));
 }
 
 TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
@@ -104,22 +153,22 @@ TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
     add(scene::LightKind::point, 1);
     EXPECT_THAT(stages(plan_of(facts, options)),
                 ElementsAre("interpolate perspective", "light ambient", "light point", "light spot",
-                            "reflection lambert"));
+                            "shading per_pixel"));
     EXPECT_TRUE(plan_of(facts, options).attributes.position);
     EXPECT_THAT(plan_of(facts, options).decision("directional_light")->because,
                 HasSubstr("3 lights: key, fill, directional"));
     options.effects = {{"point_light", false}, {"spot_light", false}, {"ambient_light", false}};
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
     EXPECT_TRUE(plan_of(facts, options).decision("point_light")->forced);
     options.lights.clear();
     options.effects = {{"point_light", true}, {"spot_light", true}, {"ambient_light", true}};
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
     SceneFacts wires;
     wires.lines = 5;
     EXPECT_THAT(stages(plan_of(wires)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
 }
 
 TEST(Plan, GivesAReasonForEveryDecision) {
@@ -159,7 +208,7 @@ TEST(Plan, TheUserForcesAnEffectOnOrOff) {
     EXPECT_FALSE(forced.attributes.colour); // there is nothing to fetch
     EXPECT_FALSE(forced.attributes.uv);
     EXPECT_THAT(stages(forced),
-                ElementsAre("interpolate perspective", "light ambient", "reflection blinn_phong"));
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
     options.effects = {{"fog", true}};
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);
@@ -196,7 +245,7 @@ TEST(Plan, RefusesWhatDoesNotExist) {
     EXPECT_THAT(texture, HasSubstr("trilinear"));
     EXPECT_THAT(texture, HasSubstr("bilinear"));
     EXPECT_THAT(texture, HasSubstr("nearest"));
-    const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "phong"; });
+    const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "mirror"; });
     EXPECT_THAT(reflection, HasSubstr("blinn_phong"));
     // A technique of another axis is none of this one.
     EXPECT_NE(refusal([](FrameOptions& o) { o.texture = "lambert"; }), "accepted");

@@ -67,6 +67,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
         {"cull", {"none", "back", "front"}}};
 #undef SCANOUT_NAME

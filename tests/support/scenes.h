@@ -61,6 +61,20 @@ inline Shot glossy(std::string name, const std::string& reflection) {
     return s;
 }
 
+// A coarse ball in the light of a lamp.
+inline Shot ball(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.3F, 0.5F, 0.3F}, Vec3(0.8F), 30)};
+    add_sphere(s.scene.mesh, Vec3(0), 0.95F, 12, 6, 0);
+    s.scene.mesh.uv.clear();
+    scene::Light lamp;
+    lamp.name = "lamp";
+    lamp.kind = scene::LightKind::point;
+    lamp.position = {0.8, 1.2, 2};
+    s.options.lights.push_back(lamp);
+    return s;
+}
+
 // A ball and a box on a floor in the world's light, seen from above.
 inline Shot stage(std::string name, const std::vector<scene::Light>& lights) {
     Shot s = shot(std::move(name));
@@ -156,8 +170,17 @@ inline std::vector<Shot> golden_shots() {
          {scene::LightKind::directional, scene::LightKind::point, scene::LightKind::spot})
         shots.push_back(
             stage("light_" + std::string(name_of(kind)), {light_of(kind, 0.9), ambient}));
-    shots.push_back(glossy("reflection_lambert", "lambert"));
-    shots.push_back(glossy("reflection_blinn_phong", "blinn_phong"));
+    for (const char* model : {"lambert", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"})
+        shots.push_back(glossy(std::string("reflection_") + model, model));
+    shots.push_back(glossy("physical", "auto"));
+    shots.back().scene.materials[0].roughness = 0.45F;
+    shots.back().scene.materials[0].metalness = 0.8F;
+    for (const char* rung : {"flat", "gouraud", "per_pixel_raw", "per_pixel"}) {
+        shots.push_back(ball(std::string("shading_") + rung));
+        shots.back().options.shading = rung;
+    }
+    shots.push_back(bowl("two_sided_off", frame::Cull::none));
+    shots.back().options.effects["two_sided"] = false;
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.
     shots.push_back(near_clip("interpolate_perspective"));
     shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);

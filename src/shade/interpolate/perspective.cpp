@@ -8,56 +8,32 @@
 #define SIMD_FILE "shade/interpolate/perspective.cpp"
 #include "simd/for_each_target.h"
 
+#include "shade/interpolate/weights-inl.h"
+
 SIMD_BEGIN(scanout::shade::interpolate)
 
-// Of vertices 1 and 2; vertex 0 has the rest.
-struct Weights {
-    F32x8 one, two;
-};
+// How a frame wants its normals.
+enum class Normals { turned, unit, raw };
 
-HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
-    const auto weight = [&](int k) {
-        return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
-    };
-    F64x8 b0 = weight(0), b1 = weight(1), b2 = weight(2);
-    if (t.clipped) {
-        // The snapped edge may lie a little further out than the exact one. A common factor brings
-        // the weights into the range of a float.
-        const F64x8 zero = 0.0;
-        b0 = maximum(b0, zero);
-        b1 = maximum(b1, zero);
-        b2 = maximum(b2, zero);
-        const F64x8 largest = maximum(maximum(b0, b1), b2);
-        const auto some = largest > zero;
-        const F64x8 divisor = select(some, largest, F64x8(1.0));
-        b0 = select(some, b0 / divisor, F64x8(1.0));
-        b1 = select(some, b1 / divisor, F64x8(1.0));
-        b2 = select(some, b2 / divisor, F64x8(1.0));
-    }
-    const F32x8 p0 = to_f32(b0) * F32x8(t.inverse_w[0]);
-    const F32x8 p1 = to_f32(b1) * F32x8(t.inverse_w[1]);
-    const F32x8 p2 = to_f32(b2) * F32x8(t.inverse_w[2]);
-    const F32x8 sum = (p0 + p1) + p2;
-    return {p1 / sum, p2 / sum};
-}
-
-HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
-    const F32x8 f0 = vertex[0], f1 = vertex[1], f2 = vertex[2];
-    const F32x8 f = f0 + (w.one * (f1 - f0) + w.two * (f2 - f0));
-    const F32x8 low = minimum(minimum(f0, f1), f2), high = maximum(maximum(f0, f1), f2);
-    return minimum(maximum(f, low), high);
-}
-
-// Unit normals in view space.
+// In view space. turned: the side that the eye sees is lit, whichever way the file wound it or its
+// normals. raw: as the vertices' unit normals mix, shorter between them.
+template <Normals kNormals>
 HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weights& w, float* to_x,
                         float* to_y, float* to_z) {
     F32x8 n[3] = {mix(w, t.normal[0]), mix(w, t.normal[1]), mix(w, t.normal[2])};
-    // The side that the eye sees is lit, whichever way the file wound it or its normals.
-    const F32x8 side =
-        (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
-    const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
-    for (F32x8& component : n)
-        component = component * sign;
+    if constexpr (kNormals == Normals::raw) {
+        store(n[0], to_x);
+        store(n[1], to_y);
+        store(n[2], to_z);
+        return;
+    }
+    if constexpr (kNormals == Normals::turned) {
+        const F32x8 side =
+            (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
+        const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
+        for (F32x8& component : n)
+            component = component * sign;
+    }
     const auto row = [&](int r) {
         const auto& m = frame.normal_matrix[r];
         return (F32x8(m[0]) * n[0] + F32x8(m[1]) * n[1]) + F32x8(m[2]) * n[2];
@@ -71,7 +47,7 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
     store(select(usable, z * scale, F32x8(1.0F)), to_z);
 }
 
-template <bool kPosition>
+template <Normals kNormals, bool kPosition>
 HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     const bool normal = frame.attributes.normal, colour = frame.attributes.colour;
     const bool uv = frame.attributes.uv && any_map(b);
@@ -81,7 +57,8 @@ HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
             const Weights w =
                 weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)));
-            if (normal) normals(t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
+            if (normal)
+                normals<kNormals>(t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
             if (uv) {
                 store(mix(w, t.uv[0]), b.u + i);
                 store(mix(w, t.uv[1]), b.v + i);
@@ -97,12 +74,22 @@ HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     }
 }
 
+template <bool kPosition>
+HWY_INLINE void interpolate_normals(Block& b, const FrameState& frame) {
+    if (frame.corner_normals)
+        interpolate<Normals::raw, kPosition>(b, frame);
+    else if (frame.sides == Sides::eye)
+        interpolate<Normals::turned, kPosition>(b, frame);
+    else
+        interpolate<Normals::unit, kPosition>(b, frame);
+}
+
 void perspective_run(Block& b, const FrameState& frame) {
     if (!b.lit) return;
     if (frame.attributes.position)
-        interpolate<true>(b, frame);
+        interpolate_normals<true>(b, frame);
     else
-        interpolate<false>(b, frame);
+        interpolate_normals<false>(b, frame);
 }
 
 SIMD_END
