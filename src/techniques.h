@@ -6,6 +6,7 @@
 #define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
 #define SCANOUT_MAP(X) X(diffuse) X(opacity)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
+#define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
 #define SCANOUT_REFLECTION(X) X(lambert) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
 #define SCANOUT_TRANSPARENCY(X) X(cut_out) X(sorted) X(exact)

@@ -190,6 +190,16 @@ const std::array kOptions = std::to_array<Option>({
     {"shading", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.shading; }),
      "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)"},
+    {"shadow", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.shadow; }),
+     "how lights that cast throw shadows (`list techniques`); auto: map_soft where one has a size, "
+     "else map_pcf"},
+    {"shadow-size", 0, "N", "", "1024", frame::kLeastShadowSize, frame::kMostShadowSize,
+     Group::picture, kDraw, Integer([](Settings& s) -> int& { return s.frame.shadow_size; }),
+     "texels a side of a shadow map; a point light inside the model has six of half that"},
+    {"shadow-filter", 0, "N", "", "3", 1, frame::kMostShadowFilter, Group::picture, kDraw,
+     Integer([](Settings& s) -> int& { return s.frame.shadow_filter; }),
+     "texels a side that map_pcf asks"},
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
      "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "
      "ambient:POWER, "

@@ -1,5 +1,9 @@
 #include "frame/facts.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace scanout::frame {
 namespace {
 
@@ -36,6 +40,54 @@ private:
 
 } // namespace
 
+namespace {
+
+constexpr float kFlat = 0x1p-16F; // bounding radii: so far off is still in the plane
+
+bool lies_in(const geom::Mesh& mesh, std::size_t triangle, int axis, float at) {
+    for (std::size_t k = 0; k < 3; ++k)
+        if (std::abs(mesh.position[mesh.index[triangle * 3 + k]][axis] - at) > kFlat) return false;
+    return true;
+}
+
+} // namespace
+
+Ground ground(const geom::Mesh& mesh) {
+    Vec3 low(INFINITY), high(-INFINITY);
+    for (const std::uint32_t v : mesh.index) {
+        for (int c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], mesh.position[v][c]);
+            high[c] = std::max(high[c], mesh.position[v][c]);
+        }
+    }
+    // Of equal sides that which is the floor where y is up, then where z is.
+    std::array<Ground, 6> sides;
+    std::array<std::int64_t, 6> area{}; // whole numbers: no order of triangles changes the sum
+    for (std::size_t k = 0; k < 6; ++k) {
+        const int axis = std::array{1, 2, 0}[k % 3];
+        sides[k] = {axis, k > 2, k > 2 ? high[axis] : low[axis], 0};
+    }
+    for (std::size_t i = 0; i < mesh.triangles(); ++i) {
+        for (std::size_t k = 0; k < 6; ++k) {
+            if (!lies_in(mesh, i, sides[k].axis, sides[k].at)) continue;
+            const DVec3 a(mesh.position[mesh.index[i * 3]]),
+                b(mesh.position[mesh.index[i * 3 + 1]]), c(mesh.position[mesh.index[i * 3 + 2]]);
+            area[k] +=
+                static_cast<std::int64_t>(std::abs(cross3(b - a, c - a)[sides[k].axis]) * 0x1p30);
+            ++sides[k].triangles;
+        }
+    }
+    const auto best = std::max_element(area.begin(), area.end());
+    return *best > 0 ? sides[static_cast<std::size_t>(best - area.begin())] : Ground();
+}
+
+std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground) {
+    std::vector<std::uint8_t> in(mesh.triangles(), 0);
+    for (std::size_t i = 0; i < in.size() && ground.triangles > 0; ++i)
+        in[i] = lies_in(mesh, i, ground.axis, ground.at) ? 1 : 0;
+    return in;
+}
+
 SceneFacts facts(const scene::Scene& scene) {
     SceneFacts facts;
     const geom::Mesh& mesh = scene.mesh;
@@ -44,6 +96,7 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.points = mesh.points();
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
+    facts.ground = ground(mesh);
     const Census census(scene);
     facts.textured_triangles = census.count(facts, "texture", [&](const scene::Material& m) {
         return m.map_diffuse.texture >= 0 && facts.uv;

@@ -17,6 +17,19 @@ namespace scanout::frame {
 // Materials by index. Primitives without a material count as one of their own, the last.
 using MaterialSet = std::vector<bool>;
 
+// The side of the model's box, along the file's axes, that holds the largest flat area: the floor
+// of most scenes, whichever axis is up. Mesh coordinates.
+struct Ground {
+    int axis = 0;
+    bool high = false; // the greatest coordinate, else the least
+    float at = 0;
+    std::size_t triangles = 0; // that lie in it; 0: there is none
+    friend bool operator==(const Ground&, const Ground&) = default;
+};
+Ground ground(const geom::Mesh& mesh);
+// By triangle: 1 where it lies in the ground.
+std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground);
+
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
     std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
@@ -26,6 +39,7 @@ struct SceneFacts {
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    Ground ground;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

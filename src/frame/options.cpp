@@ -8,6 +8,7 @@ std::string* asked(FrameOptions& o, std::string_view axis) {
     const std::pair<std::string_view, std::string*> axes[] = {{"texture", &o.texture},
                                                               {"reflection", &o.reflection},
                                                               {"shading", &o.shading},
+                                                              {"shadow", &o.shadow},
                                                               {"transparency", &o.transparency}};
     for (const auto& [name, technique] : axes)
         if (name == axis) return technique;

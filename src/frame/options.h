@@ -25,6 +25,9 @@ struct FrameOptions {
     std::string texture = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
+    std::string shadow = "auto";
+    int shadow_size = 1024; // texels a side of a shadow map
+    int shadow_filter = 3;  // texels a side that a filtered shadow asks
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     std::string transparency = "auto";
     double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
@@ -36,6 +39,7 @@ struct FrameOptions {
 // Where the name of the technique on an axis stands; null for an axis without an option.
 std::string* asked(FrameOptions& options, std::string_view axis);
 
+inline constexpr int kLeastShadowSize = 64, kMostShadowSize = 8192, kMostShadowFilter = 15;
 inline constexpr int kMaxSide = 16384;
 
 } // namespace scanout::frame

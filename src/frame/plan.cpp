@@ -31,6 +31,12 @@ Result<void> check_numbers(const FrameOptions& o) {
     if (o.lights.size() > scene::kMostLights)
         return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
                     scene::kMostLights);
+    if (o.shadow_size < kLeastShadowSize || o.shadow_size > kMostShadowSize)
+        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
+                    kLeastShadowSize, kMostShadowSize);
+    if (o.shadow_filter < 1 || o.shadow_filter > kMostShadowFilter)
+        return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
+                    kMostShadowFilter);
     return {};
 }
 
@@ -79,10 +85,15 @@ public:
     // A stage that another one calls; it reads `needs` of every lane.
     const shade::Stage* called(std::string_view axis, std::string_view name,
                                shade::Attributes needs) {
+        const shade::Stage* found = technique(axis, name);
+        plan_.attributes = plan_.attributes | needs;
+        return found;
+    }
+    // It runs without a stage.
+    const shade::Stage* technique(std::string_view axis, std::string_view name) {
         const shade::Stage* found = shade::find_stage(axis, name);
         CHECK(found != nullptr);
         plan_.techniques.push_back(&found->card);
-        plan_.attributes = plan_.attributes | needs;
         return found;
     }
     void filter(std::string_view name) {
@@ -195,6 +206,49 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
                                      : shade::Sides::face;
 }
 
+// Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
+// a point are sharp, and the filtered map is the cheapest that shows no steps.
+Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                          const shade::Stage& shading) {
+    std::string names;
+    int casting = 0, sized = 0;
+    bool directional = false;
+    for (const scene::Light& light : plan.lights) {
+        if (!light.casts || light.kind == scene::LightKind::ambient) continue;
+        names += (names.empty() ? "" : ", ") + light.name;
+        ++casting;
+        sized += light.size > 0 ? 1 : 0;
+        directional = directional || light.kind == scene::LightKind::directional;
+    }
+    TRY(const std::string name,
+        choose("shadow", plan.options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
+    const bool floor = name != "projected" || facts.ground.triangles > 0;
+    const bool at_pixels = name == "attached" || !shading.needs.corners;
+    std::string because =
+        facts.triangles == 0 ? "nothing is lit: there are no triangles"
+        : casting == 0       ? "no light that reaches anything casts shadows"
+        : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
+                                           shading.card.name)
+        : !floor
+            ? "no triangle lies flat on a side of the model's box, to project shadows onto"
+            : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
+    const bool possible = casting > 0 && facts.triangles > 0 && floor && at_pixels;
+    if (possible && sized > 0) because += fmt::format("; {} with a size", sized);
+    if (possible && facts.alpha.blended_triangles > 0)
+        because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
+    if (!planner.effect("shadow", name, possible, std::move(because)) || !possible) return {};
+    if (name == "attached") {
+        planner.technique("shadow", name);
+        return {};
+    }
+    // A directional light now differs from lane to lane, too.
+    if (directional) planner.stage("light", "directional");
+    planner.stage("shadow", name);
+    plan.shadow.stage = plan.stages.back();
+    plan.shadow.ground = facts.ground;
+    return {};
+}
+
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.shading;
@@ -204,6 +258,7 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     plan_lights(planner, plan, facts, *shading);
     plan_sides(planner, plan, facts);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
+    TRY_VOID(plan_shadows(planner, plan, facts, *shading));
     planner.choice("shading", facts.triangles > 0 ? name : "off",
                    facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
                                        : "nothing is lit: there are no triangles",
@@ -296,6 +351,24 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     return {};
 }
 
+// What is blended throws no shadow: what comes through it would have to be tinted.
+void plan_casters(FramePlan& plan, const SceneFacts& facts) {
+    if (plan.shadow.stage == nullptr) return;
+    const std::vector<raster::Layer>& layers = plan.transparency.layers;
+    bool all = true;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const AlphaClass alpha = facts.alpha.of_material[i];
+        raster::Layer layer = layers[i];
+        if (layer == raster::Layer::blended)
+            layer = alpha == AlphaClass::opaque    ? raster::Layer::opaque
+                    : alpha == AlphaClass::cut_out ? raster::Layer::cut_out
+                                                   : raster::Layer::nothing;
+        all = all && layer == raster::Layer::opaque;
+        plan.shadow.casters.push_back(layer);
+    }
+    if (all) plan.shadow.casters.clear();
+}
+
 } // namespace
 
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
@@ -322,6 +395,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts, filter));
+    plan_casters(plan, facts);
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

@@ -40,6 +40,15 @@ struct TransparencyPlan {
     const shade::Filter* filter = nullptr;
 };
 
+// What throws shadows, and how.
+struct ShadowPlan {
+    const shade::Stage* stage = nullptr; // of the frame's stages; null: there is no pass either
+    Ground ground;                       // on which projected shadows fall
+    // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
+    // Empty: all throw whole shadows.
+    std::vector<raster::Layer> casters;
+};
+
 struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does.
@@ -56,6 +65,7 @@ struct FramePlan {
     std::vector<const shade::Stage*> corner_lights;
     bool corner_normals = false;
     shade::Sides sides = shade::Sides::eye;
+    ShadowPlan shadow;
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none

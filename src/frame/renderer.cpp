@@ -2,9 +2,11 @@
 
 #include "base/stopwatch.h"
 #include "frame/lights.h"
+#include "frame/shadow_pass.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
 #include "shade/layers.h"
+#include "shade/shadow.h"
 
 #include <algorithm>
 #include <vector>
@@ -66,6 +68,7 @@ struct Renderer::State {
     std::vector<Worker> workers;
     raster::Geometry geometry;
     image::Image back_buffer;
+    std::unique_ptr<ShadowPass> shadows; // while a plan runs them
     FrameStats stats;
 };
 
@@ -88,8 +91,25 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.sides = plan.sides;
     frame.corner_normals = plan.corner_normals;
     frame.corner_lights = plan.corner_lights;
+    frame.shadow_filter = plan.options.shadow_filter;
     lights.describe(frame);
     return frame;
+}
+
+// Makes the frame's shadows, or frees what those of an earlier frame held.
+static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, Jobs& jobs,
+                               const scene::Scene& scene, const scene::View& view,
+                               const FramePlan& plan, const raster::ScreenTransform& transform,
+                               int tile_size, FrameLights& lights) {
+    if (plan.shadow.stage == nullptr) {
+        pass.reset();
+        return nullptr;
+    }
+    const FrameOptions& o = plan.options;
+    if (pass == nullptr) pass = std::make_unique<ShadowPass>(jobs.threads());
+    pass->run({jobs, scene, view, plan}, transform, {o.width, o.height, tile_size, o.samples},
+              lights);
+    return pass.get();
 }
 
 static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
@@ -143,10 +163,14 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     s.geometry.run(s.jobs, scene.mesh, transform,
                    {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size,
                     plan.transparency.layers});
+    FrameLights lights(plan, view, scene.mesh);
+    const double before_shadows_ms = total.milliseconds();
+    ShadowPass* const shadows =
+        shadow_pass(s.shadows, s.jobs, scene, view, plan, transform, tile_size, lights);
     const double geometry_ms = total.milliseconds();
 
-    const FrameLights lights(plan, view, scene.mesh);
-    const shade::FrameState frame = frame_state(view, plan, lights);
+    shade::FrameState frame = frame_state(view, plan, lights);
+    if (shadows != nullptr) frame.shadows = shadows->lights().data();
     shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;
@@ -155,6 +179,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     if (layered) in.layers = &layers;
     for (Worker& worker : s.workers) {
         worker.lanes = 0;
+        worker.gatherer.set_shadow(nullptr);
         if (!layered)
             worker.layers.reset();
         else if (worker.layers == nullptr)
@@ -184,18 +209,24 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                   worker.visibility);
         if (visibility != nullptr) keep(worker.visibility, *visibility);
         clear(area, o.background, s.back_buffer);
+        if (shadows != nullptr && !(worker.visibility.empty() && layers.blended == nullptr))
+            worker.gatherer.set_shadow(shadows->count(tile, number, worker.visibility));
         if (layers.blended != nullptr)
             worker.lanes += worker.layers->shade(s.geometry, tile, in, worker.visibility,
                                                  worker.gatherer, s.back_buffer);
         else if (!worker.visibility.empty())
             worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
     });
-    s.stats = {total.milliseconds(),
-               geometry_ms,
-               total.milliseconds() - geometry_ms,
-               scene.mesh.triangles(),
-               s.geometry.triangles_drawn(),
-               0};
+    s.stats = {};
+    s.stats.total_ms = total.milliseconds();
+    s.stats.geometry_ms = geometry_ms;
+    s.stats.tiles_ms = s.stats.total_ms - geometry_ms;
+    s.stats.triangles_submitted = scene.mesh.triangles();
+    s.stats.triangles_drawn = s.geometry.triangles_drawn();
+    if (shadows != nullptr) {
+        s.stats.shadow_ms = geometry_ms - before_shadows_ms;
+        s.stats.shadow_bytes = shadows->bytes();
+    }
     for (const Worker& worker : s.workers) {
         s.stats.lanes_shaded += worker.lanes;
         if (worker.layers == nullptr) continue;

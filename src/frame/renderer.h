@@ -19,11 +19,13 @@ namespace scanout::frame {
 // coverage to back buffer.
 struct FrameStats {
     double total_ms = 0, geometry_ms = 0, tiles_ms = 0;
+    double shadow_ms = 0;                  // of geometry_ms: shadow maps, volumes
     std::uint64_t triangles_submitted = 0; // of the mesh
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t lanes_shaded = 0;
     std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
     std::size_t layer_bytes = 0;         // held for what is not opaque
+    std::uint64_t shadow_bytes = 0;      // that the pass of the shadows holds
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x].

@@ -59,7 +59,10 @@ public:
         result.techniques = plan_.techniques;
         TRY_VOID(count_pixels(result));
         TRY(result.special, special_rows());
-        const frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
+        frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
+        // How many maps and polygons there are depends on the view.
+        if (const std::uint64_t held = renderer_.stats().shadow_bytes; held > 0)
+            bytes["shadow"] = held;
         for (const frame::Decision& decision : plan_.decisions) {
             if (how_.progress)
                 how_.progress(static_cast<double>(result.rows.size()) /

@@ -74,6 +74,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         add_triangles(batch, begin, end);
     });
+    if (options.triangles_only) return;
     run_all(mesh.lines(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             add_segment(batch, static_cast<std::uint32_t>(i));

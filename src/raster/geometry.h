@@ -27,6 +27,7 @@ struct GeometryOptions {
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const Layer> layers = {};
+    bool triangles_only = false; // no lines, no points
 };
 
 class Geometry {

@@ -32,10 +32,12 @@ int to_one(const scene::View& view) {
 } // namespace
 
 ScreenTransform::ScreenTransform(const scene::View& view, int w, int h)
-    : linear(), translation(), perspective(view.projection == scene::Projection::perspective),
+    : unit(), linear(), translation(),
+      perspective(view.projection == scene::Projection::perspective),
       scale_x(w / (2 * view.half_width)), scale_y(h / (2 * view.half_height)), centre_x(w / 2.0),
       centre_y(h / 2.0), width(w), height(h), depth_origin(), depth_scale(), box{} {
     const int exponent = to_one(view);
+    unit = scale(1, exponent);
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c)
             linear[r][c] = scale(view.linear[c][r], exponent);

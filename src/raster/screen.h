@@ -72,6 +72,7 @@ struct ScreenTransform {
     // All three at once.
     ScreenVertex transform(const Vec3& mesh_position) const;
 
+    double unit;         // lengths here are those of the view times this
     double linear[3][3]; // row major, mesh to view space
     double translation[3];
     bool perspective;

@@ -53,6 +53,9 @@ public:
     std::span<const std::uint32_t> ids(int sample) const {
         return std::span(id_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
     }
+    std::span<const float> depths(int sample) const {
+        return std::span(depth_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
+    }
 
 private:
     std::size_t offset(int x, int y, int sample) const {

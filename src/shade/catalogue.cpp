@@ -18,6 +18,9 @@ SCANOUT_MAP(SCANOUT_DECLARE)
 namespace light {
 SCANOUT_LIGHT(SCANOUT_DECLARE)
 }
+namespace shadow {
+SCANOUT_SHADOW(SCANOUT_DECLARE)
+}
 namespace reflection {
 SCANOUT_REFLECTION(SCANOUT_DECLARE)
 }
@@ -47,11 +50,14 @@ std::span<const Stage* const> stages() {
 #define SCANOUT_ROW(name) &light::name,
                 SCANOUT_LIGHT(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &shadow::name,
+                    SCANOUT_SHADOW(SCANOUT_ROW)
+#undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
-                    SCANOUT_REFLECTION(SCANOUT_ROW)
+                        SCANOUT_REFLECTION(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &shading::name,
-                        SCANOUT_SHADING(SCANOUT_ROW)
+                            SCANOUT_SHADING(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;

@@ -17,11 +17,12 @@ void check(const float* lanes, std::size_t count, std::string_view what, std::st
                          fmt::format("{} of lane {} is {} after {}", what, i, lanes[i], stage));
 }
 
-// What a stage of the axis light writes: the lights of its kind that vary.
-void check_light(const Block& b, const FrameState& frame, std::string_view kind,
+// What a stage of the axis light writes: the lights of its kind that vary. Shadows write them all.
+void check_light(const Block& b, const FrameState& frame, const Technique& card,
                  std::string_view stage) {
     for (std::size_t k = 0; k < frame.varies.size(); ++k) {
-        if (!frame.varies[k] || name_of(frame.lights[k].kind) != kind) continue;
+        const bool all = card.axis == "shadow";
+        if (!frame.varies[k] || (!all && name_of(frame.lights[k].kind) != card.name)) continue;
         for (int c = 0; c < 3; ++c) {
             check(b.light[k].towards[c], static_cast<std::size_t>(b.count), "direction", stage);
             check(b.light[k].colour[c], static_cast<std::size_t>(b.count), "light", stage);
@@ -47,7 +48,8 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
         if (stage.card.axis == "shading") check(b.colour[c], count, "colour", name);
     }
-    if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
+    if (b.lit && (stage.card.axis == "light" || stage.card.axis == "shadow"))
+        check_light(b, frame, stage.card, name);
     if (!any_map(b)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);

@@ -116,6 +116,10 @@ Gatherer::Gatherer()
     : primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()) {}
 Gatherer::~Gatherer() = default;
 
+void Gatherer::set_shadow(const TileShadow* shadow) {
+    block_->shadow = shadow;
+}
+
 void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
                               int y) {
     std::array<std::uint32_t, 16> id{};
@@ -173,7 +177,9 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     }
     for (const std::uint32_t i : blended.fragments(pixel)) {
         const BlendFragment& f = blended.list.fragments[i];
-        if (f.weight > 0) add(f.id, f.first, blended.list.depth_at(f, f.first), f.weight);
+        if (f.weight <= 0) continue;
+        const int first = std::countr_zero(f.shown);
+        add(f.id, first, blended.list.depth_at(f, first), f.weight);
     }
     if (seen.empty()) return; // nothing shows but the background
     std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {
@@ -315,6 +321,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
     sums_.reset(shared_.size());
     Block& b = *block_;
     b.ambient = Vec3(0);
+    b.blended = blended;
     if (in.frame->attributes.corners && corners_ == nullptr) {
         corners_ = std::make_unique<CornerLight>();
         b.corners = corners_.get();

@@ -64,6 +64,8 @@ class Gatherer {
 public:
     Gatherer();
     ~Gatherer();
+    // For the tile that is shaded next; null: nothing was counted.
+    void set_shadow(const TileShadow* shadow);
     // Writes every pixel of the tile that shows a primitive; the others are left alone. With
     // blended fragments: of their part of the tile. Returns how many lanes were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,

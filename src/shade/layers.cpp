@@ -17,8 +17,6 @@ struct Layers::Task {
 
 namespace {
 
-constexpr std::uint8_t kUnseen = 255; // as BlendFragment::first: no sample shows it
-
 image::Rect common(const image::Rect& a, const image::Rect& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
@@ -156,7 +154,7 @@ bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triang
                 list.depth.push_back(probe_.depth(x, y, std::countr_zero(left)));
             list.fragments.push_back({triangle, depths,
                                       static_cast<std::uint16_t>(pixel_of(task.visibility, x, y)),
-                                      static_cast<std::uint16_t>(mask), 0, 0, kUnseen});
+                                      static_cast<std::uint16_t>(mask), 0, 0, 0});
             lanes_.add(triangle, x, y,
                        task.visibility.pattern()[static_cast<std::size_t>(std::countr_zero(mask))]);
         }
@@ -203,7 +201,7 @@ void Layers::weigh(const Task& task, int pixel) {
             const float weight = through * fragment.alpha;
             if (weight > 0) {
                 fragment.weight += weight * share;
-                if (fragment.first == kUnseen) fragment.first = static_cast<std::uint8_t>(s);
+                fragment.shown = static_cast<std::uint16_t>(fragment.shown | 1U << s);
             }
             through = through * (1 - fragment.alpha);
             if (through <= 0) break;

@@ -62,7 +62,7 @@ void set_attributes(Primitive& p, const GatherInput& in, const Corners& v, Behin
     const geom::Mesh& mesh = *in.mesh;
     const FrameState& frame = *in.frame;
     const Attributes wanted = frame.attributes;
-    if (frame.sides == Sides::eye || wanted.corners)
+    if (frame.sides == Sides::eye || wanted.corners || wanted.facing)
         set_facing(p, mesh, v, behind.of_order != (frame.sides == Sides::file && behind.of_file));
     if (wanted.position || wanted.corners) set_positions(p, in, v);
     const bool own_normals = wanted.normal && !frame.corner_normals;

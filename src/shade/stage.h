@@ -26,10 +26,11 @@ inline constexpr int kRoom = kLanes + 16;
 struct Attributes {
     bool normal = false, uv = false, colour = false, ray = false, position = false;
     bool corners = false; // normals and positions of the vertices; no lane needs its own
+    bool facing = false;  // Primitive::facing
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal,     a.uv || b.uv,          a.colour || b.colour, a.ray || b.ray,
-            a.position || b.position, a.corners || b.corners};
+    return {a.normal || b.normal,     a.uv || b.uv,           a.colour || b.colour, a.ray || b.ray,
+            a.position || b.position, a.corners || b.corners, a.facing || b.facing};
 }
 
 // What all lanes of one triangle share, its vertices in canonical order.
@@ -83,7 +84,10 @@ struct LightLanes {
 };
 
 struct Stage;
+struct BlendedPixels;
 struct CornerLight;
+struct LightShadow;
+struct TileShadow;
 
 struct Block {
     int count = 0; // live lanes
@@ -117,6 +121,8 @@ struct Block {
     // the frame for those that FrameState::varies names.
     Vec3 ambient{0};
     std::vector<LightLanes> light;
+    const TileShadow* shadow = nullptr;     // set with the tile, in frames that count shadows
+    const BlendedPixels* blended = nullptr; // set with the tile, where surfaces blend
 
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
@@ -148,6 +154,8 @@ struct FrameState {
     Sides sides = Sides::eye;
     bool corner_normals = false;                 // vertices' normals are unit, in view space
     std::span<const Stage* const> corner_lights; // the light stages that run over vertices
+    const LightShadow* shadows = nullptr;        // of each light; null: none casts
+    int shadow_filter = 3;                       // texels a side that a filtered shadow asks
 };
 
 struct Stage {

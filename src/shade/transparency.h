@@ -28,8 +28,8 @@ struct BlendFragment {
     std::uint16_t pixel;  // of the tile
     std::uint16_t mask;   // samples that it covers and that no opaque surface hides
     float alpha;
-    float weight;       // its share of the pixel's colour: what reaches the eye of it
-    std::uint8_t first; // sample that shows it
+    float weight;        // its share of the pixel's colour: what reaches the eye of it
+    std::uint16_t shown; // samples of the mask that show it
 };
 
 struct BlendList {

@@ -2,6 +2,7 @@
 #include "support/scenes.h"
 
 #include <algorithm>
+#include <array>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -171,6 +172,50 @@ TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
                 ElementsAre("interpolate perspective", "shading per_pixel"));
 }
 
+TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    FrameOptions options;
+    const auto shadow = [&] { return to_string(*plan_of(facts, options).decision("shadow")); };
+    // Those that hang on the camera cast none, nor does ambient light or one that is black.
+    EXPECT_THAT(shadow(), StartsWith("shadow off: no light that reaches anything casts shadows"));
+    options.effects = {{"shadow", true}};
+    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
+    options.effects.clear();
+    options.lights = {test::light_of(scene::LightKind::directional, 0)};
+    options.lights[0].casts = true;
+    EXPECT_THAT(shadow(), StartsWith("shadow off"));
+    options.lights[0].power = 1;
+    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf: 1 light casts: directional"));
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "light directional", "shadow map_pcf",
+                            "shading per_pixel"));
+    EXPECT_TRUE(plan_of(facts, options).attributes.position);
+    options.lights[0].size = 2;
+    EXPECT_THAT(shadow(), StartsWith("shadow map_soft: 1 light casts: directional; 1 with a size"));
+    for (const char* shading : {"flat", "gouraud"}) {
+        options.shading = shading;
+        EXPECT_THAT(shadow(), StartsWith("shadow off: they need light at pixels"));
+        EXPECT_THAT(shadow(), HasSubstr(shading));
+    }
+    options.shading = "per_pixel_raw";
+    EXPECT_THAT(shadow(), StartsWith("shadow map_soft"));
+    options.shading = "auto";
+    options.shadow = "attached"; // nothing runs
+    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
+    EXPECT_THAT(techniques(plan_of(facts, options)), testing::Contains("shadow attached"));
+    options.shadow = "projected"; // there is no floor
+    EXPECT_THAT(shadow(), StartsWith("shadow off: no triangle lies flat"));
+    facts.ground.triangles = 2;
+    EXPECT_THAT(shadow(), StartsWith("shadow projected: 1 light casts"));
+    options.effects = {{"shadow", false}};
+    EXPECT_TRUE(plan_of(facts, options).decision("shadow")->forced);
+    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
+    EXPECT_FALSE(plan_of(facts, options).attributes.position);
+    facts.triangles = 0;
+    EXPECT_THAT(shadow(), StartsWith("shadow off: nothing is lit"));
+}
+
 TEST(Plan, GivesAReasonForEveryDecision) {
     SceneFacts facts;
     facts.triangles = 40;
@@ -247,6 +292,13 @@ TEST(Plan, RefusesWhatDoesNotExist) {
     EXPECT_THAT(texture, HasSubstr("nearest"));
     const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "mirror"; });
     EXPECT_THAT(reflection, HasSubstr("blinn_phong"));
+    EXPECT_THAT(refusal([](FrameOptions& o) { o.shadow = "stencil"; }), HasSubstr("volume"));
+    for (const int size : {0, 63, 8193})
+        EXPECT_THAT(refusal([&](FrameOptions& o) { o.shadow_size = size; }),
+                    HasSubstr("--shadow-size"));
+    for (const int filter : {0, -3, 16})
+        EXPECT_THAT(refusal([&](FrameOptions& o) { o.shadow_filter = filter; }),
+                    HasSubstr("--shadow-filter"));
     // A technique of another axis is none of this one.
     EXPECT_NE(refusal([](FrameOptions& o) { o.texture = "lambert"; }), "accepted");
     EXPECT_NE(refusal([](FrameOptions& o) { o.reflection = ""; }), "accepted");
@@ -260,6 +312,32 @@ TEST(Plan, RefusesWhatDoesNotExist) {
         EXPECT_THAT(refusal([&](FrameOptions& o) { o.samples = samples; }),
                     HasSubstr("1, 2, 4, 8 or 16"));
     EXPECT_EQ(refusal([](FrameOptions& o) { o.width = o.height = kMaxSide; }), "accepted");
+}
+
+TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
+    EXPECT_EQ(ground(geom::Mesh()).triangles, 0U);
+    for (int up = 0; up < 3; ++up) {
+        for (const float side : {-1.0F, 1.0F}) {
+            geom::Mesh mesh = test::empty_mesh();
+            test::add_sphere(mesh, Vec3(0), 0.3F, 12, 6);
+            EXPECT_EQ(ground(mesh).triangles, 0U);
+            std::array<Vec3, 4> floor;
+            for (std::size_t i = 0; i < 4; ++i) {
+                floor[i][up] = side * 0.4F;
+                floor[i][(up + 1) % 3] = i == 0 || i == 3 ? -1.0F : 1.0F;
+                floor[i][(up + 2) % 3] = i < 2 ? -1.0F : 1.0F;
+            }
+            test::add_quad(mesh, floor, {0, 0, 1});
+            const Ground found = ground(mesh);
+            EXPECT_EQ(found.axis, up);
+            EXPECT_EQ(found.high, side > 0);
+            EXPECT_EQ(found.at, side * 0.4F);
+            EXPECT_EQ(found.triangles, 2U);
+            std::vector<std::uint8_t> in(mesh.triangles(), 0);
+            in[in.size() - 1] = in[in.size() - 2] = 1;
+            EXPECT_EQ(in_ground(mesh, found), in);
+        }
+    }
 }
 
 TEST(Facts, CountWhatTheDataCallsFor) {

@@ -15,6 +15,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
+        {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}}};

@@ -66,6 +66,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
+        {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},

@@ -71,6 +71,7 @@ inline Shot ball(std::string name) {
     lamp.name = "lamp";
     lamp.kind = scene::LightKind::point;
     lamp.position = {0.8, 1.2, 2};
+    lamp.casts = false;
     s.options.lights.push_back(lamp);
     return s;
 }
@@ -106,7 +107,22 @@ inline scene::Light light_of(scene::LightKind kind, double power) {
     light.target = DVec3(-0.2, -0.3, 0);
     light.inner_degrees = 15;
     light.outer_degrees = 25;
+    light.casts = false;
     return light;
+}
+
+// The stage in the light of one lamp that casts shadows.
+inline Shot shadowed(std::string name, const std::string& technique,
+                     scene::LightKind kind = scene::LightKind::directional, double size = 0) {
+    scene::Light lamp = light_of(kind, 0.9);
+    lamp.casts = true;
+    lamp.towards = {2, 1.3, 0.4}; // the box stands between it and the ball
+    lamp.size = size;
+    if (kind == scene::LightKind::spot) lamp.outer_degrees = 50;
+    Shot s = stage(std::move(name), {lamp, light_of(scene::LightKind::ambient, 0.15)});
+    s.options.shadow = technique;
+    s.options.shadow_size = 256;
+    return s;
 }
 
 // A wire cube with vertex colours, and points on its diagonal.
@@ -181,6 +197,11 @@ inline std::vector<Shot> golden_shots() {
     }
     shots.push_back(bowl("two_sided_off", frame::Cull::none));
     shots.back().options.effects["two_sided"] = false;
+    for (const char* technique : {"attached", "projected", "map", "map_pcf"})
+        shots.push_back(shadowed("shadow_" + std::string(technique), technique));
+    shots.back().options.shadow_filter = 5;
+    shots.push_back(shadowed("shadow_map_soft", "map_soft", scene::LightKind::directional, 8));
+    shots.push_back(shadowed("shadow_volume", "volume"));
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.
     shots.push_back(near_clip("interpolate_perspective"));
     shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);

@@ -1,0 +1,153 @@
+#include "frame/light_view.h"
+
+#include "math/rotation.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::frame {
+namespace {
+
+constexpr double kWidestTan = 1.75;       // of half a single view: some 60 degrees
+constexpr double kNearShare = 0x1p-14;    // of the distance to the model: nearer throws no shadow
+constexpr double kFarShare = 1 + 0x1p-10; // views are wider by so much than what they hold
+
+// Rows: right, up, back; back is a unit vector. Duff et al., "Building an Orthonormal Basis,
+// Revisited", 2017.
+DMat3 looking_from(const DVec3& back) {
+    const double sign = back.z < 0 ? -1 : 1;
+    const double a = -1 / (sign + back.z), b = back.x * back.y * a;
+    const DVec3 right(1 + sign * back.x * back.x * a, sign * b, -sign * back.x);
+    const DVec3 up(b, sign + back.y * back.y * a, -back.y);
+    return {DVec3(right.x, up.x, back.x), DVec3(right.y, up.y, back.y),
+            DVec3(right.z, up.z, back.z)};
+}
+
+struct Bounds {
+    DVec3 low{INFINITY}, high{-INFINITY};
+    void add(const DVec3& p) {
+        for (int c = 0; c < 3; ++c) {
+            low[c] = std::min(low[c], p[c]);
+            high[c] = std::max(high[c], p[c]);
+        }
+    }
+};
+
+// Calls f with every corner of every triangle, in light space.
+template <class F>
+void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& turn,
+                 const DVec3& move, F&& f) {
+    const DMat3 linear = turn * view.linear;
+    const DVec3 offset = turn * view.translation + move;
+    for (const std::uint32_t vertex : mesh.index)
+        f(linear * DVec3(mesh.position[vertex]) + offset);
+}
+
+// half_x, half_y: what fits into the map's inner part, at distance 1 in perspective.
+LightView view_of(const scene::View& view, const DMat3& turn, const DVec3& move, double half_x,
+                  double half_y, int size, int margin) {
+    LightView made;
+    made.turn = turn;
+    made.move = move;
+    made.size = size;
+    const double inner = size / 2.0 - margin;
+    made.texels_x = inner / half_x;
+    made.texels_y = inner / half_y;
+    made.half = size / 2.0;
+    made.view.linear = turn * view.linear;
+    made.view.translation = turn * view.translation + move;
+    made.view.half_width = made.half / made.texels_x;
+    made.view.half_height = made.half / made.texels_y;
+    return made;
+}
+
+LightView parallel(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
+                   int size, int margin) {
+    const DMat3 turn = looking_from(normalized(DVec3(light.towards)));
+    Bounds bounds;
+    for_corners(mesh, view, turn, DVec3(0), [&](const DVec3& p) { bounds.add(p); });
+    const DVec3 middle = (bounds.low + bounds.high) / 2.0;
+    // Nothing is so small or flat that its map would leave the range of floats.
+    const DVec3 half = (bounds.high - bounds.low) / 2.0 * kFarShare +
+                       DVec3(std::max(radius_of(view) * 0x1p-20, 0x1p-60));
+    LightView made = view_of(view, turn, -middle, half.x, half.y, size, margin);
+    made.view.projection = scene::Projection::orthographic;
+    made.view.depth_origin = -half.z;
+    made.view.depth_scale = 1 / (2 * half.z);
+    return made;
+}
+
+double near_of(const scene::ViewLight& light, const scene::View& view) {
+    const DVec3 way = view.translation - place_of(light, view);
+    return std::max(scanout::sqrt(dot3(way, way)), radius_of(view) * 0x1p-6) * kNearShare;
+}
+
+LightView from_place(const scene::ViewLight& light, const scene::View& view, const DMat3& turn,
+                     double tan_x, double tan_y, int size, int margin) {
+    LightView made =
+        view_of(view, turn, -(turn * place_of(light, view)), tan_x, tan_y, size, margin);
+    made.view.projection = scene::Projection::perspective;
+    made.view.near_distance = near_of(light, view);
+    return made;
+}
+
+// The tangents of the half angles that hold the model; beyond kWidestTan where part of it stands
+// beside or behind the light.
+DVec2 tangents(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
+               const DMat3& turn) {
+    DVec2 widest(0);
+    for_corners(mesh, view, turn, -(turn * place_of(light, view)), [&](const DVec3& p) {
+        const bool ahead = p.z < 0;
+        widest.x = std::max(widest.x, ahead ? std::abs(p.x) / -p.z : 2 * kWidestTan);
+        widest.y = std::max(widest.y, ahead ? std::abs(p.y) / -p.z : 2 * kWidestTan);
+    });
+    return widest * kFarShare + DVec2(0x1p-20);
+}
+
+} // namespace
+
+DVec3 place_of(const scene::ViewLight& light, const scene::View& view) {
+    return DVec3(light.position) / to_floats(view);
+}
+
+double radius_of(const scene::View& view) {
+    double radius = 0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r)
+            radius = std::max(radius, std::abs(view.linear[c][r]));
+    for (int c = 0; c < 3; ++c) // far from the eye positions are that coarse
+        radius = std::max(radius, std::abs(view.translation[c]) * 0x1p-20);
+    return std::max(radius, 0x1p-40);
+}
+
+std::vector<LightView> light_views(const scene::ViewLight& light, const geom::Mesh& mesh,
+                                   const scene::View& view, int size, int margin) {
+    if (light.kind == scene::LightKind::directional)
+        return {parallel(light, mesh, view, size, margin)};
+    const bool spot = light.kind == scene::LightKind::spot;
+    const DVec3 ahead = spot ? DVec3(light.axis) : view.translation - place_of(light, view);
+    const DMat3 turn = looking_from(normalized(-ahead));
+    DVec2 tan = tangents(light, mesh, view, turn);
+    if (spot && light.cos_outer > 0.5F) { // the cone, where it is narrower
+        const double cosine = light.cos_outer;
+        const double cone =
+            scanout::sqrt(std::max(1 - cosine * cosine, 0.0)) / cosine * kFarShare + 0x1p-10;
+        tan = {std::min(tan.x, cone), std::min(tan.y, cone)};
+    }
+    if (std::max(tan.x, tan.y) <= kWidestTan)
+        return {from_place(light, view, turn, tan.x, tan.y, size, margin)};
+    std::vector<LightView> six;
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const double side : {-1.0, 1.0}) {
+            DVec3 back(0);
+            back[axis] = side;
+            six.push_back(from_place(light, view, looking_from(back), kFarShare, kFarShare,
+                                     std::max(size / 2, 4 * margin), margin));
+            six.back().half -= margin;
+        }
+    }
+    return six;
+}
+
+} // namespace scanout::frame

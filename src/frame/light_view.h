@@ -1,0 +1,31 @@
+// Where a light looks from when its shadow map is drawn: one view that just holds what throws
+// shadows, or six round about a light that stands among it.
+#pragma once
+
+#include "geom/mesh.h"
+#include "scene/light.h"
+#include "scene/view.h"
+
+#include <vector>
+
+namespace scanout::frame {
+
+struct LightView {
+    scene::View view;                  // for the raster: of the mesh, in light space
+    DMat3 turn{1};                     // view space of the eye -> light space, a rotation
+    DVec3 move{0};                     // then added
+    int size = 0;                      // texels a side
+    double texels_x = 0, texels_y = 0; // a unit: everywhere, or in perspective at distance 1
+    double half = 0;                   // of a receiver's distance from the middle, texels
+};
+
+// Where a light at a place stands, and how far view space reaches: in the view's own lengths.
+DVec3 place_of(const scene::ViewLight& light, const scene::View& view);
+double radius_of(const scene::View& view); // near the model's, at least
+
+// light: not ambient. size: texels a side of a single view; six have half as many each. margin:
+// texels around what throws shadows that stay empty, or on which two of six views overlap.
+std::vector<LightView> light_views(const scene::ViewLight& light, const geom::Mesh& mesh,
+                                   const scene::View& view, int size, int margin);
+
+} // namespace scanout::frame

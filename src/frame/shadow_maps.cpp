@@ -1,0 +1,111 @@
+#include "frame/shadow_maps.h"
+
+#include <algorithm>
+
+namespace scanout::frame {
+namespace {
+
+// Texels around what throws shadows: the widest filter, and penumbrae (shade/shadow/map_soft.cpp).
+constexpr int kMargin = 8, kSoftMargin = 64;
+
+// unit: of positions and of the light (scene::to_floats).
+shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, double unit) {
+    shade::ShadowMap map;
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c)
+            map.turn[r][c] = static_cast<float>(from.turn[c][r]);
+        map.move[r] = static_cast<float>(from.move[r] * unit);
+    }
+    const scene::View& view = from.view;
+    map.perspective = view.projection == scene::Projection::perspective;
+    // Angles in perspective, else lengths.
+    const double length = map.perspective ? 1 : unit;
+    const double scale_x = from.texels_x / length, scale_y = from.texels_y / length;
+    const double depth_scale =
+        map.perspective ? view.near_distance * unit : view.depth_scale / unit;
+    map.scale_x = static_cast<float>(scale_x);
+    map.scale_y = static_cast<float>(scale_y);
+    map.depth_scale = static_cast<float>(depth_scale);
+    if (!map.perspective)
+        map.depth_offset = static_cast<float>(-view.depth_origin * view.depth_scale);
+    map.size = from.size;
+    map.half = static_cast<float>(from.half);
+    // A light of radius r over a blocker at distance b spreads the shadow at distance d by
+    // r (1/b - 1/d) of an angle's tangent; a parallel one by its own tangent times d - b.
+    const double spread = light.size / depth_scale;
+    map.soft_x = static_cast<float>(spread * scale_x);
+    map.soft_y = static_cast<float>(spread * scale_y);
+    return map;
+}
+
+} // namespace
+
+void ShadowMaps::clear() {
+    maps_.clear();
+    depths_.clear();
+}
+
+std::size_t ShadowMaps::bytes() const {
+    std::size_t bytes = 0;
+    for (const std::vector<float>& depth : depths_)
+        bytes += depth.size() * sizeof(float);
+    return bytes;
+}
+
+void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int size, bool soft) {
+    const int margin = std::min(soft ? kSoftMargin : kMargin, size / 4);
+    for (const LightView& from : light_views(light, in.scene.mesh, in.view, size, margin)) {
+        maps_.push_back(map_of(from, light, to_floats(in.view)));
+        std::vector<float>& depth = depths_.emplace_back();
+        draw(in, from, depth);
+        maps_.back().depth = depth.data(); // stays where it is when depths_ grows
+        if (soft) maps_.back().nearest = *std::max_element(depth.begin(), depth.end());
+    }
+}
+
+void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<float>& depth) {
+    const auto side = static_cast<std::size_t>(from.size);
+    depth.resize(side * side);
+    const raster::ScreenTransform transform(from.view, from.size, from.size);
+    raster::GeometryOptions options;
+    options.width = options.height = from.size;
+    options.triangles_only = true;
+    options.layers = in.plan.shadow.casters;
+    geometry_.run(in.jobs, in.scene.mesh, transform, options);
+    // What finds alpha at the texels of what is cut out.
+    const TransparencyPlan& alpha = in.plan.transparency;
+    shade::LayerInput layers;
+    layers.alpha = alpha.alpha;
+    layers.stages = alpha.stages;
+    layers.frame.attributes = alpha.attributes;
+    layers.frame.filter = alpha.filter;
+    layers.cut = static_cast<float>(in.plan.options.alpha_cut);
+    shade::GatherInput gather;
+    gather.mesh = &in.scene.mesh;
+    gather.geometry = &geometry_;
+    gather.transform = &transform;
+    gather.view = &from.view;
+    gather.materials = in.scene.materials;
+    gather.textures = in.scene.textures;
+    gather.frame = &layers.frame;
+    gather.layers = &layers;
+    in.jobs.for_each(geometry_.tiles(), [&](int number, int worker_number) {
+        Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
+        raster::VisibilityTile& tile = worker.tile;
+        const image::Rect area = geometry_.tile_area(number);
+        tile.reset(area, 1);
+        geometry_.draw_triangles(number, tile);
+        if (!in.plan.shadow.casters.empty()) {
+            if (worker.layers == nullptr) worker.layers = std::make_unique<shade::Layers>();
+            worker.layers->cut_out(geometry_, number, gather, tile);
+        }
+        const std::span<const float> seen = tile.depths(0);
+        for (int y = area.y0; y < area.y1; ++y) {
+            const float* row = seen.data() + (y - area.y0) * raster::kTileSize;
+            std::copy_n(row, area.x1 - area.x0,
+                        depth.data() + static_cast<std::size_t>(y) * side + area.x0);
+        }
+    });
+}
+
+} // namespace scanout::frame

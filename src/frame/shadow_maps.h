@@ -1,0 +1,48 @@
+// The pass that draws shadow maps: the depth of the scene's triangles as each light that casts sees
+// them, by the same geometry and coverage as the picture. Williams 1978, [C 10].
+#pragma once
+
+#include "base/jobs.h"
+#include "frame/light_view.h"
+#include "frame/plan.h"
+#include "raster/geometry.h"
+#include "scene/scene.h"
+#include "shade/layers.h"
+#include "shade/shadow.h"
+
+#include <memory>
+#include <vector>
+
+namespace scanout::frame {
+
+// Of one frame: what throws its shadows. What it names must outlive the frame.
+struct ShadowScene {
+    Jobs& jobs;
+    const scene::Scene& scene;
+    const scene::View& view;
+    const FramePlan& plan;
+};
+
+class ShadowMaps {
+public:
+    explicit ShadowMaps(int threads) : workers_(static_cast<std::size_t>(threads)) {}
+    // Appends the light's maps; spans of what was there are void.
+    void add(const ShadowScene& in, const scene::ViewLight& light, int size, bool soft);
+    void clear();
+    std::span<const shade::ShadowMap> maps() const { return maps_; }
+    std::size_t bytes() const;
+
+private:
+    struct Worker {
+        raster::VisibilityTile tile;
+        std::unique_ptr<shade::Layers> layers; // made when something is cut out
+    };
+    void draw(const ShadowScene& in, const LightView& from, std::vector<float>& depth);
+
+    raster::Geometry geometry_;
+    std::vector<Worker> workers_;
+    std::vector<shade::ShadowMap> maps_;
+    std::vector<std::vector<float>> depths_; // of the maps
+};
+
+} // namespace scanout::frame

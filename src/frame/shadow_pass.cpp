@@ -1,0 +1,104 @@
+#include "frame/shadow_pass.h"
+
+#include "base/check.h"
+#include "math/rotation.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace scanout::frame {
+namespace {
+
+using raster::VisibilityTile;
+
+ViewPlane in_view(const Ground& ground, const scene::View& view) {
+    DVec3 axis(0), point(0);
+    axis[ground.axis] = ground.high ? -1 : 1; // to the inside
+    point[ground.axis] = ground.at;
+    ViewPlane plane;
+    plane.normal = normalized(view.normal * axis);
+    plane.offset = -dot3(plane.normal, view.linear * point + view.translation);
+    return plane;
+}
+
+// By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
+std::vector<std::uint8_t> casters(const geom::Mesh& mesh, std::span<const raster::Layer> layers) {
+    std::vector<std::uint8_t> casts(mesh.triangles(), 1);
+    for (std::size_t i = 0; i < casts.size() && !layers.empty(); ++i)
+        casts[i] = layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::Layer::nothing;
+    return casts;
+}
+
+} // namespace
+
+void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& transform,
+                     const TileGrid& grid, FrameLights& lights) {
+    CHECK(in.plan.shadow.stage != nullptr);
+    const std::string_view technique = in.plan.shadow.stage->card.name;
+    const bool volume = technique == "volume", projected = technique == "projected";
+    const std::size_t count = lights.lights().size();
+    const geom::Mesh& mesh = in.scene.mesh;
+    maps_.clear();
+    polygons_.clear();
+    receives_.clear();
+    lights_.assign(count, {});
+    if (volume || projected) polygons_.resize(count);
+    std::vector<std::uint8_t> casts = casters(mesh, in.plan.shadow.casters);
+    const Welded welded = volume ? weld(mesh, casts) : Welded();
+    ViewPlane ground;
+    if (projected) {
+        ground = in_view(in.plan.shadow.ground, in.view);
+        receives_ = in_ground(mesh, in.plan.shadow.ground);
+        for (std::size_t i = 0; i < casts.size(); ++i) // what lies in the plane throws none onto it
+            casts[i] = casts[i] != 0 && receives_[i] == 0 ? 1 : 0;
+    }
+    std::vector<std::size_t> first_map(count + 1, 0);
+    for (std::size_t k = 0; k < count; ++k) {
+        const scene::ViewLight& light = lights.lights()[k];
+        first_map[k + 1] = maps_.maps().size();
+        if (!light.casts) continue;
+        lights.set_varies(k);
+        shade::LightShadow& shadow = lights_[k];
+        shadow.casts = true;
+        shadow.shape = light.shape;
+        shadow.soft = technique == "map_soft" && light.size > 0;
+        const Thrown thrown{mesh, casts, light, in.view, transform, grid};
+        if (volume)
+            polygons_[k] = shadow_volumes(thrown, welded);
+        else if (projected)
+            polygons_[k] = projected_shadows(thrown, ground);
+        else
+            maps_.add(in, light, in.plan.options.shadow_size, shadow.soft);
+        first_map[k + 1] = maps_.maps().size();
+    }
+    for (std::size_t k = 0; k < count; ++k)
+        lights_[k].maps = maps_.maps().subspan(first_map[k], first_map[k + 1] - first_map[k]);
+}
+
+const shade::TileShadow* ShadowPass::count(int tile, int worker, const VisibilityTile& seen) {
+    if (polygons_.empty()) return nullptr;
+    const std::size_t size = VisibilityTile::kPlane * static_cast<std::size_t>(seen.samples());
+    std::vector<float>& counts = counts_[static_cast<std::size_t>(worker)];
+    counts.assign(size * polygons_.size(), 0.0F);
+    shade::TileShadow& made = tiles_[static_cast<std::size_t>(worker)];
+    made = {};
+    made.tile = &seen;
+    made.receives = receives_;
+    for (std::size_t k = 0; k < polygons_.size(); ++k) {
+        if (!lights_[k].casts) continue;
+        float* planes = counts.data() + size * k;
+        polygons_[k].count(tile, seen, planes);
+        made.count[k] = planes;
+        made.polygons[k] = polygons_[k].in_tile(tile);
+    }
+    return &made;
+}
+
+std::size_t ShadowPass::bytes() const {
+    std::size_t bytes = maps_.bytes();
+    for (const ShadowPolygons& polygons : polygons_)
+        bytes += polygons.bytes();
+    return bytes;
+}
+
+} // namespace scanout::frame

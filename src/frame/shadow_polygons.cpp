@@ -1,0 +1,252 @@
+#include "frame/shadow_polygons.h"
+
+#include "frame/light_view.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+namespace scanout::frame {
+namespace {
+
+using raster::ClipVertex;
+using raster::CountSide;
+
+// Where a parallel view has no place for what is infinitely far: so many times the way from the
+// light, or the model's depth, is beyond all that can be seen.
+constexpr double kFar = 0x1p20;
+// Nearer to the plane, in bounding radii, nothing throws a shadow onto it.
+constexpr double kNearPlane = 0x1p-14;
+
+// An edge from its lower vertex to the higher; `net` counts the triangles that name it in that
+// order, less those that name it the other way round.
+struct Edge {
+    std::uint32_t low, high;
+    std::int32_t net, uses;
+};
+
+void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<Edge>& edges) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::uint32_t from = v[i], to = v[(i + 1) % 3];
+        edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, 1});
+    }
+}
+
+// One entry an edge.
+void merge(std::vector<Edge>& edges) {
+    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high, a.net) < std::tie(b.low, b.high, b.net);
+    });
+    std::size_t kept = 0;
+    for (const Edge& e : edges) {
+        if (kept > 0 && edges[kept - 1].low == e.low && edges[kept - 1].high == e.high) {
+            edges[kept - 1].net += e.net;
+            edges[kept - 1].uses += e.uses;
+        } else {
+            edges[kept++] = e;
+        }
+    }
+    edges.resize(kept);
+}
+
+std::array<std::uint32_t, 3> corners_of(const geom::Mesh& mesh, const Welded& welded,
+                                        std::size_t triangle) {
+    std::array<std::uint32_t, 3> v{};
+    for (std::size_t i = 0; i < 3; ++i)
+        v[i] = welded.vertex[mesh.index[triangle * 3 + i]];
+    return v;
+}
+
+bool has_edges(const std::array<std::uint32_t, 3>& v) {
+    return v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
+}
+
+void bin(const TileGrid& grid, ShadowPolygons& polygons) {
+    const auto tiles = [&](int pixels) { return (pixels + grid.tile_size - 1) / grid.tile_size; };
+    const int across = tiles(grid.width);
+    polygons.tiles.resize(static_cast<std::size_t>(across) *
+                          static_cast<std::size_t>(tiles(grid.height)));
+    const raster::SampleExtent extent = extent_of(raster::sample_pattern(grid.samples));
+    for (std::size_t i = 0; i < polygons.triangles.size(); ++i) {
+        const image::Rect box =
+            pixel_bounds(polygons.triangles[i].triangle, grid.width, grid.height, extent);
+        if (box.empty()) continue;
+        for (int y = box.y0 / grid.tile_size; y <= (box.y1 - 1) / grid.tile_size; ++y)
+            for (int x = box.x0 / grid.tile_size; x <= (box.x1 - 1) / grid.tile_size; ++x)
+                polygons.tiles[static_cast<std::size_t>(y * across + x)].push_back(
+                    static_cast<std::uint32_t>(i));
+    }
+}
+
+// Builds the volumes of one light.
+struct VolumeBuilder {
+    const geom::Mesh& mesh;
+    std::span<const std::uint8_t> casts;
+    const Welded& welded;
+    const scene::ViewLight& light;
+    const scene::View& view;
+    const raster::ScreenTransform& transform;
+    std::vector<raster::CountedTriangle>& out;
+    DVec3 place = place_of(light, view);
+
+    bool parallel() const { return light.kind == scene::LightKind::directional; }
+    DVec3 position(std::uint32_t v) const {
+        return view.linear * DVec3(mesh.position[v]) + view.translation;
+    }
+    DVec3 away(const DVec3& from) const {
+        return parallel() ? -DVec3(light.towards) : from - place;
+    }
+    // A vertex as the picture has it, and where the light throws it at the end.
+    ClipVertex near(std::uint32_t v) const { return transform.to_clip(mesh.position[v]); }
+    ClipVertex far(std::uint32_t v) const {
+        const DVec3 at = position(v), way = away(at);
+        if (transform.perspective) return to_clip(transform, DVec4(way, 0));
+        const double share = parallel() ? kFar / view.depth_scale : kFar;
+        return to_clip(transform, DVec4(at + way * share, 1));
+    }
+    // > 0: the triangle's front faces the light.
+    double facing(const std::array<std::uint32_t, 3>& v) const {
+        const DVec3 a = position(v[0]), b = position(v[1]), c = position(v[2]);
+        return -dot3(cross3(b - a, c - a), away(a));
+    }
+    void add_caps(const std::array<std::uint32_t, 3>& v, std::size_t triangle) const {
+        const std::array<ClipVertex, 3> front = {near(v[0]), near(v[1]), near(v[2])};
+        add_polygon(front, transform, 1, CountSide::facing, static_cast<std::uint32_t>(triangle),
+                    out);
+        if (parallel() && transform.perspective) return; // all ends meet in one point
+        const std::array<ClipVertex, 3> back = {far(v[0]), far(v[2]), far(v[1])};
+        add_polygon(back, transform, 1, CountSide::facing, raster::kNoPrimitive, out);
+    }
+    void add_side(const Edge& e) const {
+        const std::array<ClipVertex, 4> side = {near(e.high), near(e.low), far(e.low), far(e.high)};
+        // With parallel rays in perspective both far corners are the same.
+        const std::size_t corners = parallel() && transform.perspective ? 3 : 4;
+        add_polygon(std::span(side).first(corners), transform, static_cast<float>(e.net),
+                    CountSide::facing, raster::kNoPrimitive, out);
+    }
+    void build() const {
+        std::vector<Edge> edges;
+        for (std::size_t i = 0; i < mesh.triangles(); ++i) {
+            if (casts[i] == 0) continue;
+            std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
+            const double front = facing(v);
+            if (!has_edges(v) || front == 0 || (welded.closed && front < 0)) continue;
+            if (front < 0) std::swap(v[1], v[2]); // its back faces the light
+            add_caps(v, i);
+            add_edges(v, edges);
+        }
+        merge(edges);
+        for (const Edge& e : edges)
+            if (e.net != 0) add_side(e);
+    }
+};
+
+// Cuts a polygon where the height leaves [low, high]; from the inside vertex to the outside one.
+using Corner = std::pair<DVec3, double>; // and its height
+void cut(std::vector<Corner>& polygon, double sign, double limit) {
+    std::vector<Corner> out;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double da = sign * (a.second - limit), db = sign * (b.second - limit);
+        if (da >= 0) out.push_back(a);
+        if ((da >= 0) == (db >= 0)) continue;
+        const Corner &in = da >= 0 ? a : b, &outside = da >= 0 ? b : a;
+        const double d_in = da >= 0 ? da : db, d_out = da >= 0 ? db : da;
+        out.emplace_back(in.first + (outside.first - in.first) * (d_in / (d_in - d_out)), limit);
+    }
+    polygon = std::move(out);
+}
+
+} // namespace
+
+Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts) {
+    std::vector<std::uint32_t> order(mesh.position.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto place = [&](std::uint32_t v) {
+        const Vec3& p = mesh.position[v];
+        return std::tuple(p.x, p.y, p.z);
+    };
+    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return place(a) != place(b) ? place(a) < place(b) : a < b;
+    });
+    Welded welded;
+    welded.vertex.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const bool same = i > 0 && place(order[i]) == place(order[i - 1]);
+        welded.vertex[order[i]] = same ? welded.vertex[order[i - 1]] : order[i];
+    }
+    std::vector<Edge> edges;
+    for (std::size_t i = 0; i < mesh.triangles(); ++i) {
+        const std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
+        if (casts[i] != 0 && has_edges(v)) add_edges(v, edges);
+    }
+    merge(edges);
+    welded.closed = std::all_of(edges.begin(), edges.end(),
+                                [](const Edge& e) { return e.net == 0 && e.uses == 2; });
+    return welded;
+}
+
+std::size_t ShadowPolygons::bytes() const {
+    std::size_t bytes = triangles.size() * sizeof(raster::CountedTriangle);
+    for (const std::vector<std::uint32_t>& tile : tiles)
+        bytes += tile.size() * sizeof(std::uint32_t);
+    return bytes;
+}
+
+void ShadowPolygons::count(int tile, const raster::VisibilityTile& seen, float* counts) const {
+    const raster::CountPlanes planes{seen.area(), seen.pattern(), seen.depths(0).data(),
+                                     seen.ids(0).data(), counts};
+    for (const std::uint32_t i : tiles[static_cast<std::size_t>(tile)])
+        count_triangle(planes, triangles[i], where);
+}
+
+ShadowPolygons shadow_volumes(const Thrown& t, const Welded& welded) {
+    ShadowPolygons made;
+    VolumeBuilder{t.mesh, t.casts, welded, t.light, t.view, t.transform, made.triangles}.build();
+    bin(t.grid, made);
+    return made;
+}
+
+ShadowPolygons projected_shadows(const Thrown& t, const ViewPlane& plane) {
+    ShadowPolygons made;
+    made.where = raster::CountWhere::everywhere;
+    const bool parallel = t.light.kind == scene::LightKind::directional;
+    const DVec3 from = parallel ? DVec3(t.light.towards) : place_of(t.light, t.view);
+    // A parallel light has a direction alone: how high it stands, not how far above the plane.
+    const double least = kNearPlane * radius_of(t.view), lowest = parallel ? kNearPlane : least;
+    DVec3 normal = plane.normal;
+    double offset = plane.offset;
+    double above = dot3(normal, from) + (parallel ? 0 : offset);
+    if (above < 0) { // the side of the light is up
+        normal = -normal;
+        offset = -offset;
+        above = -above;
+    }
+    std::vector<Corner> polygon;
+    for (std::size_t i = 0; i < t.mesh.triangles() && above > lowest; ++i) {
+        if (t.casts[i] == 0) continue;
+        polygon.clear();
+        for (std::size_t k = 0; k < 3; ++k) {
+            const DVec3 at = t.view.linear * DVec3(t.mesh.position[t.mesh.index[i * 3 + k]]) +
+                             t.view.translation;
+            polygon.emplace_back(at, dot3(normal, at) + offset);
+        }
+        cut(polygon, 1, least);
+        // What is level with a light at a place throws its shadow infinitely far.
+        if (!parallel) cut(polygon, -1, above * (1 - 1 / kFar));
+        std::array<ClipVertex, 8> corner{};
+        std::size_t corners = 0;
+        for (const auto& [at, height] : polygon) {
+            const double w = parallel ? above : above - height;
+            corner[corners++] = to_clip(t.transform, DVec4((at * above - from * height) / w, 1));
+        }
+        if (corners >= 3)
+            add_polygon(std::span(corner).first(corners), t.transform, 1, CountSide::same,
+                        raster::kNoPrimitive, made.triangles);
+    }
+    bin(t.grid, made);
+    return made;
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,70 @@
+// The polygons of a light's shadows on the screen, by tile: the borders of shadow volumes, or what
+// every triangle throws onto a plane. They are counted over the tile's samples after visibility.
+#pragma once
+
+#include "raster/infinite_polygon.h"
+#include "raster/tile.h"
+#include "scene/light.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+#include "shade/shadow.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::frame {
+
+// The picture and its tiles, numbered along rows.
+struct TileGrid {
+    int width = 0, height = 0, tile_size = 0, samples = 1;
+};
+
+// What throws a shadow, from where, and onto what screen.
+struct Thrown {
+    const geom::Mesh& mesh;
+    std::span<const std::uint8_t> casts; // by triangle
+    const scene::ViewLight& light;
+    const scene::View& view;
+    const raster::ScreenTransform& transform;
+    const TileGrid& grid;
+};
+
+// The edges of the triangles that throw shadows, vertices at one place taken as one (HARD-CASES
+// 45).
+struct Welded {
+    std::vector<std::uint32_t> vertex; // of each vertex, the first at its place
+    bool closed = false;               // every edge belongs to two triangles that wind the same way
+};
+Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts);
+
+struct ShadowPolygons {
+    std::vector<raster::CountedTriangle> triangles;
+    std::vector<std::vector<std::uint32_t>> tiles; // what each may hold, by index
+    raster::CountWhere where = raster::CountWhere::behind;
+
+    shade::TilePolygons in_tile(int tile) const {
+        return {triangles, tiles[static_cast<std::size_t>(tile)], where};
+    }
+    std::size_t bytes() const;
+    // Adds to the tile's counts.
+    void count(int tile, const raster::VisibilityTile& seen, float* counts) const;
+};
+
+// The borders of the space that the triangles hide from the light: the triangles themselves, the
+// sides that the light draws from their edges, to infinity, and there their far ends. Counted
+// behind a point, those that leave the space less those that enter it are how often the point is
+// hidden. Of a closed mesh the triangles that face the light, otherwise all; edges between two of
+// them have no side.
+ShadowPolygons shadow_volumes(const Thrown& thrown, const Welded& welded);
+
+// A plane of view space, normal . p + offset = 0.
+struct ViewPlane {
+    DVec3 normal{0};
+    double offset = 0;
+};
+
+// What the triangles between the light and the plane throw onto it.
+ShadowPolygons projected_shadows(const Thrown& thrown, const ViewPlane& plane);
+
+} // namespace scanout::frame

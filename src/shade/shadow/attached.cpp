@@ -1,0 +1,16 @@
+// The shadow that a surface throws on itself by facing away: n.l < 0. The reflection has it without
+// any pass; here is nothing to run, and nothing throws a shadow on anything else. [C 10].
+#include "shade/stage.h"
+
+namespace scanout::shade::shadow {
+
+extern const Stage attached;
+constinit const Stage attached{{.axis = "shadow",
+                                .name = "attached",
+                                .blurb = "what faces away from the light is dark: no pass at all",
+                                .source = "[C 10]",
+                                .kind = Kind::rung},
+                               {},
+                               [](Block&, const FrameState&) {}};
+
+} // namespace scanout::shade::shadow

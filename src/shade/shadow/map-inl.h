@@ -1,0 +1,186 @@
+// What the techniques with a shadow map share: from lanes to texels, and the one question to a
+// texel. Williams, "Casting Curved Shadows on Curved Surfaces", 1978.
+//
+// No bias is guessed. A texel knows the depth at its centre, up to half a texel from the receiver;
+// there the receiver's own plane is deeper or nearer by at most half a texel times
+// |dz/dx| + |dz/dy|, the bias of HARD-CASES 41. It is known exactly, so the plane is carried to the
+// centre and compared there: what lies in the plane is never in its own shadow, at any slope, and
+// what stands on it is not lit under its foot. What remains is rounding: of the map's vertices to
+// 1/256 texel, of its depth to a float, and of the receiver's position.
+#if defined(SCANOUT_SHADE_SHADOW_MAP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SHADE_SHADOW_MAP_INL_H
+#undef SCANOUT_SHADE_SHADOW_MAP_INL_H
+#else
+#define SCANOUT_SHADE_SHADOW_MAP_INL_H
+#endif
+
+#include "shade/shadow/plane-inl.h"
+
+SIMD_BEGIN(scanout::shade::shadow)
+
+// Steeper planes count as this steep: 4096 units along the light's ray for one across it. They get
+// 1/4096 of the light, less than half a code.
+constexpr double kSteepest = 0x1p12;
+
+// A triangle's plane in a map.
+struct MapPlane {
+    float per_x, per_y;     // depth a texel
+    float bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
+    float error;            // of a position, view units
+};
+
+// fmax and fabs are functions of other targets.
+HWY_INLINE double larger(double a, double b) {
+    return a > b ? a : b;
+}
+HWY_INLINE double size_of(double a) {
+    return a < 0 ? -a : a;
+}
+
+HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
+    double n[3], p[3], extent = 0;
+    for (int r = 0; r < 3; ++r) {
+        const double row[3] = {m.turn[r][0], m.turn[r][1], m.turn[r][2]};
+        n[r] = dot(row, facing.normal);
+        p[r] = dot(row, facing.corner[0]) + m.move[r];
+        extent = larger(extent, size_of(m.move[r]));
+        for (int k = 0; k < 3; ++k)
+            extent = larger(extent, size_of(facing.corner[k][r]));
+    }
+    // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
+    // half a unit in the last place of the largest term.
+    const double error = extent * 0x1p-21;
+    const double length = larger(larger(size_of(n[0]), size_of(n[1])), size_of(n[2]));
+    double to_depth;
+    if (m.perspective) {
+        // n.(x, y, -w) = d, so 1 / w = (n_x x/w + n_y y/w - n_z) / d; d < 0 on the lit side.
+        const double reach = larger(larger(size_of(p[0]), size_of(p[1])), size_of(p[2]));
+        to_depth = m.depth_scale / -larger(-dot(n, p), length * reach / kSteepest);
+    } else {
+        to_depth = -m.depth_scale / larger(n[2], length / kSteepest);
+    }
+    const double per_x = n[0] * to_depth / m.scale_x, per_y = -(n[1] * to_depth) / m.scale_y;
+    // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
+    const double slope = size_of(per_x) + size_of(per_y);
+    const double texels = larger(m.scale_x, m.scale_y) * error * (m.perspective ? 2.5 : 1.0);
+    return {static_cast<float>(per_x), static_cast<float>(per_y),
+            static_cast<float>(slope * 0x1p-6 + (m.perspective ? 0.0 : m.depth_scale * error)),
+            static_cast<float>(slope * texels), static_cast<float>(error)};
+}
+
+struct Receiver {
+    F32x8 x, y; // texels
+    F32x8 depth, per_x, per_y, bias;
+};
+
+// The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
+HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
+                             Mask<F32x8::Tag>& inside) {
+    const F32x8 px = load<F32x8>(b.position[0] + i), py = load<F32x8>(b.position[1] + i),
+                pz = load<F32x8>(b.position[2] + i);
+    const auto row = [&](int r) HWY_ATTR {
+        return ((F32x8(m.turn[r][0]) * px + F32x8(m.turn[r][1]) * py) + F32x8(m.turn[r][2]) * pz) +
+               F32x8(m.move[r]);
+    };
+    const F32x8 one = 1.0F, lx = row(0), ly = row(1), lz = row(2);
+    const F32x8 middle = 0.5F * static_cast<float>(m.size), half = m.half;
+    F32x8 inverse = one, depth = lz * F32x8(m.depth_scale) + F32x8(m.depth_offset);
+    inside = one == one;
+    if (m.perspective) {
+        const F32x8 w = F32x8(0.0F) - lz;
+        inside = w > F32x8(0x1p-40F);
+        inverse = one / select(inside, w, one);
+        depth = F32x8(m.depth_scale) * inverse;
+    }
+    const F32x8 right = (lx * inverse) * F32x8(m.scale_x), up = (ly * inverse) * F32x8(m.scale_y);
+    inside = inside & (abs(right) <= half) & (abs(up) <= half);
+    Receiver r;
+    r.x = select(inside, middle + right, middle);
+    r.y = select(inside, middle - up, middle);
+    r.depth = depth;
+    r.per_x = plane.per_x;
+    r.per_y = plane.per_y;
+    r.bias = (F32x8(plane.bias) + F32x8(plane.bias_slope) * inverse) + abs(depth) * F32x8(0x1p-21F);
+    if (m.perspective) r.bias = r.bias + (depth * F32x8(plane.error)) * inverse;
+    return r;
+}
+
+// Towards -infinity.
+HWY_INLINE I32x8 texel_of(F32x8 a) {
+    const I32x8 whole = to_i32(a);
+    return whole - select(to_f32(whole) > a, I32x8(1), I32x8(0));
+}
+
+struct Texel {
+    F32x8 depth; // in the map; its border goes on for ever
+    F32x8 own;   // of the receiver's plane at the texel's centre
+};
+HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, I32x8 tx, I32x8 ty) {
+    const I32x8 last = m.size - 1, zero = 0;
+    const I32x8 column = minimum(maximum(tx, zero), last), row = minimum(maximum(ty, zero), last);
+    const F32x8 dx = (to_f32(tx) + F32x8(0.5F)) - r.x, dy = (to_f32(ty) + F32x8(0.5F)) - r.y;
+    const F32x8 own = (r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias;
+    return {gather(m.depth, row * I32x8(m.size) + column), maximum(own, F32x8(0.0F))};
+}
+// 1 where something stands between the texel's part of the receiver's plane and the light.
+HWY_INLINE F32x8 hidden(const Texel& t) {
+    return select(t.depth > t.own, F32x8(1.0F), F32x8(0.0F));
+}
+
+// The share of k x k texels about the receiver that is hidden, weighted by how much of each the
+// square covers. Weights are whole 256ths: all hidden sums up to 1 exactly.
+HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
+    const float wide = static_cast<float>(k);
+    const I32x8 left = texel_of(r.x - F32x8(wide * 0.5F)), top = texel_of(r.y - F32x8(wide * 0.5F));
+    const auto part = [](F32x8 a) HWY_ATTR {
+        return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
+    };
+    const F32x8 one = 1.0F, fx = part((r.x - F32x8(wide * 0.5F)) - to_f32(left)),
+                fy = part((r.y - F32x8(wide * 0.5F)) - to_f32(top));
+    F32x8 sum = 0.0F;
+    for (int y = 0; y <= k; ++y) {
+        F32x8 row = 0.0F;
+        for (int x = 0; x <= k; ++x) {
+            const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;
+            row = row + weight * hidden(texel(m, r, left + I32x8(x), top + I32x8(y)));
+        }
+        sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * row;
+    }
+    return sum / F32x8(wide * wide);
+}
+
+// hide(map, receiver, light): the share that is hidden. A lane asks the first map that it stands
+// in; outside of all of them nothing stands between it and the light (HARD-CASES 43).
+template <class Hide>
+HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
+    shadow_lanes(b, frame,
+                 [&](std::size_t k, const Run& run, const Facing& facing, float* left) HWY_ATTR {
+                     const LightShadow& shadow = frame.shadows[k];
+                     const F32x8 none = -1.0F; // asked no map yet
+                     const int end = run.first + run.count;
+                     for (int i = run.first; i < end; i += kLanesX8)
+                         store(none, left + i);
+                     const std::size_t maps = shadow.maps.size();
+                     for (std::size_t face = 0; face < maps; ++face) {
+                         const ShadowMap& m = shadow.maps.data()[face];
+                         const MapPlane plane = plane_in(m, facing);
+                         for (int i = run.first; i < end; i += kLanesX8) {
+                             Mask<F32x8::Tag> inside;
+                             const Receiver r = receiver(m, plane, b, i, inside);
+                             const F32x8 before = load<F32x8>(left + i);
+                             inside = inside & (before < F32x8(0.0F));
+                             if (!any(inside)) continue;
+                             const F32x8 lit = F32x8(1.0F) - hide(m, r, shadow);
+                             store(select(inside, lit, before), left + i);
+                         }
+                     }
+                     for (int i = run.first; i < end; i += kLanesX8) {
+                         const F32x8 lit = load<F32x8>(left + i);
+                         store(select(lit < F32x8(0.0F), F32x8(1.0F), lit), left + i);
+                     }
+                 });
+}
+
+SIMD_END
+
+#endif

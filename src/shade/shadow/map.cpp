@@ -1,0 +1,38 @@
+// A shadow map, hard: the one texel that the receiver falls into. Williams, "Casting Curved Shadows
+// on Curved Surfaces", 1978, [C 10]. Its parts: this kernel, and the pass that draws the map
+// (frame/shadow_maps.h).
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/shadow/map.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/shadow/map-inl.h"
+
+SIMD_BEGIN(scanout::shade::shadow)
+
+void map_run(Block& b, const FrameState& frame) {
+    shadow_by_maps(b, frame,
+                   [](const ShadowMap& m, const Receiver& r, const LightShadow&)
+                       HWY_ATTR { return hidden(texel(m, r, texel_of(r.x), texel_of(r.y))); });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::shadow {
+
+SIMD_REGISTER(map_run);
+
+extern const Stage map;
+constinit const Stage map{{.axis = "shadow",
+                           .name = "map",
+                           .blurb = "the depth that the light sees, one texel: hard, with steps",
+                           .source = "Williams 1978, [C 10]",
+                           .kind = Kind::rung},
+                          {.position = true, .facing = true},
+                          [](Block& block, const FrameState& frame) {
+                              SIMD_CALL(map_run)(block, frame);
+                          }};
+
+} // namespace scanout::shade::shadow
+#endif

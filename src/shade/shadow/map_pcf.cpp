@@ -1,0 +1,41 @@
+// A shadow map, filtered: the share of k x k texels about the receiver that hide it, each asked by
+// itself, because depths must not be averaged. Reeves, Salesin and Cook, "Rendering Antialiased
+// Shadows with Depth Maps", 1987. Its parts: this kernel, and the pass that draws the map
+// (frame/shadow_maps.h).
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/shadow/map_pcf.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/shadow/map-inl.h"
+
+SIMD_BEGIN(scanout::shade::shadow)
+
+void map_pcf_run(Block& b, const FrameState& frame) {
+    const int k = frame.shadow_filter;
+    shadow_by_maps(b, frame,
+                   [k](const ShadowMap& m, const Receiver& r, const LightShadow&)
+                       HWY_ATTR { return hidden_square(m, r, k); });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::shadow {
+
+SIMD_REGISTER(map_pcf_run);
+
+extern const Stage map_pcf;
+constinit const Stage map_pcf{{.axis = "shadow",
+                               .name = "map_pcf",
+                               .blurb = "the share of k x k texels of the map that hide the point",
+                               .source = "Reeves, Salesin and Cook 1987",
+                               .kind = Kind::rung},
+                              {.position = true, .facing = true},
+                              [](Block& block, const FrameState& frame) {
+                                  SIMD_CALL(map_pcf_run)
+                                  (block, frame);
+                              }};
+
+} // namespace scanout::shade::shadow
+#endif

@@ -1,0 +1,101 @@
+// Soft shadows from one map: the mean depth of what may hide the receiver tells how wide the
+// penumbra is, and a disc (a square light: a square) of that width is asked. Fernando,
+// "Percentage-Closer Soft Shadows", 2005. A light without size, and penumbrae narrower than the
+// filter of map_pcf, are those of map_pcf to the bit. Its parts: this kernel, and the pass that
+// draws the map (frame/shadow_maps.h).
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/shadow/map_soft.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/shadow/map-inl.h"
+
+SIMD_BEGIN(scanout::shade::shadow)
+
+// A Fibonacci lattice on the square from -1 to 1: whichever way a shadow's edge runs, the points
+// lie at distances from it that are all different and nearly even, so no bands show. Niederreiter,
+// "Random Number Generation and Quasi-Monte Carlo Methods", 1992, ch. 5.
+struct Lattice {
+    static constexpr int kPoints = 89, kStep = 55;
+    float x[kPoints]{}, y[kPoints]{};
+    int count = 0;
+    constexpr explicit Lattice(bool disc) {
+        for (int i = 0; i < kPoints; ++i) {
+            const double u = (2.0 * i + 1) / kPoints - 1;
+            const double v = (2.0 * (i * kStep % kPoints) + 1) / kPoints - 1;
+            if (disc && u * u + v * v > 1) continue;
+            x[count] = static_cast<float>(u);
+            y[count] = static_cast<float>(v);
+            ++count;
+        }
+    }
+};
+constexpr Lattice kSquare(false), kDisc(true);
+
+constexpr float kWidest = 64; // texels: no radius is larger
+
+HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
+    return texel(m, r, texel_of(r.x + dx), texel_of(r.y + dy));
+}
+
+HWY_INLINE F32x8 radius(float texels, F32x8 depth) {
+    return minimum(F32x8(texels) * maximum(depth, F32x8(0.0F)), F32x8(kWidest));
+}
+
+HWY_INLINE F32x8 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
+                             int filter) {
+    const F32x8 sharp = hidden_square(m, r, filter);
+    if (!shadow.soft) return sharp;
+    const Lattice& lattice = shadow.shape == scene::LightShape::square ? kSquare : kDisc;
+    // Nothing hides the receiver from farther away than what is nearest to the light would.
+    const F32x8 most = F32x8(m.nearest) - r.depth;
+    const F32x8 search_x = radius(m.soft_x, most), search_y = radius(m.soft_y, most);
+    F32x8 found = 0.0F, sum = 0.0F;
+    for (int i = 0; i < lattice.count; ++i) {
+        const Texel t =
+            texel_at(m, r, search_x * F32x8(lattice.x[i]), search_y * F32x8(lattice.y[i]));
+        const F32x8 hides = hidden(t);
+        found = found + hides;
+        sum = sum + hides * t.depth;
+    }
+    const F32x8 one = 1.0F, mean = sum / maximum(found, one) - r.depth;
+    const F32x8 wide_x = radius(m.soft_x, mean), wide_y = radius(m.soft_y, mean);
+    const auto wide = (found > F32x8(0.0F)) &
+                      (maximum(wide_x, wide_y) > F32x8(0.5F * static_cast<float>(filter)));
+    if (!any(wide)) return sharp;
+    F32x8 hides = 0.0F;
+    for (int i = 0; i < lattice.count; ++i)
+        hides = hides +
+                hidden(texel_at(m, r, wide_x * F32x8(lattice.x[i]), wide_y * F32x8(lattice.y[i])));
+    return select(wide, hides / F32x8(static_cast<float>(lattice.count)), sharp);
+}
+
+void map_soft_run(Block& b, const FrameState& frame) {
+    const int k = frame.shadow_filter;
+    shadow_by_maps(b, frame,
+                   [k](const ShadowMap& m, const Receiver& r, const LightShadow& shadow)
+                       HWY_ATTR { return hidden_soft(m, r, shadow, k); });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::shadow {
+
+SIMD_REGISTER(map_soft_run);
+
+extern const Stage map_soft;
+constinit const Stage map_soft{{.axis = "shadow",
+                                .name = "map_soft",
+                                .blurb = "penumbrae as wide as the light's size and the distance "
+                                         "make them",
+                                .source = "Fernando 2005",
+                                .kind = Kind::rung},
+                               {.position = true, .facing = true},
+                               [](Block& block, const FrameState& frame) {
+                                   SIMD_CALL(map_soft_run)
+                                   (block, frame);
+                               }};
+
+} // namespace scanout::shade::shadow
+#endif

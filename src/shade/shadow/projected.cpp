@@ -1,0 +1,20 @@
+// Shadows projected onto a plane: every triangle is thrown along the light onto the floor, and what
+// lies in the floor under one of them is dark. Exact there, and nothing else receives any. Blinn,
+// "Me and My (Fake) Shadow", 1988, [C 10]. Its parts: this stage, the projection
+// (frame/shadow_polygons.h) and the count of what covers a sample (raster/count.h).
+#include "shade/shadow_count.h"
+#include "shade/stage.h"
+
+namespace scanout::shade::shadow {
+
+extern const Stage projected;
+constinit const Stage projected{{.axis = "shadow",
+                                 .name = "projected",
+                                 .blurb = "triangles thrown onto the floor: right on it, none "
+                                          "elsewhere",
+                                 .source = "Blinn 1988, [C 10]",
+                                 .kind = Kind::rung},
+                                {.facing = true}, // positions come with lights that have one
+                                shadow_by_counts};
+
+} // namespace scanout::shade::shadow

@@ -1,0 +1,409 @@
+// Laws of the shadows, against rays in double.
+#include "image/compare.h"
+#include "oracle/rays.h"
+#include "support/scenes.h"
+#include "techniques.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace scanout::test {
+namespace {
+
+using scene::LightKind;
+
+#define SCANOUT_NAME(name) #name,
+const std::vector<std::string> kTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
+#undef SCANOUT_NAME
+
+scene::Light lamp(LightKind kind) {
+    scene::Light light = light_of(kind, 0.9);
+    light.casts = true;
+    return light;
+}
+
+// The share of its light that every pixel keeps, by the picture with shadows and that without; -1
+// where there is none to lose.
+std::vector<double> shares(Shot s, const std::string& technique) {
+    shade::LinearPicture with, without;
+    s.options.shadow = technique;
+    draw(s, {.linear = &with});
+    s.options.effects["shadow"] = false;
+    draw(s, {.linear = &without});
+    std::vector<double> share;
+    for (std::size_t i = 0; i < with.pixel.size(); ++i)
+        share.push_back(without.pixel[i][0] > 0x1p-12F
+                            ? static_cast<double>(with.pixel[i][0] / without.pixel[i][0])
+                            : -1);
+    return share;
+}
+
+// What a ray through a pixel finds, and whether light reaches it there.
+class Oracle {
+public:
+    explicit Oracle(const Shot& s) : width_(s.options.width), height_(s.options.height) {
+        const auto view =
+            scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, width_, height_);
+        if (!view) throw std::runtime_error(view.error().what);
+        view_ = *view;
+        const geom::Mesh& mesh = s.scene.mesh;
+        for (std::size_t i = 0; i < mesh.triangles(); ++i) {
+            std::array<DVec3, 3> corner;
+            for (std::size_t k = 0; k < 3; ++k) {
+                corner[k] =
+                    view_.linear * DVec3(mesh.position[mesh.index[i * 3 + k]]) + view_.translation;
+                for (int c = 0; c < 3; ++c)
+                    extent_ = std::max(extent_, std::abs((corner[k] - view_.translation)[c]));
+            }
+            triangles_.corner.push_back(corner);
+        }
+        for (const scene::Light& light : s.options.lights) {
+            if (light.kind == LightKind::ambient) continue;
+            directional_ = light.kind == LightKind::directional;
+            light_ = view_.world_axes * (directional_ ? light.towards : light.position) +
+                     (directional_ ? DVec3(0) : view_.world_origin);
+        }
+    }
+    oracle::Ray ray(double x, double y) const {
+        const DVec3 at((2 * x / width_ - 1) * view_.half_width,
+                       (1 - 2 * y / height_) * view_.half_height, 0);
+        if (view_.projection == scene::Projection::orthographic)
+            return {at + DVec3(0, 0, 100), {0, 0, -1}};
+        return {DVec3(0), {at.x, at.y, -1}};
+    }
+    struct Place {
+        std::size_t triangle = SIZE_MAX;
+        DVec3 at{0}, normal{0};
+    };
+    Place place(double x, double y) const {
+        const oracle::Ray r = ray(x, y);
+        const auto hit = triangles_.first(r, 1e-9);
+        if (!hit.any()) return {};
+        const DVec3 n = triangles_.normal(hit.triangle);
+        return {hit.triangle, r.from + r.way * hit.t, dot3(n, r.way) > 0 ? -n : n};
+    }
+    DVec3 towards(const DVec3& at) const {
+        const DVec3 way = directional_ ? light_ : light_ - at;
+        return directional_ ? way / std::sqrt(dot3(way, way)) : way;
+    }
+    // > 0: the light is on the side that is seen; the sine of its height above the surface.
+    double height(const Place& p) const {
+        const DVec3 way = towards(p.at);
+        return dot3(p.normal, way) / std::sqrt(dot3(way, way));
+    }
+    // Shifted across the light's ray, along the surface.
+    bool lit(const Place& p, const DVec3& across = DVec3(0)) const {
+        const DVec3 way = towards(p.at);
+        if (dot3(p.normal, way) <= 0) return false;
+        const DVec3 at = p.at + across - way * (dot3(p.normal, across) / dot3(p.normal, way));
+        return !triangles_.blocks({at, towards(at)}, 1e-7, directional_ ? 1e9 : 1, p.triangle);
+    }
+    // All that is `reach` away, in view units across the light, is lit as the place itself is.
+    bool alike(const Place& p, double reach) const {
+        DVec3 way = towards(p.at), right = cross3(way, DVec3(0.31, 0.53, 0.79));
+        way = way / std::sqrt(dot3(way, way));
+        right = right / std::sqrt(dot3(right, right));
+        const DVec3 up = cross3(way, right);
+        for (const double radius : {reach, reach / 2}) {
+            for (int i = 0; i < 16; ++i) {
+                const double angle = std::numbers::pi * i / 8;
+                const DVec3 across =
+                    right * (radius * std::cos(angle)) + up * (radius * std::sin(angle));
+                if (lit(p, across) != lit(p)) return false;
+            }
+        }
+        return true;
+    }
+    // Of a map of so many texels, across the place.
+    double texel(const Place& p, int size) const {
+        const DVec3 way = towards(p.at);
+        const double spread =
+            directional_ ? 2 * std::sqrt(3) * extent_ : 2 * 1.75 * std::sqrt(dot3(way, way));
+        return spread / (directional_ ? size - 16 : size / 2.0 - 16);
+    }
+
+private:
+    int width_, height_;
+    scene::View view_;
+    oracle::Triangles triangles_;
+    bool directional_ = false;
+    DVec3 light_{0};
+    double extent_ = 0;
+};
+
+struct Count {
+    int compared = 0, edge = 0, wrong = 0, dark = 0;
+};
+
+// Compares every pixel that alike(oracle, place, x, y) calls far enough from an edge.
+template <class Alike>
+Count compare_with_rays(const Shot& s, const std::string& technique, double tolerance,
+                        Alike alike) {
+    const Oracle oracle(s);
+    const std::vector<double> share = shares(s, technique);
+    Count count;
+    for (int y = 0; y < s.options.height; ++y) {
+        for (int x = 0; x < s.options.width; ++x) {
+            const double got = share[static_cast<std::size_t>(y * s.options.width + x)];
+            const Oracle::Place p = oracle.place(x + 0.5, y + 0.5);
+            if (got < 0 || p.triangle == SIZE_MAX) continue;
+            if (!alike(oracle, p, x + 0.5, y + 0.5)) {
+                ++count.edge;
+                continue;
+            }
+            ++count.compared;
+            const bool lit = oracle.lit(p);
+            count.dark += lit ? 0 : 1;
+            if (std::abs(got - (lit ? 1 : 0)) > tolerance) {
+                ++count.wrong;
+                if (count.wrong < 4)
+                    ADD_FAILURE() << s.name << ' ' << technique << " at " << x << ' ' << y << ": "
+                                  << got << ", rays say " << lit << ", triangle " << p.triangle;
+            }
+        }
+    }
+    return count;
+}
+
+// On the screen, 1/64 pixel around: coverage is snapped to 1/256.
+bool alike_on_screen(const Oracle& oracle, const Oracle::Place& p, double x, double y) {
+    if (std::abs(oracle.height(p)) < 1e-4) return false;
+    for (int i = 0; i < 8; ++i) {
+        const double angle = std::numbers::pi * i / 4;
+        const Oracle::Place q = oracle.place(x + std::cos(angle) / 64, y + std::sin(angle) / 64);
+        if (q.triangle != p.triangle || oracle.lit(q) != oracle.lit(p)) return false;
+    }
+    return oracle.alike(p, 1e-4);
+}
+
+std::vector<Shot> rooms() {
+    std::vector<Shot> shots;
+    for (const auto kind : {LightKind::directional, LightKind::point, LightKind::spot}) {
+        Shot s = stage(std::string(name_of(kind)), {lamp(kind)});
+        s.options.width = s.options.height = 48;
+        s.options.lights[0].outer_degrees = 55;
+        for (scene::Material& m : s.scene.materials)
+            m.specular = Vec3(0);
+        shots.push_back(s);
+        s.name += " orthographic";
+        s.camera.projection = scene::Projection::orthographic;
+        shots.push_back(s);
+    }
+    // A light among the things, which shines all ways.
+    Shot inside = shots[2];
+    inside.name = "lamp inside";
+    inside.options.lights[0].position = {0.05, -0.3, 0.45};
+    shots.push_back(inside);
+    // The eye stands in the shadow of the ball, and the near plane cuts it.
+    Shot shadow = shots[0];
+    shadow.name = "eye in the shadow";
+    shadow.camera.eye = DVec3(-0.59, -0.46, -0.12);
+    shadow.camera.target = DVec3(0.6, -0.5, -0.6);
+    shots.push_back(shadow);
+    return shots;
+}
+
+// Closed: a ball above a thick slab.
+Shot ball_on_slab() {
+    Shot s = shot("closed", 48, 48);
+    s.scene.materials = {plain({0.8F, 0.5F, 0.3F})};
+    add_cube(s.scene.mesh, 0.6F, 0);
+    for (Vec3& p : s.scene.mesh.position)
+        p.y = p.y * 0.25F - 0.5F;
+    add_sphere(s.scene.mesh, {0.1F, 0.2F, 0}, 0.3F, 16, 8, 0);
+    s.scene.mesh.uv.clear();
+    s.camera.elevation_degrees = 30;
+    s.options.lights = {lamp(LightKind::directional)};
+    return s;
+}
+
+TEST(Shadow, VolumesAreWhereRaysSayToTheLastPixel) {
+    std::vector<Shot> shots = rooms();
+    shots.push_back(ball_on_slab());
+    shots.push_back(ball_on_slab());
+    shots.back().name = "closed, lamp";
+    shots.back().options.lights = {lamp(LightKind::point)};
+    for (const Shot& s : shots) {
+        const Count count = compare_with_rays(s, "volume", 0, alike_on_screen);
+        EXPECT_EQ(count.wrong, 0) << s.name << " of " << count.compared;
+        EXPECT_GT(count.dark, 30) << s.name;
+        EXPECT_GT(count.compared, 8 * count.edge) << s.name;
+    }
+}
+
+TEST(Shadow, MapsAreWhereRaysSayButForTheirTexels) {
+    for (const Shot& room : rooms()) {
+        Shot s = room;
+        s.options.shadow_size = 1024;
+        for (const auto& [technique, texels] :
+             {std::pair{"map", 1.5}, std::pair{"map_pcf", 3.0}, std::pair{"map_soft", 3.0}}) {
+            const auto away = [&](const Oracle& oracle, const Oracle::Place& p, double, double) {
+                return std::abs(oracle.height(p)) > 1e-3 &&
+                       oracle.alike(p, texels * oracle.texel(p, 1024));
+            };
+            const Count count = compare_with_rays(s, technique, 0, away);
+            EXPECT_EQ(count.wrong, 0) << s.name << ' ' << technique << " of " << count.compared;
+            EXPECT_GT(count.dark, 30) << s.name;
+            EXPECT_GT(count.compared, 2 * count.edge) << s.name << ' ' << technique;
+        }
+    }
+}
+
+TEST(Shadow, ProjectedOntoTheFloorIsWhereRaysSay) {
+    for (const Shot& s : rooms()) {
+        const auto on_floor = [&](const Oracle& oracle, const Oracle::Place& p, double x,
+                                  double y) {
+            return p.triangle < 2 && alike_on_screen(oracle, p, x, y);
+        };
+        const Count count = compare_with_rays(s, "projected", 0, on_floor);
+        EXPECT_EQ(count.wrong, 0) << s.name << " of " << count.compared;
+        EXPECT_GT(count.dark, 30) << s.name;
+    }
+}
+
+TEST(Shadow, NeverFallsOnThePlaneThatThrowsIt) {
+    for (const int degrees : {0, 10, 30, 45, 60, 75, 80, 85, 88, 89}) {
+        Shot s = shot("plane", 64, 64);
+        s.scene.materials = {plain(Vec3(0.8F))};
+        add_square(s.scene.mesh, 1, 0, 0);
+        s.scene.mesh.uv.clear();
+        s.camera.azimuth_degrees = 20;
+        s.camera.elevation_degrees = 35;
+        s.options.shadow_size = 128;
+        scene::Light light = lamp(LightKind::directional);
+        const double angle = degrees * std::numbers::pi / 180;
+        light.towards = {std::sin(angle) * 0.6, std::sin(angle) * 0.8, std::cos(angle)};
+        light.size = 3;
+        for (const auto kind : {LightKind::directional, LightKind::point}) {
+            light.kind = kind;
+            light.position = light.towards * 2.5;
+            s.options.lights = {light};
+            for (const std::string& technique : kTechniques) {
+                if (technique == "attached") continue;
+                for (const double share : shares(s, technique)) {
+                    if (share >= 0) {
+                        ASSERT_EQ(share, 1) << technique << ' ' << degrees << ' ' << name_of(kind);
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST(Shadow, OfALoneConvexBodyIsNotOnItsLitSide) {
+    for (const auto kind : {LightKind::directional, LightKind::point}) {
+        Shot s = shot("convex", 64, 64);
+        s.scene.materials = {plain(Vec3(0.8F))};
+        add_sphere(s.scene.mesh, Vec3(0), 0.9F, 20, 11, 0);
+        s.scene.mesh.uv.clear();
+        s.options.lights = {lamp(kind)};
+        s.options.lights[0].position = {1, 1.5, 0.5};
+        s.options.shadow_size = 128;
+        const Oracle oracle(s);
+        for (const std::string& technique : kTechniques) {
+            const std::vector<double> share = shares(s, technique);
+            int lit = 0;
+            for (int y = 0; y < 64; ++y) {
+                for (int x = 0; x < 64; ++x) {
+                    const Oracle::Place p = oracle.place(x + 0.5, y + 0.5);
+                    const double got = share[static_cast<std::size_t>(y * 64 + x)];
+                    if (p.triangle == SIZE_MAX || got < 0 || oracle.height(p) < 1e-3) continue;
+                    ++lit;
+                    EXPECT_EQ(got, 1) << technique << ' ' << x << ' ' << y;
+                }
+            }
+            EXPECT_GT(lit, 300);
+        }
+    }
+}
+
+TEST(Shadow, OfWhatStandsBehindTheLightFallsNowhere) {
+    Shot s = stage("behind", {lamp(LightKind::point)});
+    s.options.lights[0].position = {0.1, 0.35, 0.6};
+    const std::size_t before = s.scene.mesh.triangles();
+    add_quad(s.scene.mesh, {{{-1, 0.8F, 1}, {1, 0.8F, 1}, {1, 0.8F, 0.1F}, {-1, 0.8F, 0.1F}}},
+             {0, -1, 0}, 2);
+    s.scene.mesh.uv.clear();
+    s.camera.elevation_degrees = 10;
+    Shot without = s;
+    without.scene.mesh.index.resize(before * 3);
+    without.scene.mesh.material.resize(before);
+    without.scene.mesh.face.resize(before);
+    for (const std::string& technique : {std::string("projected"), std::string("volume")}) {
+        s.options.shadow = without.options.shadow = technique;
+        frame::Visibility seen;
+        const image::Image a = draw(s, {.visibility = &seen}), b = draw(without);
+        for (int y = 0; y < 64; ++y)
+            for (int x = 0; x < 64; ++x)
+                if (seen.id[static_cast<std::size_t>(y * 64 + x)] < before) {
+                    EXPECT_EQ(a.at(x, y), b.at(x, y)) << technique << ' ' << x << ' ' << y;
+                }
+    }
+}
+
+TEST(Shadow, ChangesNoBitWhereNoLightCasts) {
+    for (const auto kind : {LightKind::directional, LightKind::point, LightKind::spot}) {
+        Shot s = stage("plain", {light_of(kind, 0.9)});
+        const image::Image plain = draw(s);
+        for (const std::string& technique : kTechniques) {
+            s.options.shadow = technique;
+            s.options.effects["shadow"] = true;
+            frame::FrameStats stats;
+            EXPECT_EQ(draw(s, {.stats = &stats}), plain) << technique;
+            EXPECT_EQ(stats.shadow_bytes, 0U);
+        }
+    }
+}
+
+TEST(Shadow, OfALightWithoutSizeIsTheFilteredOneToTheBit) {
+    for (Shot s : rooms()) {
+        s.options.shadow = "map_pcf";
+        s.options.shadow_size = 256;
+        const image::Image filtered = draw(s);
+        s.options.shadow = "map_soft";
+        EXPECT_EQ(draw(s), filtered) << s.name;
+    }
+}
+
+// Pixels that are neither dark nor bright.
+int penumbra(double size, double height) {
+    Shot s = shot("penumbra", 96, 96);
+    s.scene.materials = {plain(Vec3(0.8F))};
+    add_square(s.scene.mesh, 1, 0, 0);
+    add_square(s.scene.mesh, 0.3F, static_cast<float>(height), 0);
+    s.scene.mesh.uv.clear();
+    s.camera.projection = scene::Projection::orthographic;
+    s.camera.azimuth_degrees = 60;
+    s.options.lights = {lamp(LightKind::directional)};
+    s.options.lights[0].towards = {-0.5, 0, 1};
+    s.options.lights[0].size = size;
+    s.options.shadow_size = 512;
+    int partly = 0;
+    for (const double share : shares(s, "map_soft"))
+        partly += share > 0.02 && share < 0.98 ? 1 : 0;
+    return partly;
+}
+
+TEST(Shadow, IsSofterTheLargerTheLightAndTheFartherItFalls) {
+    EXPECT_GT(penumbra(2, 0.4), penumbra(0, 0.4));
+    EXPECT_GT(penumbra(4, 0.4), penumbra(2, 0.4) * 3 / 2);
+    EXPECT_GT(penumbra(4, 0.8), penumbra(4, 0.4) * 3 / 2);
+}
+
+TEST(Shadow, TakesNoMemoryOnceThePlanNeedsNone) {
+    const Shot s = shadowed("maps", "map");
+    Jobs jobs(1);
+    frame::Renderer renderer(jobs);
+    const auto view = scene::make_view(s.scene.mesh, {}, {}, s.camera, {}, 64, 64);
+    auto plan = frame::plan(s.options, frame::facts(s.scene));
+    renderer.render(s.scene, *view, *plan);
+    EXPECT_EQ(renderer.stats().shadow_bytes, 256U * 256 * 4);
+    frame::FrameOptions off = s.options;
+    off.effects["shadow"] = false;
+    plan = frame::plan(off, frame::facts(s.scene));
+    renderer.render(s.scene, *view, *plan);
+    EXPECT_EQ(renderer.stats().shadow_bytes, 0U);
+}
+
+} // namespace
+} // namespace scanout::test
