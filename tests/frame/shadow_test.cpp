@@ -290,6 +290,35 @@ TEST(Shadow, NeverFallsOnThePlaneThatThrowsIt) {
     }
 }
 
+TEST(Shadow, DoesNotGatherInAHollowEdgeThatTheLightLooksInto) {
+    for (const int degrees : {25, 35, 45, 55, 65}) {
+        Shot s = shot("hollow", 64, 64);
+        s.scene.materials = {plain(Vec3(0.8F))};
+        add_quad(s.scene.mesh, {{{0, 0, 1}, {1, 0, 1}, {1, 0, -1}, {0, 0, -1}}}, {0, 1, 0}, 0);
+        add_quad(s.scene.mesh, {{{0, 0, 1}, {0, 1, 1}, {0, 1, -1}, {0, 0, -1}}}, {1, 0, 0}, 0);
+        s.scene.mesh.uv.clear();
+        s.camera.azimuth_degrees = 60;
+        s.camera.elevation_degrees = 40;
+        s.options.shadow_size = 128;
+        scene::Light light = lamp(LightKind::directional);
+        const double angle = degrees * std::numbers::pi / 180;
+        light.towards = {std::cos(angle), std::sin(angle), 0.1};
+        for (const double size : {0.0, 2.0}) {
+            light.size = size;
+            s.options.lights = {light};
+            for (const std::string& technique : kTechniques) {
+                int lit = 0;
+                for (const double share : shares(s, technique)) {
+                    lit += share == 1 ? 1 : 0;
+                    EXPECT_TRUE(share < 0 || share == 1)
+                        << technique << ' ' << degrees << ' ' << size << ' ' << share;
+                }
+                EXPECT_GT(lit, 800) << technique;
+            }
+        }
+    }
+}
+
 TEST(Shadow, OfALoneConvexBodyIsNotOnItsLitSide) {
     for (const auto kind : {LightKind::directional, LightKind::point}) {
         Shot s = shot("convex", 64, 64);

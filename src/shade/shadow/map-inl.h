@@ -5,8 +5,8 @@
 // there the receiver's own plane is deeper or nearer by at most half a texel times
 // |dz/dx| + |dz/dy|, the bias of HARD-CASES 41. It is known exactly, so the plane is carried to the
 // centre and compared there: what lies in the plane is never in its own shadow, at any slope, and
-// what stands on it is not lit under its foot. What remains is rounding: of the map's vertices to
-// 1/256 texel, of its depth to a float, and of the receiver's position.
+// what stands on it is hardly lit under its foot (kRise). What remains is rounding: of the map's
+// vertices to 1/256 texel, of its depth to a float, and of the receiver's position.
 #if defined(SCANOUT_SHADE_SHADOW_MAP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_SHADOW_MAP_INL_H
 #undef SCANOUT_SHADE_SHADOW_MAP_INL_H
@@ -68,9 +68,17 @@ HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
             static_cast<float>(slope * texels), static_cast<float>(error)};
 }
 
+// Where two faces meet in a hollow edge, texels beside the receiver show the other face, which
+// rises above the receiver's plane. What rises less than so many texels for each one aside hides
+// nothing from there: enough for right angles that the light meets 21 degrees and more from either
+// face. A light of 18 degrees has no penumbra from what is that low. The price: what is thinner
+// than that lets light under its foot, at most 1.5 texels (HARD-CASES 42).
+constexpr float kRise = 3;
+
 struct Receiver {
     F32x8 x, y; // texels
     F32x8 depth, per_x, per_y, bias;
+    F32x8 rise_x, rise_y; // depth that hides nothing, a texel aside
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
@@ -102,6 +110,9 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
     r.per_y = plane.per_y;
     r.bias = (F32x8(plane.bias) + F32x8(plane.bias_slope) * inverse) + abs(depth) * F32x8(0x1p-21F);
     if (m.perspective) r.bias = r.bias + (depth * F32x8(plane.error)) * inverse;
+    const F32x8 rise = F32x8(kRise) * (m.perspective ? depth : F32x8(m.depth_scale));
+    r.rise_x = rise * F32x8(1.0F / m.scale_x);
+    r.rise_y = rise * F32x8(1.0F / m.scale_y);
     return r;
 }
 
@@ -119,7 +130,8 @@ HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, I32x8 tx, I32x8 ty
     const I32x8 last = m.size - 1, zero = 0;
     const I32x8 column = minimum(maximum(tx, zero), last), row = minimum(maximum(ty, zero), last);
     const F32x8 dx = (to_f32(tx) + F32x8(0.5F)) - r.x, dy = (to_f32(ty) + F32x8(0.5F)) - r.y;
-    const F32x8 own = (r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias;
+    const F32x8 own = ((r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias) +
+                      (r.rise_x * abs(dx) + r.rise_y * abs(dy));
     return {gather(m.depth, row * I32x8(m.size) + column), maximum(own, F32x8(0.0F))};
 }
 // 1 where something stands between the texel's part of the receiver's plane and the light.
