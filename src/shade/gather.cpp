@@ -100,7 +100,7 @@ Run run_at(const GatherInput& in, const Primitive& primitive, int lane, int x, i
         run.dx = dx;
         run.dy = dy;
     } else if (!covers(in, primitive.id, run.x, run.y)) {
-        // The weights are those of the triangle before the clip: what was drawn decides.
+        // The weights are rounded: the exact edges decide.
         run.x += dx;
         run.y += dy;
     }
@@ -241,6 +241,39 @@ void Gatherer::add_run(const raster::VisibilityTile& tile, const GatherInput& in
     run = run_at_centre(primitive, b.count, x, y);
     if (f.shared != kOwn) run = run_at(in, primitive, b.count, x, y, tile.pattern()[f.sample]);
     run.count = count;
+    if (primitive.across >= 0) cut_run();
+}
+
+// The last run of a row may begin in one piece of its triangle and end in the other.
+void Gatherer::cut_run() {
+    Block& b = *block_;
+    const Run whole = b.run[--b.runs];
+    const auto piece = [&](int pixel) {
+        return &Primitives::at(*whole.primitive, whole.x + pixel * kSubpixel, whole.y);
+    };
+    // The last pixel of the piece that has the first one. Slivers are asked at every pixel.
+    const auto last = [&](int first) {
+        int same = first, other = whole.count;
+        if (whole.primitive->across == Primitive::kFolded)
+            other = std::min(other, first + 1);
+        else if (piece(first) == piece(other - 1))
+            same = other - 1;
+        while (other - same > 1) {
+            const int middle = same + (other - same) / 2;
+            (piece(middle) == piece(first) ? same : other) = middle;
+        }
+        return same;
+    };
+    for (int first = 0; first < whole.count;) {
+        const int end = last(first) + 1;
+        Run& run = b.run[b.runs++];
+        run = whole;
+        run.primitive = piece(first);
+        run.first += first;
+        run.x += first * kSubpixel;
+        run.count = end - first;
+        first = end;
+    }
 }
 
 void Gatherer::finish_block(const raster::VisibilityTile& tile, const GatherInput& in,

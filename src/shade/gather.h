@@ -81,6 +81,7 @@ private:
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void add_run(const raster::VisibilityTile& tile, const GatherInput& input,
                  const Fragment& fragment, int skip, int count);
+    void cut_run();
     void join_runs();
     void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
                       image::Image& picture);

@@ -1,17 +1,19 @@
 #include "shade/primitives.h"
 
 #include "base/check.h"
-#include "raster/clip.h"
+#include "raster/piece.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace scanout::shade {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>; // vertices of the mesh, in canonical order
+using Corners = std::array<std::uint32_t, 3>; // vertices of the mesh
 
 // The triangle's own normal, brought near length 1 so that a float holds it; only its direction
 // matters.
@@ -70,23 +72,75 @@ bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 
     return !t->triangle.flipped;
 }
 
-// From the whole triangle before the clip, so that no attribute is ever clipped.
-bool set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
-    const auto clip_vertex = [&](std::size_t k) {
-        return in.transform->to_clip(in.mesh->position[v[k]]);
+// By position, so that no bit depends on the order in which the file names them. Returns whether
+// the order is odd.
+bool sort_by_position(Corners& v, const geom::Mesh& mesh) {
+    const auto before = [&](std::uint32_t i, std::uint32_t j) {
+        const Vec3 &a = mesh.position[i], &b = mesh.position[j];
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    const raster::HomogeneousTriangle t =
-        raster::homogeneous_triangle({clip_vertex(0), clip_vertex(1), clip_vertex(2)});
-    const Corners in_file_order = v;
+    bool odd = false;
+    for (const std::size_t i : {0, 1, 0}) {
+        if (!before(v[i + 1], v[i])) continue;
+        std::swap(v[i], v[i + 1]);
+        odd = !odd;
+    }
+    return odd;
+}
+
+// Never outside the range of its ends.
+float between(double from, double to, double share) {
+    return static_cast<float>(
+        std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
+}
+
+// Of vertex k, where the near plane cuts the edge between two vertices of the mesh.
+void set_cut_attributes(Primitive& p, const GatherInput& in, std::size_t k, std::uint32_t from,
+                        std::uint32_t to, double share) {
+    const geom::Mesh& mesh = *in.mesh;
+    const Attributes wanted = in.frame->attributes;
+    const auto in_view = [&](std::uint32_t vertex) {
+        return (in.view->linear * DVec3(mesh.position[vertex]) + in.view->translation) *
+               to_floats(*in.view);
+    };
+    const DVec3 a = wanted.position ? in_view(from) : DVec3(0),
+                b = wanted.position ? in_view(to) : DVec3(0);
+    for (int c = 0; c < 3; ++c) {
+        if (wanted.position) p.position[c][k] = between(a[c], b[c], share);
+        if (wanted.normal)
+            p.normal[c][k] = between(mesh.normal[from][c], mesh.normal[to][c], share);
+        if (wanted.colour)
+            p.colour[c][k] = between(mesh.colour[from][c], mesh.colour[to][c], share);
+    }
+    if (wanted.uv) {
+        p.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
+        p.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
+    }
+}
+
+// From the very points that are drawn: where a vertex has snapped to, its attributes stand; those
+// of a cut are the only ones that are computed.
+void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
+               const raster::Piece& piece) {
+    const raster::PieceWeights weights = raster::weights_of(piece, in.transform->perspective);
+    Corners v;
     for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = in_file_order[t.order.vertex[k]];
+        v[k] = corner[piece.vertex[k].place.from];
         p.inverse_w[k] = 1;
-        p.a[k] = t.row[k].x / raster::kSubpixel;
-        p.b[k] = t.row[k].y / raster::kSubpixel;
-        p.c[k] = t.row[k].z;
+        p.a[k] = weights.a[k];
+        p.b[k] = weights.b[k];
+        p.c[k] = weights.c[k];
         p.least[k] = 0;
     }
-    return t.clockwise;
+    set_attributes(p, in, v);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const raster::EdgePlace& place = piece.vertex[k].place;
+        if (place.cut())
+            set_cut_attributes(p, in, k, corner[place.from], corner[place.to], place.share);
+    }
+    Corners sorted = corner;
+    const bool odd = sort_by_position(sorted, *in.mesh);
+    set_facing(p, *in.mesh, sorted, (piece.clockwise != odd) != in.mirrored);
 }
 
 } // namespace
@@ -104,20 +158,42 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     if (slot < pool_.size() && pool_[slot].id == triangle) return pool_[slot];
     CHECK(!full());
     slot = static_cast<std::uint16_t>(pool_.size());
-    Primitive& p = pool_.emplace_back();
-    p.id = triangle;
-    const geom::Mesh& mesh = *in.mesh;
-    const std::uint32_t* index = mesh.index.data() + std::size_t{triangle} * 3;
+    const std::uint32_t* index = in.mesh->index.data() + std::size_t{triangle} * 3;
     Corners v = {index[0], index[1], index[2]};
     const auto vertices = in.geometry->vertices();
     const std::array<raster::ScreenVertex, 3> corner = {vertices[v[0]], vertices[v[1]],
                                                         vertices[v[2]]};
-    p.clipped = !(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen());
-    const bool clockwise =
-        p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
-    set_facing(p, mesh, v, clockwise != in.mirrored);
+    if (!(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen())) {
+        add_pieces(in, triangle, v);
+        return pool_[slot];
+    }
+    Primitive& p = pool_.emplace_back();
+    p.id = triangle;
+    p.clipped = false;
+    p.across = -1;
+    const bool clockwise = set_exact(p, v, corner, in.transform->perspective);
+    set_facing(p, *in.mesh, v, clockwise != in.mirrored);
     set_attributes(p, in, v);
     return p;
+}
+
+void Gatherer::Primitives::add_pieces(const GatherInput& in, std::uint32_t triangle,
+                                      const Corners& corner) {
+    const raster::Pieces pieces = in.geometry->pieces(triangle);
+    CHECK(pieces.count > 0); // what is visible has an area
+    for (const raster::Piece& piece : pieces) {
+        Primitive& p = pool_.emplace_back();
+        p.id = triangle;
+        p.clipped = true;
+        p.across = -1;
+        set_piece(p, corner, in, piece);
+    }
+    if (pieces.count < 2) return;
+    const auto& [one, two] = pieces.piece;
+    (pool_.end() - 2)->across =
+        one.clockwise != two.clockwise
+            ? Primitive::kFolded
+            : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));
 }
 
 } // namespace scanout::shade

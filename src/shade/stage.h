@@ -30,16 +30,21 @@ constexpr Attributes operator|(Attributes a, Attributes b) {
             a.position || b.position};
 }
 
-// What all lanes of one triangle share, its vertices in canonical order.
+// What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
 struct Primitive {
     std::uint32_t id;
     // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
-    // vertex i, whole numbers and exact, where the triangle was not clipped; else the row of
-    // raster::HomogeneousTriangle. Inside, none is negative.
+    // vertex i, whole numbers and exact, where the triangle was not clipped; else
+    // raster::PieceWeights. Inside, none is negative.
     double a[3], b[3], c[3];
     double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
                      // asked for where the triangle was clipped
     bool clipped;
+    // Of the first of two pieces: the vertex opposite the edge where the second begins, which is
+    // where that one's weight is negative; kFolded where snapping has turned one of them over, so
+    // that both lie on one side of the edge; -1 where there is no second.
+    static constexpr std::int8_t kFolded = 3;
+    std::int8_t across;
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
     // Of the three vertices; only what the frame's stages read.
