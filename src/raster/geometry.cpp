@@ -168,6 +168,8 @@ void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment
         ClipVertex a = task.transform.to_clip(task.mesh.position[index[0]]);
         ClipVertex b = task.transform.to_clip(task.mesh.position[index[1]]);
         if (!clip(a, b, task.transform.box)) return;
+        check_before_snap(a, index[0]);
+        check_before_snap(b, index[1]);
         v[0] = task.transform.to_screen(a);
         v[1] = task.transform.to_screen(b);
     }

@@ -1,5 +1,7 @@
 #include "raster/piece.h"
 
+#include "raster/check_lanes.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -78,6 +80,7 @@ ExactPoint point_on_screen(const ScreenVertex& v, const EdgePlace& place) {
 }
 
 ExactPoint point_off_screen(const ClipVertex& v, const EdgePlace& place) {
+    check_before_rounding(v);
     // The power of two that brings the largest of x, y, 2^15 w just below 2^50.
     const double most = std::max({std::abs(v.x) * 0x1p-16, std::abs(v.y) * 0x1p-16, v.w * 0x1p-1});
     const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(most) >> 52) - 1023;

@@ -348,6 +348,7 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
     Block& b = *block_;
     b.ambient = Vec3(0);
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
+    check_lights(*in.frame);
     std::uint64_t lanes = 0;
     for (std::size_t i = 0; i < fragments_.size(); ++i) {
         const Fragment& f = fragments_[i];

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "raster/piece.h"
+#include "shade/check_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -174,6 +175,7 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     const bool clockwise = set_exact(p, v, corner, in.transform->perspective);
     set_facing(p, *in.mesh, v, clockwise != in.mirrored);
     set_attributes(p, in, v);
+    check_primitive(p, in.frame->attributes);
     return p;
 }
 
@@ -187,6 +189,7 @@ void Gatherer::Primitives::add_pieces(const GatherInput& in, std::uint32_t trian
         p.clipped = true;
         p.across = -1;
         set_piece(p, corner, in, piece);
+        check_primitive(p, in.frame->attributes);
     }
     if (pieces.count < 2) return;
     const auto& [one, two] = pieces.piece;

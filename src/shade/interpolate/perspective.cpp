@@ -3,6 +3,7 @@
 // terms are positive, and so nothing cancels at any ratio of distances. A result never leaves the
 // range of its vertices, not even by rounding: u just below 0 would show the texel at the other end
 // of the texture (HARD-CASES 34).
+#include "shade/check_lanes.h"
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/perspective.cpp"
@@ -10,12 +11,31 @@
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
+// Lanes of a block from `first` on, of which `count` are of the run.
+struct Live {
+    int first, count;
+};
+
+HWY_INLINE bool is_finite(float f) {
+    return f - f == 0;
+}
+
+// A clamp makes a number of NaN, so that nothing would be seen after it.
+HWY_INLINE void check_clamped([[maybe_unused]] F32x8 f, [[maybe_unused]] const Live& live) {
+    if constexpr (kCheckLanes) {
+        float lanes[kLanesX8];
+        store(f, lanes);
+        check_before_clamp(lanes, live.count < kLanesX8 ? live.count : kLanesX8, live.first);
+    }
+}
+
 // Of vertices 1 and 2; vertex 0 has the rest.
 struct Weights {
     F32x8 one, two;
+    Live live;
 };
 
-HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
+HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y, const Live& live) {
     const auto weight = [&](int k) {
         return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
     };
@@ -23,6 +43,7 @@ HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
     if (t.clipped) {
         // The snapped edge may lie a little further out than the exact one. A common factor brings
         // the weights into the range of a float.
+        check_clamped(to_f32(((b0 - b0) + (b1 - b1)) + (b2 - b2)), live); // 0 of what is finite
         const F64x8 zero = 0.0;
         b0 = maximum(b0, zero);
         b1 = maximum(b1, zero);
@@ -38,12 +59,15 @@ HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
     const F32x8 p1 = to_f32(b1) * F32x8(t.inverse_w[1]);
     const F32x8 p2 = to_f32(b2) * F32x8(t.inverse_w[2]);
     const F32x8 sum = (p0 + p1) + p2;
-    return {p1 / sum, p2 / sum};
+    return {p1 / sum, p2 / sum, live};
 }
 
 HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
     const F32x8 f0 = vertex[0], f1 = vertex[1], f2 = vertex[2];
     const F32x8 f = f0 + (w.one * (f1 - f0) + w.two * (f2 - f0));
+    // Differences beyond all floats are what the clamp is for, too.
+    if (kCheckLanes && is_finite(vertex[1] - vertex[0]) && is_finite(vertex[2] - vertex[0]))
+        check_clamped(f, w.live);
     const F32x8 low = minimum(minimum(f0, f1), f2), high = maximum(maximum(f0, f1), f2);
     return minimum(maximum(f, low), high);
 }
@@ -79,8 +103,8 @@ HWY_INLINE void interpolate(Block& b, const FrameState& frame) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
-            const Weights w =
-                weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)));
+            const Weights w = weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)),
+                                      {i, run->first + run->count - i});
             if (normal) normals(t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
             if (uv) {
                 store(mix(w, t.uv[0]), b.u + i);
