@@ -26,10 +26,13 @@ std::vector<Shot> hashed_shots() {
         for (Shot s : golden_shots()) {
             s.options.width = 257;
             s.options.height = 131;
-            s.options.samples = samples;
+            // With a line along every outline, four samples resolve nothing: a sample of the pixel
+            // beside the line's is as far from their border as from the middle along the line, and
+            // so the outline, whose slope is at most 1, passes it on the far side. Eight do.
+            s.options.samples = samples > 1 && s.name == "lines_on_faces" ? 8 : samples;
             if (s.name == "samples_8") continue;
             if (s.name == "lines_and_points" && samples > 1) continue; // whole pixels: no change
-            s.name += "_x" + std::to_string(samples);
+            s.name += "_x" + std::to_string(s.options.samples);
             shots.push_back(s);
         }
     }
@@ -85,6 +88,9 @@ TEST_F(Hashes, AreThoseInTheRepository) {
         different.insert(got[s.name]);
     }
     EXPECT_EQ(different.size(), got.size()) << "two scenes look alike";
+    std::set<std::string> pictures; // that samples are resolved shows in colours alone
+    for (const auto& [name, hash] : got)
+        EXPECT_TRUE(pictures.insert(hash.substr(0, 16)).second) << name;
     EXPECT_GE(got.size(), 20U);
     const char* update = std::getenv("SCANOUT_UPDATE_GOLDEN");
     if (update != nullptr && std::string(update) == "1") {
