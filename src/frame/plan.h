@@ -3,8 +3,11 @@
 #pragma once
 
 #include "base/result.h"
+#include "frame/anti_aliasing.h"
 #include "frame/facts.h"
 #include "frame/options.h"
+#include "image/convolution.h"
+#include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
@@ -46,9 +49,13 @@ struct FramePlan {
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation first, shading last.
     std::vector<const shade::Stage*> stages;
-    shade::Attributes attributes;          // what has to be fetched for a block
-    const shade::Filter* filter = nullptr; // how maps are read; null where none is
-    std::vector<scene::Light> lights;      // those that reach something
+    shade::Attributes attributes;                    // what has to be fetched for a block
+    const shade::Filter* filter = nullptr;           // how maps are read; null where none is
+    std::vector<scene::Light> lights;                // those that reach something
+    const AntiAliasing* aa = nullptr;                // how edges are smoothed
+    shade::Output output;                            // from light to codes
+    const image::Convolution* convolution = nullptr; // of the finished picture; null: none
+    float exposure = 1;                              // what light is multiplied by
     TransparencyPlan transparency;
     // How each kind of surface reflects: what the shading stage, the last of `stages`, calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};

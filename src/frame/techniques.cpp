@@ -1,5 +1,9 @@
 #include "frame/techniques.h"
 
+#include "frame/anti_aliasing.h"
+#include "image/convolution.h"
+#include "image/dither.h"
+#include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
@@ -16,6 +20,16 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&stage->card);
         for (const shade::Transparency* transparency : shade::transparencies())
             found.push_back(&transparency->card);
+        for (const AntiAliasing* aa : anti_aliasings())
+            found.push_back(&aa->card);
+        for (const image::Convolution* convolution : image::convolutions())
+            found.push_back(&convolution->card);
+        for (const shade::BlendSpace* space : shade::blend_spaces())
+            found.push_back(&space->card);
+        for (const shade::Encoding* encoding : shade::encodings())
+            found.push_back(&encoding->card);
+        for (const image::Dither* dither : image::dithers())
+            found.push_back(&dither->card);
         return found;
     }();
     return all;

@@ -129,9 +129,9 @@ private:
             return options;
         }
         const std::string_view cheapest = cheapest_on(d.effect);
-        std::string* technique = frame::asked(options, d.effect);
-        if (!d.on() || technique == nullptr || d.technique == cheapest) return std::nullopt;
-        *technique = row.cheapest = cheapest;
+        if (!d.on() || d.technique == cheapest || !frame::ask(options, d.effect, cheapest))
+            return std::nullopt;
+        row.cheapest = cheapest;
         return options;
     }
 

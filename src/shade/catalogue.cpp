@@ -24,6 +24,9 @@ SCANOUT_REFLECTION(SCANOUT_DECLARE)
 namespace shading {
 SCANOUT_SHADING(SCANOUT_DECLARE)
 }
+namespace tone {
+SCANOUT_TONE(SCANOUT_DECLARE)
+}
 #undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Filter name;
 namespace texture {
@@ -52,6 +55,9 @@ std::span<const Stage* const> stages() {
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &shading::name,
                         SCANOUT_SHADING(SCANOUT_ROW)
+#undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &tone::name,
+                            SCANOUT_TONE(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;
