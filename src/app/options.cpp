@@ -189,6 +189,16 @@ const std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.frame.transparency; }),
      "how surfaces that let light through are drawn (`list techniques`); auto: exact, and cut_out "
      "where alpha is 0 or 1 alone"},
+    {"blend", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.blend; }),
+     "how such surfaces meet what lies behind (`list techniques`); auto: over"},
+    {"depth", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.depth; }),
+     "how depth is kept (`list techniques`); auto: reversed"},
+    {"depth-test", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.depth_test; }),
+     "which of several surfaces that are not blended is seen (`list techniques`); auto: greater, "
+     "the nearest"},
     {"alpha-cut", 0, "ALPHA", "", "0.5", 0, 1, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
      "cut-out surfaces show where their alpha is at least this"},

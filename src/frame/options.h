@@ -28,7 +28,10 @@ struct FrameOptions {
     std::string shading = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     std::string transparency = "auto";
-    double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
+    std::string blend = "auto";      // over
+    std::string depth = "auto";      // reversed
+    std::string depth_test = "auto"; // greater
+    double alpha_cut = 0.5;          // least alpha that a cut-out surface shows
     int most_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
     std::string aa = "auto";      // then `samples` says it
     std::string tone = "auto";

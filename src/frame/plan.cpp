@@ -14,16 +14,21 @@
 namespace scanout::frame {
 namespace {
 
+// The command line's name of an axis.
+std::string option_of(std::string_view axis) {
+    std::string name(axis);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
+
 // What the user asked for on an axis, or the automatic choice, when the axis has it.
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
     for (const Technique* technique : techniques())
         if (technique->axis == axis && technique->name == name) return std::string(name);
-    std::string option(axis);
-    std::replace(option.begin(), option.end(), '_', '-');
-    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option, asked,
-                names_of(axis));
+    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option_of(axis),
+                asked, names_of(axis));
 }
 
 Result<void> check_numbers(const FrameOptions& o) {
@@ -301,6 +306,36 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     return {};
 }
 
+// Which surfaces are seen, and how they are mixed: choices of the user's.
+Result<void> plan_merging(Planner& planner, FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    constexpr std::string_view kSides[] = {"none", "back", "front"};
+    const std::string cull(kSides[static_cast<std::size_t>(o.cull)]);
+    planner.choice("cull", cull, o.cull == Cull::none ? "auto" : cull,
+                   o.cull == Cull::none
+                       ? "files do not say whether their backs are meant to be seen"
+                       : "as asked");
+    TRY(const std::string depth, choose("depth", o.depth, "reversed"));
+    TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
+    TRY(const std::string blend, choose("blend", o.blend, "over"));
+    const auto* format = raster::find_depth_format(depth);
+    const auto* compare = raster::find_depth_test(test);
+    const auto* mix = shade::find_blend(blend);
+    CHECK(format != nullptr && compare != nullptr && mix != nullptr);
+    planner.choice("depth", depth, o.depth, std::string(format->card.blurb));
+    planner.choice("depth_test", test, o.depth_test, std::string(compare->card.blurb));
+    const bool blends = plan.transparency.blended != nullptr;
+    planner.choice("blend", blends ? blend : "off", o.blend,
+                   blends ? std::string(mix->card.blurb) : "nothing is blended", blends);
+    plan.visible = {compare->test, format->standard, format->steps};
+    plan.transparency.blend = mix;
+    if (!plan.visible.usual())
+        for (const Technique* card : {&format->card, &compare->card})
+            plan.techniques.push_back(card);
+    if (blends) plan.techniques.push_back(&mix->card);
+    return {};
+}
+
 // Is there light above 1, and what becomes of it? Highlights alone do not count: MTL means them to
 // burn out, and a curve would dim all else for their sake.
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
@@ -340,6 +375,9 @@ Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan
     if (find_anti_aliasing(name)->exact && !plan.transparency.layers.empty()) {
         name = "samples_16";
         because = "areas know no transparency, which this scene has";
+    } else if (find_anti_aliasing(name)->exact && !plan.visible.usual()) {
+        name = "samples_16";
+        because = "areas know the nearest surface alone, in exact depth";
     }
     plan.aa = find_anti_aliasing(name);
     CHECK(plan.aa != nullptr);
@@ -417,6 +455,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts, filter));
+    TRY_VOID(plan_merging(planner, plan));
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, planner, plan));
     TRY_VOID(plan_output(options, planner, plan));

@@ -149,6 +149,7 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
     shade::LayerInput in;
     in.cut_out = t.cut_out;
     in.blended = t.blended;
+    in.blend = t.blend;
     in.opaque_blended = t.opaque_blended;
     in.alpha = t.alpha;
     in.stages = t.stages;
@@ -219,7 +220,7 @@ static void draw_samples(const raster::Geometry& geometry, int tile, const shade
 void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
     const AntiAliasing& aa = *f.plan.aa;
     image::Rect area = geometry.tile_area(tile);
-    worker.visibility.reset(area, aa.samples);
+    worker.visibility.reset(area, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
     area = {area.x0 / aa.scale, area.y0 / aa.scale, area.x1 / aa.scale, area.y1 / aa.scale};

@@ -3,6 +3,7 @@
 #include "frame/anti_aliasing.h"
 #include "image/convolution.h"
 #include "image/dither.h"
+#include "raster/visible_rule.h"
 #include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
@@ -18,6 +19,12 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&filter->card);
         for (const shade::Stage* stage : shade::stages())
             found.push_back(&stage->card);
+        for (const raster::DepthFormatRow* format : raster::depth_formats())
+            found.push_back(&format->card);
+        for (const raster::DepthTestRow* test : raster::depth_tests())
+            found.push_back(&test->card);
+        for (const shade::Blend* blend : shade::blends())
+            found.push_back(&blend->card);
         for (const shade::Transparency* transparency : shade::transparencies())
             found.push_back(&transparency->card);
         for (const AntiAliasing* aa : anti_aliasings())

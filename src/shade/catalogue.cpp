@@ -33,6 +33,11 @@ namespace texture {
 SCANOUT_TEXTURE(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Blend name;
+namespace blend {
+SCANOUT_BLEND(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Transparency name;
 namespace transparency {
 SCANOUT_TRANSPARENCY(SCANOUT_DECLARE)
@@ -68,6 +73,19 @@ std::span<const Filter* const> filters() {
     static constexpr auto kFilters = std::to_array<const Filter*>({SCANOUT_TEXTURE(SCANOUT_ROW)});
 #undef SCANOUT_ROW
     return kFilters;
+}
+
+std::span<const Blend* const> blends() {
+#define SCANOUT_ROW(name) &blend::name,
+    static constexpr auto kAll = std::to_array<const Blend*>({SCANOUT_BLEND(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kAll;
+}
+
+const Blend* find_blend(std::string_view name) {
+    for (const Blend* blend : blends())
+        if (blend->card.name == name) return blend;
+    return nullptr;
 }
 
 std::span<const Transparency* const> transparencies() {

@@ -197,7 +197,7 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     }
     for (const std::uint32_t i : blended.fragments(pixel)) {
         const BlendFragment& f = blended.list.fragments[i];
-        if (f.weight > 0) add(f.id, f.first, blended.list.depth_at(f, f.first), f.weight, f.mask);
+        if (f.weight != 0) add(f.id, f.first, blended.list.depth_at(f, f.first), f.weight, f.mask);
     }
     if (seen.empty()) return; // nothing shows but the background
     std::sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) {

@@ -28,6 +28,7 @@ namespace scanout::shade {
 struct LayerInput {
     const Transparency* cut_out = nullptr; // null where no triangle wants it
     const Transparency* blended = nullptr;
+    const Blend* blend = nullptr;
     bool opaque_blended = false;          // all that is blended has alpha 1
     std::span<const MaterialAlpha> alpha; // of the default material, then of each of the scene
     std::span<const Stage* const> stages; // find alpha

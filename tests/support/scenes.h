@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geom/line_faces.h"
+#include "support/depth_scenes.h"
 #include "support/random.h"
 #include "support/shot.h"
 #include "support/transparent_scenes.h"
@@ -275,6 +276,8 @@ inline std::vector<Shot> golden_shots() {
     shots.push_back(edges("lines_on_faces"));
     shots.push_back(solids("samples_8"));
     shots.back().options.samples = 8;
+    for (const Shot& s : depth_shots())
+        shots.push_back(s);
     for (const Shot& s : transparent_shots())
         shots.push_back(s);
     add_output_shots(shots);
