@@ -160,8 +160,10 @@ const std::array kOptions = std::to_array<Option>({
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
-    {"json", 0, "FILE", "", "", 0, 0, Group::output, kDraw | kCompare, Parsed(read_json),
-     "report counts, times and hashes as JSON, on standard output or to --json=FILE", true},
+    {"json", 0, "FILE", "", "", 0, 0, Group::output, kDraw | kCompare | kList, Parsed(read_json),
+     "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
+     "techniques alone",
+     true},
 
     {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kDraw, Parsed(read_size),
      "pixels of the picture; the viewer uses it without a display only"},

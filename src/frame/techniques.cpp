@@ -42,6 +42,14 @@ const std::vector<const Technique*>& techniques() {
     return all;
 }
 
+shade::Attributes reads(const Technique& technique) {
+    for (const shade::Stage* stage : shade::stages())
+        if (&stage->card == &technique) return stage->needs;
+    for (const shade::Filter* filter : shade::filters())
+        if (&filter->card == &technique) return filter->needs;
+    return {};
+}
+
 std::string names_of(std::string_view axis) {
     std::string names;
     for (const Technique* technique : techniques())

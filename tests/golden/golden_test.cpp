@@ -66,6 +66,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"aa", {SCANOUT_AA(SCANOUT_NAME)}},
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},

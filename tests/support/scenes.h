@@ -245,6 +245,8 @@ inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
     shots.push_back(textured_cube("texture_bilinear", "bilinear"));
+    shots.push_back(textured_cube("map_diffuse", "auto"));
+    shots.back().camera.azimuth_degrees = 60;
     const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);
     shots.push_back(stage("light_ambient", {light_of(scene::LightKind::ambient, 0.6)}));
     for (const auto kind :
