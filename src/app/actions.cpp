@@ -31,6 +31,9 @@ std::string up_text(State s) {
 std::string cull_text(State s) {
     return std::string(name_of(s.look.cull));
 }
+std::string light_text(State s) {
+    return s.light < 0 ? "" : fmt::format("light {}", s.light + 1);
+}
 std::string turntable_text(State s) {
     return on_off(s.look.turntable);
 }
@@ -71,6 +74,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text},
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text},
     {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text},
+    {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text},
     {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text},
@@ -78,7 +82,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::reload, "reload", "F5", "F5", "read the file again"},
     {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
     {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
-    {Id::close, "close", "Escape", "Esc", "close help, else quit"},
+    {Id::close, "close", "Escape", "Esc", "close what is open, else quit"},
     {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C", "quit"},
     {Id::suspend, "suspend", "Ctrl+Z", "Ctrl+Z", "suspend; fg comes back"},
     {Id::drag_begin, "drag_begin", "", "", "a mouse button goes down"},

@@ -75,6 +75,7 @@ std::string because(const EffectRow& row) {
     if (row.pixel_share && (row.decision.on() || *row.pixel_share > 0))
         text += fmt::format(", {:.1f} % of pixels", *row.pixel_share * 100);
     if (row.decision.forced) text += " (forced)";
+    if (!row.cheapest.empty()) text += "; compared with " + row.cheapest;
     if (!row.refusal.empty()) text += "; " + row.refusal;
     return text;
 }

@@ -332,6 +332,7 @@ Overlay ViewSession::overlay() const {
     Overlay overlay;
     if (state.help) overlay.help = help_sheet(state);
     overlay.message = message_;
+    if (message_.empty() && model_) overlay.message = viewer_.light_line(model_->scene.mesh);
     if (!error_.empty())
         overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
     if (state.explain && model_)
@@ -357,6 +358,7 @@ Result<frame::FramePlan> ViewSession::plan() const {
     options.width = background_.width();
     options.height = background_.height();
     options.cull = viewer_.state().look.cull;
+    options.lights = viewer_.lights(model_->scene.mesh);
     return frame::plan(options, facts_);
 }
 

@@ -35,11 +35,12 @@ bool is_view(ActionId id) {
 } // namespace
 
 Viewer::Viewer(const Settings& settings, int width, int height, int files)
-    : model_(settings.model), camera_(settings.camera), width_(width), height_(height),
-      files_(files) {
+    : model_(settings.model), camera_(settings.camera), lights_(settings.frame.lights),
+      width_(width), height_(height), files_(files) {
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
+    start_.lights.resize(lights_.size());
     state_.look = start_;
     state_.pointer.x = width / 2;
     state_.pointer.y = height / 2;
@@ -83,9 +84,15 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
     case ActionId::toggle_help:
         state_.help = !state_.help;
         return Effect::none;
+    case ActionId::light_next:
+        next_light();
+        return Effect::none;
     case ActionId::close:
-        if (!state_.help) return Effect::quit;
-        state_.help = false;
+        if (!state_.help && !moves_light()) return Effect::quit;
+        if (state_.help)
+            state_.help = false;
+        else
+            state_.light = -1;
         return Effect::none;
     case ActionId::undo:
         undo();
@@ -130,13 +137,13 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     int& roll = state_.camera_mode ? look.orbit.roll : look.pose.roll;
     switch (action.id) {
     case ActionId::rotate_left:
-        return rotate(-kRotateStep, 0);
+        return rotate(-kRotateStep, 0, mesh);
     case ActionId::rotate_right:
-        return rotate(kRotateStep, 0);
+        return rotate(kRotateStep, 0, mesh);
     case ActionId::rotate_up:
-        return rotate(0, kRotateStep);
+        return rotate(0, kRotateStep, mesh);
     case ActionId::rotate_down:
-        return rotate(0, -kRotateStep);
+        return rotate(0, -kRotateStep, mesh);
     case ActionId::move_left:
         return move(-kMoveStep, 0);
     case ActionId::move_right:
@@ -146,9 +153,9 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::move_down:
         return move(0, -kMoveStep);
     case ActionId::scale_up:
-        return zoom(kZoomStep);
+        return moves_light() ? brighten(kZoomStep) : zoom(kZoomStep);
     case ActionId::scale_down:
-        return zoom(-kZoomStep);
+        return moves_light() ? brighten(-kZoomStep) : zoom(-kZoomStep);
     case ActionId::roll_left:
         roll = scene::wrap_angle(roll + kRotateStep);
         return;
@@ -192,9 +199,11 @@ void Viewer::remember(const Look& before) {
     if (history_.size() > kHistory) history_.pop_front();
 }
 
-// In model mode the front of the model goes right and up; in camera mode the camera does.
-void Viewer::rotate(int right, int up) {
+// In model mode the front of the model goes right and up; in camera mode the camera does; a light
+// that is selected goes instead of either.
+void Viewer::rotate(int right, int up, const geom::Mesh* mesh) {
     Look& look = state_.look;
+    if (moves_light()) return turn_light(light_move(), right, up, mesh);
     if (state_.camera_mode) {
         look.orbit.azimuth = scene::wrap_angle(look.orbit.azimuth + right);
         look.orbit.elevation = clamped_elevation(std::int64_t{look.orbit.elevation} + up);
@@ -267,7 +276,9 @@ void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
         }
     } else {
         const std::int64_t turn_x = angle_of_pixels(dx), turn_y = angle_of_pixels(dy);
-        if (action.id == ActionId::drag_roll) {
+        if (action.id == ActionId::drag_rotate && moves_light()) {
+            turn_light(start.lights[static_cast<std::size_t>(state_.light)], turn_x, -turn_y, mesh);
+        } else if (action.id == ActionId::drag_roll) {
             int& roll = state_.camera_mode ? look.orbit.roll : look.pose.roll;
             roll = scene::wrap_angle((state_.camera_mode ? start.orbit.roll : start.pose.roll) -
                                      turn_x);

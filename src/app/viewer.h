@@ -8,6 +8,8 @@
 
 #include <deque>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace scanout::app {
 
@@ -38,6 +40,10 @@ public:
 
     // The matrices of the state; see scene::make_view for errors.
     Result<scene::View> view(const geom::Mesh& mesh) const;
+    // The frame's lights where keys and mouse have put them.
+    std::vector<scene::Light> lights(const geom::Mesh& mesh) const;
+    // A line about the light that is selected; empty: none is.
+    std::string light_line(const geom::Mesh& mesh) const;
 
 private:
     bool turning() const { return state_.look.turntable && !drag_; }
@@ -48,9 +54,15 @@ private:
     void begin_drag(const geom::Mesh* mesh);
     void drag(const Action& action, const geom::Mesh* mesh);
     void zoom_at(int levels, int x, int y, const geom::Mesh* mesh);
-    void rotate(int right, int up);
+    void rotate(int right, int up, const geom::Mesh* mesh);
     void move(std::int64_t right, std::int64_t up);
     void zoom(int levels);
+    bool moves_light() const { return state_.light >= 0; }
+    scene::LightMove& light_move();
+    void turn_light(const scene::LightMove& from, std::int64_t right, std::int64_t up,
+                    const geom::Mesh* mesh);
+    void brighten(int levels);
+    void next_light();
     void look_from(int view);
     int clamped_elevation(std::int64_t units) const;
     std::int64_t angle_of_pixels(int pixels) const;
@@ -58,6 +70,7 @@ private:
 
     scene::ModelTransform model_;
     scene::CameraOptions camera_;
+    std::vector<scene::Light> lights_;
     int width_, height_, files_;
     Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "frame/options.h"
+#include "scene/light.h"
 #include "scene/pose.h"
 #include "scene/view.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace scanout::app {
 
@@ -19,6 +21,7 @@ struct Look {
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
     bool turntable = false;
+    std::vector<scene::LightMove> lights; // one for each light of the frame
     friend bool operator==(const Look&, const Look&) = default;
 };
 
@@ -34,6 +37,7 @@ struct ViewerState {
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
     bool help = false, info = false, explain = false;
     int file = 0;
+    int light = -1; // the one that keys and mouse move; -1: none, they move model or camera
     PointerState pointer;
     friend bool operator==(const ViewerState&, const ViewerState&) = default;
 };

@@ -28,6 +28,9 @@ struct AlphaFacts {
     // Of the default material, then of each of the scene; those that no triangle has are opaque.
     std::vector<AlphaClass> of_material;
     std::vector<shade::MaterialAlpha> maps; // what alpha has to be read from
+    std::size_t see_through_triangles() const {
+        return cut_out_triangles + blended_triangles + unseen_triangles;
+    }
 };
 AlphaFacts alpha_facts(const scene::Scene& scene);
 

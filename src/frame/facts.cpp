@@ -1,5 +1,7 @@
 #include "frame/facts.h"
 
+#include <algorithm>
+
 namespace scanout::frame {
 namespace {
 
@@ -16,14 +18,35 @@ public:
     template <class Predicate>
     std::size_t count(SceneFacts& facts, std::string_view effect, Predicate calls) const {
         MaterialSet set(uses_.size() + 1, false);
-        std::size_t triangles = 0;
-        for (std::size_t i = 0; i < uses_.size(); ++i) {
-            if (!calls(scene_.materials[i])) continue;
-            set[i] = true;
-            triangles += uses_[i];
-        }
+        for (std::size_t i = 0; i < uses_.size(); ++i)
+            set[i] = calls(scene_.materials[i]);
         facts.materials_of.emplace(effect, std::move(set));
+        return count(calls);
+    }
+    template <class Predicate>
+    std::size_t count(Predicate calls) const {
+        std::size_t triangles = 0;
+        for (std::size_t i = 0; i < uses_.size(); ++i)
+            if (calls(scene_.materials[i])) triangles += uses_[i];
         return triangles;
+    }
+
+    // Of the materials that triangles have, times the brightest vertex colour. No surface gives
+    // back more than it gets: what a file says beyond 1 counts as 1.
+    float brightest() const {
+        const auto largest = [](const Vec3& c) { return std::max({c.x, c.y, c.z}); };
+        const geom::Mesh& mesh = scene_.mesh;
+        float diffuse = 0, colour = mesh.colour.empty() ? 1.0F : 0.0F;
+        std::size_t named = 0;
+        for (std::size_t i = 0; i < uses_.size(); ++i) {
+            named += uses_[i];
+            if (uses_[i] > 0) diffuse = std::max(diffuse, largest(scene_.materials[i].diffuse));
+        }
+        if (named < mesh.triangles())
+            diffuse = std::max(diffuse, largest(scene::Material().diffuse));
+        for (const Vec3& c : mesh.colour)
+            colour = std::max(colour, largest(c));
+        return std::min(diffuse * colour, 1.0F);
     }
 
 private:
@@ -45,8 +68,12 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.textured_triangles = census.count(facts, "texture", [&](const scene::Material& m) {
         return m.map_diffuse.texture >= 0 && facts.uv;
     });
-    facts.specular_triangles =
-        census.count(facts, "highlight", [](const scene::Material& m) { return has_highlight(m); });
+    facts.specular_triangles = census.count(facts, "highlight", [](const scene::Material& m) {
+        return surface_of(m) != scene::Surface::matt;
+    });
+    facts.physical_triangles = census.count(
+        [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
+    facts.sides = mesh_sides(mesh);
     facts.alpha = alpha_facts(scene);
     const auto materials = [&](auto... classes) {
         MaterialSet set(scene.materials.size() + 1, false);
@@ -56,6 +83,7 @@ SceneFacts facts(const scene::Scene& scene) {
     };
     facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
+    facts.brightest = census.brightest();
     return facts;
 }
 

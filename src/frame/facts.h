@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frame/alpha_facts.h"
+#include "frame/mesh_sides.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -20,9 +21,12 @@ struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
     std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
     std::size_t specular_triangles = 0; // material has a highlight
-    bool uv = false;                    // some face has texture coordinates
+    std::size_t physical_triangles = 0; // of those: it says roughness or metalness
+    MeshSides sides;
+    bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

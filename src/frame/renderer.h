@@ -26,7 +26,8 @@ struct FrameStats {
     std::size_t layer_bytes = 0;         // held for what is not opaque
 };
 
-// What a frame shows at every sample: [(sample * height + y) * width + x].
+// What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every
+// pixel that is shaded; of areas, what is seen at the centre.
 struct Visibility {
     int width = 0, height = 0, samples = 0;
     std::vector<std::uint32_t> id; // primitive, or raster::kNoPrimitive

@@ -44,9 +44,9 @@ constexpr std::array kMaps = {
 };
 
 // Physically based values and other additions that have no place in scene::Material.
-constexpr std::array<std::string_view, 16> kNotKept = {
-    "Kt",     "Pr",     "Pm",     "Ps",      "Pc",      "Pcr",     "aniso",     "anisor",
-    "map_Pr", "map_Pm", "map_Ps", "map_aat", "map_RMA", "map_ORM", "sharpness", "Km"};
+constexpr std::array<std::string_view, 14> kNotKept = {
+    "Kt",     "Ps",     "Pc",      "Pcr",     "aniso",   "anisor",    "map_Pr",
+    "map_Pm", "map_Ps", "map_aat", "map_RMA", "map_ORM", "sharpness", "Km"};
 
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
@@ -146,6 +146,10 @@ bool MtlReader::colour_statement(std::string_view key) {
 bool MtlReader::number_statement(std::string_view key) {
     if (key == "ns") {
         if (const auto n = number()) now_->shininess = clamped(*n, 0, 1e6);
+    } else if (key == "pr") {
+        if (const auto n = number()) now_->roughness = clamped(*n, 0, 1);
+    } else if (key == "pm") {
+        if (const auto n = number()) now_->metalness = clamped(*n, 0, 1);
     } else if (key == "ni") {
         if (const auto n = number()) now_->refraction = clamped(*n, 0, 1e6);
     } else if (key == "illum") {

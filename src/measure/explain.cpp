@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "frame/bytes.h"
+#include "frame/techniques.h"
 #include "image/compare.h"
 #include "image/flip.h"
 #include "measure/median.h"
@@ -27,9 +28,11 @@ std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t no
     return material < 0 ? none : static_cast<std::size_t>(material);
 }
 
-frame::FrameOptions switched(frame::FrameOptions options, const std::string& effect, bool on) {
-    options.effects[effect] = on;
-    return options;
+// The cheapest technique of an axis of rungs: they stand in this order; empty for other axes.
+std::string_view cheapest_on(std::string_view axis) {
+    for (const Technique* technique : frame::techniques())
+        if (technique->axis == axis && technique->kind == Kind::rung) return technique->name;
+    return {};
 }
 
 Change change_between(const image::Image& reference, const image::Image& other) {
@@ -117,10 +120,28 @@ private:
         return special;
     }
 
-    // Draws the frame with the effect the other way round.
+    // The options with a row the other way round; nothing where there is no other way.
+    std::optional<frame::FrameOptions> switched(EffectRow& row) const {
+        frame::FrameOptions options = options_;
+        const frame::Decision& d = row.decision;
+        if (!d.choice) {
+            options.effects[d.effect] = !d.on();
+            return options;
+        }
+        const std::string_view cheapest = cheapest_on(d.effect);
+        if (!d.on() || cheapest.empty() || d.technique == cheapest ||
+            !frame::ask(options, d.effect, cheapest))
+            return std::nullopt;
+        row.cheapest = cheapest;
+        return options;
+    }
+
+    // Draws the frame with the row the other way round.
     void switch_it(EffectRow& row) {
         const bool on = row.decision.on();
-        const auto other = frame::plan(switched(options_, row.decision.effect, !on), facts_);
+        const auto options = switched(row);
+        if (!options) return;
+        const auto other = frame::plan(*options, facts_);
         if (!other) {
             row.refusal = other.error().what;
             return;

@@ -33,10 +33,13 @@ struct EffectRow {
     // where that is not a matter of the material.
     std::optional<double> pixel_share;
     std::uint64_t bytes = 0; // that the effect holds
-    // When it is switched the other way; or why it cannot be.
+    // When it is switched the other way, or, on an axis that has no "off", to its cheapest
+    // technique; or why it cannot be. Nothing where the cheapest one runs.
     std::optional<Change> change;
+    std::string cheapest; // the technique it is compared with; empty: on or off
     std::string refusal;
-    // A frame with it minus one without, median of pairs; nothing without times.
+    // A frame with it minus one without (or with the cheapest), median of pairs; nothing without
+    // times or comparison.
     std::optional<double> milliseconds;
 };
 

@@ -9,12 +9,6 @@
 
 namespace scanout::raster {
 
-struct Geometry::Task {
-    const geom::Mesh& mesh;
-    const ScreenTransform& transform;
-    const GeometryOptions& options;
-};
-
 void Geometry::Batch::clear(int tiles, bool layers) {
     triangles_drawn = 0;
     pieces.clear();
@@ -51,7 +45,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     across_ = (width_ + tile_size_ - 1) / tile_size_;
     down_ = (height_ + tile_size_ - 1) / tile_size_;
     cull_ = {width_, height_, options.keep, options.mirrored,
-             extent_of(sample_pattern(options.samples))};
+             options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
     transform_ = transform;
     layers_.assign(options.layers.begin(), options.layers.end());
@@ -71,7 +65,6 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
         check_lanes(out);
     });
 
-    const Task task{mesh, transform, options};
     const auto run_all = [&](std::size_t count, auto add) {
         jobs.for_each(chunks(count), [&](int chunk, int worker) {
             const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
@@ -79,15 +72,15 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
         });
     };
     run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
-        add_triangles(task, batch, begin, end);
+        add_triangles(batch, begin, end);
     });
     run_all(mesh.lines(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            add_segment(task, batch, static_cast<std::uint32_t>(i));
+            add_segment(batch, static_cast<std::uint32_t>(i));
     });
     run_all(mesh.points(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            add_point(task, batch, static_cast<std::uint32_t>(i));
+            add_point(batch, static_cast<std::uint32_t>(i));
     });
 }
 
@@ -96,12 +89,11 @@ std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
     return {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
 }
 
-void Geometry::add_triangles(const Task& task, Batch& batch, std::size_t begin,
-                             std::size_t end) const {
+void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
     batch.kept.resize(end - begin);
     batch.cut.resize(end - begin);
     CullResult found{batch.kept, batch.cut};
-    cull(cull_, vertices_, std::span(task.mesh.index).subspan(begin * 3, (end - begin) * 3),
+    cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
     for (const KeptTriangle& t : found.kept.first(found.kept_count)) {
         std::vector<Batch::Bin>* bins = &batch.bins;
@@ -115,23 +107,21 @@ void Geometry::add_triangles(const Task& task, Batch& batch, std::size_t begin,
     }
     batch.triangles_drawn += found.kept_count;
     for (const std::uint32_t triangle : found.cut.first(found.cut_count))
-        add_clipped(task, batch, triangle);
+        add_clipped(batch, triangle);
 }
 
-std::uint32_t Geometry::flags(const Task& task, std::uint32_t vertex) const {
+std::uint32_t Geometry::flags(std::uint32_t vertex) const {
     const ScreenVertex& v = vertices_[vertex];
-    return v.on_screen()
-               ? task.transform.classify(task.transform.to_clip(task.mesh.position[vertex]))
-               : v.flags();
+    return v.on_screen() ? transform_->classify(transform_->to_clip(mesh_->position[vertex]))
+                         : v.flags();
 }
 
-void Geometry::add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const {
+void Geometry::add_clipped(Batch& batch, std::uint32_t triangle) const {
     const Layer layer = layers_.empty() ? Layer::opaque : layer_of(triangle);
     if (layer == Layer::nothing) return;
     std::vector<Batch::Bin>& bins = layer == Layer::opaque ? batch.bins : batch.layered;
-    const std::uint32_t* index = task.mesh.index.data() + std::size_t{triangle} * 3;
-    if ((flags(task, index[0]) & flags(task, index[1]) & flags(task, index[2]) & kOutsideMask) != 0)
-        return;
+    const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
+    if ((flags(index[0]) & flags(index[1]) & flags(index[2]) & kOutsideMask) != 0) return;
     bool drawn = false;
     for (const Piece& piece : pieces(triangle)) {
         const image::Rect bounds = pixel_bounds(piece, width_, height_, cull_.extent);
@@ -158,36 +148,36 @@ Pieces Geometry::pieces(std::uint32_t triangle) const {
     return kept;
 }
 
-void Geometry::add_segment(const Task& task, Batch& batch, std::uint32_t segment) const {
-    const std::uint32_t* index = task.mesh.line_index.data() + std::size_t{segment} * 2;
+void Geometry::add_segment(Batch& batch, std::uint32_t segment) const {
+    const std::uint32_t* index = mesh_->line_index.data() + std::size_t{segment} * 2;
     ScreenVertex v[2] = {vertices_[index[0]], vertices_[index[1]]};
-    const std::uint32_t of_first = flags(task, index[0]), of_second = flags(task, index[1]);
+    const std::uint32_t of_first = flags(index[0]), of_second = flags(index[1]);
     if ((of_first & of_second & kOutsideMask) != 0) return;
     if (((of_first | of_second) & kNotFinite) != 0) return;
     if (((of_first | of_second) & kNeedsClip) != 0) {
-        ClipVertex a = task.transform.to_clip(task.mesh.position[index[0]]);
-        ClipVertex b = task.transform.to_clip(task.mesh.position[index[1]]);
-        if (!clip(a, b, task.transform.box)) return;
+        ClipVertex a = transform_->to_clip(mesh_->position[index[0]]);
+        ClipVertex b = transform_->to_clip(mesh_->position[index[1]]);
+        if (!clip(a, b, transform_->box)) return;
         check_before_snap(a, index[0]);
         check_before_snap(b, index[1]);
-        v[0] = task.transform.to_screen(a);
-        v[1] = task.transform.to_screen(b);
+        v[0] = transform_->to_screen(a);
+        v[1] = transform_->to_screen(b);
     }
     const Segment s{{v[0].x, v[1].x},
                     {v[0].y, v[1].y},
                     {v[0].depth, v[1].depth},
-                    static_cast<std::uint32_t>(task.mesh.triangles()) + segment};
+                    static_cast<std::uint32_t>(mesh_->triangles()) + segment};
     const auto number = static_cast<std::uint32_t>(batch.segments.size());
     batch.segments.push_back(s);
     for_tiles(pixel_bounds(s, width_, height_),
               [&](std::size_t tile) { batch.bins[tile].segments.push_back(number); });
 }
 
-void Geometry::add_point(const Task& task, Batch& batch, std::uint32_t point) const {
-    const ScreenVertex& v = vertices_[task.mesh.point_index[point]];
+void Geometry::add_point(Batch& batch, std::uint32_t point) const {
+    const ScreenVertex& v = vertices_[mesh_->point_index[point]];
     if (!v.on_screen()) return;
     const Point p{v.x, v.y, v.depth,
-                  static_cast<std::uint32_t>(task.mesh.triangles() + task.mesh.lines()) + point};
+                  static_cast<std::uint32_t>(mesh_->triangles() + mesh_->lines()) + point};
     const auto number = static_cast<std::uint32_t>(batch.points.size());
     batch.points.push_back(p);
     for_tiles(pixel_bounds(p, width_, height_),
@@ -197,6 +187,17 @@ void Geometry::add_point(const Task& task, Batch& batch, std::uint32_t point) co
 image::Rect Geometry::tile_area(int tile) const {
     const int x = tile % across_ * tile_size_, y = tile / across_ * tile_size_;
     return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
+}
+
+void Geometry::draw(int tile, AreaTile& out) const {
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
+        for (const std::uint32_t id : bin.triangles)
+            if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+        for (const std::uint32_t i : bin.pieces)
+            out.add(batch.pieces[i]);
+    }
+    out.finish();
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) const {

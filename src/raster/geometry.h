@@ -5,6 +5,7 @@
 
 #include "base/jobs.h"
 #include "geom/mesh.h"
+#include "raster/area.h"
 #include "raster/cull.h"
 #include "raster/layer.h"
 #include "raster/piece.h"
@@ -24,6 +25,7 @@ struct GeometryOptions {
     Facing keep = Facing::any;
     bool mirrored = false;     // front faces wind clockwise in view space
     int samples = 1;           // of the tiles that will be drawn
+    bool areas = false;        // or whole boxes count, not samples
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const Layer> layers = {};
@@ -47,6 +49,8 @@ public:
     void layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const;
     // Draws one triangle; returns the pixels that it may have changed, none if it does not show.
     image::Rect draw_one(std::uint32_t triangle, VisibilityTile& out) const;
+    // The triangles among that.
+    void draw(int tile, AreaTile& out) const;
 
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.
@@ -70,16 +74,15 @@ private:
         std::uint64_t triangles_drawn = 0;
         void clear(int tiles, bool layers);
     };
-    struct Task; // the arguments of one run
-    void add_triangles(const Task& task, Batch& batch, std::size_t begin, std::size_t end) const;
-    void add_clipped(const Task& task, Batch& batch, std::uint32_t triangle) const;
+    void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
+    void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     Layer layer_of(std::uint32_t triangle) const {
         return layers_[static_cast<std::size_t>(mesh_->material[triangle] + 1)];
     }
-    std::uint32_t flags(const Task& task, std::uint32_t vertex) const;
-    void add_segment(const Task& task, Batch& batch, std::uint32_t segment) const;
-    void add_point(const Task& task, Batch& batch, std::uint32_t point) const;
+    std::uint32_t flags(std::uint32_t vertex) const;
+    void add_segment(Batch& batch, std::uint32_t segment) const;
+    void add_point(Batch& batch, std::uint32_t point) const;
     template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 

@@ -8,6 +8,7 @@
 
 #include "geom/mesh.h"
 #include "math/vec.h"
+#include "scene/pose.h"
 #include "scene/view.h"
 
 #include <cstdint>
@@ -55,6 +56,22 @@ std::string_view name_of(LightKind kind);
 // A key light from above left and a weaker fill from the right, both fixed to the camera and behind
 // the eye; and ambient light.
 const std::vector<Light>& default_lights();
+
+// Moved by the user: about the model's centre, or about the eye where the light hangs on the
+// camera, up being the world's or the camera's. Integers, so that forth and back end where they
+// began; no move leaves every bit of the light.
+struct LightMove {
+    int azimuth = 0, elevation = 0; // angle units (pose.h)
+    int level = 0;                  // zoom levels: power * zoom_scale(level)
+    friend bool operator==(const LightMove&, const LightMove&) = default;
+};
+Light moved(const Light& light, const LightMove& move, UpAxis up, const geom::Mesh& mesh);
+
+// Where it stands: as the camera's azimuth and elevation, in degrees.
+struct LightPlace {
+    double azimuth_degrees = 0, elevation_degrees = 0;
+};
+LightPlace place_of(const Light& light, UpAxis up, const geom::Mesh& mesh);
 
 // In view space, made once a frame; lengths times to_floats(view), as positions of lanes are.
 struct ViewLight {

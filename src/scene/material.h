@@ -5,6 +5,7 @@
 #include "math/vec.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,15 +27,16 @@ struct TextureMap {
 
 struct Material {
     std::string name;
-    Vec3 diffuse{0.8f};   // Kd
-    Vec3 ambient{0};      // Ka: read, not used
-    Vec3 specular{0};     // Ks
-    float shininess = 0;  // Ns
-    float opacity = 1;    // d, or 1 - Tr
-    Vec3 transmission{1}; // Tf
-    Vec3 emission{0};     // Ke
-    float refraction = 1; // Ni
-    int illumination = 2; // illum
+    Vec3 diffuse{0.8f};                        // Kd
+    Vec3 ambient{0};                           // Ka: read, not used
+    Vec3 specular{0};                          // Ks
+    float shininess = 0;                       // Ns
+    float opacity = 1;                         // d, or 1 - Tr
+    Vec3 transmission{1};                      // Tf
+    Vec3 emission{0};                          // Ke
+    float refraction = 1;                      // Ni
+    int illumination = 2;                      // illum
+    std::optional<float> roughness, metalness; // Pr, Pm: 0 to 1
     TextureMap map_diffuse, map_ambient, map_specular, map_shininess, map_opacity, map_emission;
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
@@ -43,6 +45,14 @@ struct Material {
 // Ks (MeshLab does) mean none.
 inline bool has_highlight(const Material& m) {
     return m.shininess > 0 && (m.specular.x > 0 || m.specular.y > 0 || m.specular.z > 0);
+}
+
+// How a material reflects, by what it says of itself.
+enum class Surface : std::uint8_t { matt, glossy, physical };
+inline constexpr int kSurfaces = 3;
+inline Surface surface_of(const Material& m) {
+    if (m.roughness || m.metalness) return Surface::physical;
+    return has_highlight(m) ? Surface::glossy : Surface::matt;
 }
 
 struct Texture {

@@ -11,26 +11,6 @@
 namespace scanout::scene {
 namespace {
 
-// Turns the file's up axis onto +y; the front then looks along the axis that DESIGN names (+z up:
-// the front is the -y side).
-DMat3 up_rotation(UpAxis up) {
-    switch (up) {
-    case UpAxis::plus_y:
-        return DMat3(1);
-    case UpAxis::minus_y:
-        return rotation_x(180);
-    case UpAxis::plus_z:
-        return rotation_x(-90);
-    case UpAxis::minus_z:
-        return rotation_x(90);
-    case UpAxis::plus_x:
-        return rotation_z(90);
-    case UpAxis::minus_x:
-        return rotation_z(-90);
-    }
-    return DMat3(1);
-}
-
 bool finite(const DVec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -157,6 +137,26 @@ Result<void> check_size(const View& view, double distance) {
 }
 
 } // namespace
+
+// Turns the file's up axis onto +y; the front then looks along the axis that DESIGN names (+z up:
+// the front is the -y side).
+DMat3 up_rotation(UpAxis up) {
+    switch (up) {
+    case UpAxis::plus_y:
+        return DMat3(1);
+    case UpAxis::minus_y:
+        return rotation_x(180);
+    case UpAxis::plus_z:
+        return rotation_x(-90);
+    case UpAxis::minus_z:
+        return rotation_x(90);
+    case UpAxis::plus_x:
+        return rotation_z(90);
+    case UpAxis::minus_x:
+        return rotation_z(-90);
+    }
+    return DMat3(1);
+}
 
 DVec3 radii_from_centre(const geom::Mesh& mesh, const DVec3& file) {
     DVec3 normalised = file - mesh.centre;

@@ -14,6 +14,7 @@ namespace scanout::scene {
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, minus_x };
+DMat3 up_rotation(UpAxis up); // the file's axes -> those of the world, where y is up
 
 // --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
 struct ModelTransform {

@@ -1,8 +1,10 @@
 #include "shade/primitives.h"
 
 #include "base/check.h"
+#include "math/rotation.h"
 #include "raster/piece.h"
 #include "shade/check_lanes.h"
+#include "shade/interpolation_step.h"
 
 #include <algorithm>
 #include <array>
@@ -27,36 +29,98 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool neg
         p.facing[c] = static_cast<float>(n[c]);
 }
 
-// In view space, in double, rounded once.
-void set_positions(Primitive& p, const GatherInput& in, const Corners& v) {
-    const double unit = to_floats(*in.view);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const DVec3 at = in.view->linear * DVec3(in.mesh->position[v[k]]) + in.view->translation;
+// The eye sees the side from which the vertices wind clockwise: in the order of the corners, and in
+// the file's.
+struct Behind {
+    bool of_order, of_file;
+};
+
+// The attributes that a triangle's vertices have in this frame.
+class Vertices {
+public:
+    // Sets the primitive's `facing`, if something of it is read.
+    Vertices(Primitive& p, const GatherInput& in, const Corners& corner, Behind behind)
+        : p_(p), in_(in), behind_(behind.of_file) {
+        const Sides sides = in.frame->sides;
+        if (sides == Sides::eye || in.frame->attributes.corners)
+            set_facing(p, *in.mesh, corner,
+                       behind.of_order != (sides == Sides::file && behind.of_file));
+    }
+
+    void set(std::size_t k, std::uint32_t vertex) {
+        const geom::Mesh& mesh = *in_.mesh;
+        const Attributes wanted = in_.frame->attributes;
+        if (wanted.position || wanted.corners) put(p_.position, k, DVec3(position(vertex)));
+        if (wanted.normal || in_.frame->corner_normals) put(p_.normal, k, normal(vertex));
+        if (wanted.colour) put(p_.colour, k, DVec3(mesh.colour[vertex]));
+        if (!wanted.uv) return;
+        p_.uv[0][k] = mesh.uv[vertex].x;
+        p_.uv[1][k] = mesh.uv[vertex].y;
+    }
+
+    // Where the near plane cuts the edge between two vertices of the mesh.
+    void set_cut(std::size_t k, std::uint32_t from, std::uint32_t to, double share) {
+        const geom::Mesh& mesh = *in_.mesh;
+        const Attributes wanted = in_.frame->attributes;
+        const auto between_both = [&](float(&attribute)[3][3], const DVec3& a, const DVec3& b) {
+            for (int c = 0; c < 3; ++c)
+                attribute[c][k] = between(a[c], b[c], share);
+        };
+        if (wanted.position) between_both(p_.position, position(from), position(to));
+        if (wanted.normal) between_both(p_.normal, normal(from), normal(to));
+        if (wanted.colour)
+            between_both(p_.colour, DVec3(mesh.colour[from]), DVec3(mesh.colour[to]));
+        if (!wanted.uv) return;
+        p_.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
+        p_.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
+    }
+
+    // What light at vertices or faces reads.
+    void set_corner(std::size_t k, std::uint32_t vertex) {
+        put(p_.position, k, position(vertex));
+        if (in_.frame->corner_normals) put(p_.normal, k, normal(vertex));
+    }
+
+private:
+    static void put(float (&attribute)[3][3], std::size_t k, const DVec3& value) {
         for (int c = 0; c < 3; ++c)
-            p.position[c][k] = static_cast<float>(at[c] * unit);
+            attribute[c][k] = static_cast<float>(value[c]);
     }
-}
-
-void set_attributes(Primitive& p, const GatherInput& in, const Corners& v) {
-    const geom::Mesh& mesh = *in.mesh;
-    const Attributes wanted = in.frame->attributes;
-    if (wanted.position) set_positions(p, in, v);
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (int c = 0; c < 3; ++c) {
-            if (wanted.normal) p.normal[c][k] = mesh.normal[v[k]][c];
-            if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
-        }
-        if (wanted.uv) {
-            p.uv[0][k] = mesh.uv[v[k]].x;
-            p.uv[1][k] = mesh.uv[v[k]].y;
-        }
+    // In view space, times to_floats.
+    DVec3 position(std::uint32_t vertex) const {
+        return (in_.view->linear * DVec3(in_.mesh->position[vertex]) + in_.view->translation) *
+               to_floats(*in_.view);
     }
-}
+    // On the side that the frame's `sides` choose; with corner_normals unit and in view space.
+    DVec3 normal(std::uint32_t vertex) const {
+        const DVec3 own(in_.mesh->normal[vertex]);
+        const FrameState& frame = *in_.frame;
+        if (!frame.corner_normals) return frame.sides == Sides::face && behind_ ? -own : own;
+        const DVec3 facing(p_.facing[0], p_.facing[1], p_.facing[2]);
+        const bool turn = frame.sides == Sides::eye ? dot3(own, facing) < 0
+                                                    : frame.sides == Sides::face && behind_;
+        const DVec3 n = turn ? -own : own;
+        const auto& m = frame.normal_matrix;
+        DVec3 seen;
+        for (int r = 0; r < 3; ++r)
+            seen[r] = (m[r][0] * n.x + m[r][1] * n.y) + m[r][2] * n.z;
+        return normalized(seen);
+    }
 
-// From the snapped edge functions. Returns whether the vertices wind clockwise in the order that
-// now holds, seen in object space, which a mirrored view turns round.
-bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 3>& corner,
-               bool perspective) {
+    Primitive& p_;
+    const GatherInput& in_;
+    bool behind_;
+};
+
+// How a triangle's vertices wind in canonical order, seen in object space, which a mirrored view
+// turns round; and whether that order turns the file's round.
+struct Winding {
+    bool clockwise, reordered;
+};
+
+// From the snapped edge functions.
+Winding set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 3>& corner,
+                  bool perspective) {
     const std::optional<raster::SetUp> t = raster::set_up(corner, p.id);
     CHECK(t); // what is visible has an area
     const raster::Edges edges = raster::edges_of(t->triangle);
@@ -70,53 +134,32 @@ bool set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVertex, 
         p.c[k] = static_cast<double>(edges.c[k]);
         p.least[k] = static_cast<double>(-edges.bias[k]);
     }
-    return !t->triangle.flipped;
+    return {!t->triangle.flipped, t->order.odd};
 }
 
-// By position, so that no bit depends on the order in which the file names them. Returns whether
-// the order is odd.
-bool sort_by_position(Corners& v, const geom::Mesh& mesh) {
-    const auto before = [&](std::uint32_t i, std::uint32_t j) {
-        const Vec3 &a = mesh.position[i], &b = mesh.position[j];
+// By position, so that no bit depends on the order in which the file names them.
+struct Sorted {
+    Corners vertex;
+    std::array<std::uint8_t, 3> place = {0, 1, 2}; // of the file's vertices
+    bool odd = false;
+};
+Sorted sort_by_position(const Corners& corner, const geom::Mesh& mesh) {
+    std::array<std::uint8_t, 3> order = {0, 1, 2};
+    const auto before = [&](std::uint8_t i, std::uint8_t j) {
+        const Vec3 &a = mesh.position[corner[i]], &b = mesh.position[corner[j]];
         return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    bool odd = false;
+    Sorted sorted;
     for (const std::size_t i : {0, 1, 0}) {
-        if (!before(v[i + 1], v[i])) continue;
-        std::swap(v[i], v[i + 1]);
-        odd = !odd;
+        if (!before(order[i + 1], order[i])) continue;
+        std::swap(order[i], order[i + 1]);
+        sorted.odd = !sorted.odd;
     }
-    return odd;
-}
-
-// Never outside the range of its ends.
-float between(double from, double to, double share) {
-    return static_cast<float>(
-        std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
-}
-
-// Of vertex k, where the near plane cuts the edge between two vertices of the mesh.
-void set_cut_attributes(Primitive& p, const GatherInput& in, std::size_t k, std::uint32_t from,
-                        std::uint32_t to, double share) {
-    const geom::Mesh& mesh = *in.mesh;
-    const Attributes wanted = in.frame->attributes;
-    const auto in_view = [&](std::uint32_t vertex) {
-        return (in.view->linear * DVec3(mesh.position[vertex]) + in.view->translation) *
-               to_floats(*in.view);
-    };
-    const DVec3 a = wanted.position ? in_view(from) : DVec3(0),
-                b = wanted.position ? in_view(to) : DVec3(0);
-    for (int c = 0; c < 3; ++c) {
-        if (wanted.position) p.position[c][k] = between(a[c], b[c], share);
-        if (wanted.normal)
-            p.normal[c][k] = between(mesh.normal[from][c], mesh.normal[to][c], share);
-        if (wanted.colour)
-            p.colour[c][k] = between(mesh.colour[from][c], mesh.colour[to][c], share);
+    for (std::size_t k = 0; k < 3; ++k) {
+        sorted.vertex[k] = corner[order[k]];
+        sorted.place[order[k]] = static_cast<std::uint8_t>(k);
     }
-    if (wanted.uv) {
-        p.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
-        p.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
-    }
+    return sorted;
 }
 
 // From the very points that are drawn: where a vertex has snapped to, its attributes stand; those
@@ -124,27 +167,35 @@ void set_cut_attributes(Primitive& p, const GatherInput& in, std::size_t k, std:
 void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
                const raster::Piece& piece) {
     const raster::PieceWeights weights = raster::weights_of(piece, in.transform->perspective);
-    Corners v;
+    const Sorted sorted = sort_by_position(corner, *in.mesh);
+    const bool behind = piece.clockwise != in.mirrored;
+    Vertices vertices(p, in, sorted.vertex, {behind != sorted.odd, behind});
     for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = corner[piece.vertex[k].place.from];
+        const raster::EdgePlace& place = piece.vertex[k].place;
         p.inverse_w[k] = 1;
         p.a[k] = weights.a[k];
         p.b[k] = weights.b[k];
         p.c[k] = weights.c[k];
         p.least[k] = 0;
-    }
-    set_attributes(p, in, v);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const raster::EdgePlace& place = piece.vertex[k].place;
+        p.from[k] = sorted.place[place.from];
+        p.to[k] = sorted.place[place.to];
+        p.share[k] = place.cut() ? static_cast<float>(place.share) : 0.0F;
         if (place.cut())
-            set_cut_attributes(p, in, k, corner[place.from], corner[place.to], place.share);
+            vertices.set_cut(k, corner[place.from], corner[place.to], place.share);
+        else
+            vertices.set(k, corner[place.from]);
     }
-    Corners sorted = corner;
-    const bool odd = sort_by_position(sorted, *in.mesh);
-    set_facing(p, *in.mesh, sorted, (piece.clockwise != odd) != in.mirrored);
+    if (!in.frame->attributes.corners) return;
+    for (std::size_t k = 0; k < 3; ++k)
+        vertices.set_corner(k, sorted.vertex[k]);
 }
 
 } // namespace
+
+float between(double from, double to, double share) {
+    return static_cast<float>(
+        std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
+}
 
 Gatherer::Primitives::Primitives() : slot_(kSlots) {
     pool_.reserve(kRoom);
@@ -170,11 +221,13 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     }
     Primitive& p = pool_.emplace_back();
     p.id = triangle;
-    p.clipped = false;
     p.across = -1;
-    const bool clockwise = set_exact(p, v, corner, in.transform->perspective);
-    set_facing(p, *in.mesh, v, clockwise != in.mirrored);
-    set_attributes(p, in, v);
+    const Winding winds = set_exact(p, v, corner, in.transform->perspective);
+    const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
+    Vertices attributes(p, in, v, {behind, behind != winds.reordered});
+    for (std::size_t k = 0; k < 3; ++k)
+        attributes.set(k, v[k]);
+    p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
     check_primitive(p, in.frame->attributes);
     return p;
 }

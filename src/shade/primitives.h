@@ -29,6 +29,9 @@ private:
     std::vector<std::uint16_t> slot_; // by id modulo kSlots: place in the pool
 };
 
+// Never outside the range of its ends.
+float between(double from, double to, double share);
+
 // Pieces of one triangle stand side by side. On their common edge both say the same, so that the
 // rounding of this does not show. Monotonous along a row.
 inline const Primitive& Gatherer::Primitives::at(const Primitive& first, std::int32_t x,

@@ -8,6 +8,7 @@
 #include "scene/light.h"
 #include "scene/material.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -24,10 +25,11 @@ inline constexpr int kRoom = kLanes + 16;
 // What a stage reads: vertex attributes, and the ray from the eye.
 struct Attributes {
     bool normal = false, uv = false, colour = false, ray = false, position = false;
+    bool corners = false; // normals and positions of the vertices; no lane needs its own
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal, a.uv || b.uv, a.colour || b.colour, a.ray || b.ray,
-            a.position || b.position};
+    return {a.normal || b.normal,     a.uv || b.uv,          a.colour || b.colour, a.ray || b.ray,
+            a.position || b.position, a.corners || b.corners};
 }
 
 // What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
@@ -45,11 +47,17 @@ struct Primitive {
     // that both lie on one side of the edge; -1 where there is no second.
     static constexpr std::int8_t kFolded = 3;
     std::int8_t across;
+    // Of such a piece: a vertex stands `share` of the way from one of the triangle's vertices to
+    // another. Where the frame reads `corners`, position and normal are the triangle's.
+    std::uint8_t from[3], to[3];
+    float share[3];
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
-    // Of the three vertices; only what the frame's stages read.
-    float normal[3][3], uv[2][3], colour[3][3]; // [component][vertex]; normals in object space
-    float position[3][3];                       // view space, times scene::to_floats
+    std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
+    // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
+    // object space, or unit in view space where the frame says corner_normals.
+    float normal[3][3], uv[2][3], colour[3][3];
+    float position[3][3]; // view space, times scene::to_floats
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -84,9 +92,13 @@ struct LightLanes {
     alignas(64) float colour[3][kRoom];  // what arrives: linear
 };
 
+struct Stage;
+struct CornerLight;
+
 struct Block {
     int count = 0; // live lanes
     const scene::Material* material = nullptr;
+    const Stage* model = nullptr; // how the material reflects
     BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
@@ -96,6 +108,9 @@ struct Block {
     alignas(64) std::int32_t x[kRoom],
         y[kRoom]; // the sample that stands for the pixel, 1/256 pixel
     alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
+    // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
+    const float (*eye)[kRoom] = nullptr;
+    CornerLight* corners = nullptr; // room for the stages that light vertices or faces
 
     // Written by the interpolation stage.
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
@@ -120,6 +135,14 @@ struct Block {
 };
 
 struct Filter;
+struct StepLimits;
+
+// Which side of a face its normals light.
+enum class Sides : std::uint8_t {
+    eye,  // the one that the eye sees, decided at every lane
+    face, // the same where all normals of a face lie on one side of it: decided once a face
+    file  // the one that the file's normals point to
+};
 
 // What all blocks of a frame share.
 struct FrameState {
@@ -132,6 +155,12 @@ struct FrameState {
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
+    Sides sides = Sides::eye;
+    bool corner_normals = false;                 // vertices' normals are unit, in view space
+    std::span<const Stage* const> corner_lights; // the light stages that run over vertices
+    const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
+    float exposure = 1;                          // what light is multiplied by before it is shown
 };
 
 struct Stage {

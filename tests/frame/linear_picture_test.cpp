@@ -2,17 +2,13 @@
 #include "image/compare.h"
 #include "math/srgb.h"
 #include "support/scenes.h"
+#include "support/srgb_formula.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace scanout::test {
 namespace {
-
-double encoded(double linear) {
-    const double x = std::clamp(linear, 0.0, 1.0);
-    return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
 
 TEST(LinearPicture, IsWhatThePictureEncodes) {
     for (const int samples : {1, 8}) {

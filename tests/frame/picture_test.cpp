@@ -1,6 +1,7 @@
 #include "image/compare.h"
 #include "support/lights.h"
 #include "support/scenes.h"
+#include "support/srgb_formula.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +19,8 @@ std::int64_t covered(const Image& picture, const Rgba8& background) {
                          [&](const Rgba8& p) { return !(p == background); });
 }
 
-// sRGB by its formula.
-int encoded(double linear) {
-    const double x = std::min(std::max(linear, 0.0), 1.0);
-    return static_cast<int>(
-        std::lround(255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055)));
+int nearest_code(double linear) {
+    return static_cast<int>(std::lround(encoded(linear)));
 }
 
 // A square that fills the picture and more, facing the eye.
@@ -50,9 +48,9 @@ TEST(Picture, OfALitPlaneHasTheColourOfTheFormula) {
     for (const scene::ViewLight& l : key_and_fill())
         light += static_cast<double>(l.colour.x) * l.towards.z;
     for (const Rgba8& p : picture.pixels()) {
-        ASSERT_EQ(p.r, encoded(0.5 * light));
-        ASSERT_EQ(p.g, encoded(0.25 * light));
-        ASSERT_EQ(p.b, encoded(0.75 * light));
+        ASSERT_EQ(p.r, nearest_code(0.5 * light));
+        ASSERT_EQ(p.g, nearest_code(0.25 * light));
+        ASSERT_EQ(p.b, nearest_code(0.75 * light));
         ASSERT_EQ(p.a, 255);
     }
 }
@@ -287,7 +285,8 @@ TEST(Picture, MixesEdgesInLinearLight) {
     s.options.background = {0, 0, 0, 255};
     s.options.samples = 4;
     const Image picture = draw(s);
-    const std::set<int> allowed = {0, encoded(0.25), encoded(0.5), encoded(0.75), 255};
+    const std::set<int> allowed = {0, nearest_code(0.25), nearest_code(0.5), nearest_code(0.75),
+                                   255};
     std::set<int> seen;
     for (const Rgba8& p : picture.pixels())
         seen.insert(p.r);
@@ -390,8 +389,8 @@ TEST(Picture, ShowsTheTexelsThatRaysHitOnAPlaneThroughTheEyesPlane) {
                     if (!whole(u) || !whole(v)) continue;
                     const Rgba8 texel =
                         noise.image.at(static_cast<int>(u), 15 - static_cast<int>(v));
-                    ASSERT_NEAR(picture.at(x, y).r, encoded(light * linear(texel.r)), 1);
-                    ASSERT_NEAR(picture.at(x, y).g, encoded(light * linear(texel.g)), 1);
+                    ASSERT_NEAR(picture.at(x, y).r, nearest_code(light * linear(texel.r)), 1);
+                    ASSERT_NEAR(picture.at(x, y).g, nearest_code(light * linear(texel.g)), 1);
                     ++checked;
                 }
             }

@@ -1,3 +1,4 @@
+#include "frame/brightness.h"
 #include "frame/plan.h"
 #include "support/scenes.h"
 
@@ -37,21 +38,22 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     SceneFacts facts;
     facts.triangles = 10;
     EXPECT_THAT(stages(plan_of(facts)),
-                ElementsAre("interpolate perspective", "light ambient", "reflection lambert"));
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
     EXPECT_FALSE(plan_of(facts).attributes.uv);
     EXPECT_FALSE(plan_of(facts).attributes.colour);
     EXPECT_TRUE(plan_of(facts).attributes.normal);
     facts.textured_triangles = 3;
     facts.uv = true;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
-                                                    "light ambient", "reflection lambert"));
+                                                    "light ambient", "shading per_pixel"));
     EXPECT_THAT(techniques(plan_of(facts)),
                 ElementsAre("interpolate perspective", "texture bilinear", "map diffuse",
-                            "light ambient", "reflection lambert"));
+                            "light ambient", "reflection lambert", "shading per_pixel", "aa none",
+                            "encode srgb"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
-                                                    "light ambient", "reflection blinn_phong"));
+                                                    "light ambient", "shading per_pixel"));
     facts.vertex_colours = true;
     EXPECT_TRUE(plan_of(facts).attributes.colour);
     // Lines and points are unlit: nothing is fetched for them but their colour.
@@ -82,8 +84,59 @@ TEST(Plan, RunsWhatTheUserNames) {
     options.reflection = "lambert";
     EXPECT_THAT(stages(plan_of(facts, options)),
                 ElementsAre("interpolate perspective", "map diffuse", "light ambient",
-                            "reflection lambert"));
+                            "shading per_pixel"));
     EXPECT_EQ(plan_of(facts, options).filter, shade::find_filter("nearest"));
+}
+
+TEST(Plan, ChoosesAModelForEachKindOfSurface) {
+    const auto models = [](const SceneFacts& facts, const std::string& asked = "auto") {
+        FrameOptions options;
+        options.reflection = asked;
+        std::vector<std::string> names;
+        for (const shade::Stage* model : plan_of(facts, options).reflection)
+            names.emplace_back(model->card.name);
+        return names;
+    };
+    SceneFacts facts;
+    facts.triangles = 10;
+    facts.specular_triangles = 7;
+    facts.physical_triangles = 3;
+    EXPECT_THAT(models(facts), ElementsAre("lambert", "blinn_phong", "ggx"));
+    EXPECT_THAT(models(facts, "phong"), ElementsAre("lambert", "phong", "phong"));
+    EXPECT_THAT(models(facts, "lambert"), ElementsAre("lambert", "lambert", "lambert"));
+    EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "blinn_phong and ggx");
+    EXPECT_THAT(techniques(plan_of(facts)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
+                            "reflection blinn_phong", "reflection ggx", "shading per_pixel",
+                            "aa none", "encode srgb"));
+    FrameOptions off;
+    off.effects["highlight"] = false;
+    EXPECT_THAT(techniques(plan_of(facts, off)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
+                            "shading per_pixel", "aa none", "encode srgb"));
+    EXPECT_FALSE(plan_of(facts, off).attributes.ray);
+    facts.specular_triangles = facts.physical_triangles = 10;
+    EXPECT_THAT(techniques(plan_of(facts)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection ggx",
+                            "shading per_pixel", "aa none", "encode srgb"));
+    EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "ggx");
+    EXPECT_TRUE(plan_of(facts).attributes.ray);
+    // Forced on where nothing has one, it runs nowhere.
+    SceneFacts matt;
+    matt.triangles = 10;
+    FrameOptions on;
+    on.effects["highlight"] = true;
+    EXPECT_FALSE(plan_of(matt, on).attributes.ray);
+}
+
+TEST(Plan, AnAxisIsNoEffect) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    FrameOptions options;
+    options.effects["shading"] = false;
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("say --shading NAME"));
 }
 
 TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
@@ -104,22 +157,22 @@ TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
     add(scene::LightKind::point, 1);
     EXPECT_THAT(stages(plan_of(facts, options)),
                 ElementsAre("interpolate perspective", "light ambient", "light point", "light spot",
-                            "reflection lambert"));
+                            "shading per_pixel"));
     EXPECT_TRUE(plan_of(facts, options).attributes.position);
     EXPECT_THAT(plan_of(facts, options).decision("directional_light")->because,
                 HasSubstr("3 lights: key, fill, directional"));
     options.effects = {{"point_light", false}, {"spot_light", false}, {"ambient_light", false}};
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
     EXPECT_TRUE(plan_of(facts, options).decision("point_light")->forced);
     options.lights.clear();
     options.effects = {{"point_light", true}, {"spot_light", true}, {"ambient_light", true}};
     EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
     SceneFacts wires;
     wires.lines = 5;
     EXPECT_THAT(stages(plan_of(wires)),
-                ElementsAre("interpolate perspective", "reflection lambert"));
+                ElementsAre("interpolate perspective", "shading per_pixel"));
 }
 
 TEST(Plan, GivesAReasonForEveryDecision) {
@@ -159,7 +212,7 @@ TEST(Plan, TheUserForcesAnEffectOnOrOff) {
     EXPECT_FALSE(forced.attributes.colour); // there is nothing to fetch
     EXPECT_FALSE(forced.attributes.uv);
     EXPECT_THAT(stages(forced),
-                ElementsAre("interpolate perspective", "light ambient", "reflection blinn_phong"));
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
     options.effects = {{"fog", true}};
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);
@@ -196,7 +249,7 @@ TEST(Plan, RefusesWhatDoesNotExist) {
     EXPECT_THAT(texture, HasSubstr("trilinear"));
     EXPECT_THAT(texture, HasSubstr("bilinear"));
     EXPECT_THAT(texture, HasSubstr("nearest"));
-    const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "phong"; });
+    const std::string reflection = refusal([](FrameOptions& o) { o.reflection = "mirror"; });
     EXPECT_THAT(reflection, HasSubstr("blinn_phong"));
     // A technique of another axis is none of this one.
     EXPECT_NE(refusal([](FrameOptions& o) { o.texture = "lambert"; }), "accepted");
@@ -211,6 +264,103 @@ TEST(Plan, RefusesWhatDoesNotExist) {
         EXPECT_THAT(refusal([&](FrameOptions& o) { o.samples = samples; }),
                     HasSubstr("1, 2, 4, 8 or 16"));
     EXPECT_EQ(refusal([](FrameOptions& o) { o.width = o.height = kMaxSide; }), "accepted");
+}
+
+scene::Light sun(const DVec3& towards, float colour) {
+    scene::Light light;
+    light.towards = towards;
+    light.colour = Vec3(colour);
+    return light;
+}
+
+TEST(Plan, ClampsUnlessSurfacesGetBrighterThanWhite) {
+    SceneFacts facts;
+    facts.triangles = facts.specular_triangles = 5;
+    facts.brightest = 1;
+    const FramePlan usual = plan_of(facts);
+    EXPECT_EQ(usual.decision("tone")->technique, "clamp");
+    EXPECT_THAT(usual.decision("tone")->because, HasSubstr("at most 0.96"));
+    EXPECT_EQ(usual.exposure, 1);
+    FrameOptions options;
+    options.exposure = 1; // 0.96 becomes 1.93
+    const FramePlan bright = plan_of(facts, options);
+    EXPECT_EQ(bright.decision("tone")->technique, "filmic");
+    EXPECT_THAT(bright.decision("tone")->because, HasSubstr("1.93"));
+    EXPECT_EQ(bright.exposure, 2);
+    EXPECT_EQ(stages(bright).back(), "tone filmic");
+    options.tone = "clamp";
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    options = {};
+    options.exposure = -2;
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    EXPECT_EQ(plan_of(facts, options).decision("tone")->technique, "clamp");
+    options = {};
+    options.lights.push_back(sun({0, 0, 1}, 0.5F));
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone filmic");
+    options.exposure = 21;
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--exposure 21"));
+}
+
+TEST(Plan, TheMostLightIsThatOfTheWorstDirection) {
+    EXPECT_EQ(greatest_light({}), 0);
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    ambient.power = 0.25;
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.power = 2;
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{ambient, lamp}), 2.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 0.75F), sun({0, 9, 0}, 1)}), 1.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 1), sun({-1, 0, 0}, 0.5F)}), 1);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector(9, sun({1, 0, 0}, 1))), 9);
+    // How the camera's lights stand to the world's is a matter of the view: the worst counts.
+    std::vector<scene::Light> mixed = {sun({1, 0, 0}, 0.75F), sun({0, 1, 0}, 1)};
+    mixed[1].frame = scene::LightFrame::camera;
+    EXPECT_DOUBLE_EQ(greatest_light(mixed), 1.75);
+    // No direction gets more, and one gets as much.
+    test::Random random(1);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<scene::Light> lights;
+        for (int i = 0; i < 4; ++i)
+            lights.push_back(sun(random.in_cube(1), static_cast<float>(random.unit())));
+        const double bound = greatest_light(lights);
+        double most = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const DVec3 d = random.in_cube(1), n = d / std::sqrt(dot3(d, d));
+            double sum = 0;
+            for (const scene::Light& l : lights)
+                sum += double{l.colour.x} * std::max(0.0, dot3(n, l.towards)) /
+                       std::sqrt(dot3(l.towards, l.towards));
+            ASSERT_LE(sum, bound + 1e-6);
+            most = std::max(most, sum);
+        }
+        EXPECT_GT(most, bound * 0.98);
+    }
+}
+
+TEST(Plan, PicksHowCodesAreMade) {
+    SceneFacts facts;
+    facts.triangles = 1;
+    const FramePlan usual = plan_of(facts);
+    EXPECT_EQ(usual.output.encoding, shade::find_encoding("srgb"));
+    EXPECT_EQ(usual.output.blend_space, shade::find_blend_space("linear"));
+    EXPECT_FALSE(usual.output.dither);
+    FrameOptions options;
+    options.encode = "square_root";
+    options.blend_space = "encoded";
+    options.dither = "bayer";
+    const FramePlan naive = plan_of(facts, options);
+    EXPECT_EQ(naive.output.encoding, shade::find_encoding("square_root"));
+    EXPECT_EQ(naive.output.blend_space, shade::find_blend_space("encoded"));
+    EXPECT_TRUE(naive.output.dither);
+    EXPECT_TRUE(naive.decision("encode")->forced);
+    options.blend_space = "gamma";
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--blend-space gamma"));
+    EXPECT_THAT(refused.error().what, HasSubstr("encoded linear"));
 }
 
 TEST(Facts, CountWhatTheDataCallsFor) {
@@ -242,6 +392,11 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     scene.mesh.colour.resize(scene.mesh.position.size());
     EXPECT_TRUE(facts(scene).vertex_colours);
     EXPECT_EQ(facts(scene::Scene()).triangles, 0U);
+    EXPECT_EQ(all.brightest, 1); // of the materials that are used
+    scene.mesh.colour.assign(scene.mesh.position.size(), Vec3(0.25F, 0.5F, 0));
+    EXPECT_EQ(facts(scene).brightest, 0.5F);
+    scene.materials[0].diffuse = Vec3(7);
+    EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
 }
 
 } // namespace

@@ -3,21 +3,13 @@
 #include "oracle/coverage.h"
 #include "raster/sample_pattern.h"
 #include "support/scenes.h"
+#include "support/srgb_formula.h"
 
 #include <cmath>
 #include <set>
 
 namespace scanout::test {
 namespace {
-
-double decoded(int code) {
-    const double c = code / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
-double encoded(double linear) { // in codes, not rounded
-    const double x = std::min(linear, 1.0);
-    return 255 * (x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
-}
 
 constexpr int kSide = 64, kSheets = 25;
 
@@ -53,17 +45,7 @@ struct Sheets {
             colour.emplace_back(c);
         }
     }
-    image::Image picture() const {
-        scene::View view; // mesh x and y are pixels, z is depth
-        view.projection = scene::Projection::orthographic;
-        view.half_width = view.half_height = kSide / 2.0;
-        view.translation = {-kSide / 2.0, -kSide / 2.0, 0};
-        const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
-        EXPECT_TRUE(plan);
-        Jobs jobs(1);
-        frame::Renderer renderer(jobs);
-        return renderer.render(shot.scene, view, *plan);
-    }
+    image::Image picture() const { return draw_in_pixels(shot); }
     // The sheet that is seen at a point (1/256 pixel); -1: the background.
     int seen(int x, int y) const {
         int i = kSheets - 1;

@@ -5,6 +5,7 @@
 #include "oracle/coverage.h"
 #include "raster/geometry.h"
 #include "raster/tile.h"
+#include "support/pixel_view.h"
 #include "support/random.h"
 
 #include <array>
@@ -38,16 +39,7 @@ inline bool has_area(const Corners& v) {
     return oracle::area(v) != 0;
 }
 
-// A view without a camera: mesh x, y are pixels of a picture of this size (y up from the bottom),
-// z is depth. For tests that place vertices themselves.
-inline scene::View pixel_view(int width, int height) {
-    scene::View view;
-    view.projection = scene::Projection::orthographic;
-    view.half_width = width / 2.0;
-    view.half_height = height / 2.0;
-    view.translation = {-width / 2.0, -height / 2.0, 0};
-    return view;
-}
+using scanout::test::pixel_view;
 
 // Straight down -z from `distance` before the mesh's origin.
 inline scene::View eye_view(double half_width, double half_height, double distance,

@@ -60,6 +60,7 @@ protected:
         frame_.lights = lights_;
         frame_.varies = varies_;
         frame_.filter = find_filter("bilinear");
+        frame_.reflection.fill(&stage("reflection", "blinn_phong"));
         materials_[0].specular = Vec3(1);
         materials_[0].shininess = 10;
     }
@@ -111,14 +112,14 @@ protected:
         stage("map", "diffuse").run(b, f);
         write_poison(b);
     });
-    const Stage reflection_ =
-        poisoned(stage("reflection", "blinn_phong"), [](Block& b, const FrameState& f) {
-            stage("reflection", "blinn_phong").run(b, f);
+    const Stage shading_ =
+        poisoned(stage("shading", "per_pixel"), [](Block& b, const FrameState& f) {
+            stage("shading", "per_pixel").run(b, f);
             write_poison(b);
         });
     std::vector<const Stage*> stages_{&stage("interpolate", "perspective"),
                                       &stage("light", "point"), &stage("map", "diffuse"),
-                                      &stage("reflection", "blinn_phong")};
+                                      &stage("shading", "per_pixel")};
 };
 
 using Lanes = Poison::Lanes;
@@ -137,11 +138,11 @@ constexpr Written kWritten[] = {
     {1, Lanes::light, "light of lane 5 is -?(nan|inf) after light point"},
     {2, Lanes::albedo, "albedo of lane 5 is -?(nan|inf) after map diffuse"},
     {2, Lanes::sampled, "sampled of lane 5 is -?(nan|inf) after map diffuse"},
-    {3, Lanes::colour, "colour of lane 5 is -?(nan|inf) after reflection blinn_phong"},
+    {3, Lanes::colour, "colour of lane 5 is -?(nan|inf) after shading per_pixel"},
 };
 
 TEST_F(ShadeLanesDeathTest, ALiveLaneThatIsNotFiniteEndsTheProgramAfterEveryStage) {
-    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &reflection_};
+    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &shading_};
     shade();
     for (const Written& w : kWritten) {
         const auto sound = stages_;
@@ -155,7 +156,7 @@ TEST_F(ShadeLanesDeathTest, ALiveLaneThatIsNotFiniteEndsTheProgramAfterEveryStag
 }
 
 TEST_F(ShadeLanesDeathTest, ADeadLaneMayHoldAnything) {
-    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &reflection_};
+    const Stage* const poisonous[] = {&interpolate_, &light_, &map_, &shading_};
     for (const Written& w : kWritten) {
         const auto sound = stages_;
         stages_[w.stage] = poisonous[w.stage];

@@ -119,7 +119,7 @@ TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), 10);
     FrameState frame = identity_frame();
     frame.lights = scanout::test::key_and_fill();
-    for (const char* name : {"lambert", "blinn_phong"}) {
+    for (const char* name : {"lambert", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"}) {
         auto b = new_block(material);
         randomise(*b, random);
         b->lit = false;
@@ -135,7 +135,7 @@ TEST(Reflection, ALaneDoesNotDependOnItsPlaceOrOnTheOthers) {
     const scene::Material material = scanout::test::plain(Vec3(1), Vec3(0.7F), 30);
     FrameState frame = identity_frame();
     frame.lights = scanout::test::key_and_fill();
-    for (const char* name : {"lambert", "blinn_phong"}) {
+    for (const char* name : {"lambert", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"}) {
         auto whole = new_block(material);
         randomise(*whole, random);
         auto one = new_block(material);

@@ -1,4 +1,5 @@
 #include "shade/block.h"
+#include "support/srgb_formula.h"
 
 #include <bit>
 #include <cmath>
@@ -10,12 +11,6 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
-
-// sRGB by its formula, in double.
-double linear_of(int code) {
-    const double c = code / 255.0;
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-}
 
 scene::Texture noise(int width, int height, std::uint64_t seed) {
     Random random(seed);
@@ -75,9 +70,9 @@ TEST(Texture, AConstantOneStaysConstantUnderEveryFilter) {
             const scene::Texture grey{"grey", image::Image(5, 3, {100, 200, 7, 255})};
             Sampler sampler(grey, clamp);
             const Vec3 first = sampler.one(filter, 0.5F, 0.5F);
-            EXPECT_NEAR(first.x, linear_of(100), 1e-7);
-            EXPECT_NEAR(first.y, linear_of(200), 1e-7);
-            EXPECT_NEAR(first.z, linear_of(7), 1e-7);
+            EXPECT_NEAR(first.x, scanout::test::decoded(100), 1e-7);
+            EXPECT_NEAR(first.y, scanout::test::decoded(200), 1e-7);
+            EXPECT_NEAR(first.z, scanout::test::decoded(7), 1e-7);
             for (const double size : {0.1, 2.0, 1e5, 1e30}) {
                 sampler.sample(filter, random_uv(random, size));
                 for (int i = 0; i < kLanes; ++i)
@@ -108,9 +103,9 @@ TEST(Texture, NearestGivesExactlyTheTexelThatTheSampleFallsInto) {
                 const int x = texel(at.x, 13), y = texel(at.y, 7);
                 if (x < 0 || y < 0) continue;
                 const image::Rgba8 expected = texture.image.at(x, 6 - y); // v runs up
-                ASSERT_NEAR(sampler.block->albedo[0][i], linear_of(expected.r), 1e-7);
-                ASSERT_NEAR(sampler.block->albedo[1][i], linear_of(expected.g), 1e-7);
-                ASSERT_NEAR(sampler.block->albedo[2][i], linear_of(expected.b), 1e-7);
+                ASSERT_NEAR(sampler.block->albedo[0][i], scanout::test::decoded(expected.r), 1e-7);
+                ASSERT_NEAR(sampler.block->albedo[1][i], scanout::test::decoded(expected.g), 1e-7);
+                ASSERT_NEAR(sampler.block->albedo[2][i], scanout::test::decoded(expected.b), 1e-7);
             }
         }
     }
@@ -121,7 +116,7 @@ TEST(Texture, NearestGivesOnlyValuesThatTheTextureHas) {
     const scene::Texture texture = noise(16, 16, 4);
     std::set<float> red;
     for (const image::Rgba8& p : texture.image.pixels())
-        red.insert(static_cast<float>(linear_of(p.r)));
+        red.insert(static_cast<float>(scanout::test::decoded(p.r)));
     Sampler sampler(texture);
     for (int round = 0; round < 4000; ++round) {
         sampler.sample("nearest", random_uv(random, std::exp2(random.in(-10, 100))));
@@ -153,8 +148,8 @@ TEST(Texture, BilinearIsTheOverlapOfATexelSizedSquare) {
                             return clamp ? std::min(std::max(t, 0), size - 1)
                                          : ((t % size) + size) % size;
                         };
-                        const double texel =
-                            linear_of(texture.image.at(address(tx, 8), 3 - address(ty, 4)).g);
+                        const double texel = scanout::test::decoded(
+                            texture.image.at(address(tx, 8), 3 - address(ty, 4)).g);
                         sum += texel * (1 - std::abs(x - tx)) * (1 - std::abs(y - ty));
                         low = std::min(low, texel);
                         high = std::max(high, texel);
@@ -181,11 +176,11 @@ TEST(Texture, BilinearStaysWithinItsTexelsAndIsExactAtTheirCentres) {
                             .one("bilinear", (static_cast<float>(x) + 0.5F) / 16,
                                  (static_cast<float>(y) + 0.5F) / 8)
                             .x,
-                        linear_of(texture.image.at(x, 7 - y).r), 1e-7);
+                        scanout::test::decoded(texture.image.at(x, 7 - y).r), 1e-7);
     float low = 1, high = 0;
     for (const image::Rgba8& p : texture.image.pixels()) {
-        low = std::min(low, static_cast<float>(linear_of(p.b)));
-        high = std::max(high, static_cast<float>(linear_of(p.b)));
+        low = std::min(low, static_cast<float>(scanout::test::decoded(p.b)));
+        high = std::max(high, static_cast<float>(scanout::test::decoded(p.b)));
     }
     for (int round = 0; round < 8000; ++round) { // a million samples
         sampler.sample("bilinear", random_uv(random, std::exp2(random.in(-10, 60))));
@@ -215,11 +210,13 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
         for (const bool clamp : {false, true}) {
             Sampler sampler(row, clamp);
             const int expected = clamp ? c.clamp : c.repeat;
-            EXPECT_NEAR(sampler.one("nearest", c.u, 0.5F).x, linear_of(expected + 1), 1e-9)
+            EXPECT_NEAR(sampler.one("nearest", c.u, 0.5F).x, scanout::test::decoded(expected + 1),
+                        1e-9)
                 << c.u << (clamp ? " clamped" : " repeated");
             const float filtered = sampler.one("bilinear", c.u, c.u).x;
-            EXPECT_TRUE(filtered >= static_cast<float>(linear_of(1)) * (1 - 0x1p-22F) &&
-                        filtered <= static_cast<float>(linear_of(4)) * (1 + 0x1p-22F))
+            EXPECT_TRUE(filtered >=
+                            static_cast<float>(scanout::test::decoded(1)) * (1 - 0x1p-22F) &&
+                        filtered <= static_cast<float>(scanout::test::decoded(4)) * (1 + 0x1p-22F))
                 << c.u << ": " << filtered;
             EXPECT_FALSE(std::isnan(sampler.one("bilinear", 0.3F, c.u).x));
         }
@@ -265,8 +262,8 @@ TEST(Texture, TheLargestSidesHaveTheirTexelsInPlace) {
                 const float along = (static_cast<float>(i) + 0.5F) / kSide;
                 const Vec3 texel =
                     wide ? sampler.one(filter, along, 0.25F) : sampler.one(filter, 0.75F, along);
-                ASSERT_NEAR(texel.x, linear_of(i & 255), 1e-6) << filter << ' ' << i;
-                ASSERT_NEAR(texel.y, linear_of(i >> 8), 1e-6) << filter << ' ' << i;
+                ASSERT_NEAR(texel.x, scanout::test::decoded(i & 255), 1e-6) << filter << ' ' << i;
+                ASSERT_NEAR(texel.y, scanout::test::decoded(i >> 8), 1e-6) << filter << ' ' << i;
             }
         }
     }
@@ -280,7 +277,7 @@ TEST(Texture, OfOneTexelIsReadEverywhere) {
             Sampler sampler(dot, clamp);
             sampler.sample(filter, random_uv(random, 5));
             for (int i = 0; i < kLanes; ++i)
-                ASSERT_NEAR(sampler.block->albedo[0][i], linear_of(77), 1e-8);
+                ASSERT_NEAR(sampler.block->albedo[0][i], scanout::test::decoded(77), 1e-8);
         }
 }
 

@@ -3,6 +3,7 @@
 
 #include "frame/renderer.h"
 #include "support/meshes.h"
+#include "support/pixel_view.h"
 
 #include <ostream>
 #include <string>
@@ -30,19 +31,26 @@ struct DrawOptions {
     shade::LinearPicture* linear = nullptr;
 };
 
+inline image::Image draw(const Shot& shot, const scene::View& view, const DrawOptions& options) {
+    const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
+    if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
+    if (!plan) return {};
+    Jobs jobs(options.threads);
+    frame::Renderer renderer(jobs);
+    image::Image picture = renderer.render(shot.scene, view, *plan, options.visibility,
+                                           options.tile_size, options.linear);
+    if (options.stats != nullptr) *options.stats = renderer.stats();
+    return picture;
+}
 inline image::Image draw(const Shot& shot, const DrawOptions& options = {}) {
     const auto view = scene::make_view(shot.scene.mesh, shot.model, shot.pose, shot.camera, {},
                                        shot.options.width, shot.options.height);
     if (!view) ADD_FAILURE() << shot.name << ": " << view.error().what;
-    const auto plan = frame::plan(shot.options, frame::facts(shot.scene));
-    if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
-    if (!view || !plan) return {};
-    Jobs jobs(options.threads);
-    frame::Renderer renderer(jobs);
-    image::Image picture = renderer.render(shot.scene, *view, *plan, options.visibility,
-                                           options.tile_size, options.linear);
-    if (options.stats != nullptr) *options.stats = renderer.stats();
-    return picture;
+    return view ? draw(shot, *view, options) : image::Image();
+}
+// Straight on: mesh x and y are pixels, z is depth.
+inline image::Image draw_in_pixels(const Shot& shot, const DrawOptions& options = {}) {
+    return draw(shot, pixel_view(shot.options.width, shot.options.height), options);
 }
 
 inline Shot shot(std::string name, int width = 64, int height = 64) {

@@ -1,0 +1,59 @@
+// The viewer's lights: which one keys and mouse move, and where they have put each.
+#include "app/viewer.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+
+scene::LightMove& Viewer::light_move() {
+    return state_.look.lights[static_cast<std::size_t>(state_.light)];
+}
+
+void Viewer::next_light() {
+    if (lights_.empty()) return;
+    state_.light = (state_.light + 1) % static_cast<int>(lights_.size());
+}
+
+// Azimuth and elevation about the model, as the camera's; the elevation stops at the poles.
+void Viewer::turn_light(const scene::LightMove& from, std::int64_t right, std::int64_t up,
+                        const geom::Mesh* mesh) {
+    const scene::LightMove before = from; // may be the one that changes
+    scene::LightMove& move = light_move();
+    move.azimuth = scene::wrap_angle(before.azimuth + right);
+    const scene::Light& light = lights_[static_cast<std::size_t>(state_.light)];
+    const double own =
+        mesh != nullptr ? place_of(light, state_.look.up, *mesh).elevation_degrees : 0;
+    const auto pole = [&](double degrees) {
+        return static_cast<std::int64_t>((degrees - own) * scene::kAngleUnitsPerDegree);
+    };
+    move.elevation = static_cast<int>(std::clamp(before.elevation + up, pole(-90), pole(90)));
+}
+
+void Viewer::brighten(int levels) {
+    scene::LightMove& move = light_move();
+    move.level = scene::clamp_zoom(std::int64_t{move.level} + levels);
+}
+
+std::vector<scene::Light> Viewer::lights(const geom::Mesh& mesh) const {
+    std::vector<scene::Light> moved;
+    moved.reserve(lights_.size());
+    for (std::size_t i = 0; i < lights_.size(); ++i)
+        moved.push_back(scene::moved(lights_[i], state_.look.lights[i], state_.look.up, mesh));
+    return moved;
+}
+
+std::string Viewer::light_line(const geom::Mesh& mesh) const {
+    if (!moves_light()) return {};
+    const scene::Light light = lights(mesh)[static_cast<std::size_t>(state_.light)];
+    const scene::LightPlace place = place_of(light, state_.look.up, mesh);
+    const std::string where = light.kind == scene::LightKind::ambient
+                                  ? ""
+                                  : fmt::format("  azimuth {:.0f}  elevation {:.0f}",
+                                                place.azimuth_degrees, place.elevation_degrees);
+    return fmt::format("light {} of {}: {}{}  power {:.3g}", state_.light + 1, lights_.size(),
+                       light.name, where, light.power);
+}
+
+} // namespace scanout::app

@@ -1,0 +1,125 @@
+// A rough surface of tiny mirrors: GGX distribution of their slopes, Smith's masking and shadowing
+// with correlated heights, Schlick's Fresnel reflection. Of materials that say roughness (Pr) and
+// metalness (Pm): alpha = Pr^2; a metal mirrors its colour, everything else mirrors 4 % straight on
+// and scatters the rest. Of others, where the user asks for it: alpha = sqrt(2 / (Ns + 2)), which
+// gives a highlight as wide as Blinn-Phong's, and Ks is what is mirrored straight on.
+//
+// What is scattered has passed the surface twice, so it is dimmed by 1 - F of both directions: that
+// keeps it reciprocal, linear in the albedo, and from reflecting more than arrives. Light's
+// convention as in blinn_phong_normalised.cpp. Trowbridge and Reitz 1975; Walter et al. 2007; Heitz
+// 2014; Schlick 1994.
+#include "math/transcendental.h"
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/reflection/ggx.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/reflection/highlight-inl.h"
+
+SIMD_BEGIN(scanout::shade::reflection)
+
+struct Mirrors {
+    float metal; // share
+    float alpha; // roughness of the distribution
+    float f0[3]; // what a surface that is no metal mirrors straight on
+};
+
+HWY_INLINE float clamped(float x, float low, float high) {
+    return x < low ? low : (x > high ? high : x);
+}
+
+Mirrors mirrors_of(const scene::Material& m) {
+    constexpr float kLeastAlpha = 0x1p-9F; // a mirror's image of a point would be a point
+    Mirrors out{0, 1, {0.04F, 0.04F, 0.04F}};
+    if (scene::surface_of(m) == scene::Surface::physical) {
+        const float roughness = m.roughness ? *m.roughness : 0.5F;
+        out.metal = m.metalness ? clamped(*m.metalness, 0, 1) : 0;
+        out.alpha = clamped(roughness * roughness, kLeastAlpha, 1);
+        return out;
+    }
+    const double ns = m.shininess;
+    out.alpha = clamped(static_cast<float>(scanout::sqrt(2 / (ns + 2))), kLeastAlpha, 1);
+    for (int c = 0; c < 3; ++c)
+        out.f0[c] = clamped(m.specular[c], 0, 1);
+    return out;
+}
+
+// (1 - x)^5
+HWY_INLINE F32 schlick(F32 x) {
+    const F32 y = maximum(F32(1.0F) - x, F32(0.0F)), y2 = y * y;
+    return (y2 * y2) * y;
+}
+
+// pi D V n.l: what mirrors would reflect if each reflected all.
+HWY_INLINE F32 mirrored(const Vector& normal, const Vector& half, F32 half_square, F32 n_e, F32 n_l,
+                        F32 alpha2) {
+    // 1 - (n.h)^2 as the square of n x h: nothing cancels where the highlight is sharp.
+    const F32 x = normal.y * half.z - normal.z * half.y;
+    const F32 y = normal.z * half.x - normal.x * half.z;
+    const F32 z = normal.x * half.y - normal.y * half.x;
+    const F32 n_h = dot(normal, half);
+    const F32 spread = (((x * x + y * y) + z * z) + alpha2 * (n_h * n_h)) / half_square;
+    const F32 d = maximum(spread, F32(0.5F) * alpha2); // only what is no unit normal is less
+    const F32 rest = F32(1.0F) - alpha2;
+    const F32 seen = n_l * sqrt(n_e * n_e * rest + alpha2);
+    const F32 lit = n_e * sqrt(n_l * n_l * rest + alpha2);
+    const F32 all = (alpha2 / (d * d)) * (F32(0.5F) * n_l / (seen + lit));
+    return select(n_h > F32(0.0F), all, F32(0.0F));
+}
+
+void ggx_run(Block& b, const FrameState& frame) {
+    if (!b.lit || scene::surface_of(*b.material) == scene::Surface::matt) return diffuse(b, frame);
+    const Mirrors m = mirrors_of(*b.material);
+    const F32 one = 1.0F, alpha2 = m.alpha * m.alpha, metal = m.metal, other = 1.0F - m.metal;
+    const float ambient[3] = {b.ambient.x, b.ambient.y, b.ambient.z};
+    const std::size_t light_count = frame.lights.size();
+    for (int i = 0; i < b.count; i += kLanes) {
+        const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
+        const F32 n_e = minimum(maximum(dot(normal, eye), F32(0x1p-10F)), one);
+        const F32 leaves = one - schlick(n_e);
+        // Part of the albedo that comes back, and what comes back without it.
+        F32 tinted[3] = {F32(ambient[0]), F32(ambient[1]), F32(ambient[2])};
+        F32 plain[3] = {F32(0.0F), F32(0.0F), F32(0.0F)};
+        for (std::size_t k = 0; k < light_count; ++k) {
+            const Light l = light_at(b, frame, k, i);
+            const Vector light = towards(l);
+            const F32 n_l = minimum(maximum(dot(normal, light), F32(0.0F)), one);
+            const Vector half = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
+            const F32 half_square = maximum(dot(half, half), F32(0x1p-40F));
+            const F32 all = mirrored(normal, half, half_square, n_e, n_l, alpha2);
+            const F32 grazing = schlick(F32(0.5F) * sqrt(half_square)); // e.h = |e + l| / 2
+            const F32 scattered = other * (one - schlick(n_l)) * leaves * n_l;
+            for (int c = 0; c < 3; ++c) {
+                const F32 f0 = m.f0[c], enters = one - f0;
+                const F32 fresnel = f0 + enters * grazing;
+                tinted[c] = tinted[c] + l.colour[c] * (scattered * (enters * enters) +
+                                                       metal * (one - grazing) * all);
+                plain[c] = plain[c] + l.colour[c] * ((other * fresnel + metal * grazing) * all);
+            }
+        }
+        for (int c = 0; c < 3; ++c)
+            store(load<F32>(b.albedo[c] + i) * tinted[c] + plain[c], b.colour[c] + i);
+    }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::reflection {
+
+SIMD_REGISTER(ggx_run);
+
+extern const Stage ggx;
+constinit const Stage ggx{{.axis = "reflection",
+                           .name = "ggx",
+                           .blurb = "rough mirrors, for materials that say roughness and metalness",
+                           .source = "Trowbridge and Reitz 1975, Walter et al. 2007, Heitz 2014",
+                           .kind = Kind::model},
+                          {.normal = true, .ray = true},
+                          [](Block& block, const FrameState& frame) {
+                              SIMD_CALL(ggx_run)
+                              (block, frame);
+                          }};
+
+} // namespace scanout::shade::reflection
+#endif

@@ -1,0 +1,75 @@
+// What the models with a highlight share: the eye, the normal, and the sum over lights.
+#if defined(SCANOUT_SHADE_HIGHLIGHT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SHADE_HIGHLIGHT_INL_H
+#undef SCANOUT_SHADE_HIGHLIGHT_INL_H
+#else
+#define SCANOUT_SHADE_HIGHLIGHT_INL_H
+#endif
+
+#include "math/transcendental-inl.h"
+#include "shade/reflection/diffuse-inl.h"
+
+SIMD_BEGIN(scanout::shade::reflection)
+
+struct Vector {
+    F32 x, y, z;
+};
+HWY_INLINE F32 dot(const Vector& a, const Vector& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+HWY_INLINE Vector towards(const Light& light) {
+    return {light.towards[0], light.towards[1], light.towards[2]};
+}
+
+// Unit, from the surface.
+HWY_INLINE Vector eye_at(const Block& b, const FrameState& frame, int lane) {
+    if (b.eye != nullptr)
+        return {load<F32>(b.eye[0] + lane), load<F32>(b.eye[1] + lane), load<F32>(b.eye[2] + lane)};
+    const F32 zero = 0.0F;
+    const F32 rx = frame.orthographic ? zero : load<F32>(b.ray_x + lane);
+    const F32 ry = frame.orthographic ? zero : load<F32>(b.ray_y + lane);
+    const F32 inverse = F32(1.0F) / sqrt((rx * rx + ry * ry) + F32(1.0F));
+    return {-rx * inverse, -ry * inverse, inverse};
+}
+
+HWY_INLINE Vector normal_at(const Block& b, int lane) {
+    return {load<F32>(b.normal[0] + lane), load<F32>(b.normal[1] + lane),
+            load<F32>(b.normal[2] + lane)};
+}
+
+// Adds light * Ks * bright(normal, eye, light, Ns) to b.colour for every light.
+template <class Bright>
+HWY_INLINE void add_highlights(Block& b, const FrameState& frame, Bright bright) {
+    const Vec3& ks = b.material->specular;
+    const F32 exponent = b.material->shininess;
+    const std::size_t light_count = frame.lights.size();
+    for (int i = 0; i < b.count; i += kLanes) {
+        const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
+        F32 red = load<F32>(b.colour[0] + i), green = load<F32>(b.colour[1] + i),
+            blue = load<F32>(b.colour[2] + i);
+        for (std::size_t k = 0; k < light_count; ++k) {
+            const Light l = light_at(b, frame, k, i);
+            const F32 share = bright(normal, eye, towards(l), exponent);
+            red = red + (l.colour[0] * F32(ks.x)) * share;
+            green = green + (l.colour[1] * F32(ks.y)) * share;
+            blue = blue + (l.colour[2] * F32(ks.z)) * share;
+        }
+        store(red, b.colour[0] + i);
+        store(green, b.colour[1] + i);
+        store(blue, b.colour[2] + i);
+    }
+}
+
+// max(n.h, 0)^exponent, h halfway between eye and light.
+HWY_INLINE F32 half_vector_lobe(const Vector& normal, const Vector& eye, const Vector& light,
+                                F32 exponent) {
+    const Vector h = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
+    const F32 length = sqrt((h.x * h.x + h.y * h.y) + h.z * h.z);
+    // length 0: the light shines straight into the eye through the surface; no highlight.
+    const F32 cosine = select(length > F32(0x1p-20F), dot(normal, h) / length, F32(0.0F));
+    return pow(minimum(F32(1.0F), cosine), exponent); // of NaN: 0
+}
+
+SIMD_END
+
+#endif

@@ -1,0 +1,48 @@
+// Phong: Lambert plus Ks max(r.e, 0)^Ns for every light before the surface, r the light's mirror
+// image in it. Where light, normal and eye lie in one plane, the angle from r to the eye is twice
+// that from the normal to the half vector: the same Ns makes a highlight half as wide as
+// Blinn-Phong's. Phong 1975, [A 11.1], [C 7].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/reflection/phong.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/reflection/highlight-inl.h"
+
+SIMD_BEGIN(scanout::shade::reflection)
+
+void phong_run(Block& b, const FrameState& frame) {
+    diffuse(b, frame);
+    if (!b.lit || !scene::has_highlight(*b.material)) return;
+    add_highlights(b, frame,
+                   [](const Vector& normal, const Vector& eye, const Vector& light, F32 exponent)
+                       HWY_ATTR {
+                           const F32 n_l = dot(normal, light);
+                           const F32 cosine = F32(2.0F) * n_l * dot(normal, eye) - dot(light, eye);
+                           const F32 lobe = pow(minimum(F32(1.0F), cosine), exponent);
+                           return select(n_l > F32(0.0F), lobe, F32(0.0F));
+                       });
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::reflection {
+
+SIMD_REGISTER(phong_run);
+
+extern const Stage phong;
+constinit const Stage phong{
+    {.axis = "reflection",
+     .name = "phong",
+     .blurb = "Lambert plus a highlight where the light's mirror image meets the eye",
+     .source = "Phong 1975, [A 11.1]",
+     .kind = Kind::model},
+    {.normal = true, .ray = true},
+    [](Block& block, const FrameState& frame) {
+        SIMD_CALL(phong_run)
+        (block, frame);
+    }};
+
+} // namespace scanout::shade::reflection
+#endif

@@ -1,0 +1,53 @@
+// Light at the vertices, interpolated in between: a highlight inside a triangle is lost. Gouraud
+// 1971, [A 11.1], [C 7.3]. The parts with and without albedo are interpolated apart, so textures
+// stay sharp.
+#include "shade/corner_light.h"
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/shading/gouraud.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/interpolate/weights-inl.h"
+
+SIMD_BEGIN(scanout::shade::shading)
+
+void gouraud_run(Block& b) {
+    for (int r = 0; r < b.runs; ++r) {
+        const Run& run = b.run[r];
+        const Primitive& t = *run.primitive;
+        const CornerLight::Triangle& light = b.corners->triangle[b.corners->of_run[r]];
+        for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
+            const auto w = interpolate::HWY_NAMESPACE::weights(t, to_f64(load<I32x8>(b.x + i)),
+                                                               to_f64(load<I32x8>(b.y + i)),
+                                                               {i, run.first + run.count - i});
+            for (int c = 0; c < 3; ++c)
+                store(load<F32x8>(b.albedo[c] + i) *
+                              interpolate::HWY_NAMESPACE::mix(w, light.tinted[c]) +
+                          interpolate::HWY_NAMESPACE::mix(w, light.plain[c]),
+                      b.colour[c] + i);
+        }
+    }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::shading {
+
+SIMD_REGISTER(gouraud_run);
+
+extern const Stage gouraud;
+constinit const Stage gouraud{{.axis = "shading",
+                               .name = "gouraud",
+                               .blurb = "light at the vertices, interpolated in between",
+                               .source = "Gouraud 1971, [C 7.3]",
+                               .kind = Kind::rung},
+                              {.corners = true},
+                              [](Block& block, const FrameState& frame) {
+                                  if (!block.lit) return block.model->run(block, frame);
+                                  light_corners(block, frame);
+                                  SIMD_CALL(gouraud_run)(block);
+                              }};
+
+} // namespace scanout::shade::shading
+#endif

@@ -1,0 +1,18 @@
+// Light at every pixel, with the normal that lies there: interpolated between the vertices' and
+// brought back to length 1, which interpolate/perspective.cpp does while it holds it in registers.
+// Phong 1975, [A 11.1], [C 7.3].
+#include "shade/stage.h"
+
+namespace scanout::shade::shading {
+
+extern const Stage per_pixel;
+constinit const Stage per_pixel{
+    {.axis = "shading",
+     .name = "per_pixel",
+     .blurb = "light at every pixel, with unit normals",
+     .source = "Phong 1975, [A 11.1], [C 7.3]",
+     .kind = Kind::rung},
+    {.normal = true},
+    [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};
+
+} // namespace scanout::shade::shading

@@ -1,0 +1,18 @@
+// Light at every pixel, with normals as they come out of the interpolation: between two vertices
+// they are shorter than 1, so a highlight in the middle of a triangle is as dim as Gouraud's.
+// [C 7.3]; what it loses: HARD-CASES (d), shading frequency.
+#include "shade/stage.h"
+
+namespace scanout::shade::shading {
+
+extern const Stage per_pixel_raw;
+constinit const Stage per_pixel_raw{
+    {.axis = "shading",
+     .name = "per_pixel_raw",
+     .blurb = "light at every pixel, with normals that are too short between vertices",
+     .source = "[C 7.3]",
+     .kind = Kind::rung},
+    {.normal = true},
+    [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};
+
+} // namespace scanout::shade::shading

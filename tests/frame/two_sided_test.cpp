@@ -1,0 +1,104 @@
+// Two-sided lighting: which side of a face is lit, and that deciding it once a face instead of at
+// every pixel changes no bit.
+#include "image/compare.h"
+#include "support/scenes.h"
+
+namespace scanout::test {
+namespace {
+
+image::Image draw_sides(const Shot& s, shade::Sides sides, shade::LinearPicture& linear) {
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    auto plan = frame::plan(s.options, frame::facts(s.scene));
+    EXPECT_TRUE(view && plan);
+    plan->sides = sides;
+    Jobs jobs(1);
+    frame::Renderer renderer(jobs);
+    return renderer.render(s.scene, *view, *plan, nullptr, 64, &linear);
+}
+
+TEST(TwoSided, DecidedOnceAFaceIsTheSameToTheBit) {
+    int compared = 0;
+    for (const int samples : {1, 4}) {
+        for (Shot s : golden_shots()) {
+            if (s.options.aa != "auto") continue; // samples are what this varies
+            if (frame::facts(s.scene).sides.leaning > 0 || s.scene.mesh.triangles() == 0) continue;
+            s.options.width = 157;
+            s.options.height = 113;
+            s.options.samples = samples;
+            for (const bool mirrored : {false, true}) {
+                if (mirrored) s.model.scale.x = -1;
+                shade::LinearPicture lane, face;
+                const image::Image a = draw_sides(s, shade::Sides::eye, lane),
+                                   b = draw_sides(s, shade::Sides::face, face);
+                EXPECT_EQ(a, b) << s.name;
+                EXPECT_EQ(lane, face) << s.name;
+                ++compared;
+            }
+        }
+    }
+    EXPECT_GT(compared, 60);
+}
+
+TEST(TwoSided, IsNotNeededWhereNoBackCanBeSeenAndThenForcingItChangesNoBit) {
+    for (const Shot& closed : {solids("solids"), glossy("glossy", "auto")}) {
+        const auto plan = frame::plan(closed.options, frame::facts(closed.scene));
+        ASSERT_TRUE(plan);
+        EXPECT_FALSE(plan->decision("two_sided")->on());
+        shade::LinearPicture wanted;
+        draw(closed, {.linear = &wanted});
+        for (const bool on : {true, false}) {
+            Shot forced = closed;
+            forced.options.effects["two_sided"] = on;
+            shade::LinearPicture got;
+            draw(forced, {.linear = &got});
+            EXPECT_EQ(got, wanted);
+        }
+    }
+}
+
+TEST(TwoSided, LightsTheInsideOfABowlAndLeavingItOutDoesNot) {
+    Shot open = bowl("bowl", frame::Cull::none);
+    const auto plan = frame::plan(open.options, frame::facts(open.scene));
+    ASSERT_TRUE(plan);
+    EXPECT_TRUE(plan->decision("two_sided")->needed);
+    const image::Image both = draw(open);
+    open.options.effects["two_sided"] = true;
+    EXPECT_EQ(draw(open), both);
+    open.options.effects["two_sided"] = false;
+    const image::Image one = draw(open);
+    EXPECT_GT(image::compare(one, both, 8).over_tolerance, 200);
+    // What shows its front is the same.
+    open.options.cull = frame::Cull::back;
+    open.options.effects.clear();
+    const image::Image fronts = draw(open);
+    int same = 0;
+    for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x)
+            if (fronts.at(x, y) != open.options.background && both.at(x, y) == one.at(x, y)) ++same;
+    EXPECT_GT(same, 200);
+    // A face in the eye's back light: its own normal looks away from the key and the fill.
+    Shot away = shot("away", 32, 32);
+    away.scene.materials = {plain(Vec3(0.8F))};
+    add_square(away.scene.mesh, 3, 0, 0);
+    away.camera.azimuth_degrees = 180;
+    away.options.effects["two_sided"] = false;
+    const image::Image dark = draw(away);
+    away.options.lights = {light_of(scene::LightKind::ambient, 0.15)};
+    EXPECT_EQ(dark, draw(away)) << "ambient light alone";
+}
+
+TEST(TwoSided, SaysWhy) {
+    const auto because = [](const Shot& s) {
+        const auto plan = frame::plan(s.options, frame::facts(s.scene));
+        return plan ? plan->decision("two_sided")->because : plan.error().what;
+    };
+    EXPECT_NE(because(bowl("", frame::Cull::none)).find("open edges"), std::string::npos);
+    EXPECT_NE(because(bowl("", frame::Cull::back)).find("--cull back"), std::string::npos);
+    EXPECT_NE(because(bowl("", frame::Cull::front)).find("--cull front"), std::string::npos);
+    EXPECT_NE(because(solids("")).find("closed"), std::string::npos);
+    EXPECT_NE(because(soup("", 50, 1, 1)).find("leans"), std::string::npos);
+}
+
+} // namespace
+} // namespace scanout::test
