@@ -40,22 +40,31 @@ class Vertices {
 public:
     // Sets the primitive's `facing`, if something of it is read.
     Vertices(Primitive& p, const GatherInput& in, const Corners& corner, Behind behind)
-        : p_(p), in_(in), behind_(behind.of_file) {
+        : p_(p), in_(in), side_(in.frame->sides == Sides::face && behind.of_file ? -1.0F : 1.0F) {
         const Sides sides = in.frame->sides;
         if (sides == Sides::eye || in.frame->attributes.corners)
             set_facing(p, *in.mesh, corner,
                        behind.of_order != (sides == Sides::file && behind.of_file));
     }
 
-    void set(std::size_t k, std::uint32_t vertex) {
+    // All three at once.
+    void set(const Corners& v) {
         const geom::Mesh& mesh = *in_.mesh;
         const Attributes wanted = in_.frame->attributes;
-        if (wanted.position || wanted.corners) put(p_.position, k, DVec3(position(vertex)));
-        if (wanted.normal || in_.frame->corner_normals) put(p_.normal, k, normal(vertex));
-        if (wanted.colour) put(p_.colour, k, DVec3(mesh.colour[vertex]));
-        if (!wanted.uv) return;
-        p_.uv[0][k] = mesh.uv[vertex].x;
-        p_.uv[1][k] = mesh.uv[vertex].y;
+        const bool own_normals = wanted.normal && !in_.frame->corner_normals;
+        const float side = side_;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (wanted.position || wanted.corners) put(p_.position, k, position(v[k]));
+            if (in_.frame->corner_normals) put(p_.normal, k, normal(v[k]));
+            for (int c = 0; c < 3; ++c) {
+                if (own_normals) p_.normal[c][k] = mesh.normal[v[k]][c] * side;
+                if (wanted.colour) p_.colour[c][k] = mesh.colour[v[k]][c];
+            }
+            if (wanted.uv) {
+                p_.uv[0][k] = mesh.uv[v[k]].x;
+                p_.uv[1][k] = mesh.uv[v[k]].y;
+            }
+        }
     }
 
     // Where the near plane cuts the edge between two vertices of the mesh.
@@ -93,13 +102,11 @@ private:
     }
     // On the side that the frame's `sides` choose; with corner_normals unit and in view space.
     DVec3 normal(std::uint32_t vertex) const {
-        const DVec3 own(in_.mesh->normal[vertex]);
+        const DVec3 own = DVec3(in_.mesh->normal[vertex]) * double{side_};
         const FrameState& frame = *in_.frame;
-        if (!frame.corner_normals) return frame.sides == Sides::face && behind_ ? -own : own;
+        if (!frame.corner_normals) return own;
         const DVec3 facing(p_.facing[0], p_.facing[1], p_.facing[2]);
-        const bool turn = frame.sides == Sides::eye ? dot3(own, facing) < 0
-                                                    : frame.sides == Sides::face && behind_;
-        const DVec3 n = turn ? -own : own;
+        const DVec3 n = frame.sides == Sides::eye && dot3(own, facing) < 0 ? -own : own;
         const auto& m = frame.normal_matrix;
         DVec3 seen;
         for (int r = 0; r < 3; ++r)
@@ -109,7 +116,7 @@ private:
 
     Primitive& p_;
     const GatherInput& in_;
-    bool behind_;
+    float side_;
 };
 
 // How a triangle's vertices wind in canonical order, seen in object space, which a mirrored view
@@ -170,6 +177,10 @@ void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
     const Sorted sorted = sort_by_position(corner, *in.mesh);
     const bool behind = piece.clockwise != in.mirrored;
     Vertices vertices(p, in, sorted.vertex, {behind != sorted.odd, behind});
+    Corners from;
+    for (std::size_t k = 0; k < 3; ++k)
+        from[k] = corner[piece.vertex[k].place.from];
+    vertices.set(from);
     for (std::size_t k = 0; k < 3; ++k) {
         const raster::EdgePlace& place = piece.vertex[k].place;
         p.inverse_w[k] = 1;
@@ -180,10 +191,7 @@ void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
         p.from[k] = sorted.place[place.from];
         p.to[k] = sorted.place[place.to];
         p.share[k] = place.cut() ? static_cast<float>(place.share) : 0.0F;
-        if (place.cut())
-            vertices.set_cut(k, corner[place.from], corner[place.to], place.share);
-        else
-            vertices.set(k, corner[place.from]);
+        if (place.cut()) vertices.set_cut(k, from[k], corner[place.to], place.share);
     }
     if (!in.frame->attributes.corners) return;
     for (std::size_t k = 0; k < 3; ++k)
@@ -205,11 +213,10 @@ void Gatherer::Primitives::clear() {
     pool_.clear();
 }
 
-const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t triangle) {
-    std::uint16_t& slot = slot_[triangle % kSlots];
-    if (slot < pool_.size() && pool_[slot].id == triangle) return pool_[slot];
+const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t triangle) {
     CHECK(!full());
-    slot = static_cast<std::uint16_t>(pool_.size());
+    const std::size_t slot = pool_.size();
+    slot_[triangle % kSlots] = static_cast<std::uint16_t>(slot);
     const std::uint32_t* index = in.mesh->index.data() + std::size_t{triangle} * 3;
     Corners v = {index[0], index[1], index[2]};
     const auto vertices = in.geometry->vertices();
@@ -225,8 +232,7 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
     const Winding winds = set_exact(p, v, corner, in.transform->perspective);
     const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
     Vertices attributes(p, in, v, {behind, behind != winds.reordered});
-    for (std::size_t k = 0; k < 3; ++k)
-        attributes.set(k, v[k]);
+    attributes.set(v);
     p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
     check_primitive(p, in.frame->attributes);
     return p;

@@ -17,11 +17,16 @@ public:
     // No room for another triangle: what points to the present ones must be done first.
     bool full() const { return pool_.size() + 1 >= pool_.capacity(); }
     // The triangle, or what is drawn first of it.
-    const Primitive& get(const GatherInput& input, std::uint32_t triangle);
+    const Primitive& get(const GatherInput& input, std::uint32_t triangle) {
+        const std::uint16_t slot = slot_[triangle % kSlots];
+        return slot < pool_.size() && pool_[slot].id == triangle ? pool_[slot]
+                                                                 : add(input, triangle);
+    }
     // What of a triangle covers a sample that shows it (1/256 pixel).
     static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y);
 
 private:
+    const Primitive& add(const GatherInput& input, std::uint32_t triangle);
     void add_pieces(const GatherInput& input, std::uint32_t triangle,
                     const std::array<std::uint32_t, 3>& corner);
     static constexpr std::size_t kRoom = 512, kSlots = 1024;
