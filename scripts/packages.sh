@@ -18,6 +18,7 @@ packages_build=(
 packages_test=("${libraries_test[@]}" patch python3)
 packages_bench=(libbenchmark-dev)
 packages_clang=(clang-14 libclang-rt-14-dev)
+packages_counts=(valgrind binutils)
 packages_lint=(clang-format-14 clang-tidy-14)
 packages_arm=(g++-aarch64-linux-gnu qemu-user-static)
 packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)

@@ -2,11 +2,11 @@
 # The stages of ./test, in the order of CI. Together they have 30 minutes on two cores.
 # A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
 
-ci_stages=(unit golden cli bits asan tsan guests fuzz)
+ci_stages=(unit golden cli effects bits asan tsan guests fuzz)
 # By name only.
 long_stages=(lint analyze faults arm avx3)
 declare -A stage_needs=(
-    [unit]="build test" [golden]="build test" [cli]="build test" [bits]="build test clang"
+    [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
     [avx3]="build test avx3"
@@ -74,6 +74,13 @@ stage_cli() {
     build test
     run_ctest test -L cli
     check check_run
+}
+
+# Only the effects that a scene calls for: instructions by callgrind, so not beside other work of this script.
+stage_effects() {
+    configure test release
+    build test
+    run_ctest test -L effects
 }
 
 # ./run without arguments, in a folder of its own: where there is no display it must leave a picture.

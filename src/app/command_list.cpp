@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/nearest.h"
 #include "app/options.h"
+#include "app/report.h"
 #include "frame/techniques.h"
 #include "image/pixel_format.h"
 #include "io/load.h"
@@ -54,6 +55,14 @@ void list_modes(const Settings& settings) {
                 if (wanted(settings, card.path))
                     fmt::print("{}  {}  {}x{}@{:.0f}{}\n", card.path, connector.name, mode.width,
                                mode.height, mode.refresh_hz, mode.preferred ? "  preferred" : "");
+}
+
+Result<void> list_techniques_as_json(const Settings& settings) {
+    if (settings.arguments.front() != "techniques")
+        return fail(Exit::usage,
+                    "--json: there is JSON of the techniques alone; list {} prints text",
+                    settings.arguments.front());
+    return write_report(settings, techniques_json());
 }
 
 void list_techniques(const Settings&) {
@@ -122,6 +131,10 @@ Result<Exit> run_list(const Settings& settings) {
     const std::string& asked = settings.arguments.front();
     for (const Topic& topic : kTopics) {
         if (topic.name != asked) continue;
+        if (settings.json) {
+            TRY_VOID(list_techniques_as_json(settings));
+            return Exit::ok;
+        }
         topic.print(settings);
         return Exit::ok;
     }

@@ -2,10 +2,12 @@
 
 #include "base/memory.h"
 #include "base/write_file.h"
+#include "frame/techniques.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -147,6 +149,27 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
         {"version", SCANOUT_VERSION}};
     if (e.milliseconds) json["ms"] = rounded(*e.milliseconds);
     return dumped(json);
+}
+
+std::string techniques_json() {
+    constexpr std::array<const char*, 3> kKinds = {"rung", "effect", "model"};
+    Json cards = Json::array();
+    for (const Technique* t : frame::techniques()) {
+        const shade::Attributes reads = frame::reads(*t);
+        Json names = Json::array();
+        for (const auto& [read, name] :
+             {std::pair(reads.normal, "normal"), std::pair(reads.uv, "texture coordinates"),
+              std::pair(reads.colour, "vertex colour"), std::pair(reads.ray, "ray"),
+              std::pair(reads.position, "position")})
+            if (read) names.push_back(name);
+        cards.push_back({{"axis", t->axis},
+                         {"name", t->name},
+                         {"kind", kKinds[static_cast<std::size_t>(t->kind)]},
+                         {"blurb", t->blurb},
+                         {"source", t->source},
+                         {"reads", names}});
+    }
+    return dumped(cards);
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

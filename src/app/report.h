@@ -40,6 +40,9 @@ std::string to_json(const image::Difference& difference, float mean_flip, const 
                     const std::vector<std::string>& written);
 std::string to_json(const LoadedModel& model, const measure::Explanation& explanation);
 
+// The cards, in the order of techniques.h.
+std::string techniques_json();
+
 // The value at which `share` (0 to 1) of the values are reached: nearest rank. 0 for none.
 double percentile(std::vector<double> values, double share);
 

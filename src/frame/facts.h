@@ -39,6 +39,7 @@ struct SceneFacts {
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
     Ground ground;
 
     // The effects that are a matter of the material, by their name in the plan: which materials

@@ -28,7 +28,8 @@ struct FrameStats {
     std::uint64_t shadow_bytes = 0;      // that the pass of the shadows holds
 };
 
-// What a frame shows at every sample: [(sample * height + y) * width + x].
+// What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every
+// pixel that is shaded; of areas, what is seen at the centre.
 struct Visibility {
     int width = 0, height = 0, samples = 0;
     std::vector<std::uint32_t> id; // primitive, or raster::kNoPrimitive

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/technique.h"
+#include "shade/stage.h"
 
 #include <string>
 #include <string_view>
@@ -11,6 +12,8 @@ namespace scanout::frame {
 
 // In the order of techniques.h.
 const std::vector<const Technique*>& techniques();
+// What a technique reads of each lane; nothing for those that are no stage and no filter.
+shade::Attributes reads(const Technique& technique);
 // The names on an axis, each with a space before it.
 std::string names_of(std::string_view axis);
 

@@ -4,18 +4,35 @@
 #include "base/check.h"
 
 #include <cmath>
+#include <string>
 #include <string_view>
+#include <utility>
 
 namespace scanout::raster {
 namespace {
 
+[[noreturn]] void fail(const std::string& what) {
+    check_failed(__FILE__, __LINE__, "every live lane is finite", what);
+}
+
 void check_depth(double depth, std::string_view of, std::size_t number, std::string_view stage) {
-    if (std::isfinite(depth)) return;
-    check_failed(__FILE__, __LINE__, "every live lane is finite",
-                 fmt::format("depth of {} {} is {} after {}", of, number, depth, stage));
+    if (!std::isfinite(depth))
+        fail(fmt::format("depth of {} {} is {} after {}", of, number, depth, stage));
 }
 
 } // namespace
+
+void check_before_snap(double x, double y, std::size_t vertex) {
+    for (const auto& [name, value] : {std::pair("x", x), {"y", y}})
+        if (!std::isfinite(value))
+            fail(fmt::format("{} of vertex {} is {} before it snaps", name, vertex, value));
+}
+
+void check_before_rounding(const ClipVertex& v) {
+    for (const auto& [name, value] : {std::pair("x", v.x), {"y", v.y}, {"w", v.w}})
+        if (!std::isfinite(value))
+            fail(fmt::format("{} of a piece's vertex is {} before rounding", name, value));
+}
 
 void check_lanes(std::span<const ScreenVertex> vertices) {
     constexpr double kMost = kGuardPixels * kSubpixel;

@@ -1,5 +1,6 @@
 // In test builds (SCANOUT_CHECK_LANES), no vertex and no depth may be NaN or infinite after its
-// stage; the first that is ends the program with the stage's name. Elsewhere it is nothing.
+// stage; the first that is ends the program with the stage's name. What a stage clamps to a number
+// is looked at before. Elsewhere it is nothing.
 #pragma once
 
 #include "raster/piece.h"
@@ -12,6 +13,12 @@
 namespace scanout::raster {
 
 #ifdef SCANOUT_CHECK_LANES
+inline constexpr bool kCheckLanes = true;
+void check_before_snap(double x, double y, std::size_t vertex); // pixels
+inline void check_before_snap(const ClipVertex& v, std::size_t vertex) {
+    check_before_snap(v.x / v.w, v.y / v.w, vertex);
+}
+void check_before_rounding(const ClipVertex& vertex);     // of a piece
 void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
 void check_lanes(std::span<const Triangle> triangles);    // set up
 void check_lanes(const Piece& piece);                     // likewise
@@ -19,6 +26,10 @@ void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
 void check_lanes(const VisibilityTile& tile); // drawn; the pixels of its area
 #else
+inline constexpr bool kCheckLanes = false;
+inline void check_before_snap(double, double, std::size_t) {}
+inline void check_before_snap(const ClipVertex&, std::size_t) {}
+inline void check_before_rounding(const ClipVertex&) {}
 inline void check_lanes(std::span<const ScreenVertex>) {}
 inline void check_lanes(std::span<const Triangle>) {}
 inline void check_lanes(const Piece&) {}

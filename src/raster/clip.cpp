@@ -1,8 +1,6 @@
 #include "raster/clip.h"
 
 #include <algorithm>
-#include <tuple>
-#include <utility>
 
 namespace scanout::raster {
 namespace {
@@ -25,10 +23,15 @@ double distance(int plane, const ClipVertex& v, const ClipBox& box) {
     }
 }
 
-// d_in >= 0 > d_out, so the denominator is positive, rounding included (TOPICS T7).
+// Of the way from the inside to the outside. d_in >= 0 > d_out, so the denominator is positive,
+// rounding included (TOPICS T7).
+double share(double d_in, double d_out) {
+    return d_in / (d_in - d_out);
+}
+
 ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double d_in,
                      const ClipVertex& out, double d_out) {
-    const double t = d_in / (d_in - d_out);
+    const double t = share(d_in, d_out);
     ClipVertex v{in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
                  in.w + t * (out.w - in.w)};
     // On the plane exactly and never behind near, although the sum cancels where the inside vertex
@@ -39,51 +42,26 @@ ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double
     return v;
 }
 
-DVec3 cross_rows(const ClipVertex& a, const ClipVertex& b) {
-    return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
-}
-
 } // namespace
-
-HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex) {
-    HomogeneousTriangle t{{{0, 1, 2}, false}, false, {}};
-    auto& order = t.order.vertex;
-    const auto before = [&](std::uint8_t i, std::uint8_t j) {
-        const ClipVertex &a = vertex[i], &b = vertex[j];
-        return std::tie(a.y, a.x, a.w) < std::tie(b.y, b.x, b.w);
-    };
-    for (const std::size_t i : {0, 1, 0}) {
-        if (!before(order[i + 1], order[i])) continue;
-        std::swap(order[i], order[i + 1]);
-        t.order.odd = !t.order.odd;
-    }
-    const ClipVertex &a = vertex[order[0]], &b = vertex[order[1]], &c = vertex[order[2]];
-    t.row = {cross_rows(b, c), cross_rows(c, a), cross_rows(a, b)};
-    // The determinant has the sign of the visible part's area.
-    const double det = dot3(t.row[0], DVec3(a.x, a.y, a.w));
-    t.clockwise = det > 0;
-    if (det < 0)
-        for (DVec3& row : t.row)
-            row = -row;
-    return t;
-}
 
 NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w) {
     const ClipBox box{.near_w = near_w};
     NearPolygon out;
-    const auto put = [&](const ClipVertex& v, int corner) {
+    const auto put = [&](const ClipVertex& v, const EdgePlace& place) {
         out.vertex[static_cast<std::size_t>(out.count)] = v;
-        out.corner[static_cast<std::size_t>(out.count++)] = corner;
+        out.place[static_cast<std::size_t>(out.count++)] = place;
     };
-    for (std::size_t i = 0; i < 3; ++i) {
-        const ClipVertex &a = triangle[i], &b = triangle[(i + 1) % 3];
-        const double da = distance(kNear, a, box), db = distance(kNear, b, box);
-        const bool a_inside = da >= 0, b_inside = db >= 0;
-        if (a_inside) put(a, static_cast<int>(i));
-        if (a_inside != b_inside)
-            put(a_inside ? intersect(kNear, box, a, da, b, db)
-                         : intersect(kNear, box, b, db, a, da),
-                -1);
+    for (std::uint8_t i = 0; i < 3; ++i) {
+        const auto next = static_cast<std::uint8_t>((i + 1) % 3);
+        const double di = distance(kNear, triangle[i], box);
+        const double dn = distance(kNear, triangle[next], box);
+        const bool inside = di >= 0;
+        if (inside) put(triangle[i], {i, i, 0});
+        if (inside == (dn >= 0)) continue;
+        const std::uint8_t in = inside ? i : next, beyond = inside ? next : i;
+        const double d_in = inside ? di : dn, d_out = inside ? dn : di;
+        put(intersect(kNear, box, triangle[in], d_in, triangle[beyond], d_out),
+            {in, beyond, share(d_in, d_out)});
     }
     return out;
 }

@@ -5,30 +5,26 @@
 // HARD-CASES 9, 13).
 #pragma once
 
-#include "raster/primitive.h"
 #include "raster/screen.h"
 
 #include <array>
+#include <cstdint>
 
 namespace scanout::raster {
 
-// A triangle before the divide, in canonical order (lowest y, x, w first), so that no bit depends
-// on the order in which a file names its vertices. Olano and Greer, "Triangle Scan Conversion Using
-// 2D Homogeneous Coordinates", 1997.
-struct HomogeneousTriangle {
-    CanonicalOrder order;
-    bool clockwise; // in canonical order, on the screen where it is visible
-    // weight_i = row_i . (x, y, 1) at a pixel: the perspective-correct weight of the vertex in
-    // place i, up to a common factor; none is negative inside.
-    std::array<DVec3, 3> row;
+// A place on a triangle's edge: `share` of the way from one vertex to another; or a vertex, and
+// then both are the same.
+struct EdgePlace {
+    std::uint8_t from = 0, to = 0; // of the triangle's three
+    double share = 0;
+    bool cut() const { return from != to; }
 };
-HomogeneousTriangle homogeneous_triangle(const std::array<ClipVertex, 3>& vertex);
 
 // What lies before the near plane, in the order of the triangle's vertices; empty when nothing
 // does.
 struct NearPolygon {
     std::array<ClipVertex, 4> vertex;
-    std::array<int, 4> corner; // which vertex of the triangle it is; -1: where an edge is cut
+    std::array<EdgePlace, 4> place; // cuts from the inside vertex
     int count = 0;
 };
 NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w);

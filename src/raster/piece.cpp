@@ -1,5 +1,7 @@
 #include "raster/piece.h"
 
+#include "raster/check_lanes.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -73,18 +75,19 @@ std::int64_t whole(double v) {
 
 } // namespace
 
-ExactPoint point_on_screen(const ScreenVertex& v) {
-    return {v.x, v.y, static_cast<std::int64_t>(kUnit), v.depth, v.depth};
+ExactPoint point_on_screen(const ScreenVertex& v, const EdgePlace& place) {
+    return {v.x, v.y, static_cast<std::int64_t>(kUnit), v.depth, v.depth, place};
 }
 
-ExactPoint point_off_screen(const ClipVertex& v) {
+ExactPoint point_off_screen(const ClipVertex& v, const EdgePlace& place) {
+    check_before_rounding(v);
     // The power of two that brings the largest of x, y, 2^15 w just below 2^50.
     const double most = std::max({std::abs(v.x) * 0x1p-16, std::abs(v.y) * 0x1p-16, v.w * 0x1p-1});
     const int exponent = static_cast<int>(std::bit_cast<std::uint64_t>(most) >> 52) - 1023;
     const int up = std::min(33 - exponent, 1000);
     const auto scale = std::bit_cast<double>(static_cast<std::uint64_t>(up + 1023) << 52);
-    return {whole(v.x * scale), whole(v.y * scale), whole(v.w * scale * 0x1p15),
-            v.z * scale * 0x1p-8, v.z / v.w};
+    return {whole(v.x * scale),   whole(v.y * scale), whole(v.w * scale * 0x1p15),
+            v.z * scale * 0x1p-8, v.z / v.w,          place};
 }
 
 Pieces split(std::span<const ExactPoint> polygon, std::uint32_t id) {
@@ -108,6 +111,11 @@ Pieces split(std::span<const ExactPoint> polygon, std::uint32_t id) {
         pieces = from(0);
         if (folded(pieces))
             if (const Pieces other = from(1); !folded(other)) pieces = other;
+        auto& [one, two] = pieces.piece;
+        if (pieces.count == 2 &&
+            std::lexicographical_compare(two.vertex.begin(), two.vertex.end(), one.vertex.begin(),
+                                         one.vertex.end(), before))
+            std::swap(one, two);
     }
     return pieces;
 }
@@ -119,10 +127,10 @@ Pieces pieces_of(const std::array<ClipVertex, 3>& vertex,
     std::array<ExactPoint, 4> point;
     const auto count = static_cast<std::size_t>(polygon.count);
     for (std::size_t i = 0; i < count; ++i) {
-        const int corner = polygon.corner[i];
-        const bool snapped = corner >= 0 && on_screen[static_cast<std::size_t>(corner)].on_screen();
-        point[i] = snapped ? point_on_screen(on_screen[static_cast<std::size_t>(corner)])
-                           : point_off_screen(polygon.vertex[i]);
+        const EdgePlace& place = polygon.place[i];
+        const ScreenVertex& corner = on_screen[place.from];
+        point[i] = !place.cut() && corner.on_screen() ? point_on_screen(corner, place)
+                                                      : point_off_screen(polygon.vertex[i], place);
     }
     return split(std::span(point).first(count), id);
 }
@@ -143,6 +151,39 @@ ExactEdges edges_of(const Piece& piece) {
 bool covers(const Piece& piece, std::int32_t x, std::int32_t y) {
     const ExactEdges e = edges_of(piece);
     return e.at(0, x, y) >= 0 && e.at(1, x, y) >= 0 && e.at(2, x, y) >= 0;
+}
+
+// A vertex (X, Y, W) 2^e of its own power of two e before the divide weighs 2^e times its edge
+// function. What tells e: in perspective z, as depth times w is the near plane's everywhere; else
+// w, which is 1 everywhere.
+PieceWeights weights_of(const Piece& piece, bool perspective) {
+    const ExactEdges edges = edges_of(piece);
+    double scale[3], largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ExactPoint& p = piece.vertex[i];
+        scale[i] = perspective ? p.z : static_cast<double>(p.w);
+        largest = std::max(largest, scale[i]);
+    }
+    PieceWeights weights;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double factor = scale[i] / largest;
+        weights.a[i] = static_cast<double>(edges.a[i]) * factor;
+        weights.b[i] = static_cast<double>(edges.b[i]) * factor;
+        weights.c[i] = static_cast<double>(edges.c[i]) * factor;
+    }
+    return weights;
+}
+
+std::size_t opposite_common_edge(const Pieces& two) {
+    const auto& other = two.piece[1].vertex;
+    const auto shared = [&](const ExactPoint& p) {
+        return std::any_of(other.begin(), other.end(),
+                           [&](const ExactPoint& q) { return key(p) == key(q); });
+    };
+    const auto& first = two.piece[0].vertex;
+    for (std::size_t i = 0; i < 2; ++i)
+        if (!shared(first[i])) return i;
+    return 2;
 }
 
 double size_of(const Piece& piece) {

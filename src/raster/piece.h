@@ -33,9 +33,11 @@ struct ExactPoint {
     std::int64_t x, y, w;
     double z;     // depth times w 2^-23
     double depth; // in (0, 1], greater is nearer
+    EdgePlace place = {};
 };
-ExactPoint point_on_screen(const ScreenVertex& vertex);
-ExactPoint point_off_screen(const ClipVertex& vertex); // w >= the near plane's
+ExactPoint point_on_screen(const ScreenVertex& vertex, const EdgePlace& place = {});
+// w >= the near plane's
+ExactPoint point_off_screen(const ClipVertex& vertex, const EdgePlace& place = {});
 
 // The vertices are in canonical order (lowest y, x, w first).
 struct Piece {
@@ -55,7 +57,8 @@ struct Pieces {
 // Cuts at the near plane. on_screen: the vertices once more, where they snapped to.
 Pieces pieces_of(const std::array<ClipVertex, 3>& vertex,
                  const std::array<ScreenVertex, 3>& on_screen, double near_w, std::uint32_t id);
-// A polygon of three or four vertices. Which diagonal cuts it does not depend on where it begins.
+// A polygon of three or four vertices. Neither which diagonal cuts it nor which piece comes first
+// depends on where it begins or which way round it goes.
 Pieces split(std::span<const ExactPoint> polygon, std::uint32_t id);
 
 // E_i = a_i x + b_i y + c_i (x, y in 1/256 pixel), opposite vertex i. A sample is inside where none
@@ -68,6 +71,16 @@ struct ExactEdges {
 };
 ExactEdges edges_of(const Piece& piece);
 bool covers(const Piece& piece, std::int32_t x, std::int32_t y); // 1/256 pixel
+
+// weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): the perspective-correct weight
+// of vertex i, up to a common factor. Inside none is negative, but for rounding.
+struct PieceWeights {
+    std::array<double, 3> a, b, c;
+};
+PieceWeights weights_of(const Piece& piece, bool perspective);
+
+// The vertex of the first of two pieces that is opposite their common edge.
+std::size_t opposite_common_edge(const Pieces& two);
 
 // Twice the area times the three w, always positive; rounded.
 double size_of(const Piece& piece);

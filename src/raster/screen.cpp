@@ -1,6 +1,7 @@
 #include "raster/screen.h"
 
 #include "math/bits.h"
+#include "raster/check_lanes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,10 @@ ScreenVertex ScreenTransform::to_screen(const ClipVertex& v) const {
 ScreenVertex ScreenTransform::transform(const Vec3& position) const {
     const ClipVertex clip = to_clip(position);
     const std::uint32_t flags = classify(clip);
-    if ((flags & (kNeedsClip | kNotFinite)) == 0) return to_screen(clip);
+    if ((flags & (kNeedsClip | kNotFinite)) == 0) {
+        check_before_snap(clip, 0);
+        return to_screen(clip);
+    }
     return {ScreenVertex::kOffScreen, static_cast<std::int32_t>(flags), 0};
 }
 

@@ -1,4 +1,5 @@
 // ScreenTransform::transform in lanes: the same operations in the same order, so the same bits.
+#include "raster/check_lanes.h"
 #include "raster/screen.h"
 
 #define SIMD_FILE "raster/transform_vertices.cpp"
@@ -9,6 +10,7 @@ SIMD_BEGIN(scanout::raster)
 struct Lanes {
     I32 x, y; // as in ScreenVertex
     F64 depth;
+    F64 pixel_x, pixel_y; // before they snap
 };
 
 HWY_INLINE F64 flag(F64::DoubleMask outside, std::uint32_t bit) {
@@ -49,13 +51,15 @@ HWY_INLINE Lanes transform(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
     const F64 divisor = select(on_screen, w, F64(1.0));
     const F64 none = ScreenVertex::kOffScreen;
     const F64 flags = select(finite, outside, F64(kNotFinite));
-    return {to_i32(select(on_screen, snap(x / divisor), none)),
-            to_i32(select(on_screen, snap(y / divisor), flags)),
-            select(on_screen, z / divisor, F64(0.0))};
+    const F64 pixel_x = x / divisor, pixel_y = y / divisor;
+    return {to_i32(select(on_screen, snap(pixel_x), none)),
+            to_i32(select(on_screen, snap(pixel_y), flags)),
+            select(on_screen, z / divisor, F64(0.0)), pixel_x, pixel_y};
 }
 
-void transform_lanes(const ScreenTransform& t, const float* position, ScreenVertex* out,
+void transform_lanes(const ScreenTransform& t, const float* position, ScreenVertex* out, int first,
                      int count) {
+    out += first;
     F32 x, y, z;
     load_interleaved(position, x, y, z);
     const Lanes v = transform(t, to_f64(x), to_f64(y), to_f64(z));
@@ -69,18 +73,26 @@ void transform_lanes(const ScreenTransform& t, const float* position, ScreenVert
         out[i].y = screen_y[i];
         out[i].depth = depth[i];
     }
+    if constexpr (kCheckLanes) {
+        double pixel_x[kLanes], pixel_y[kLanes];
+        store(v.pixel_x, pixel_x);
+        store(v.pixel_y, pixel_y);
+        for (int i = 0; i < count; ++i)
+            if (out[i].on_screen())
+                check_before_snap(pixel_x[i], pixel_y[i], static_cast<std::size_t>(first + i));
+    }
 }
 
 // position: x, y, z of each vertex.
 void transform_all(const ScreenTransform& t, const float* position, ScreenVertex* out, int count) {
     int i = 0;
     for (; i + kLanes <= count; i += kLanes)
-        transform_lanes(t, position + std::ptrdiff_t{i} * 3, out + i, kLanes);
+        transform_lanes(t, position + std::ptrdiff_t{i} * 3, out, i, kLanes);
     if (i == count) return;
     float rest[kLanes * 3] = {};
     for (int k = 0; k < (count - i) * 3; ++k)
         rest[k] = position[i * 3 + k];
-    transform_lanes(t, rest, out + i, count - i);
+    transform_lanes(t, rest, out, i, count - i);
 }
 
 SIMD_END

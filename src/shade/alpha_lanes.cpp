@@ -63,6 +63,7 @@ void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOf
         b.x[b.count] = next.x;
         b.y[b.count] = next.y;
     }
+    next.primitive = &Gatherer::Primitives::at(primitive, next.x, next.y);
     Run* last = b.runs > 0 ? &b.run[b.runs - 1] : nullptr;
     if (last != nullptr && continues(*last, next))
         ++last->count;

@@ -17,6 +17,13 @@ void check(const float* lanes, std::size_t count, std::string_view what, std::st
                          fmt::format("{} of lane {} is {} after {}", what, i, lanes[i], stage));
 }
 
+void check_value(double value, std::string_view what, std::string_view of, std::size_t number,
+                 std::string_view stage) {
+    if (!std::isfinite(value))
+        check_failed(__FILE__, __LINE__, "every live lane is finite",
+                     fmt::format("{} of {} {} is {} after {}", what, of, number, value, stage));
+}
+
 // What a stage of the axis light writes: the lights of its kind that vary. Shadows write them all.
 void check_light(const Block& b, const FrameState& frame, const Technique& card,
                  std::string_view stage) {
@@ -32,6 +39,49 @@ void check_light(const Block& b, const FrameState& frame, const Technique& card,
 
 } // namespace
 
+void check_lights(const FrameState& frame) {
+    for (std::size_t k = 0; k < frame.lights.size(); ++k) {
+        const scene::ViewLight& light = frame.lights[k];
+        const auto check_one = [&](double value, std::string_view what) {
+            check_value(value, what, "light", k, "the frame's set-up");
+        };
+        for (int c = 0; c < 3; ++c) {
+            check_one(light.colour[c], "colour");
+            check_one(light.towards[c], "direction");
+            check_one(light.position[c], "position");
+            check_one(light.axis[c], "axis");
+        }
+        for (const float length : {light.reach, light.nearest, light.size})
+            check_one(length, "length");
+        for (const float cosine : {light.cos_inner, light.cos_outer})
+            check_one(cosine, "cosine");
+    }
+}
+
+void check_primitive(const Primitive& p, const Attributes& wanted) {
+    const auto check_one = [&](double value, std::string_view what) {
+        check_value(value, what, "triangle", p.id, "set-up");
+    };
+    for (std::size_t k = 0; k < 3; ++k) {
+        for (const double value : {p.a[k], p.b[k], p.c[k], p.least[k]})
+            check_one(value, "weight");
+        check_one(p.inverse_w[k], "1 / w");
+        check_one(p.facing[k], "facing");
+        for (int c = 0; c < 3; ++c) {
+            if (wanted.normal) check_one(p.normal[c][k], "normal");
+            if (wanted.colour) check_one(p.colour[c][k], "colour");
+            if (wanted.position) check_one(p.position[c][k], "position");
+            if (wanted.uv && c < 2) check_one(p.uv[c][k], "uv");
+        }
+    }
+}
+
+void check_before_clamp(const float* lanes, int count, int first) {
+    for (int i = 0; i < count; ++i)
+        check_value(lanes[i], "value", "lane", static_cast<std::size_t>(first + i),
+                    "interpolation, before it is clamped");
+}
+
 void check_rays(const Block& b, const FrameState& frame) {
     if (!b.lit || !frame.attributes.ray) return;
     const auto count = static_cast<std::size_t>(b.count);
@@ -46,10 +96,13 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check(b.albedo[c], count, "albedo", name);
         if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
-        if (stage.card.axis == "shading") check(b.colour[c], count, "colour", name);
+        if (stage.card.axis == "shading" || stage.card.axis == "tone")
+            check(b.colour[c], count, "colour", name);
     }
     if (b.lit && (stage.card.axis == "light" || stage.card.axis == "shadow"))
         check_light(b, frame, stage.card, name);
+    for (int c = 0; c < 3; ++c)
+        check_value(b.ambient[c], "colour", "ambient light", 0, name);
     if (!any_map(b)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);

@@ -1,5 +1,6 @@
-// In test builds (SCANOUT_CHECK_LANES), no live lane may hold NaN or infinity after any stage; the
-// first that does ends the program with the stage's name. Traps of the processor would fire on
+// In test builds (SCANOUT_CHECK_LANES), no live lane may hold NaN or infinity after any stage, nor
+// what lanes share; the first that does ends the program with the stage's name. What a stage clamps
+// to a number is looked at before. Traps of the processor would fire on
 // lanes that a mask discards. Elsewhere it is nothing.
 #pragma once
 
@@ -9,10 +10,19 @@
 namespace scanout::shade {
 
 #ifdef SCANOUT_CHECK_LANES
+inline constexpr bool kCheckLanes = true;
+void check_lights(const FrameState& frame); // all, whether or not they vary
+void check_primitive(const Primitive& primitive, const Attributes& wanted); // set up
+// Of a register whose first lane is that of the block: the live ones.
+void check_before_clamp(const float* lanes, int count, int first);
 void check_rays(const Block& block, const FrameState& frame); // place_lanes
 void check_lanes(const Block& block, const FrameState& frame, const Stage& stage);
 void check_sums(const PixelSums& sums, std::size_t count); // of all blocks, to be resolved
 #else
+inline constexpr bool kCheckLanes = false;
+inline void check_lights(const FrameState&) {}
+inline void check_primitive(const Primitive&, const Attributes&) {}
+inline void check_before_clamp(const float*, int, int) {}
 inline void check_rays(const Block&, const FrameState&) {}
 inline void check_lanes(const Block&, const FrameState&, const Stage&) {}
 inline void check_sums(const PixelSums&, std::size_t) {}

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
+#include "shade/primitives.h"
 
 #include <algorithm>
 #include <array>
@@ -88,6 +89,15 @@ private:
         ++b.count;
     }
 
+    // From the triangle's vertices to those of its piece that is drawn.
+    static void cut(const Primitive& t, float (&light)[3][3]) {
+        for (auto& channel : light) {
+            const std::array<float, 3> whole = {channel[0], channel[1], channel[2]};
+            for (int k = 0; k < 3; ++k)
+                channel[k] = between(whole[t.from[k]], whole[t.to[k]], double{t.share[k]});
+        }
+    }
+
     // Runs the stages over what was added; the triangles before `end` are lit then.
     void flush(std::size_t end) {
         Block& b = light_.lanes;
@@ -99,6 +109,12 @@ private:
             for (int c = 0; c < 3; ++c)
                 for (int k = 0; k < corners_; ++k)
                     light_.triangle[i].tinted[c][k] -= light_.triangle[i].plain[c][k];
+        if (corners_ == 3)
+            for (std::size_t i = lit_; i < end; ++i)
+                if (seen_[i]->clipped) {
+                    cut(*seen_[i], light_.triangle[i].plain);
+                    cut(*seen_[i], light_.triangle[i].tinted);
+                }
         lit_ = end;
         b.count = 0;
     }

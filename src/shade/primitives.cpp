@@ -2,17 +2,21 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
-#include "raster/clip.h"
+#include "raster/piece.h"
+#include "shade/check_lanes.h"
+#include "shade/interpolation_step.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <tuple>
+#include <utility>
 
 namespace scanout::shade {
 namespace {
 
-using Corners = std::array<std::uint32_t, 3>; // vertices of the mesh, in canonical order
+using Corners = std::array<std::uint32_t, 3>; // vertices of the mesh
 
 // The triangle's own normal, brought near length 1 so that a float holds it; only its direction
 // matters.
@@ -25,60 +29,95 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool neg
         p.facing[c] = static_cast<float>(n[c]);
 }
 
-// In view space, in double, rounded once.
-void set_positions(Primitive& p, const GatherInput& in, const Corners& v) {
-    const double unit = to_floats(*in.view);
-    for (std::size_t k = 0; k < 3; ++k) {
-        const DVec3 at = in.view->linear * DVec3(in.mesh->position[v[k]]) + in.view->translation;
-        for (int c = 0; c < 3; ++c)
-            p.position[c][k] = static_cast<float>(at[c] * unit);
-    }
-}
-
-// Each vertex's own, unit and in view space, on the side that the frame's `sides` choose.
-void set_corner_normals(Primitive& p, const GatherInput& in, const Corners& v, bool behind) {
-    const auto& m = in.frame->normal_matrix;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const DVec3 own(in.mesh->normal[v[k]]), facing(p.facing[0], p.facing[1], p.facing[2]);
-        const Sides sides = in.frame->sides;
-        const bool turn =
-            sides == Sides::eye ? dot3(own, facing) < 0 : sides == Sides::face && behind;
-        const DVec3 n = turn ? -own : own;
-        DVec3 seen;
-        for (int r = 0; r < 3; ++r)
-            seen[r] = (m[r][0] * n.x + m[r][1] * n.y) + m[r][2] * n.z;
-        seen = normalized(seen);
-        for (int c = 0; c < 3; ++c)
-            p.normal[c][k] = static_cast<float>(seen[c]);
-    }
-}
-
-// The eye sees the side from which the vertices wind clockwise: in the order of `v`, and in the
-// file's.
+// The eye sees the side from which the vertices wind clockwise: in the order of the corners, and in
+// the file's.
 struct Behind {
     bool of_order, of_file;
 };
-void set_attributes(Primitive& p, const GatherInput& in, const Corners& v, Behind behind) {
-    const geom::Mesh& mesh = *in.mesh;
-    const FrameState& frame = *in.frame;
-    const Attributes wanted = frame.attributes;
-    if (frame.sides == Sides::eye || wanted.corners || wanted.facing)
-        set_facing(p, mesh, v, behind.of_order != (frame.sides == Sides::file && behind.of_file));
-    if (wanted.position || wanted.corners) set_positions(p, in, v);
-    const bool own_normals = wanted.normal && !frame.corner_normals;
-    if (frame.corner_normals) set_corner_normals(p, in, v, behind.of_file);
-    const float side = frame.sides == Sides::face && behind.of_file ? -1.0F : 1.0F;
-    for (std::size_t k = 0; k < 3; ++k) {
-        for (int c = 0; c < 3; ++c) {
-            if (own_normals) p.normal[c][k] = mesh.normal[v[k]][c] * side;
-            if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
-        }
-        if (wanted.uv) {
-            p.uv[0][k] = mesh.uv[v[k]].x;
-            p.uv[1][k] = mesh.uv[v[k]].y;
+
+// The attributes that a triangle's vertices have in this frame.
+class Vertices {
+public:
+    // Sets the primitive's `facing`, if something of it is read.
+    Vertices(Primitive& p, const GatherInput& in, const Corners& corner, Behind behind)
+        : p_(p), in_(in), side_(in.frame->sides == Sides::face && behind.of_file ? -1.0F : 1.0F) {
+        const Sides sides = in.frame->sides;
+        if (sides == Sides::eye || in.frame->attributes.corners || in.frame->attributes.facing)
+            set_facing(p, *in.mesh, corner,
+                       behind.of_order != (sides == Sides::file && behind.of_file));
+    }
+
+    // All three at once.
+    void set(const Corners& v) {
+        const geom::Mesh& mesh = *in_.mesh;
+        const Attributes wanted = in_.frame->attributes;
+        const bool own_normals = wanted.normal && !in_.frame->corner_normals;
+        const float side = side_;
+        for (std::size_t k = 0; k < 3; ++k) {
+            if (wanted.position || wanted.corners) put(p_.position, k, position(v[k]));
+            if (in_.frame->corner_normals) put(p_.normal, k, normal(v[k]));
+            for (int c = 0; c < 3; ++c) {
+                if (own_normals) p_.normal[c][k] = mesh.normal[v[k]][c] * side;
+                if (wanted.colour) p_.colour[c][k] = mesh.colour[v[k]][c];
+            }
+            if (wanted.uv) {
+                p_.uv[0][k] = mesh.uv[v[k]].x;
+                p_.uv[1][k] = mesh.uv[v[k]].y;
+            }
         }
     }
-}
+
+    // Where the near plane cuts the edge between two vertices of the mesh.
+    void set_cut(std::size_t k, std::uint32_t from, std::uint32_t to, double share) {
+        const geom::Mesh& mesh = *in_.mesh;
+        const Attributes wanted = in_.frame->attributes;
+        const auto between_both = [&](float(&attribute)[3][3], const DVec3& a, const DVec3& b) {
+            for (int c = 0; c < 3; ++c)
+                attribute[c][k] = between(a[c], b[c], share);
+        };
+        if (wanted.position) between_both(p_.position, position(from), position(to));
+        if (wanted.normal) between_both(p_.normal, normal(from), normal(to));
+        if (wanted.colour)
+            between_both(p_.colour, DVec3(mesh.colour[from]), DVec3(mesh.colour[to]));
+        if (!wanted.uv) return;
+        p_.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
+        p_.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
+    }
+
+    // What light at vertices or faces reads.
+    void set_corner(std::size_t k, std::uint32_t vertex) {
+        put(p_.position, k, position(vertex));
+        if (in_.frame->corner_normals) put(p_.normal, k, normal(vertex));
+    }
+
+private:
+    static void put(float (&attribute)[3][3], std::size_t k, const DVec3& value) {
+        for (int c = 0; c < 3; ++c)
+            attribute[c][k] = static_cast<float>(value[c]);
+    }
+    // In view space, times to_floats.
+    DVec3 position(std::uint32_t vertex) const {
+        return (in_.view->linear * DVec3(in_.mesh->position[vertex]) + in_.view->translation) *
+               to_floats(*in_.view);
+    }
+    // On the side that the frame's `sides` choose; with corner_normals unit and in view space.
+    DVec3 normal(std::uint32_t vertex) const {
+        const DVec3 own = DVec3(in_.mesh->normal[vertex]) * double{side_};
+        const FrameState& frame = *in_.frame;
+        if (!frame.corner_normals) return own;
+        const DVec3 facing(p_.facing[0], p_.facing[1], p_.facing[2]);
+        const DVec3 n = frame.sides == Sides::eye && dot3(own, facing) < 0 ? -own : own;
+        const auto& m = frame.normal_matrix;
+        DVec3 seen;
+        for (int r = 0; r < 3; ++r)
+            seen[r] = (m[r][0] * n.x + m[r][1] * n.y) + m[r][2] * n.z;
+        return normalized(seen);
+    }
+
+    Primitive& p_;
+    const GatherInput& in_;
+    float side_;
+};
 
 // How a triangle's vertices wind in canonical order, seen in object space, which a mirrored view
 // turns round; and whether that order turns the file's round.
@@ -105,26 +144,66 @@ Winding set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVerte
     return {!t->triangle.flipped, t->order.odd};
 }
 
-// From the whole triangle before the clip, so that no attribute is ever clipped.
-Winding set_clipped(Primitive& p, Corners& v, const GatherInput& in) {
-    const auto clip_vertex = [&](std::size_t k) {
-        return in.transform->to_clip(in.mesh->position[v[k]]);
+// By position, so that no bit depends on the order in which the file names them.
+struct Sorted {
+    Corners vertex;
+    std::array<std::uint8_t, 3> place = {0, 1, 2}; // of the file's vertices
+    bool odd = false;
+};
+Sorted sort_by_position(const Corners& corner, const geom::Mesh& mesh) {
+    std::array<std::uint8_t, 3> order = {0, 1, 2};
+    const auto before = [&](std::uint8_t i, std::uint8_t j) {
+        const Vec3 &a = mesh.position[corner[i]], &b = mesh.position[corner[j]];
+        return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
     };
-    const raster::HomogeneousTriangle t =
-        raster::homogeneous_triangle({clip_vertex(0), clip_vertex(1), clip_vertex(2)});
-    const Corners in_file_order = v;
-    for (std::size_t k = 0; k < 3; ++k) {
-        v[k] = in_file_order[t.order.vertex[k]];
-        p.inverse_w[k] = 1;
-        p.a[k] = t.row[k].x / raster::kSubpixel;
-        p.b[k] = t.row[k].y / raster::kSubpixel;
-        p.c[k] = t.row[k].z;
-        p.least[k] = 0;
+    Sorted sorted;
+    for (const std::size_t i : {0, 1, 0}) {
+        if (!before(order[i + 1], order[i])) continue;
+        std::swap(order[i], order[i + 1]);
+        sorted.odd = !sorted.odd;
     }
-    return {t.clockwise, t.order.odd};
+    for (std::size_t k = 0; k < 3; ++k) {
+        sorted.vertex[k] = corner[order[k]];
+        sorted.place[order[k]] = static_cast<std::uint8_t>(k);
+    }
+    return sorted;
+}
+
+// From the very points that are drawn: where a vertex has snapped to, its attributes stand; those
+// of a cut are the only ones that are computed.
+void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
+               const raster::Piece& piece) {
+    const raster::PieceWeights weights = raster::weights_of(piece, in.transform->perspective);
+    const Sorted sorted = sort_by_position(corner, *in.mesh);
+    const bool behind = piece.clockwise != in.mirrored;
+    Vertices vertices(p, in, sorted.vertex, {behind != sorted.odd, behind});
+    Corners from;
+    for (std::size_t k = 0; k < 3; ++k)
+        from[k] = corner[piece.vertex[k].place.from];
+    vertices.set(from);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const raster::EdgePlace& place = piece.vertex[k].place;
+        p.inverse_w[k] = 1;
+        p.a[k] = weights.a[k];
+        p.b[k] = weights.b[k];
+        p.c[k] = weights.c[k];
+        p.least[k] = 0;
+        p.from[k] = sorted.place[place.from];
+        p.to[k] = sorted.place[place.to];
+        p.share[k] = place.cut() ? static_cast<float>(place.share) : 0.0F;
+        if (place.cut()) vertices.set_cut(k, from[k], corner[place.to], place.share);
+    }
+    if (!in.frame->attributes.corners) return;
+    for (std::size_t k = 0; k < 3; ++k)
+        vertices.set_corner(k, sorted.vertex[k]);
 }
 
 } // namespace
+
+float between(double from, double to, double share) {
+    return static_cast<float>(
+        std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
+}
 
 Gatherer::Primitives::Primitives() : slot_(kSlots) {
     pool_.reserve(kRoom);
@@ -134,25 +213,49 @@ void Gatherer::Primitives::clear() {
     pool_.clear();
 }
 
-const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t triangle) {
-    std::uint16_t& slot = slot_[triangle % kSlots];
-    if (slot < pool_.size() && pool_[slot].id == triangle) return pool_[slot];
+const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t triangle) {
     CHECK(!full());
-    slot = static_cast<std::uint16_t>(pool_.size());
-    Primitive& p = pool_.emplace_back();
-    p.id = triangle;
-    const geom::Mesh& mesh = *in.mesh;
-    const std::uint32_t* index = mesh.index.data() + std::size_t{triangle} * 3;
+    const std::size_t slot = pool_.size();
+    slot_[triangle % kSlots] = static_cast<std::uint16_t>(slot);
+    const std::uint32_t* index = in.mesh->index.data() + std::size_t{triangle} * 3;
     Corners v = {index[0], index[1], index[2]};
     const auto vertices = in.geometry->vertices();
     const std::array<raster::ScreenVertex, 3> corner = {vertices[v[0]], vertices[v[1]],
                                                         vertices[v[2]]};
-    p.clipped = !(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen());
-    const Winding winds =
-        p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
+    if (!(corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen())) {
+        add_pieces(in, triangle, v);
+        return pool_[slot];
+    }
+    Primitive& p = pool_.emplace_back();
+    p.id = triangle;
+    p.across = -1;
+    const Winding winds = set_exact(p, v, corner, in.transform->perspective);
     const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
-    set_attributes(p, in, v, {behind, behind != winds.reordered});
+    Vertices attributes(p, in, v, {behind, behind != winds.reordered});
+    attributes.set(v);
+    p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
+    check_primitive(p, in.frame->attributes);
     return p;
+}
+
+void Gatherer::Primitives::add_pieces(const GatherInput& in, std::uint32_t triangle,
+                                      const Corners& corner) {
+    const raster::Pieces pieces = in.geometry->pieces(triangle);
+    CHECK(pieces.count > 0); // what is visible has an area
+    for (const raster::Piece& piece : pieces) {
+        Primitive& p = pool_.emplace_back();
+        p.id = triangle;
+        p.clipped = true;
+        p.across = -1;
+        set_piece(p, corner, in, piece);
+        check_primitive(p, in.frame->attributes);
+    }
+    if (pieces.count < 2) return;
+    const auto& [one, two] = pieces.piece;
+    (pool_.end() - 2)->across =
+        one.clockwise != two.clockwise
+            ? Primitive::kFolded
+            : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));
 }
 
 } // namespace scanout::shade

@@ -4,6 +4,7 @@
 
 #include "shade/gather.h"
 
+#include <array>
 #include <vector>
 
 namespace scanout::shade {
@@ -14,13 +15,37 @@ public:
     // Ids mean another frame's triangles now.
     void clear();
     // No room for another triangle: what points to the present ones must be done first.
-    bool full() const { return pool_.size() == pool_.capacity(); }
-    const Primitive& get(const GatherInput& input, std::uint32_t triangle);
+    bool full() const { return pool_.size() + 1 >= pool_.capacity(); }
+    // The triangle, or what is drawn first of it.
+    const Primitive& get(const GatherInput& input, std::uint32_t triangle) {
+        const std::uint16_t slot = slot_[triangle % kSlots];
+        return slot < pool_.size() && pool_[slot].id == triangle ? pool_[slot]
+                                                                 : add(input, triangle);
+    }
+    // What of a triangle covers a sample that shows it (1/256 pixel).
+    static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y);
 
 private:
+    const Primitive& add(const GatherInput& input, std::uint32_t triangle);
+    void add_pieces(const GatherInput& input, std::uint32_t triangle,
+                    const std::array<std::uint32_t, 3>& corner);
     static constexpr std::size_t kRoom = 512, kSlots = 1024;
     std::vector<Primitive> pool_;
     std::vector<std::uint16_t> slot_; // by id modulo kSlots: place in the pool
 };
+
+// Never outside the range of its ends.
+float between(double from, double to, double share);
+
+// Pieces of one triangle stand side by side. On their common edge both say the same, so that the
+// rounding of this does not show. Monotonous along a row.
+inline const Primitive& Gatherer::Primitives::at(const Primitive& first, std::int32_t x,
+                                                 std::int32_t y) {
+    if (first.across < 0) return first;
+    const auto outside = [&](int k) { return (first.a[k] * x + first.b[k] * y) + first.c[k] < 0; };
+    const bool second = first.across == Primitive::kFolded ? outside(0) || outside(1) || outside(2)
+                                                           : outside(first.across);
+    return second ? *(&first + 1) : first;
+}
 
 } // namespace scanout::shade

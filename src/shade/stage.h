@@ -33,18 +33,28 @@ constexpr Attributes operator|(Attributes a, Attributes b) {
             a.position || b.position, a.corners || b.corners, a.facing || b.facing};
 }
 
-// What all lanes of one triangle share, its vertices in canonical order.
+// What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
 struct Primitive {
     std::uint32_t id;
     // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
-    // vertex i, whole numbers and exact, where the triangle was not clipped; else the row of
-    // raster::HomogeneousTriangle. Inside, none is negative.
+    // vertex i, whole numbers and exact, where the triangle was not clipped; else
+    // raster::PieceWeights. Inside, none is negative.
     double a[3], b[3], c[3];
     double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
                      // asked for where the triangle was clipped
     bool clipped;
+    // Of the first of two pieces: the vertex opposite the edge where the second begins, which is
+    // where that one's weight is negative; kFolded where snapping has turned one of them over, so
+    // that both lie on one side of the edge; -1 where there is no second.
+    static constexpr std::int8_t kFolded = 3;
+    std::int8_t across;
+    // Of such a piece: a vertex stands `share` of the way from one of the triangle's vertices to
+    // another. Where the frame reads `corners`, position and normal are the triangle's.
+    std::uint8_t from[3], to[3];
+    float share[3];
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
+    std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
     // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
     // object space, or unit in view space where the frame says corner_normals.
     float normal[3][3], uv[2][3], colour[3][3];
@@ -131,6 +141,7 @@ struct Block {
 };
 
 struct Filter;
+struct StepLimits;
 
 // Which side of a face its normals light.
 enum class Sides : std::uint8_t {
@@ -156,6 +167,8 @@ struct FrameState {
     std::span<const Stage* const> corner_lights; // the light stages that run over vertices
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
     int shadow_filter = 3;                       // texels a side that a filtered shadow asks
+    const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
+    float exposure = 1;                          // what light is multiplied by before it is shown
 };
 
 struct Stage {

@@ -130,6 +130,64 @@ TEST(Metamorphic, ScalingModelAndCameraByAPowerOfTwoChangesNoBit) {
     RecordProperty("pictures_equal", pictures);
 }
 
+// A point and a spot of the world, and one that hangs on the camera, in bounding radii.
+std::vector<scene::Light> placed_lights(const DVec3& middle, double scale) {
+    std::vector<scene::Light> lights;
+    for (const auto kind : {scene::LightKind::ambient, scene::LightKind::point,
+                            scene::LightKind::spot, scene::LightKind::point}) {
+        scene::Light light;
+        light.kind = kind;
+        light.power = kind == scene::LightKind::ambient ? 0.1 : 0.9;
+        light.position = (middle + DVec3(0.7, 0.9, 1.1)) * scale;
+        light.size = 1.2 * scale; // so large that surfaces stand within it
+        if (kind == scene::LightKind::spot) {
+            light.position = (middle + DVec3(-0.8, 1.3, 0.4)) * scale;
+            light.target = (middle + DVec3(0.1, 0.05, -0.1)) * scale;
+        }
+        lights.push_back(light);
+    }
+    lights.back().frame = scene::LightFrame::camera;
+    lights.back().position = {0.5, 0.25, 0.125};
+    lights.back().size = 0.2;
+    return lights;
+}
+
+// HARD-CASES 21 with lights that have a place, a reach and a size: those scale with the model.
+TEST(Metamorphic, ScalingModelCameraAndLightsByAPowerOfTwoChangesNoBit) {
+    Random random(5);
+    const DVec3 middle(0.1, 0.2, 0.3);
+    int pictures = 0;
+    for (const bool inside : {false, true}) {
+        FileModel m = file_soup(random, 200, inside);
+        for (DVec3& v : m.vertex)
+            v = v * 0.7 + middle;
+        auto options = picture_options(inside ? 1 : 4);
+        const Shown unlit = m.picture(options);
+        options.lights = placed_lights(middle, 1);
+        const Shown first = m.picture(options);
+        EXPECT_GT(samples_covered(first), 4000);
+        EXPECT_FALSE(first == unlit);
+        for (int k = -50; k <= 50; ++k, ++pictures) {
+            FileModel scaled = m;
+            const double factor = std::ldexp(1.0, k);
+            for (DVec3& v : scaled.vertex)
+                v = v * factor;
+            scaled.eye = m.eye * factor;
+            scaled.target = m.target * factor;
+            options.lights = placed_lights(middle, factor);
+            ASSERT_TRUE(scaled.picture(options) == first) << k << ' ' << inside;
+        }
+        // Lights that stay behind light it otherwise.
+        options.lights = placed_lights(middle, 2);
+        EXPECT_FALSE(m.picture(options) == first);
+        options.lights = placed_lights(middle, 1);
+        for (scene::Light& light : options.lights)
+            light.size *= 2;
+        EXPECT_FALSE(m.picture(options) == first);
+    }
+    RecordProperty("pictures_equal", pictures);
+}
+
 const DVec3 kFar[] = {{1e7, 1e7, -1e7}, {-1e7, 0, 1e7}, {0, 1e7, 0}, {4.6e6, 5.4e6, 210}};
 
 FileModel moved(const FileModel& m, const DVec3& by) {

@@ -1,6 +1,7 @@
 // How often light is evaluated: what each rung loses (HARD-CASES (d), shading frequency), and what
 // all of them agree on.
 #include "image/compare.h"
+#include "math/rotation.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -182,6 +183,48 @@ TEST(Shading, FetchesWhatTheRungReadsAndNothingElse) {
     EXPECT_TRUE(plan.attributes.normal && plan.attributes.position && plan.attributes.ray);
     EXPECT_FALSE(plan.attributes.corners);
     EXPECT_TRUE(plan.corner_lights.empty());
+}
+
+// Gouraud's light is an attribute of the vertices like any other, also where the near plane cuts
+// the triangle: a scene whose vertices have that light as their colour looks the same.
+TEST(Shading, LightAtVerticesIsNotCutByTheNearPlane) {
+    Shot lit = shot("floor", 97, 61);
+    lit.scene.materials = {plain(Vec3(1))};
+    geom::Mesh& mesh = lit.scene.mesh;
+    add_quad(mesh, {{{-2, -0.3F, 2}, {2, -0.3F, 2.5F}, {2, -0.3F, -3}, {-2, -0.3F, -2}}}, {0, 1, 0},
+             0);
+    const DVec3 towards = normalized(DVec3(0.2, 0.9, 0.3));
+    std::vector<Vec3> light;
+    for (std::size_t i = 0; i < mesh.normal.size(); ++i) {
+        const double lean = 0.35 * static_cast<double>(i) - 0.5;
+        const DVec3 n = normalized(DVec3(lean, 1, 0.5 - lean * lean));
+        mesh.normal[i] = Vec3(n);
+        light.emplace_back(static_cast<float>(std::max(0.0, dot3(n, towards))));
+    }
+    lit.camera.eye = DVec3(0.1, 0.4, 0.3);
+    lit.camera.target = DVec3(0.1, 0, -1);
+    lit.options.shading = "gouraud";
+    scene::Light sun = light_of(scene::LightKind::directional, 1);
+    sun.frame = scene::LightFrame::world;
+    sun.towards = towards;
+    lit.options.lights = {sun};
+    Shot coloured = lit;
+    coloured.scene.mesh.colour = light;
+    coloured.options.shading = "per_pixel";
+    coloured.options.lights = {light_of(scene::LightKind::ambient, 1)};
+    shade::LinearPicture got, wanted;
+    draw(lit, {.linear = &got});
+    draw(coloured, {.linear = &wanted});
+    double worst = 0, least = 1, most = 0;
+    for (int y = 0; y < 61; ++y)
+        for (int x = 0; x < 97; ++x) {
+            const double w = double{wanted.at(x, y)[0]};
+            worst = std::max(worst, std::abs(double{got.at(x, y)[0]} - w));
+            least = std::min(least, w);
+            most = std::max(most, w);
+        }
+    EXPECT_LE(worst, 2e-6);
+    EXPECT_GT(most - least, 0.1);
 }
 
 } // namespace

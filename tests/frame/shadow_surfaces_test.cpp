@@ -36,6 +36,7 @@ Shot before_a_floor(const scene::Material& material, float left, float right) {
     light.casts = true;
     s.options.lights = {light, light_of(LightKind::ambient, 0.15)};
     s.options.texture = "nearest";
+    s.options.tone = "clamp"; // whatever else the scene has
     s.options.shadow_size = 512;
     return s;
 }

@@ -44,7 +44,43 @@ TEST_F(RasterLanesDeathTest, TheGeometryStageLooksAtItsVertices) {
     add_triangle(mesh, {Vec3(0), Vec3(1, 0, -2), Vec3(0, 1, -2)});
     draw_planes(jobs, mesh, eye_view(1, 1, 0), 64, 64);
     EXPECT_DEATH(draw_planes(jobs, mesh, eye_view(1, 1, 0, 0), 64, 64),
-                 "depth of vertex 0 is -?nan after transform");
+                 "x of vertex 0 is -?nan before it snaps");
+}
+
+// The grid saturates, and NaN would stand on it.
+TEST_F(RasterLanesDeathTest, AVertexIsLookedAtBeforeItSnaps) {
+    for (const double bad : {kNaN, kInf, -kInf}) {
+        EXPECT_DEATH(check_before_snap({bad, 20, 1, 2}, 3),
+                     "x of vertex 3 is -?(nan|inf) before it snaps");
+        EXPECT_DEATH(check_before_snap({10, bad, 1, 2}, 3),
+                     "y of vertex 3 is -?(nan|inf) before it snaps");
+    }
+    // No near plane, and a vertex in the eye: 0 / 0
+    const ScreenTransform no_near(eye_view(1, 1, 0, 0), 64, 64);
+    no_near.transform(Vec3(0, 0, -2));
+    EXPECT_DEATH(no_near.transform(Vec3(0)), "x of vertex 0 is -?nan before it snaps");
+    // In lanes: the seventh of nine
+    std::vector<Vec3> position(9, Vec3(0, 0, -2));
+    std::vector<ScreenVertex> vertices(9);
+    transform_vertices(no_near, position, vertices);
+    position[6] = Vec3(0);
+    EXPECT_DEATH(transform_vertices(no_near, position, vertices),
+                 "x of vertex 6 is -?nan before it snaps");
+    // Off the screen, nothing snaps.
+    position[6] = Vec3(0, 0, 3);
+    transform_vertices(no_near, position, vertices);
+}
+
+TEST_F(RasterLanesDeathTest, AVertexOfAPieceIsLookedAtBeforeItIsRounded) {
+    point_off_screen({10, 20, 1, 2});
+    for (const double bad : {kNaN, kInf, -kInf}) {
+        EXPECT_DEATH(point_off_screen({bad, 20, 1, 2}),
+                     "x of a piece's vertex is -?(nan|inf) before rounding");
+        EXPECT_DEATH(point_off_screen({10, bad, 1, 2}),
+                     "y of a piece's vertex is -?(nan|inf) before rounding");
+        EXPECT_DEATH(point_off_screen({10, 20, 1, bad}),
+                     "w of a piece's vertex is -?(nan|inf) before rounding");
+    }
 }
 
 TEST_F(RasterLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetUp) {

@@ -88,10 +88,12 @@ TEST(Clip, WhatIsLeftLiesBeforeTheNearPlane) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k) {
             const ClipVertex& p = polygon.vertex[k];
             ASSERT_GE(p.w, kNear) << i;
-            const int corner = polygon.corner[k];
-            ASSERT_TRUE(corner < 0 ? p.w == kNear
-                                   : same_bits(p, v[static_cast<std::size_t>(corner)]))
-                << i;
+            const EdgePlace& at = polygon.place[k];
+            ASSERT_TRUE(at.cut() ? p.w == kNear : same_bits(p, v[at.from])) << i;
+            if (!at.cut()) continue;
+            ASSERT_TRUE(at.share >= 0 && at.share <= 1) << i;
+            ASSERT_GE(v[at.from].w, kNear) << i; // from the inside, whichever way round it goes
+            ASSERT_LT(v[at.to].w, kNear) << i;
         }
     }
     EXPECT_GT(of_each[3], 10000);
@@ -172,11 +174,10 @@ Pieces half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, i
     std::vector<ExactPoint> point;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
         const ClipVertex& p = polygon.vertex[i];
-        if (polygon.corner[i] < 0) {
+        if (polygon.place[i].cut()) {
             point.push_back(point_off_screen({p.x, p.y, depth * p.z, p.z}));
         } else {
-            const Corner& at =
-                cut.mesh.vertex[triangle[static_cast<std::size_t>(polygon.corner[i])]];
+            const Corner& at = cut.mesh.vertex[triangle[polygon.place[i].from]];
             point.push_back(point_on_screen({at.x, at.y, depth}));
         }
     }

@@ -5,8 +5,11 @@
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
+#include <string>
 
 namespace scanout::shade::test {
 namespace {
@@ -180,6 +183,115 @@ TEST_F(ShadeLanesDeathTest, ARayThatIsNotFiniteEndsTheProgramAfterPlaceLanes) {
     frame_.attributes.ray = false; // nobody reads them
     stages_[3] = &stage("reflection", "lambert");
     shade();
+}
+
+// What all lanes of a triangle share.
+TEST_F(ShadeLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetUp) {
+    Primitive p{};
+    const Attributes all{true, true, true, true, true};
+    check_primitive(p, all);
+    p.id = 5;
+    struct Value {
+        float* at;
+        const char* what;
+    };
+    for (const float bad : {kNaN, kInf, -kInf}) {
+        for (double* weight : {&p.a[0], &p.b[1], &p.c[2]}) {
+            *weight = bad;
+            EXPECT_DEATH(check_primitive(p, {}),
+                         "weight of triangle 5 is -?(nan|inf) after set-up");
+            *weight = 0;
+        }
+        for (const Value& v : {Value{&p.inverse_w[1], "1 / w"},
+                               {&p.facing[2], "facing"},
+                               {&p.normal[2][0], "normal"},
+                               {&p.uv[1][2], "uv"},
+                               {&p.colour[0][1], "colour"},
+                               {&p.position[1][1], "position"}}) {
+            *v.at = bad;
+            EXPECT_DEATH(check_primitive(p, all),
+                         std::string(v.what) + " of triangle 5 is -?(nan|inf) after set-up");
+            *v.at = 0;
+        }
+        p.uv[0][0] = bad; // nobody reads it
+        check_primitive(p, {.normal = true});
+        p.uv[0][0] = 0;
+    }
+    mesh_.uv[2].y = kNaN;
+    EXPECT_DEATH(shade(), "uv of triangle [01] is nan after set-up");
+}
+
+// The interpolation clamps to the range of the vertices, of which NaN would become one.
+TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
+    const Stage& perspective = stage("interpolate", "perspective");
+    auto block = std::make_unique<Block>();
+    block->material = materials_.data();
+    frame_.attributes = {.colour = true};
+    const auto run = [&](const Primitive& p) {
+        block->count = 11;
+        block->runs = 1;
+        block->run[0] = {&p, 0, 11, 128, 128, 0, 0};
+        std::fill(block->x, block->x + kRoom, 0);
+        std::fill(block->y, block->y + kRoom, 0);
+        perspective.run(*block, frame_);
+    };
+    Primitive sound{};
+    sound.c[0] = sound.c[1] = sound.c[2] = 1;
+    sound.inverse_w[0] = sound.inverse_w[1] = sound.inverse_w[2] = 1;
+    sound.colour[1][2] = 1;
+    run(sound);
+    const char* const message = "value of lane 0 is -?nan after interpolation";
+    Primitive p = sound;
+    p.c[0] = p.c[1] = p.c[2] = 0; // 0 / 0
+    EXPECT_DEATH(run(p), message);
+    p = sound;
+    p.inverse_w[1] = kNaN;
+    EXPECT_DEATH(run(p), message);
+    p = sound;
+    p.clipped = true;
+    run(p);
+    p.c[1] = kNaN; // before it becomes a weight of 0
+    EXPECT_DEATH(run(p), message);
+    p = sound; // lanes behind the last are dead: there the weights cancel to 0 / 0
+    p.c[0] = p.c[1] = p.c[2] = 11 * 256;
+    p.a[0] = p.a[1] = p.a[2] = -1;
+    const auto place = [&](int count) {
+        block->count = count;
+        block->runs = 1;
+        block->run[0] = {&p, 0, count, 0, 0, 0, 0};
+        for (int i = 0; i < kRoom; ++i)
+            block->x[i] = i * 256;
+        perspective.run(*block, frame_);
+    };
+    place(11);
+    EXPECT_DEATH(place(12), "value of lane 11 is -?nan after interpolation");
+}
+
+TEST_F(ShadeLanesDeathTest, AmbientLightThatIsNotFiniteEndsTheProgram) {
+    stages_.insert(stages_.begin() + 1, &stage("light", "ambient"));
+    shade();
+    for (const float bad : {kNaN, kInf, -kInf}) {
+        frame_.ambient = {0.1F, bad, 0.1F};
+        EXPECT_DEATH(shade(), "colour of ambient light 0 is -?(nan|inf) after light ambient");
+    }
+}
+
+TEST_F(ShadeLanesDeathTest, ALightThatDoesNotVaryIsLookedAtToo) {
+    lights_[0].kind = scene::LightKind::directional;
+    varies_[0] = false;
+    shade();
+    const scene::ViewLight sound = lights_[0];
+    for (const float bad : {kNaN, kInf, -kInf}) {
+        lights_[0].colour.z = bad;
+        EXPECT_DEATH(shade(), "colour of light 0 is -?(nan|inf) after the frame's set-up");
+        lights_[0] = sound;
+        lights_[0].towards.x = bad;
+        EXPECT_DEATH(shade(), "direction of light 0 is -?(nan|inf) after the frame's set-up");
+        lights_[0] = sound;
+        lights_[0].reach = bad;
+        EXPECT_DEATH(shade(), "length of light 0 is -?(nan|inf) after the frame's set-up");
+        lights_[0] = sound;
+    }
 }
 
 // A stage of another axis that writes colours past the last check: what is resolved is looked at

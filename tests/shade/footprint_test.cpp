@@ -212,16 +212,19 @@ Primitive far_triangle(const InSpace& plane, Random& random, std::array<Vec2, 3>
                      static_cast<float>(far * std::sin(angle))};
         vertex[k] = plane.clip_vertex(plane.at(corner[k].x, corner[k].y));
     }
-    const raster::HomogeneousTriangle h = raster::homogeneous_triangle(vertex);
+    // Not cut: the weights of the whole triangle, positive inside.
+    const auto place = [&](std::size_t k) { return DVec3(vertex[k].x, vertex[k].y, vertex[k].w); };
+    const double sign = dot3(place(0), cross3(place(1), place(2))) < 0 ? -1 : 1;
     Primitive t = {};
     t.clipped = true;
     for (std::size_t k = 0; k < 3; ++k) {
-        t.a[k] = h.row[k].x / 256;
-        t.b[k] = h.row[k].y / 256;
-        t.c[k] = h.row[k].z;
+        const DVec3 row = cross3(place((k + 1) % 3), place((k + 2) % 3)) * sign;
+        t.a[k] = row.x / 256;
+        t.b[k] = row.y / 256;
+        t.c[k] = row.z;
         t.inverse_w[k] = 1;
-        t.uv[0][k] = corner[h.order.vertex[k]].x;
-        t.uv[1][k] = corner[h.order.vertex[k]].y;
+        t.uv[0][k] = corner[k].x;
+        t.uv[1][k] = corner[k].y;
     }
     return t;
 }

@@ -62,10 +62,37 @@ inline Shot panes(std::string name, const std::string& transparency) {
     return s;
 }
 
+// A white disc on black.
+inline scene::Texture disc() {
+    scene::Texture texture = leaf(false);
+    texture.path = "disc";
+    for (image::Rgba8& texel : texture.image.pixels())
+        texel = {texel.a, texel.a, texel.a, 255};
+    return texture;
+}
+
+// A cube of which a map leaves discs.
+inline Shot holed_cube(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.2F, 0.6F, 0.3F})};
+    s.scene.materials[0].map_opacity.texture = 0;
+    s.scene.textures = {disc()};
+    add_cube(s.scene.mesh, 0.57F, 0);
+    s.camera.azimuth_degrees = 35;
+    s.camera.elevation_degrees = 30;
+    return s;
+}
+
 inline std::vector<Shot> transparent_shots() {
     std::vector<Shot> shots;
+    shots.push_back(holed_cube("map_opacity"));
     for (const char* name : {"cut_out", "sorted", "exact"})
         shots.push_back(panes(std::string("transparency_") + name, name));
+    for (const char* name : {"none", "over", "add", "subtract"}) {
+        shots.push_back(panes(std::string("blend_") + name, "exact"));
+        shots.back().options.blend = name;
+        shots.back().options.background = {150, 150, 150, 255};
+    }
     return shots;
 }
 

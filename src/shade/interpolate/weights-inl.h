@@ -6,25 +6,47 @@
 #define SCANOUT_SHADE_WEIGHTS_INL_H
 #endif
 
+#include "shade/check_lanes.h"
 #include "shade/stage.h"
 
 #include "simd/lanes-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
+// Lanes of a block from `first` on, of which `count` are of the run.
+struct Live {
+    int first, count;
+};
+
+HWY_INLINE bool is_finite(float f) {
+    return f - f == 0;
+}
+
+// A clamp makes a number of NaN, so that nothing would be seen after it.
+HWY_INLINE void check_clamped([[maybe_unused]] F32x8 f, [[maybe_unused]] const Live& live) {
+    if constexpr (kCheckLanes) {
+        float lanes[kLanesX8];
+        store(f, lanes);
+        check_before_clamp(lanes, live.count < kLanesX8 ? live.count : kLanesX8, live.first);
+    }
+}
+
 // Of vertices 1 and 2; vertex 0 has the rest.
 struct Weights {
     F32x8 one, two;
+    Live live;
 };
 
-HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
-    const auto weight = [&](int k) {
-        return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
-    };
-    F64x8 b0 = weight(0), b1 = weight(1), b2 = weight(2);
+HWY_INLINE F64x8 area_at(const Primitive& t, int k, F64x8 x, F64x8 y) {
+    return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
+}
+
+HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y, const Live& live) {
+    F64x8 b0 = area_at(t, 0, x, y), b1 = area_at(t, 1, x, y), b2 = area_at(t, 2, x, y);
     if (t.clipped) {
         // The snapped edge may lie a little further out than the exact one. A common factor brings
         // the weights into the range of a float.
+        check_clamped(to_f32(((b0 - b0) + (b1 - b1)) + (b2 - b2)), live); // 0 of what is finite
         const F64x8 zero = 0.0;
         b0 = maximum(b0, zero);
         b1 = maximum(b1, zero);
@@ -40,12 +62,15 @@ HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
     const F32x8 p1 = to_f32(b1) * F32x8(t.inverse_w[1]);
     const F32x8 p2 = to_f32(b2) * F32x8(t.inverse_w[2]);
     const F32x8 sum = (p0 + p1) + p2;
-    return {p1 / sum, p2 / sum};
+    return {p1 / sum, p2 / sum, live};
 }
 
 HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
     const F32x8 f0 = vertex[0], f1 = vertex[1], f2 = vertex[2];
     const F32x8 f = f0 + (w.one * (f1 - f0) + w.two * (f2 - f0));
+    // Differences beyond all floats are what the clamp is for, too.
+    if (kCheckLanes && is_finite(vertex[1] - vertex[0]) && is_finite(vertex[2] - vertex[0]))
+        check_clamped(f, w.live);
     const F32x8 low = minimum(minimum(f0, f1), f2), high = maximum(maximum(f0, f1), f2);
     return minimum(maximum(f, low), high);
 }

@@ -18,7 +18,8 @@ void gouraud_run(Block& b) {
         const CornerLight::Triangle& light = b.corners->triangle[b.corners->of_run[r]];
         for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
             const auto w = interpolate::HWY_NAMESPACE::weights(t, to_f64(load<I32x8>(b.x + i)),
-                                                               to_f64(load<I32x8>(b.y + i)));
+                                                               to_f64(load<I32x8>(b.y + i)),
+                                                               {i, run.first + run.count - i});
             for (int c = 0; c < 3; ++c)
                 store(load<F32x8>(b.albedo[c] + i) *
                               interpolate::HWY_NAMESPACE::mix(w, light.tinted[c]) +
