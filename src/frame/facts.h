@@ -4,6 +4,7 @@
 
 #include "frame/alpha_facts.h"
 #include "frame/mesh_sides.h"
+#include "frame/minification.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -26,6 +27,7 @@ struct SceneFacts {
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    std::vector<TexturedSurface> textured_surfaces;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

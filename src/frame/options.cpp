@@ -6,6 +6,7 @@ namespace scanout::frame {
 
 std::string* asked(FrameOptions& o, std::string_view axis) {
     const std::pair<std::string_view, std::string*> axes[] = {{"texture", &o.texture},
+                                                              {"wrap", &o.wrap},
                                                               {"reflection", &o.reflection},
                                                               {"shading", &o.shading},
                                                               {"transparency", &o.transparency}};

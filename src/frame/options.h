@@ -23,6 +23,7 @@ struct FrameOptions {
     image::Rgba8 background{48, 51, 56, 255};
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string texture = "auto";
+    std::string wrap = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights

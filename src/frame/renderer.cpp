@@ -65,6 +65,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<Worker> workers;
     raster::Geometry geometry;
+    shade::MipChains mips;
     image::Image back_buffer;
     FrameStats stats;
 };
@@ -95,7 +96,8 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
 static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
                                        const FramePlan& plan, const raster::Geometry& geometry,
                                        const raster::ScreenTransform& transform,
-                                       const shade::FrameState& frame) {
+                                       const shade::FrameState& frame,
+                                       const shade::MipChains& mips) {
     shade::GatherInput in;
     in.mesh = &scene.mesh;
     in.geometry = &geometry;
@@ -103,6 +105,8 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.view = &view;
     in.materials = scene.materials;
     in.textures = scene.textures;
+    in.mips = &mips;
+    in.wrap = plan.wrap;
     in.stages = plan.stages;
     in.frame = &frame;
     in.mirrored = view.mirrored;
@@ -139,6 +143,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
         s.back_buffer = image::Image(o.width, o.height);
     const Stopwatch total;
+    s.mips.update(scene, plan.mips, s.jobs);
     const raster::ScreenTransform transform(view, o.width, o.height);
     s.geometry.run(s.jobs, scene.mesh, transform,
                    {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size,
@@ -147,7 +152,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
 
     const FrameLights lights(plan, view, scene.mesh);
     const shade::FrameState frame = frame_state(view, plan, lights);
-    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
+    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame, s.mips);
     if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
     in.linear = linear;
     const bool layered = !plan.transparency.layers.empty();
@@ -195,7 +200,10 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                total.milliseconds() - geometry_ms,
                scene.mesh.triangles(),
                s.geometry.triangles_drawn(),
-               0};
+               0,
+               0,
+               0,
+               s.mips.bytes()};
     for (const Worker& worker : s.workers) {
         s.stats.lanes_shaded += worker.lanes;
         if (worker.layers == nullptr) continue;

@@ -65,6 +65,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
     const std::pair<std::string, std::vector<std::string>> axes[] = {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},

@@ -8,6 +8,7 @@
 #define SIMD_FILE "shade/interpolate/perspective.cpp"
 #include "simd/for_each_target.h"
 
+#include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
@@ -90,6 +91,7 @@ void perspective_run(Block& b, const FrameState& frame) {
         interpolate_normals<true>(b, frame);
     else
         interpolate_normals<false>(b, frame);
+    if (frame.attributes.footprint && any_map(b)) texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END
