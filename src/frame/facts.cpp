@@ -1,5 +1,7 @@
 #include "frame/facts.h"
 
+#include <algorithm>
+
 namespace scanout::frame {
 namespace {
 
@@ -27,6 +29,24 @@ public:
         for (std::size_t i = 0; i < uses_.size(); ++i)
             if (calls(scene_.materials[i])) triangles += uses_[i];
         return triangles;
+    }
+
+    // Of the materials that triangles have, times the brightest vertex colour. No surface gives
+    // back more than it gets: what a file says beyond 1 counts as 1.
+    float brightest() const {
+        const auto largest = [](const Vec3& c) { return std::max({c.x, c.y, c.z}); };
+        const geom::Mesh& mesh = scene_.mesh;
+        float diffuse = 0, colour = mesh.colour.empty() ? 1.0F : 0.0F;
+        std::size_t named = 0;
+        for (std::size_t i = 0; i < uses_.size(); ++i) {
+            named += uses_[i];
+            if (uses_[i] > 0) diffuse = std::max(diffuse, largest(scene_.materials[i].diffuse));
+        }
+        if (named < mesh.triangles())
+            diffuse = std::max(diffuse, largest(scene::Material().diffuse));
+        for (const Vec3& c : mesh.colour)
+            colour = std::max(colour, largest(c));
+        return std::min(diffuse * colour, 1.0F);
     }
 
 private:
@@ -64,6 +84,7 @@ SceneFacts facts(const scene::Scene& scene) {
     };
     facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
+    facts.brightest = census.brightest();
     return facts;
 }
 

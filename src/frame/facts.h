@@ -28,6 +28,7 @@ struct SceneFacts {
     bool vertex_colours = false;
     AlphaFacts alpha;
     std::vector<TexturedSurface> textured_surfaces;
+    float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.

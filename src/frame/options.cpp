@@ -4,15 +4,29 @@
 
 namespace scanout::frame {
 
-std::string* asked(FrameOptions& o, std::string_view axis) {
-    const std::pair<std::string_view, std::string*> axes[] = {{"texture", &o.texture},
+bool ask(FrameOptions& o, std::string_view axis, std::string_view technique) {
+    const std::pair<std::string_view, std::string*> axes[] = {{"interpolate", &o.interpolate},
+                                                              {"texture", &o.texture},
                                                               {"wrap", &o.wrap},
                                                               {"reflection", &o.reflection},
                                                               {"shading", &o.shading},
-                                                              {"transparency", &o.transparency}};
-    for (const auto& [name, technique] : axes)
-        if (name == axis) return technique;
-    return nullptr;
+                                                              {"transparency", &o.transparency},
+                                                              {"blend", &o.blend},
+                                                              {"depth", &o.depth},
+                                                              {"depth_test", &o.depth_test},
+                                                              {"aa", &o.aa},
+                                                              {"tone", &o.tone},
+                                                              {"blend_space", &o.blend_space},
+                                                              {"encode", &o.encode},
+                                                              {"dither", &o.dither},
+                                                              {"convolution", &o.convolution}};
+    for (const auto& [name, asked] : axes) {
+        if (name != axis) continue;
+        *asked = technique;
+        if (axis == "aa") o.samples = 1; // another way to ask for the same
+        return true;
+    }
+    return false;
 }
 
 } // namespace scanout::frame

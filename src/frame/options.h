@@ -22,21 +22,33 @@ struct FrameOptions {
     Cull cull = Cull::none;
     image::Rgba8 background{48, 51, 56, 255};
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
+    std::string interpolate = "auto";
     std::string texture = "auto";
     std::string wrap = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     std::string transparency = "auto";
-    double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
+    std::string blend = "auto";      // over
+    std::string depth = "auto";      // reversed
+    std::string depth_test = "auto"; // greater
+    double alpha_cut = 0.5;          // least alpha that a cut-out surface shows
     int most_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
+    std::string aa = "auto";      // then `samples` says it
+    std::string tone = "auto";
+    std::string blend_space = "auto";
+    std::string encode = "auto";
+    std::string dither = "auto";      // then none
+    std::string convolution = "auto"; // then none
+    double exposure = 0; // stops: light is multiplied by 2^exposure; within +-kMostStops
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
 };
 
-// Where the name of the technique on an axis stands; null for an axis without an option.
-std::string* asked(FrameOptions& options, std::string_view axis);
+// Asks for a technique on an axis, instead of what stands there; false for an axis without option.
+bool ask(FrameOptions& options, std::string_view axis, std::string_view technique);
 
 inline constexpr int kMaxSide = 16384;
+inline constexpr double kMostStops = 20;
 
 } // namespace scanout::frame

@@ -1,7 +1,10 @@
 #include "frame/plan.h"
 
 #include "base/check.h"
+#include "frame/brightness.h"
 #include "frame/techniques.h"
+#include "image/dither.h"
+#include "math/transcendental.h"
 #include "raster/sample_pattern.h"
 
 #include <algorithm>
@@ -11,14 +14,21 @@
 namespace scanout::frame {
 namespace {
 
+// The command line's name of an axis.
+std::string option_of(std::string_view axis) {
+    std::string name(axis);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
+}
+
 // What the user asked for on an axis, or the automatic choice, when the axis has it.
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
     for (const Technique* technique : techniques())
         if (technique->axis == axis && technique->name == name) return std::string(name);
-    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", axis, asked,
-                names_of(axis));
+    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option_of(axis),
+                asked, names_of(axis));
 }
 
 Result<void> check_numbers(const FrameOptions& o) {
@@ -64,10 +74,10 @@ public:
         return on;
     }
     // Notes what was chosen on an axis that is no effect: its own option decides.
-    void choice(std::string axis, std::string technique, std::string because, bool needed,
-                bool forced) {
-        plan_.decisions.push_back(
-            {std::move(axis), std::move(technique), std::move(because), needed, forced, true});
+    void choice(std::string axis, std::string technique, const std::string& asked,
+                std::string because, bool needed = true) {
+        plan_.decisions.push_back({std::move(axis), std::move(technique), std::move(because),
+                                   needed, asked != "auto", true});
     }
     void stage(std::string_view axis, std::string_view name) {
         const shade::Stage* found = shade::find_stage(axis, name);
@@ -215,10 +225,10 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     plan_lights(planner, plan, facts, *shading);
     plan_sides(planner, plan, facts);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
-    planner.choice("shading", facts.triangles > 0 ? name : "off",
+    planner.choice("shading", facts.triangles > 0 ? name : "off", asked,
                    facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
                                        : "nothing is lit: there are no triangles",
-                   facts.triangles > 0, asked != "auto");
+                   facts.triangles > 0);
     planner.stage("shading", name);
     plan.corner_normals = name == "gouraud" || name == "per_pixel_raw";
     return {};
@@ -325,7 +335,8 @@ Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& fa
     double most = 0; // texels a pixel
     for (const TexturedSurface& surface : facts.textured_surfaces) {
         if (!is_read(surface, plan)) continue;
-        const double texels = texels_per_pixel(surface, view, options.width, options.height);
+        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
+                                               options.height * plan.aa->scale);
         most = std::max(most, texels);
         // A filter that the user names is drawn as it is; else what is not minified has no
         // mipmaps, though its rim may show a few texels a pixel.
@@ -368,9 +379,130 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
                    : clamped == 0    ? "repeat"
                    : clamped == maps ? "clamp"
                                      : "repeat and clamp",
+                   asked,
                    maps == 0 ? "no texture is read"
                              : fmt::format("{} of {} maps say -clamp on", clamped, maps),
-                   maps > 0, asked != "auto");
+                   maps > 0);
+    return {};
+}
+
+// Which surfaces are seen, and how they are mixed: choices of the user's.
+Result<void> plan_merging(Planner& planner, FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    constexpr std::string_view kSides[] = {"none", "back", "front"};
+    const std::string cull(kSides[static_cast<std::size_t>(o.cull)]);
+    planner.choice("cull", cull, o.cull == Cull::none ? "auto" : cull,
+                   o.cull == Cull::none
+                       ? "files do not say whether their backs are meant to be seen"
+                       : "as asked");
+    TRY(const std::string depth, choose("depth", o.depth, "reversed"));
+    TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
+    TRY(const std::string blend, choose("blend", o.blend, "over"));
+    const auto* format = raster::find_depth_format(depth);
+    const auto* compare = raster::find_depth_test(test);
+    const auto* mix = shade::find_blend(blend);
+    CHECK(format != nullptr && compare != nullptr && mix != nullptr);
+    planner.choice("depth", depth, o.depth, std::string(format->card.blurb));
+    planner.choice("depth_test", test, o.depth_test, std::string(compare->card.blurb));
+    const bool blends = plan.transparency.blended != nullptr;
+    planner.choice("blend", blends ? blend : "off", o.blend,
+                   blends ? std::string(mix->card.blurb) : "nothing is blended", blends);
+    plan.visible = {compare->test, format->standard, format->steps};
+    plan.transparency.blend = mix;
+    if (!plan.visible.usual())
+        for (const Technique* card : {&format->card, &compare->card})
+            plan.techniques.push_back(card);
+    if (blends) plan.techniques.push_back(&mix->card);
+    return {};
+}
+
+// Is there light above 1, and what becomes of it? Highlights alone do not count: MTL means them to
+// burn out, and a curve would dim all else for their sake.
+Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                       FramePlan& plan) {
+    if (!(options.exposure >= -kMostStops && options.exposure <= kMostStops))
+        return fail(Exit::usage, "--exposure {}: choose {} to {} stops", options.exposure,
+                    -kMostStops, kMostStops);
+    const bool exposed = planner.effect(
+        "exposure", "on", options.exposure != 0,
+        options.exposure != 0 ? fmt::format("{:+} stops are asked for", options.exposure)
+                              : "no exposure is asked for");
+    plan.exposure = static_cast<float>(exposed ? exp2(options.exposure) : 1.0);
+    const double brightest =
+        double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
+    const bool bright = brightest > 1 && facts.triangles > 0;
+    TRY(const std::string tone, choose("tone", options.tone, bright ? "filmic" : "clamp"));
+    planner.choice("tone", tone, options.tone,
+                   fmt::format("diffuse light is at most {:.2f}{}", brightest,
+                               bright ? "" : ", and highlights may burn out"));
+    // Codes end at 1 anyway.
+    if (tone != "clamp" || exposed) planner.stage("tone", tone);
+    return {};
+}
+
+// How edges are smoothed.
+Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan& plan) {
+    const bool by_number = options.aa == "auto";
+    if (!by_number && options.samples != 1)
+        return fail(Exit::usage, "--aa {} and --samples {}: give one of them", options.aa,
+                    options.samples);
+    const std::string number =
+        options.samples == 1 ? "none" : fmt::format("samples_{}", options.samples);
+    TRY(std::string name, choose("aa", options.aa, number));
+    std::string because(find_anti_aliasing(name)->card.blurb);
+    if (name == "none" && by_number)
+        because = "smoother edges are a matter of taste: nobody asked for them";
+    if (find_anti_aliasing(name)->exact && !plan.transparency.layers.empty()) {
+        name = "samples_16";
+        because = "areas know no transparency, which this scene has";
+    } else if (find_anti_aliasing(name)->exact && !plan.visible.usual()) {
+        name = "samples_16";
+        because = "areas know the nearest surface alone, in exact depth";
+    }
+    plan.aa = find_anti_aliasing(name);
+    CHECK(plan.aa != nullptr);
+    plan.options.samples = plan.aa->samples;
+    if (plan.aa->scale * std::max(options.width, options.height) > kMaxSide)
+        return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most", name,
+                    kMaxSide / plan.aa->scale);
+    planner.choice("aa", name, by_number && options.samples == 1 ? "auto" : name,
+                   std::move(because));
+    plan.techniques.push_back(&plan.aa->card);
+    return {};
+}
+
+// From light to codes.
+Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan) {
+    const bool mixed = plan.aa->card.name != "none";
+    TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
+    planner.choice("blend_space", space, options.blend_space,
+                   mixed ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
+                         : "one sample a pixel: nothing is mixed");
+    TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
+    planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
+    plan.output.blend_space = shade::find_blend_space(space);
+    plan.output.encoding = shade::find_encoding(encoding);
+    CHECK(plan.output.blend_space != nullptr && plan.output.encoding != nullptr);
+    if (mixed) plan.techniques.push_back(&plan.output.blend_space->card);
+    plan.techniques.push_back(&plan.output.encoding->card);
+    if (options.convolution != "auto") {
+        TRY(const std::string name, choose("convolution", options.convolution, ""));
+        plan.convolution = image::find_convolution(name);
+        CHECK(plan.convolution != nullptr);
+    }
+    const bool filtered = plan.convolution != nullptr;
+    planner.choice("convolution", filtered ? options.convolution : "off", options.convolution,
+                   filtered ? "the finished picture is filtered, as asked"
+                            : "nobody asked for a filter over the finished picture",
+                   filtered);
+    if (filtered) plan.techniques.push_back(&plan.convolution->card);
+    TRY(const std::string dither, choose("dither", options.dither, "none"));
+    planner.choice("dither", dither, options.dither,
+                   "8 bits hide their steps; displays of fewer are always dithered");
+    const image::Dither* found = image::find_dither(dither);
+    CHECK(found != nullptr);
+    plan.output.dither = found->ordered;
+    if (found->ordered) plan.techniques.push_back(&found->card);
     return {};
 }
 
@@ -382,7 +514,10 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     FramePlan plan;
     plan.options = options;
     Planner planner(options, plan);
-    planner.stage("interpolate", "perspective");
+    TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
+    planner.choice("interpolate", steps, options.interpolate,
+                   "a division a pixel is exact at any ratio of distances");
+    planner.stage("interpolate", steps);
 
     const bool textured = facts.textured_triangles > 0;
     if (planner.effect("texture", options.texture == "auto" ? "bilinear" : options.texture,
@@ -398,6 +533,10 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts));
+    TRY_VOID(plan_merging(planner, plan));
+    TRY_VOID(plan_tone(options, facts, planner, plan));
+    TRY_VOID(plan_edges(options, planner, plan));
+    TRY_VOID(plan_output(options, planner, plan));
     TRY_VOID(plan_filter(planner, plan, facts, view));
     TRY_VOID(plan_wrap(planner, plan, facts));
     if (facts.triangles == 0)

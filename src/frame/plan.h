@@ -3,8 +3,11 @@
 #pragma once
 
 #include "base/result.h"
+#include "frame/anti_aliasing.h"
 #include "frame/facts.h"
 #include "frame/options.h"
+#include "image/convolution.h"
+#include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
@@ -35,6 +38,7 @@ struct TransparencyPlan {
     std::vector<shade::MaterialAlpha> alpha;      // as many
     const shade::Transparency* cut_out = nullptr; // null where no triangle wants it
     const shade::Transparency* blended = nullptr;
+    const shade::Blend* blend = nullptr;
     bool opaque_blended = false; // forced on where nothing calls for it: what is blended is opaque
     std::vector<const shade::Stage*> stages; // find alpha where a map has it
     shade::Attributes attributes;            // what they read
@@ -43,14 +47,20 @@ struct TransparencyPlan {
 
 struct FramePlan {
     FrameOptions options;
-    // Every technique that runs, in the order in which it was decided; no other one does.
+    // Every technique that runs, in the order in which it was decided; no other one does. The usual
+    // depth and depth test are not named.
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation first, shading last.
     std::vector<const shade::Stage*> stages;
-    shade::Attributes attributes;          // what has to be fetched for a block
-    const shade::Filter* filter = nullptr; // how maps are read; null where none is
-    std::vector<scene::Light> lights;      // those that reach something
+    shade::Attributes attributes;                    // what has to be fetched for a block
+    const shade::Filter* filter = nullptr;           // how maps are read; null where none is
+    std::vector<scene::Light> lights;                // those that reach something
+    const AntiAliasing* aa = nullptr;                // how edges are smoothed
+    shade::Output output;                            // from light to codes
+    const image::Convolution* convolution = nullptr; // of the finished picture; null: none
+    float exposure = 1;                              // what light is multiplied by
     TransparencyPlan transparency;
+    raster::VisibleRule visible; // which of several surfaces is seen
     // How each kind of surface reflects: what the shading stage, the last of `stages`, calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // Where light is not evaluated at pixels: the light stages that run over vertices or faces.

@@ -2,11 +2,13 @@
 
 #include "base/stopwatch.h"
 #include "frame/lights.h"
+#include "frame/step_limits.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
 #include "shade/layers.h"
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace scanout::frame {
@@ -18,6 +20,10 @@ struct Worker {
     shade::Gatherer gatherer;
     std::unique_ptr<shade::Layers> layers; // made when a plan wants it
     std::uint64_t lanes = 0;
+    // Of some anti-aliasings alone; empty with the others.
+    raster::AreaTile areas;
+    shade::LinearPicture drawn; // of a tile that is larger than its pixels
+    shade::PixelSums sums;
 };
 
 raster::Facing kept(Cull cull) {
@@ -30,6 +36,12 @@ raster::Facing kept(Cull cull) {
         break;
     }
     return raster::Facing::any;
+}
+
+Visibility nothing_seen(int width, int height, int samples) {
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                              static_cast<std::size_t>(samples);
+    return {width, height, samples, std::vector<std::uint32_t>(count), std::vector<float>(count)};
 }
 
 // Copies a tile's samples out.
@@ -58,6 +70,14 @@ void clear(const image::Rect& area, const image::Rgba8& background, image::Image
     }
 }
 
+struct Frame {
+    const scene::Scene& scene;
+    const FramePlan& plan;
+    const shade::GatherInput& in;
+    const shade::WideFilter* filter; // null: a pixel's own box
+    Visibility* visibility;
+};
+
 } // namespace
 
 struct Renderer::State {
@@ -67,6 +87,12 @@ struct Renderer::State {
     raster::Geometry geometry;
     shade::MipChains mips;
     image::Image back_buffer;
+    shade::WidePicture wide; // of filters that reach into neighbours
+
+    void draw_tile(const Frame& frame, int tile, Worker& worker);
+    void filter_tiles(const Frame& frame);
+    void prepare_workers(bool layered, bool areas);
+    void count_work();
     FrameStats stats;
 };
 
@@ -90,6 +116,7 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.corner_normals = plan.corner_normals;
     frame.corner_lights = plan.corner_lights;
     lights.describe(frame);
+    frame.exposure = plan.exposure;
     return frame;
 }
 
@@ -111,10 +138,12 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.frame = &frame;
     in.mirrored = view.mirrored;
     in.background = plan.options.background;
+    in.output = plan.output;
     if (frame.orthographic) return in; // every ray is the same; the extent may be no float
-    in.rays.scale_x = static_cast<float>(2 * view.half_width / plan.options.width);
+    const int scale = plan.aa->scale;
+    in.rays.scale_x = static_cast<float>(2 * view.half_width / (plan.options.width * scale));
     in.rays.offset_x = static_cast<float>(-view.half_width);
-    in.rays.scale_y = static_cast<float>(-2 * view.half_height / plan.options.height);
+    in.rays.scale_y = static_cast<float>(-2 * view.half_height / (plan.options.height * scale));
     in.rays.offset_y = static_cast<float>(view.half_height);
     return in;
 }
@@ -124,15 +153,126 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
     shade::LayerInput in;
     in.cut_out = t.cut_out;
     in.blended = t.blended;
+    in.blend = t.blend;
     in.opaque_blended = t.opaque_blended;
     in.alpha = t.alpha;
     in.stages = t.stages;
     in.frame = frame;
     in.frame.attributes = t.attributes;
     in.frame.filter = t.filter;
+    in.frame.steps = nullptr; // alpha is always exact
     in.cut = static_cast<float>(plan.options.alpha_cut);
     in.most_fragments = static_cast<std::size_t>(plan.options.most_fragments);
     return in;
+}
+
+// By areas: what is seen at the centre decides only where lines and points are.
+static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t triangles,
+                        const shade::GatherInput& in, Worker& worker, image::Image& picture) {
+    const image::Rect& area = worker.visibility.area();
+    worker.areas.reset(area);
+    geometry.draw(tile, worker.areas);
+    if (worker.areas.empty() && worker.visibility.empty()) return;
+    for (int y = area.y0; y < area.y1; ++y)
+        for (int x = area.x0; x < area.x1; ++x) {
+            const std::uint32_t id = worker.visibility.id(x, y);
+            if (id >= triangles && id != raster::kNoPrimitive) worker.areas.fill(x, y, id);
+        }
+    worker.lanes += worker.gatherer.shade(worker.areas, in, picture);
+}
+
+// By samples, with what blends over them.
+static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
+                          Worker& worker, image::Image& picture) {
+    if (in.layers != nullptr && in.layers->blended != nullptr)
+        worker.lanes +=
+            worker.layers->shade(geometry, tile, in, worker.visibility, worker.gatherer, picture);
+    else if (!worker.visibility.empty())
+        worker.lanes += worker.gatherer.shade(worker.visibility, in, picture);
+}
+
+// Every pixel of the area from scale x scale of the tile's.
+static void shade_larger(const raster::Geometry& geometry, int tile, const image::Rect& area,
+                         int scale, const shade::GatherInput& in, Worker& worker,
+                         image::Image& picture) {
+    const image::Rect& larger = worker.visibility.area();
+    worker.drawn = shade::LinearPicture(larger.width(), larger.height());
+    worker.drawn.x0 = larger.x0;
+    worker.drawn.y0 = larger.y0;
+    worker.gatherer.send_mixtures({.own = &worker.drawn});
+    shade_samples(geometry, tile, in, worker, picture);
+    worker.sums.reset(static_cast<std::size_t>(area.width()) *
+                      static_cast<std::size_t>(area.height()));
+    if (shade::mean_of_boxes(worker.drawn, scale, area, worker.sums))
+        shade::resolve_area(worker.sums, in.output, in.background, area, picture);
+}
+
+// What a tile shows at its samples, cut-out surfaces and lines included.
+static void draw_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
+                         Worker& worker) {
+    geometry.draw_triangles(tile, worker.visibility);
+    const shade::LayerInput* layers = in.layers;
+    if (layers != nullptr && layers->cut_out != nullptr)
+        worker.layers->cut_out(geometry, tile, in, worker.visibility);
+    const bool elsewhere = layers != nullptr && layers->opaque_blended; // what lines lie on
+    geometry.draw_on_ground(tile,
+                            elsewhere ? worker.layers->ground(geometry, tile, worker.visibility)
+                                      : worker.visibility,
+                            worker.visibility);
+}
+
+void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
+    const AntiAliasing& aa = *f.plan.aa;
+    image::Rect area = geometry.tile_area(tile);
+    worker.visibility.reset(area, aa.samples, f.plan.visible);
+    draw_samples(geometry, tile, f.in, worker);
+    if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
+    area = {area.x0 / aa.scale, area.y0 / aa.scale, area.x1 / aa.scale, area.y1 / aa.scale};
+    clear(area, f.plan.options.background, back_buffer);
+    worker.gatherer.send_mixtures(f.filter == nullptr
+                                      ? shade::MixtureSink{}
+                                      : shade::MixtureSink{&wide.own, f.filter, &wide});
+    if (aa.exact)
+        shade_areas(geometry, tile, f.scene.mesh.triangles(), f.in, worker, back_buffer);
+    else if (aa.scale > 1)
+        shade_larger(geometry, tile, area, aa.scale, f.in, worker, back_buffer);
+    else
+        shade_samples(geometry, tile, f.in, worker, back_buffer);
+}
+
+void Renderer::State::count_work() {
+    for (const Worker& worker : workers) {
+        stats.lanes_shaded += worker.lanes;
+        if (worker.layers == nullptr) continue;
+        stats.fragments_blended += worker.layers->fragments();
+        stats.layer_bytes += worker.layers->bytes();
+    }
+}
+
+// What the frame's buffers need not hold is let go.
+void Renderer::State::prepare_workers(bool layered, bool areas) {
+    for (Worker& worker : workers) {
+        worker.lanes = 0;
+        if (!areas) worker.areas = {};
+        if (!layered)
+            worker.layers.reset();
+        else if (worker.layers == nullptr)
+            worker.layers = std::make_unique<shade::Layers>();
+        else
+            worker.layers->begin_frame();
+    }
+}
+
+// What the tiles gave to each other becomes pixels.
+void Renderer::State::filter_tiles(const Frame& f) {
+    jobs.for_each(geometry.tiles(), [&](int tile, int number) {
+        shade::PixelSums& sums = workers[static_cast<std::size_t>(number)].sums;
+        const image::Rect area = geometry.tile_area(tile);
+        sums.reset(static_cast<std::size_t>(area.width()) *
+                   static_cast<std::size_t>(area.height()));
+        if (shade::filter_area(*f.filter, wide, area, sums))
+            shade::resolve_area(sums, f.in.output, f.plan.options.background, area, back_buffer);
+    });
 }
 
 const image::Image& Renderer::render(const scene::Scene& scene, const scene::View& view,
@@ -144,72 +284,51 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.back_buffer = image::Image(o.width, o.height);
     const Stopwatch total;
     s.mips.update(scene, plan.mips, s.jobs);
-    const raster::ScreenTransform transform(view, o.width, o.height);
+    const AntiAliasing& aa = *plan.aa;
+    const int width = o.width * aa.scale, height = o.height * aa.scale;
+    const raster::ScreenTransform transform(view, width, height);
     s.geometry.run(s.jobs, scene.mesh, transform,
-                   {o.width, o.height, kept(o.cull), view.mirrored, o.samples, tile_size,
+                   {width, height, kept(o.cull), view.mirrored, aa.samples, aa.exact, tile_size,
                     plan.transparency.layers});
     const double geometry_ms = total.milliseconds();
 
     const FrameLights lights(plan, view, scene.mesh);
-    const shade::FrameState frame = frame_state(view, plan, lights);
+    shade::FrameState frame = frame_state(view, plan, lights);
+    std::optional<shade::StepLimits> steps;
+    if (plan.stages.front()->card.name == "adaptive") {
+        steps = step_limits(scene, plan);
+        frame.steps = &*steps;
+    }
     shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame, s.mips);
-    if (linear != nullptr) *linear = shade::LinearPicture(o.width, o.height);
+    if (linear != nullptr) *linear = shade::LinearPicture(width, height);
     in.linear = linear;
     const bool layered = !plan.transparency.layers.empty();
     const shade::LayerInput layers = layered ? layer_input(plan, frame) : shade::LayerInput();
     if (layered) in.layers = &layers;
-    for (Worker& worker : s.workers) {
-        worker.lanes = 0;
-        if (!layered)
-            worker.layers.reset();
-        else if (worker.layers == nullptr)
-            worker.layers = std::make_unique<shade::Layers>();
-        else
-            worker.layers->begin_frame();
+    s.prepare_workers(layered, aa.exact);
+    if (visibility != nullptr) *visibility = nothing_seen(width, height, aa.samples);
+    std::optional<shade::WideFilter> filter;
+    if (aa.weight != nullptr) {
+        filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
+        s.wide.reset(width, height, tile_size, s.geometry.tiles_across(), s.geometry.tiles());
     }
-    if (visibility != nullptr) {
-        const std::size_t samples = static_cast<std::size_t>(o.width) *
-                                    static_cast<std::size_t>(o.height) *
-                                    static_cast<std::size_t>(o.samples);
-        *visibility = {o.width, o.height, o.samples, std::vector<std::uint32_t>(samples),
-                       std::vector<float>(samples)};
-    }
+    const Frame f{scene, plan, in, filter ? &*filter : nullptr, visibility};
     s.jobs.for_each(s.geometry.tiles(), [&](int tile, int number) {
-        Worker& worker = s.workers[static_cast<std::size_t>(number)];
-        const image::Rect area = s.geometry.tile_area(tile);
-        worker.visibility.reset(area, o.samples);
-        s.geometry.draw_triangles(tile, worker.visibility);
-        if (layers.cut_out != nullptr)
-            worker.layers->cut_out(s.geometry, tile, in, worker.visibility);
-        const bool elsewhere = layers.opaque_blended; // what lines lie on
-        s.geometry.draw_on_ground(tile,
-                                  elsewhere
-                                      ? worker.layers->ground(s.geometry, tile, worker.visibility)
-                                      : worker.visibility,
-                                  worker.visibility);
-        if (visibility != nullptr) keep(worker.visibility, *visibility);
-        clear(area, o.background, s.back_buffer);
-        if (layers.blended != nullptr)
-            worker.lanes += worker.layers->shade(s.geometry, tile, in, worker.visibility,
-                                                 worker.gatherer, s.back_buffer);
-        else if (!worker.visibility.empty())
-            worker.lanes += worker.gatherer.shade(worker.visibility, in, s.back_buffer);
+        s.draw_tile(f, tile, s.workers[static_cast<std::size_t>(number)]);
     });
+    if (filter)
+        s.filter_tiles(f);
+    else if (s.wide.tiles_across > 0)
+        s.wide = {};
+    if (plan.convolution != nullptr) s.back_buffer = plan.convolution->run(s.back_buffer);
     s.stats = {total.milliseconds(),
                geometry_ms,
                total.milliseconds() - geometry_ms,
                scene.mesh.triangles(),
                s.geometry.triangles_drawn(),
-               0,
-               0,
-               0,
-               s.mips.bytes()};
-    for (const Worker& worker : s.workers) {
-        s.stats.lanes_shaded += worker.lanes;
-        if (worker.layers == nullptr) continue;
-        s.stats.fragments_blended += worker.layers->fragments();
-        s.stats.layer_bytes += worker.layers->bytes();
-    }
+               0};
+    s.count_work();
+    s.stats.mipmap_bytes = s.mips.bytes();
     return s.back_buffer;
 }
 

@@ -27,7 +27,8 @@ struct FrameStats {
     std::uint64_t mipmap_bytes = 0;      // held; 0 where no texture is minified
 };
 
-// What a frame shows at every sample: [(sample * height + y) * width + x].
+// What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every
+// pixel that is shaded; of areas, what is seen at the centre.
 struct Visibility {
     int width = 0, height = 0, samples = 0;
     std::vector<std::uint32_t> id; // primitive, or raster::kNoPrimitive

@@ -1,5 +1,10 @@
 #include "frame/techniques.h"
 
+#include "frame/anti_aliasing.h"
+#include "image/convolution.h"
+#include "image/dither.h"
+#include "raster/visible_rule.h"
+#include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
@@ -16,8 +21,24 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&wrapping->card);
         for (const shade::Stage* stage : shade::stages())
             found.push_back(&stage->card);
+        for (const raster::DepthFormatRow* format : raster::depth_formats())
+            found.push_back(&format->card);
+        for (const raster::DepthTestRow* test : raster::depth_tests())
+            found.push_back(&test->card);
+        for (const shade::Blend* blend : shade::blends())
+            found.push_back(&blend->card);
         for (const shade::Transparency* transparency : shade::transparencies())
             found.push_back(&transparency->card);
+        for (const AntiAliasing* aa : anti_aliasings())
+            found.push_back(&aa->card);
+        for (const image::Convolution* convolution : image::convolutions())
+            found.push_back(&convolution->card);
+        for (const shade::BlendSpace* space : shade::blend_spaces())
+            found.push_back(&space->card);
+        for (const shade::Encoding* encoding : shade::encodings())
+            found.push_back(&encoding->card);
+        for (const image::Dither* dither : image::dithers())
+            found.push_back(&dither->card);
         return found;
     }();
     return all;

@@ -3,10 +3,23 @@
 // Continuous-Tone Pictures", 1973.
 #pragma once
 
+#include "base/technique.h"
+
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 namespace scanout::image {
+
+// How the back buffer's 8 bits are found; displays of fewer bits are always dithered.
+struct Dither {
+    Technique card;
+    bool ordered; // with dither_offset, instead of to the nearest
+};
+// In the order of techniques.h; null where there is no such name.
+std::span<const Dither* const> dithers();
+const Dither* find_dither(std::string_view name);
 
 inline constexpr unsigned kDitherSide = 8;
 inline constexpr unsigned kDitherSteps = kDitherSide * kDitherSide;

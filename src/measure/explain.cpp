@@ -28,10 +28,10 @@ std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t no
     return material < 0 ? none : static_cast<std::size_t>(material);
 }
 
-// The cheapest technique of an axis: they stand in this order.
+// The cheapest technique of an axis of rungs: they stand in this order; empty for other axes.
 std::string_view cheapest_on(std::string_view axis) {
     for (const Technique* technique : frame::techniques())
-        if (technique->axis == axis) return technique->name;
+        if (technique->axis == axis && technique->kind == Kind::rung) return technique->name;
     return {};
 }
 
@@ -130,9 +130,10 @@ private:
             return options;
         }
         const std::string_view cheapest = cheapest_on(d.effect);
-        std::string* technique = frame::asked(options, d.effect);
-        if (!d.on() || technique == nullptr || d.technique == cheapest) return std::nullopt;
-        *technique = row.cheapest = cheapest;
+        if (!d.on() || cheapest.empty() || d.technique == cheapest ||
+            !frame::ask(options, d.effect, cheapest))
+            return std::nullopt;
+        row.cheapest = cheapest;
         return options;
     }
 

@@ -21,9 +21,10 @@ struct Block {
 };
 
 // A row of the block: y pixels down. sample_x, sample_y: in pixels, from a pixel's corner.
-template <bool kFlat>
-HWY_INLINE void draw_row(const BlockWalk& walk, const Block& b, int y, float sample_x,
-                         float sample_y, float* depth, std::uint32_t* id, I32x8& drawn) {
+template <bool kFlat, bool kUsual>
+HWY_INLINE void draw_row(const VisibleRule& rule, const BlockWalk& walk, const Block& b, int y,
+                         float sample_x, float sample_y, float* depth, std::uint32_t* id,
+                         I32x8& drawn) {
     for (int x = 0; x < BlockWalk::kSide; x += kLanesX8) {
         const I32x8 column = iota<I32x8>(x);
         const auto edge = [&](int k) {
@@ -43,11 +44,14 @@ HWY_INLINE void draw_row(const BlockWalk& walk, const Block& b, int y, float sam
             };
             z = to_f32((term(0) + term(1)) + term(2));
         }
-        show(inside, z, b.id, depth + x, id + x, drawn);
+        if constexpr (kUsual)
+            show(inside, z, b.id, depth + x, id + x, drawn);
+        else
+            show_by(rule, inside, z, b.id, depth + x, id + x, drawn);
     }
 }
 
-template <bool kFlat>
+template <bool kFlat, bool kUsual>
 HWY_INLINE void draw_block(const TilePlanes& tile, const BlockWalk& walk, int bx, int by,
                            I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
@@ -96,23 +100,31 @@ HWY_INLINE void draw_block(const TilePlanes& tile, const BlockWalk& walk, int bx
         const int row0 = walk.row0 - by * kSide, row1 = walk.row1 - by * kSide;
         for (int row = row0 > 0 ? row0 : 0; row < (row1 < kSide ? row1 : kSide); ++row) {
             const std::size_t pixel = s * plane + first + static_cast<std::size_t>(row * kTileSize);
-            draw_row<kFlat>(walk, b, row, sample_x, sample_y, tile.depth + pixel, tile.id + pixel,
-                            drawn);
+            draw_row<kFlat, kUsual>(tile.rule, walk, b, row, sample_x, sample_y, tile.depth + pixel,
+                                    tile.id + pixel, drawn);
         }
     }
 }
 
-bool draw_walk(const TilePlanes& tile, const BlockWalk& walk) {
+template <bool kUsual>
+HWY_INLINE bool draw_blocks(const TilePlanes& tile, const BlockWalk& walk) {
     I32x8 drawn = 0;
     for (int by = walk.y0; by < walk.y1; ++by) {
         for (int bx = walk.x0; bx < walk.x1; ++bx) {
             if (walk.depth.flat)
-                draw_block<true>(tile, walk, bx, by, drawn);
+                draw_block<true, kUsual>(tile, walk, bx, by, drawn);
             else
-                draw_block<false>(tile, walk, bx, by, drawn);
+                draw_block<false, kUsual>(tile, walk, bx, by, drawn);
         }
     }
     return any(!(drawn == I32x8(0)));
+}
+
+bool draw_walk(const TilePlanes& tile, const BlockWalk& walk) {
+    return draw_blocks<true>(tile, walk);
+}
+bool draw_walk_by_rule(const TilePlanes& tile, const BlockWalk& walk) {
+    return draw_blocks<false>(tile, walk);
 }
 
 SIMD_END
@@ -121,6 +133,7 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_walk);
+SIMD_REGISTER(draw_walk_by_rule);
 
 DepthPlane depth_plane(const Triangle& t, const Edges& e) {
     DepthPlane plane{};
@@ -182,8 +195,11 @@ bool draw_triangles(const TilePlanes& tile, std::span<const Triangle> triangles)
     const SampleExtent extent = extent_of(tile.pattern);
     bool drawn = false;
     BlockWalk walk;
+    const bool usual = tile.rule.usual();
     for (const Triangle& t : triangles)
-        if (plan_walk(tile, extent, t, walk)) drawn |= SIMD_CALL(draw_walk)(tile, walk);
+        if (plan_walk(tile, extent, t, walk))
+            drawn |=
+                usual ? SIMD_CALL(draw_walk)(tile, walk) : SIMD_CALL(draw_walk_by_rule)(tile, walk);
     return drawn;
 }
 

@@ -7,6 +7,7 @@
 #include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
+#include "raster/visible_rule.h"
 
 #include <cstdint>
 #include <span>
@@ -21,6 +22,7 @@ struct TilePlanes {
     std::span<const SampleOffset> pattern;
     float* depth;
     std::uint32_t* id;
+    VisibleRule rule{};
 };
 
 // Did any of them show? Pixels of the planes beyond the area may be drawn, too.

@@ -45,7 +45,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     across_ = (width_ + tile_size_ - 1) / tile_size_;
     down_ = (height_ + tile_size_ - 1) / tile_size_;
     cull_ = {width_, height_, options.keep, options.mirrored,
-             extent_of(sample_pattern(options.samples))};
+             options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples))};
     mesh_ = &mesh;
     transform_ = transform;
     layers_.assign(options.layers.begin(), options.layers.end());
@@ -185,6 +185,17 @@ void Geometry::add_point(Batch& batch, std::uint32_t point) const {
 image::Rect Geometry::tile_area(int tile) const {
     const int x = tile % across_ * tile_size_, y = tile / across_ * tile_size_;
     return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
+}
+
+void Geometry::draw(int tile, AreaTile& out) const {
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
+        for (const std::uint32_t id : bin.triangles)
+            if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+        for (const std::uint32_t i : bin.pieces)
+            out.add(batch.pieces[i]);
+    }
+    out.finish();
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) const {

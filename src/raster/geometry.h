@@ -5,6 +5,7 @@
 
 #include "base/jobs.h"
 #include "geom/mesh.h"
+#include "raster/area.h"
 #include "raster/cull.h"
 #include "raster/layer.h"
 #include "raster/piece.h"
@@ -24,6 +25,7 @@ struct GeometryOptions {
     Facing keep = Facing::any;
     bool mirrored = false;     // front faces wind clockwise in view space
     int samples = 1;           // of the tiles that will be drawn
+    bool areas = false;        // or whole boxes count, not samples
     int tile_size = kTileSize; // 8, 16, 32 or 64 pixels a side; pictures do not depend on it
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const Layer> layers = {};
@@ -47,6 +49,8 @@ public:
     void layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const;
     // Draws one triangle; returns the pixels that it may have changed, none if it does not show.
     image::Rect draw_one(std::uint32_t triangle, VisibilityTile& out) const;
+    // The triangles among that.
+    void draw(int tile, AreaTile& out) const;
 
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.

@@ -14,7 +14,9 @@
 
 SIMD_BEGIN(scanout::raster)
 
-bool draw_block(const PieceBlock& b, float* depth, std::uint32_t* id) {
+template <bool kUsual>
+HWY_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
+                     std::uint32_t* id) {
     constexpr int kSide = BlockWalk::kSide;
     alignas(32) constexpr std::int32_t kBit[kSide] = {1, 2, 4, 8, 16, 32, 64, 128};
     I32x8 drawn = 0;
@@ -32,10 +34,21 @@ bool draw_block(const PieceBlock& b, float* depth, std::uint32_t* id) {
                 z = to_f32(minimum(maximum(at, F64x8(b.least)), F64x8(b.most)));
             }
             const std::ptrdiff_t pixel = std::ptrdiff_t{y} * kTileSize + x;
-            show(inside, z, b.id, depth + pixel, id + pixel, drawn);
+            if constexpr (kUsual)
+                show(inside, z, b.id, depth + pixel, id + pixel, drawn);
+            else
+                show_by(rule, inside, z, b.id, depth + pixel, id + pixel, drawn);
         }
     }
     return any(!(drawn == I32x8(0)));
+}
+
+bool draw_block(const PieceBlock& b, float* depth, std::uint32_t* id) {
+    return draw<true>({}, b, depth, id);
+}
+bool draw_block_by_rule(const VisibleRule& rule, const PieceBlock& b, float* depth,
+                        std::uint32_t* id) {
+    return draw<false>(rule, b, depth, id);
 }
 
 SIMD_END
@@ -44,6 +57,7 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_block);
+SIMD_REGISTER(draw_block_by_rule);
 
 namespace {
 
@@ -144,7 +158,11 @@ private:
             if (!plane) find_depths(e, b.inside, depths);
             const std::size_t first = s * std::size_t{kTileSize} * kTileSize +
                                       static_cast<std::size_t>(by * kSide * kTileSize + bx * kSide);
-            drawn |= SIMD_CALL(draw_block)(b, tile_.depth + first, tile_.id + first);
+            float* const depth_out = tile_.depth + first;
+            std::uint32_t* const id_out = tile_.id + first;
+            drawn |= tile_.rule.usual()
+                         ? SIMD_CALL(draw_block)(b, depth_out, id_out)
+                         : SIMD_CALL(draw_block_by_rule)(tile_.rule, b, depth_out, id_out);
         }
         return drawn;
     }

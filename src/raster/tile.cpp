@@ -10,7 +10,8 @@
 
 namespace scanout::raster {
 
-void VisibilityTile::reset(const image::Rect& area, int samples) {
+void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRule& rule) {
+    rule_ = rule;
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
@@ -29,14 +30,15 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
 
 bool VisibilityTile::draw(std::span<const Triangle> triangles) {
     check_lanes(triangles);
-    const bool shows = draw_triangles({area_, pattern_, depth_.data(), id_.data()}, triangles);
+    const bool shows =
+        draw_triangles({area_, pattern_, depth_.data(), id_.data(), rule_}, triangles);
     touched_ |= shows;
     return shows;
 }
 
 bool VisibilityTile::draw(const Piece& piece) {
     check_lanes(piece);
-    const bool shows = draw_piece({area_, pattern_, depth_.data(), id_.data()}, piece);
+    const bool shows = draw_piece({area_, pattern_, depth_.data(), id_.data(), rule_}, piece);
     touched_ |= shows;
     return shows;
 }
@@ -67,10 +69,11 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
     return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// In front of what lies at this depth by no more than 2 r (HARD-CASES 17).
-float forward(double depth) {
+// In front of what lies at this depth by no more than 2 r (HARD-CASES 17), as it is kept.
+float forward(double depth, const VisibleRule& rule) {
     const auto z = static_cast<float>(depth);
-    return static_cast<float>(double{z} + depth_bias({.constant = 2}, z, 0));
+    const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step());
+    return rule.kept(static_cast<float>(double{z} + bias));
 }
 
 // How far behind a triangle that it does not belong to a line may be and still be seen: both were
@@ -94,7 +97,7 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
         const std::size_t at = offset(f.x, f.y, s);
         const std::uint32_t triangle = ground_id_.empty() ? kNoPrimitive : ground_id_[at];
         if (triangle == kNoPrimitive) {
-            put(at, forward(f.depth), f.id);
+            put(at, forward(f.depth, rule_), f.id);
             continue;
         }
         if (triangle != under.triangle) {
@@ -117,7 +120,7 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
                 (under.contact == Ground::Contact::none || ground.covers(triangle, f.at_x, f.at_y)))
                 continue;
         }
-        put(at, forward(double{there} + std::max(height, 0.0)), f.id);
+        put(at, forward(double{there} + std::max(height, 0.0), rule_), f.id);
     }
 }
 

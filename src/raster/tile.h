@@ -1,5 +1,6 @@
 // A tile's visibility buffer: at every sample the greatest depth and the primitive it belongs to,
-// at a tie the lower id. The choice is commutative, so primitives may be drawn in any order.
+// at a tie the lower id, or what another rule shows. The choice is commutative, so primitives may
+// be drawn in any order.
 #pragma once
 
 #include "raster/coverage.h"
@@ -16,7 +17,7 @@ namespace scanout::raster {
 class VisibilityTile {
 public:
     // Makes the tile empty: `area` is at most kTileSize on a side.
-    void reset(const image::Rect& area, int samples);
+    void reset(const image::Rect& area, int samples, const VisibleRule& rule = {});
 
     // Triangles: does any of them show? Pixels beyond area() count, too.
     bool draw(std::span<const Triangle> triangles);
@@ -29,7 +30,7 @@ public:
     void draw(const Segment& segment, const Ground& ground = {});
     void draw(const Point& point, const Ground& ground = {});
 
-    // Shows the primitive at one sample if it is the nearest there.
+    // Shows the primitive at one sample if it is the nearest there. depth: as it is kept.
     void draw(int x, int y, int sample, float depth, std::uint32_t id) {
         put(offset(x, y, sample), depth, id);
     }
@@ -62,7 +63,7 @@ private:
     image::Rect inside(const image::Rect& bounds) const;
     // Shows the primitive at one sample if it is the nearest there.
     void put(std::size_t sample, float depth, std::uint32_t id) {
-        if (depth > depth_[sample] || (depth == depth_[sample] && id < id_[sample])) {
+        if (rule_.shows(depth, id, depth_[sample], id_[sample])) {
             depth_[sample] = depth;
             id_[sample] = id;
             touched_ = true;
@@ -85,6 +86,7 @@ private:
     image::Rect area_;
     int samples_ = 1;
     std::span<const SampleOffset> pattern_;
+    VisibleRule rule_;
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;

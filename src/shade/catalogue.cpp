@@ -24,10 +24,18 @@ SCANOUT_REFLECTION(SCANOUT_DECLARE)
 namespace shading {
 SCANOUT_SHADING(SCANOUT_DECLARE)
 }
+namespace tone {
+SCANOUT_TONE(SCANOUT_DECLARE)
+}
 #undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Filter name;
 namespace texture {
 SCANOUT_TEXTURE(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Blend name;
+namespace blend {
+SCANOUT_BLEND(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Transparency name;
@@ -58,6 +66,9 @@ std::span<const Stage* const> stages() {
 #define SCANOUT_ROW(name) &shading::name,
                         SCANOUT_SHADING(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &tone::name,
+                            SCANOUT_TONE(SCANOUT_ROW)
+#undef SCANOUT_ROW
     });
     return kStages;
 }
@@ -67,6 +78,19 @@ std::span<const Filter* const> filters() {
     static constexpr auto kFilters = std::to_array<const Filter*>({SCANOUT_TEXTURE(SCANOUT_ROW)});
 #undef SCANOUT_ROW
     return kFilters;
+}
+
+std::span<const Blend* const> blends() {
+#define SCANOUT_ROW(name) &blend::name,
+    static constexpr auto kAll = std::to_array<const Blend*>({SCANOUT_BLEND(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kAll;
+}
+
+const Blend* find_blend(std::string_view name) {
+    for (const Blend* blend : blends())
+        if (blend->card.name == name) return blend;
+    return nullptr;
 }
 
 std::span<const Transparency* const> transparencies() {

@@ -45,7 +45,8 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check(b.albedo[c], count, "albedo", name);
         if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
-        if (stage.card.axis == "shading") check(b.colour[c], count, "colour", name);
+        if (stage.card.axis == "shading" || stage.card.axis == "tone")
+            check(b.colour[c], count, "colour", name);
     }
     if (b.lit && stage.card.axis == "light") check_light(b, frame, stage.card.name, name);
     if (!any_map(b)) return;

@@ -5,15 +5,18 @@
 
 #include "geom/mesh.h"
 #include "image/image.h"
+#include "raster/area.h"
 #include "raster/geometry.h"
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/linear_picture.h"
 #include "shade/mip_chain.h"
+#include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
+#include "shade/wide_filter.h"
 
 #include <cstdint>
 #include <memory>
@@ -27,6 +30,7 @@ namespace scanout::shade {
 struct LayerInput {
     const Transparency* cut_out = nullptr; // null where no triangle wants it
     const Transparency* blended = nullptr;
+    const Blend* blend = nullptr;
     bool opaque_blended = false;          // all that is blended has alpha 1
     std::span<const MaterialAlpha> alpha; // of the default material, then of each of the scene
     std::span<const Stage* const> stages; // find alpha
@@ -52,6 +56,7 @@ struct GatherInput {
     bool mirrored = false;
     Rays rays;
     image::Rgba8 background{};
+    Output output;
     LinearPicture* linear = nullptr;    // also kept there
     const LayerInput* layers = nullptr; // null where all is opaque
 
@@ -66,6 +71,14 @@ BoundMap bound_map(const GatherInput& input, Map map, const scene::Material& mat
 Run run_at(const GatherInput& input, const Primitive& primitive, int lane, int x, int y,
            raster::SampleOffset sample);
 
+// Where mixtures go, in the blend space, when a filter has yet to make pixels of them.
+struct MixtureSink {
+    LinearPicture* own = nullptr; // null: pixels are made at once
+    // Of pixels that fragments share, what goes to their neighbours; else all adds up in own.
+    const WideFilter* filter = nullptr;
+    WidePicture* wide = nullptr;
+};
+
 // One a worker: the block and the lists live from tile to tile.
 class Gatherer {
 public:
@@ -75,6 +88,11 @@ public:
     // blended fragments: of their part of the tile. Returns how many lanes were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,
                         image::Image& picture, const BlendedPixels* blended = nullptr);
+
+    // The same by areas, where all is opaque.
+    std::uint64_t shade(raster::AreaTile& tile, const GatherInput& input, image::Image& picture);
+    // From now on.
+    void send_mixtures(const MixtureSink& sink) { sink_ = sink; }
 
     // Primitives of the tile, made when first seen.
     class Primitives;
@@ -86,15 +104,24 @@ private:
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
-    void add_run(const raster::VisibilityTile& tile, const GatherInput& input,
-                 const Fragment& fragment, int skip, int count);
+    void collect(raster::AreaTile& tile, const GatherInput& input);
+    void sort_fragments();
+    std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture, bool blended);
+    void add_run(const GatherInput& input, const Fragment& fragment, int skip, int count);
     void join_runs();
-    void finish_block(const raster::VisibilityTile& tile, const GatherInput& input,
-                      image::Image& picture);
-    void keep_linear(const raster::VisibilityTile& tile, LinearPicture& linear) const;
-    void resolve_shared(const raster::VisibilityTile& tile, const GatherInput& input,
-                        image::Image& picture);
+    void finish_block(const GatherInput& input, image::Image& picture);
+    void put_pixels(const std::uint32_t* code, image::Image& picture);
+    void put_mixtures();
+    void keep_linear(LinearPicture& linear) const;
+    std::uint16_t pixel_number(int x, int y) const;
+    float offset_at(int pixel) const;
+    const float* lane_offsets(const GatherInput& input);
+    void resolve_shared(const GatherInput& input, image::Image& picture);
+    void keep_parts();
 
+    image::Rect area_; // of the tile
+    int samples_ = 1;  // of a pixel of it
+    MixtureSink sink_;
     std::vector<Fragment> fragments_;
     struct Seen; // a fragment of one pixel
     std::vector<Seen> seen_;
@@ -103,10 +130,12 @@ private:
     std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
     struct Piece;                          // lanes of a block that one fragment fills
     std::vector<Piece> pieces_;
-    PixelSums sums_; // of the pixels in shared_
+    PixelSums sums_;               // of the pixels in shared_
+    std::vector<WideParts> parts_; // of the same
     std::vector<std::uint16_t> shared_;
     std::vector<float> through_; // the background's share of each
     std::vector<std::uint32_t> codes_;
+    std::vector<float> offsets_; // dither of lanes or of shared pixels; empty without
 };
 
 } // namespace scanout::shade

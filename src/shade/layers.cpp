@@ -191,6 +191,7 @@ void Layers::weigh(const Task& task, int pixel) {
         static_cast<std::uint32_t>(pixels_.through.size());
     const float share = 1.0F / static_cast<float>(pixels_.samples);
     const auto sort_sample = task.in.layers->blended->sort_sample;
+    const auto meet = task.in.layers->blend->meet;
     auto& fragments = pixels_.list.fragments;
     for (int s = 0; s < pixels_.samples; ++s) {
         at_sample_.clear();
@@ -200,12 +201,12 @@ void Layers::weigh(const Task& task, int pixel) {
         float through = 1;
         for (const std::uint32_t f : at_sample_) {
             BlendFragment& fragment = fragments[f];
-            const float weight = through * fragment.alpha;
-            if (weight > 0) {
-                fragment.weight += weight * share;
+            const Blend::Shares shares = meet(fragment.alpha, through);
+            if (shares.weight != 0) {
+                fragment.weight += shares.weight * share;
                 if (fragment.first == kUnseen) fragment.first = static_cast<std::uint8_t>(s);
             }
-            through = through * (1 - fragment.alpha);
+            through = shares.through;
             if (through <= 0) break;
         }
         pixels_.through.push_back(through);

@@ -13,14 +13,15 @@ namespace scanout::shade {
 // not in it.
 struct LinearPicture {
     int width = 0, height = 0;
+    int x0 = 0, y0 = 0; // its first pixel, where it is a part of a frame
     std::vector<std::array<float, 4>> pixel;
 
     LinearPicture() = default;
     LinearPicture(int w, int h)
         : width(w), height(h), pixel(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
     std::array<float, 4>& at(int x, int y) {
-        return pixel[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x)];
+        return pixel[static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) +
+                     static_cast<std::size_t>(x - x0)];
     }
     friend bool operator==(const LinearPicture&, const LinearPicture&) = default;
 };

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "math/rotation.h"
 #include "raster/clip.h"
+#include "shade/interpolation_step.h"
 
 #include <algorithm>
 #include <array>
@@ -152,6 +153,7 @@ const Primitive& Gatherer::Primitives::get(const GatherInput& in, std::uint32_t 
         p.clipped ? set_clipped(p, v, in) : set_exact(p, v, corner, in.transform->perspective);
     const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
     set_attributes(p, in, v, {behind, behind != winds.reordered});
+    p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
     return p;
 }
 

@@ -1,41 +1,27 @@
 #include "shade/resolve.h"
 
-#include "math/srgb.h"
+#include "image/dither.h"
 #include "shade/stage.h"
 
-#include <algorithm>
+#include <cstring>
 
 #define SIMD_FILE "shade/resolve.cpp"
 #include "simd/for_each_target.h"
 
-#include "math/srgb-inl.h"
-
 SIMD_BEGIN(scanout::shade)
 
-HWY_INLINE I32 packed(I32 red, I32 green, I32 blue, I32 alpha) { // image::Rgba8 in memory
-    return (red | shift_left<8>(green)) | (shift_left<16>(blue) | shift_left<24>(alpha));
-}
-
-void encode(const float* red, const float* green, const float* blue, int count,
-            std::uint32_t* out) {
-    for (int i = 0; i < count; i += kLanes)
-        store(packed(srgb_encode(load<F32>(red + i)), srgb_encode(load<F32>(green + i)),
-                     srgb_encode(load<F32>(blue + i)), I32(255)),
-              out + i);
-}
-
-void resolve(const float* const* sum, const float* through, const float* back, float back_alpha,
-             int count, std::uint32_t* out) {
+// Sums become means.
+void mean(float* const* sum, const float* through, const float* back, float back_alpha, int count,
+          std::int32_t* alpha_code) {
     for (int i = 0; i < count; i += kLanes) {
         const F32 share = load<F32>(through + i);
         const F32 back_share = share * F32(back_alpha) / F32(255.0F);
         // Exact where shares are those of samples; and 255 where the background is opaque.
         const F32 alpha = F32(255.0F) - share * F32(255.0F - back_alpha);
         const F32 whole = F32(255.0F) / select(alpha > F32(0.0F), alpha, F32(1.0F));
-        const auto code = [&](int c) {
-            return srgb_encode((load<F32>(sum[c] + i) + F32(back[c]) * back_share) * whole);
-        };
-        store(packed(code(0), code(1), code(2), to_i32(alpha)), out + i); // rounded down
+        for (int c = 0; c < 3; ++c)
+            store((load<F32>(sum[c] + i) + F32(back[c]) * back_share) * whole, sum[c] + i);
+        store(to_i32(alpha), alpha_code + i); // rounded down
     }
 }
 
@@ -44,26 +30,67 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade {
 
-SIMD_REGISTER(encode);
-SIMD_REGISTER(resolve);
-
-void encode_pixels(const float* red, const float* green, const float* blue, int count,
-                   std::uint32_t* out) {
-    SIMD_CALL(encode)(red, green, blue, count, out);
-}
+SIMD_REGISTER(mean);
 
 void PixelSums::reset(std::size_t count) {
     for (auto* channel : {&red, &green, &blue, &through})
         channel->assign(count + (kRoom - kLanes), 0.0F);
+    alpha.resize(count + (kRoom - kLanes));
 }
 
-void resolve_pixels(const PixelSums& sums, const image::Rgba8& background, int count,
-                    std::uint32_t* out) {
-    const float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
-    const float back[3] = {srgb_decode(background.r), srgb_decode(background.g),
-                           srgb_decode(background.b)};
-    SIMD_CALL(resolve)
-    (sum, sums.through.data(), back, static_cast<float>(background.a), count, out);
+void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& background,
+                    const float* offsets, int count, std::uint32_t* out) {
+    const Encoding& encoding = output.of_mixture();
+    float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
+    const float back[3] = {encoding.decode(background.r), encoding.decode(background.g),
+                           encoding.decode(background.b)};
+    SIMD_CALL(mean)
+    (sum, sums.through.data(), back, static_cast<float>(background.a), count, sums.alpha.data());
+    encoding.encode({sum[0], sum[1], sum[2], sums.alpha.data(), offsets}, count, out);
+}
+
+void resolve_area(PixelSums& sums, const Output& output, const image::Rgba8& background,
+                  const image::Rect& area, image::Image& picture) {
+    const auto width = static_cast<std::size_t>(area.width());
+    const std::size_t count = width * static_cast<std::size_t>(area.height());
+    std::vector<std::uint32_t> codes(count + (kRoom - kLanes));
+    std::vector<float> offsets;
+    if (output.dither) {
+        offsets.resize(codes.size());
+        std::size_t i = 0;
+        for (int y = area.y0; y < area.y1; ++y)
+            for (int x = area.x0; x < area.x1; ++x)
+                offsets[i++] =
+                    image::dither_offset(static_cast<unsigned>(x), static_cast<unsigned>(y));
+    }
+    resolve_pixels(sums, output, background, output.dither ? offsets.data() : nullptr,
+                   static_cast<int>(count), codes.data());
+    for (int y = area.y0; y < area.y1; ++y)
+        std::memcpy(static_cast<void*>(&picture.at(area.x0, y)),
+                    codes.data() + static_cast<std::size_t>(y - area.y0) * width,
+                    width * sizeof(std::uint32_t));
+}
+
+bool mean_of_boxes(LinearPicture& from, int scale, const image::Rect& area, PixelSums& sums) {
+    const float share = 1.0F / static_cast<float>(scale * scale);
+    std::size_t i = 0;
+    bool any = false;
+    for (int y = area.y0; y < area.y1; ++y)
+        for (int x = area.x0; x < area.x1; ++x, ++i) {
+            std::array<float, 4> sum{};
+            for (int dy = 0; dy < scale; ++dy)
+                for (int dx = 0; dx < scale; ++dx) {
+                    const std::array<float, 4>& pixel = from.at(x * scale + dx, y * scale + dy);
+                    for (std::size_t c = 0; c < 4; ++c)
+                        sum[c] += pixel[c];
+                }
+            sums.red[i] = sum[0] * share;
+            sums.green[i] = sum[1] * share;
+            sums.blue[i] = sum[2] * share;
+            sums.through[i] = 1 - sum[3] * share; // exact where all is opaque
+            any = any || sum[3] > 0;
+        }
+    return any;
 }
 
 } // namespace scanout::shade

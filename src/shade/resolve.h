@@ -1,29 +1,37 @@
-// Linear light -> the picture's pixels. In linear light throughout, encoded once.
+// The mean of a pixel's samples, where several fragments share it or the background shows through.
 #pragma once
 
 #include "image/image.h"
+#include "shade/linear_picture.h"
+#include "shade/output.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace scanout::shade {
 
-// Pixels that hold one fragment only: their colours encoded, alpha full. Arrays may be read and
-// written up to a register beyond count (stage.h, kRoom).
-void encode_pixels(const float* red, const float* green, const float* blue, int count,
-                   std::uint32_t* out);
-
-// Pixels that several fragments share, or that the background shows through: sums over their
-// samples, in linear light.
+// Sums over the samples of pixels, in the blend space.
 struct PixelSums {
     std::vector<float> red, green, blue;
-    std::vector<float> through; // the background's share of the pixel
+    std::vector<float> through;      // the background's share of the pixel
+    std::vector<std::int32_t> alpha; // codes; of the means
     // Room for count pixels, all zero, and a register more.
     void reset(std::size_t count);
 };
+
 // A pixel's colour counts by its alpha, as PNG and PAM want it: where the background lets through,
-// the primitive's colour is undiluted by it.
-void resolve_pixels(const PixelSums& sums, const image::Rgba8& background, int count,
-                    std::uint32_t* out);
+// the primitive's colour is undiluted by it. offsets:
+// of the pixels, for dither (output.h), or null. out holds a register more than count, too. The
+// sums are used up.
+void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& background,
+                    const float* offsets, int count, std::uint32_t* out);
+
+// The same for all pixels of an area, row by row, into the picture.
+void resolve_area(PixelSums& sums, const Output& output, const image::Rgba8& background,
+                  const image::Rect& area, image::Image& picture);
+
+// Every pixel of the area from scale x scale pixels of the larger picture, each counting alike.
+// Returns whether any of them shows a primitive.
+bool mean_of_boxes(LinearPicture& from, int scale, const image::Rect& area, PixelSums& sums);
 
 } // namespace scanout::shade

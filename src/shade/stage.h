@@ -58,6 +58,7 @@ struct Primitive {
     bool clipped;
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
+    std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
     // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
     // object space, or unit in view space where the frame says corner_normals.
     float normal[3][3], uv[2][3], colour[3][3];
@@ -159,6 +160,7 @@ inline bool any_map(const Block& block) {
 }
 
 struct Filter;
+struct StepLimits;
 
 // Which side of a face its normals light.
 enum class Sides : std::uint8_t {
@@ -182,6 +184,8 @@ struct FrameState {
     Sides sides = Sides::eye;
     bool corner_normals = false;                 // vertices' normals are unit, in view space
     std::span<const Stage* const> corner_lights; // the light stages that run over vertices
+    const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
+    float exposure = 1;                          // what light is multiplied by before it is shown
 };
 
 struct Stage {

@@ -51,7 +51,20 @@ struct Transparency {
     bool cuts;
 };
 
+// How a fragment meets what lies behind it.
+struct Blend {
+    Technique card;
+    struct Shares {
+        float weight;  // of the fragment's colour in the pixel's
+        float through; // what it leaves of that which lies behind
+    };
+    // through: what the fragments before it left.
+    Shares (*meet)(float alpha, float through);
+};
+
 // In the order of techniques.h.
+std::span<const Blend* const> blends();
+const Blend* find_blend(std::string_view name); // null where there is none
 std::span<const Transparency* const> transparencies();
 const Transparency* find_transparency(std::string_view name); // null where there is none
 

@@ -68,11 +68,20 @@ struct Sheets {
         Colour c{DVec3(decoded(b.r), decoded(b.g), decoded(b.b)) * back, back};
         for (std::size_t k = 0; k < hits.size(); ++k) {
             close |= k > 0 && hits[k].depth - hits[k - 1].depth < 4e-6;
-            const double a = alpha[hits[k].sheet];
-            c.linear = colour[hits[k].sheet] * a + c.linear * (1 - a);
-            c.alpha = a + c.alpha * (1 - a);
+            mix(c, colour[hits[k].sheet], alpha[hits[k].sheet]);
         }
         return c;
+    }
+    // One more layer in front. Only what is opaque, or over, covers what lies behind.
+    void mix(Colour& c, const DVec3& layer, double a) const {
+        const std::string& mode = shot.options.blend;
+        if (mode == "none") a = 1;
+        if (a == 1 || mode == "auto" || mode == "over") {
+            c.linear = layer * a + c.linear * (1 - a);
+            c.alpha = a + c.alpha * (1 - a);
+        } else {
+            c.linear += layer * (mode == "add" ? a : -a);
+        }
     }
 };
 
@@ -96,13 +105,20 @@ Sheets random_sheets(Random& random, int samples, int count) {
     return sheets;
 }
 
-TEST(Blending, OfEveryPixelIsWithinHalfACodeOfTheOracle) {
+class BlendingModes : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(All, BlendingModes, testing::Values("none", "over", "add", "subtract"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+TEST_P(BlendingModes, AreWithinHalfACodeOfTheOracleInEveryPixel) {
     Random random(7);
     double worst = 0, worst_alpha = 0;
     int pixels = 0, left_out = 0;
     for (int round = 0; round < 24; ++round) {
         const int samples = 1 << round % 5;
-        const Sheets sheets = random_sheets(random, samples, 20);
+        Sheets sheets = random_sheets(random, samples, 20);
+        sheets.shot.options.blend = GetParam();
+        const bool sums = GetParam() == std::string("add") || GetParam() == std::string("subtract");
+        if (sums) sheets.shot.options.background.a = 255; // what is added has no alpha
         const image::Image picture = sheets.picture();
         for (int y = 0; y < kSide; ++y) {
             for (int x = 0; x < kSide; ++x) {
@@ -123,8 +139,9 @@ TEST(Blending, OfEveryPixelIsWithinHalfACodeOfTheOracle) {
                 if (mean.alpha < 0.01) continue;
                 const int got[3] = {p.r, p.g, p.b};
                 for (int k = 0; k < 3; ++k)
-                    worst =
-                        std::max(worst, std::abs(got[k] - encoded(mean.linear[k] / mean.alpha)));
+                    worst = std::max(
+                        worst,
+                        std::abs(got[k] - encoded(std::max(mean.linear[k] / mean.alpha, 0.0))));
             }
         }
     }

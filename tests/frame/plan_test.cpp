@@ -1,3 +1,4 @@
+#include "frame/brightness.h"
 #include "frame/plan.h"
 #include "support/scenes.h"
 
@@ -47,7 +48,8 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
                                                     "light ambient", "shading per_pixel"));
     EXPECT_THAT(techniques(plan_of(facts)),
                 ElementsAre("interpolate perspective", "texture bilinear", "map diffuse",
-                            "light ambient", "reflection lambert", "shading per_pixel"));
+                            "light ambient", "reflection lambert", "shading per_pixel", "aa none",
+                            "encode srgb"));
     EXPECT_TRUE(plan_of(facts).attributes.uv);
     facts.specular_triangles = 1;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
@@ -105,16 +107,18 @@ TEST(Plan, ChoosesAModelForEachKindOfSurface) {
     EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "blinn_phong and ggx");
     EXPECT_THAT(techniques(plan_of(facts)),
                 ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
-                            "reflection blinn_phong", "reflection ggx", "shading per_pixel"));
+                            "reflection blinn_phong", "reflection ggx", "shading per_pixel",
+                            "aa none", "encode srgb"));
     FrameOptions off;
     off.effects["highlight"] = false;
     EXPECT_THAT(techniques(plan_of(facts, off)),
                 ElementsAre("interpolate perspective", "light ambient", "reflection lambert",
-                            "shading per_pixel"));
+                            "shading per_pixel", "aa none", "encode srgb"));
     EXPECT_FALSE(plan_of(facts, off).attributes.ray);
     facts.specular_triangles = facts.physical_triangles = 10;
-    EXPECT_THAT(techniques(plan_of(facts)), ElementsAre("interpolate perspective", "light ambient",
-                                                        "reflection ggx", "shading per_pixel"));
+    EXPECT_THAT(techniques(plan_of(facts)),
+                ElementsAre("interpolate perspective", "light ambient", "reflection ggx",
+                            "shading per_pixel", "aa none", "encode srgb"));
     EXPECT_EQ(plan_of(facts).decision("highlight")->technique, "ggx");
     EXPECT_TRUE(plan_of(facts).attributes.ray);
     // Forced on where nothing has one, it runs nowhere.
@@ -262,6 +266,103 @@ TEST(Plan, RefusesWhatDoesNotExist) {
     EXPECT_EQ(refusal([](FrameOptions& o) { o.width = o.height = kMaxSide; }), "accepted");
 }
 
+scene::Light sun(const DVec3& towards, float colour) {
+    scene::Light light;
+    light.towards = towards;
+    light.colour = Vec3(colour);
+    return light;
+}
+
+TEST(Plan, ClampsUnlessSurfacesGetBrighterThanWhite) {
+    SceneFacts facts;
+    facts.triangles = facts.specular_triangles = 5;
+    facts.brightest = 1;
+    const FramePlan usual = plan_of(facts);
+    EXPECT_EQ(usual.decision("tone")->technique, "clamp");
+    EXPECT_THAT(usual.decision("tone")->because, HasSubstr("at most 0.96"));
+    EXPECT_EQ(usual.exposure, 1);
+    FrameOptions options;
+    options.exposure = 1; // 0.96 becomes 1.93
+    const FramePlan bright = plan_of(facts, options);
+    EXPECT_EQ(bright.decision("tone")->technique, "filmic");
+    EXPECT_THAT(bright.decision("tone")->because, HasSubstr("1.93"));
+    EXPECT_EQ(bright.exposure, 2);
+    EXPECT_EQ(stages(bright).back(), "tone filmic");
+    options.tone = "clamp";
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    options = {};
+    options.exposure = -2;
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    EXPECT_EQ(plan_of(facts, options).decision("tone")->technique, "clamp");
+    options = {};
+    options.lights.push_back(sun({0, 0, 1}, 0.5F));
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone filmic");
+    options.exposure = 21;
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--exposure 21"));
+}
+
+TEST(Plan, TheMostLightIsThatOfTheWorstDirection) {
+    EXPECT_EQ(greatest_light({}), 0);
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    ambient.power = 0.25;
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.power = 2;
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{ambient, lamp}), 2.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 0.75F), sun({0, 9, 0}, 1)}), 1.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 1), sun({-1, 0, 0}, 0.5F)}), 1);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector(9, sun({1, 0, 0}, 1))), 9);
+    // How the camera's lights stand to the world's is a matter of the view: the worst counts.
+    std::vector<scene::Light> mixed = {sun({1, 0, 0}, 0.75F), sun({0, 1, 0}, 1)};
+    mixed[1].frame = scene::LightFrame::camera;
+    EXPECT_DOUBLE_EQ(greatest_light(mixed), 1.75);
+    // No direction gets more, and one gets as much.
+    test::Random random(1);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<scene::Light> lights;
+        for (int i = 0; i < 4; ++i)
+            lights.push_back(sun(random.in_cube(1), static_cast<float>(random.unit())));
+        const double bound = greatest_light(lights);
+        double most = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const DVec3 d = random.in_cube(1), n = d / std::sqrt(dot3(d, d));
+            double sum = 0;
+            for (const scene::Light& l : lights)
+                sum += double{l.colour.x} * std::max(0.0, dot3(n, l.towards)) /
+                       std::sqrt(dot3(l.towards, l.towards));
+            ASSERT_LE(sum, bound + 1e-6);
+            most = std::max(most, sum);
+        }
+        EXPECT_GT(most, bound * 0.98);
+    }
+}
+
+TEST(Plan, PicksHowCodesAreMade) {
+    SceneFacts facts;
+    facts.triangles = 1;
+    const FramePlan usual = plan_of(facts);
+    EXPECT_EQ(usual.output.encoding, shade::find_encoding("srgb"));
+    EXPECT_EQ(usual.output.blend_space, shade::find_blend_space("linear"));
+    EXPECT_FALSE(usual.output.dither);
+    FrameOptions options;
+    options.encode = "square_root";
+    options.blend_space = "encoded";
+    options.dither = "bayer";
+    const FramePlan naive = plan_of(facts, options);
+    EXPECT_EQ(naive.output.encoding, shade::find_encoding("square_root"));
+    EXPECT_EQ(naive.output.blend_space, shade::find_blend_space("encoded"));
+    EXPECT_TRUE(naive.output.dither);
+    EXPECT_TRUE(naive.decision("encode")->forced);
+    options.blend_space = "gamma";
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--blend-space gamma"));
+    EXPECT_THAT(refused.error().what, HasSubstr("encoded linear"));
+}
+
 TEST(Facts, CountWhatTheDataCallsFor) {
     scene::Scene scene;
     scene.mesh = test::empty_mesh();
@@ -291,6 +392,11 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     scene.mesh.colour.resize(scene.mesh.position.size());
     EXPECT_TRUE(facts(scene).vertex_colours);
     EXPECT_EQ(facts(scene::Scene()).triangles, 0U);
+    EXPECT_EQ(all.brightest, 1); // of the materials that are used
+    scene.mesh.colour.assign(scene.mesh.position.size(), Vec3(0.25F, 0.5F, 0));
+    EXPECT_EQ(facts(scene).brightest, 0.5F);
+    scene.materials[0].diffuse = Vec3(7);
+    EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
 }
 
 } // namespace

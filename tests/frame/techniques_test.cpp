@@ -17,8 +17,17 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
+        {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
+        {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
-        {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}}};
+        {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
+        {"aa", {SCANOUT_AA(SCANOUT_NAME)}},
+        {"convolution", {SCANOUT_CONVOLUTION(SCANOUT_NAME)}},
+        {"tone", {SCANOUT_TONE(SCANOUT_NAME)}},
+        {"blend_space", {SCANOUT_BLEND_SPACE(SCANOUT_NAME)}},
+        {"encode", {SCANOUT_ENCODE(SCANOUT_NAME)}},
+        {"dither", {SCANOUT_DITHER(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     std::set<std::pair<std::string_view, std::string_view>> table;
     for (const auto& [axis, names] : axes)

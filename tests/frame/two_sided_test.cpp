@@ -21,6 +21,7 @@ TEST(TwoSided, DecidedOnceAFaceIsTheSameToTheBit) {
     int compared = 0;
     for (const int samples : {1, 4}) {
         for (Shot s : golden_shots()) {
+            if (s.options.aa != "auto") continue; // samples are what this varies
             if (frame::facts(s.scene).sides.leaning > 0 || s.scene.mesh.triangles() == 0) continue;
             s.options.width = 157;
             s.options.height = 113;

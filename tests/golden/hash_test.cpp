@@ -27,13 +27,30 @@ std::vector<Shot> hashed_shots() {
             s.options.width = 257;
             s.options.height = 131;
             s.options.samples = samples;
-            if (s.name == "samples_8") continue;
+            if (s.name == "samples_8" || s.name == "interpolate_wall") continue;
+            // A number of samples is said above; the others have their own.
+            if (s.options.aa != "auto" &&
+                (samples > 1 || s.options.aa == "none" || s.options.aa.starts_with("samples")))
+                continue;
+            if (s.options.blend_space != "auto" && samples == 1) continue; // nothing is mixed
             if (s.name == "lines_and_points" && samples > 1) continue; // whole pixels: no change
             s.name += "_x" + std::to_string(samples);
             shots.push_back(s);
         }
     }
     shots.push_back(soup("soup", 3000, 0.8, 1));
+    shots.push_back(textured_cube("adaptive_cube", "bilinear"));
+    shots.back().camera.fov_degrees = 12; // steps of some length
+    shots.back().options.interpolate = "adaptive";
+    shots.back().options.width = 257;
+    shots.back().options.height = 131;
+    shots.push_back(soup("soup_by_area", 300, 0.8, 5)); // planes cross, triangles are cut
+    shots.back().camera.eye = DVec3(0, 0, 0.5);
+    shots.back().camera.target = DVec3(0, 0, 0);
+    shots.back().options.aa = "area";
+    shots.push_back(soup("soup_under_a_tent", 500, 0.8, 6));
+    shots.back().options.aa = "tent";
+    shots.back().options.dither = "bayer";
     shots.push_back(soup("soup_around_the_eye", 500, 6, 2));
     shots.push_back(soup("soup_mirrored_and_squeezed", 500, 0.8, 3));
     shots.back().model.scale = {-1, 0.25, 3};
@@ -82,7 +99,8 @@ TEST_F(Hashes, AreThoseInTheRepository) {
     std::cout << "drawn on " << simd::chosen_target() << '\n'; // read by tests/avx3
     for (const Shot& s : hashed_shots()) {
         ASSERT_TRUE(got.emplace(s.name, hashes(s, 1, 64)).second) << s.name << " twice";
-        different.insert(got[s.name]);
+        // In an empty buffer nothing is equal: as with never, nothing is seen.
+        different.insert(s.options.depth_test == "equal" ? s.name : got[s.name]);
     }
     EXPECT_EQ(different.size(), got.size()) << "two scenes look alike";
     EXPECT_GE(got.size(), 20U);

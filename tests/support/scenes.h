@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geom/line_faces.h"
+#include "support/depth_scenes.h"
 #include "support/random.h"
 #include "support/shot.h"
 #include "support/transparent_scenes.h"
@@ -190,6 +191,86 @@ inline Shot wrapped_square(std::string name, const std::string& wrap) {
     return s;
 }
 
+// White wedges round the middle on dark blue, ever thinner towards it: all edges.
+inline Shot star(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain({0.95F, 1.0F, 0.9F})};
+    constexpr int kWedges = 23;
+    geom::Mesh& mesh = s.scene.mesh;
+    const auto rim = [&](int step) {
+        const double angle = std::numbers::pi * step / kWedges;
+        const auto tidy = [](double x) {
+            return static_cast<float>(std::nearbyint(x * 65536) / 65536);
+        };
+        return add_vertex(mesh, {tidy(std::cos(angle)), tidy(std::sin(angle)), 0});
+    };
+    const std::uint32_t middle = add_vertex(mesh, Vec3(0));
+    for (int i = 0; i < kWedges; ++i) {
+        const std::uint32_t from = rim(2 * i);
+        add_triangle(mesh, middle, from, rim(2 * i + 1), 0);
+    }
+    s.options.background = {0, 0, 40, 255};
+    return s;
+}
+
+// What becomes of light: tones, blend spaces, encodings, dither.
+inline void add_output_shots(std::vector<Shot>& shots) {
+    for (const char* tone : {"clamp", "filmic"}) {
+        shots.push_back(solids("tone_" + std::string(tone)));
+        shots.back().options.tone = tone;
+        shots.back().options.exposure = 2.5;
+    }
+    for (const char* space : {"encoded", "linear"}) {
+        shots.push_back(star("blend_space_" + std::string(space)));
+        shots.back().options.samples = 8;
+        shots.back().options.blend_space = space;
+    }
+    for (const char* encode : {"square_root", "power_2_2", "srgb"}) {
+        shots.push_back(glossy("encode_" + std::string(encode), "auto"));
+        shots.back().options.encode = encode;
+        shots.back().options.exposure = -3; // they differ most in the dark
+        shots.back().options.tone = "clamp";
+    }
+    for (const char* convolution : {"low_pass", "high_pass"}) {
+        shots.push_back(solids("convolution_" + std::string(convolution)));
+        shots.back().options.convolution = convolution;
+    }
+    for (const char* dither : {"none", "bayer"}) {
+        shots.push_back(glossy("dither_" + std::string(dither), "lambert"));
+        shots.back().options.exposure = -5;
+        shots.back().options.dither = dither;
+    }
+}
+
+// A checkered wall that goes back to the right: distances change along every row.
+inline Shot wall(std::string name) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    add_quad(s.scene.mesh, {{{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0, 1}, 0);
+    for (Vec2& uv : s.scene.mesh.uv)
+        uv = {uv.x * 2, uv.y * 2};
+    s.camera.eye = DVec3(-1.4, 0.1, 0.35);
+    s.camera.target = DVec3(0, 0, 0);
+    return s;
+}
+
+inline void add_interpolation_shots(std::vector<Shot>& shots) {
+    for (const char* name : {"affine", "affine_16", "affine_8", "adaptive"}) {
+        shots.push_back(wall("interpolate_" + std::string(name)));
+        shots.back().options.interpolate = name;
+    }
+    shots.push_back(wall("interpolate_wall")); // the same, exactly
+}
+
+inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
+    for (const char* name : {"none", "samples_2", "supersampling_2", "samples_4", "samples_8",
+                             "samples_16", "supersampling_4", "area", "tent", "gaussian"}) {
+        shots.push_back(star("aa_" + std::string(name)));
+        shots.back().options.aa = name;
+    }
+}
+
 inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
@@ -230,8 +311,13 @@ inline std::vector<Shot> golden_shots() {
     shots.push_back(edges("lines_on_faces"));
     shots.push_back(solids("samples_8"));
     shots.back().options.samples = 8;
+    for (const Shot& s : depth_shots())
+        shots.push_back(s);
     for (const Shot& s : transparent_shots())
         shots.push_back(s);
+    add_output_shots(shots);
+    add_anti_aliasing_shots(shots);
+    add_interpolation_shots(shots);
     return shots;
 }
 

@@ -66,6 +66,11 @@ inline std::vector<Shot> transparent_shots() {
     std::vector<Shot> shots;
     for (const char* name : {"cut_out", "sorted", "exact"})
         shots.push_back(panes(std::string("transparency_") + name, name));
+    for (const char* name : {"none", "over", "add", "subtract"}) {
+        shots.push_back(panes(std::string("blend_") + name, "exact"));
+        shots.back().options.blend = name;
+        shots.back().options.background = {150, 150, 150, 255};
+    }
     return shots;
 }
 

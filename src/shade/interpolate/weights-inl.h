@@ -17,11 +17,12 @@ struct Weights {
     F32x8 one, two;
 };
 
+HWY_INLINE F64x8 area_at(const Primitive& t, int k, F64x8 x, F64x8 y) {
+    return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
+}
+
 HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y) {
-    const auto weight = [&](int k) {
-        return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
-    };
-    F64x8 b0 = weight(0), b1 = weight(1), b2 = weight(2);
+    F64x8 b0 = area_at(t, 0, x, y), b1 = area_at(t, 1, x, y), b2 = area_at(t, 2, x, y);
     if (t.clipped) {
         // The snapped edge may lie a little further out than the exact one. A common factor brings
         // the weights into the range of a float.

@@ -1,0 +1,27 @@
+// How a pixel's colour is found from what lies in and around its box [C 6]: the techniques of axis
+// `aa`, and what each asks of the frame.
+#pragma once
+
+#include "base/technique.h"
+
+#include <span>
+#include <string_view>
+
+namespace scanout::frame {
+
+struct AntiAliasing {
+    Technique card;
+    int samples = 1;    // of coverage, for every pixel that is drawn; shaded once a primitive
+    int scale = 1;      // pixels that are drawn for one, on each side: all are shaded
+    bool exact = false; // areas instead of samples
+    // Weighted area sampling: how much a sample counts, by its distance from the pixel's centre
+    // along one axis, in pixels, up to 1.5; the product of both axes. Null: all of the pixel's box
+    // alike.
+    double (*weight)(double distance) = nullptr;
+};
+
+// In the order of techniques.h; null where there is no such name.
+std::span<const AntiAliasing* const> anti_aliasings();
+const AntiAliasing* find_anti_aliasing(std::string_view name);
+
+} // namespace scanout::frame

@@ -1,0 +1,58 @@
+#include "frame/step_limits.h"
+
+#include "math/transcendental.h"
+
+#include <algorithm>
+
+namespace scanout::frame {
+namespace {
+
+// Half a code where sRGB's codes stand closest, in the dark: its slope there is 12.92.
+constexpr double kHalfCode = 0.5 / 255 / 12.92;
+constexpr double kPosition = 1e-4; // bounding radii: light from near lamps hardly changes
+
+double magnitude(float x) {
+    return double{x < 0 ? -x : x};
+}
+
+// Of all maps, the most texels that a unit of u or v spans.
+double texels(const scene::Scene& scene) {
+    int side = 1;
+    for (const scene::Texture& texture : scene.textures)
+        side = std::max({side, texture.image.width(), texture.image.height()});
+    double scale = 1;
+    for (const scene::Material& m : scene.materials)
+        for (const scene::TextureMap* map :
+             {&m.map_diffuse, &m.map_specular, &m.map_shininess, &m.map_opacity, &m.map_emission,
+              &m.map_bump, &m.map_normal})
+            scale = std::max({scale, magnitude(map->scale.x), magnitude(map->scale.y)});
+    return side * scale;
+}
+
+// How much reflected light changes by, at most, when the normal's tip moves: of cos^n the slope is
+// below the root of n.
+double steepness(const scene::Scene& scene) {
+    double steepest = 1;
+    for (const scene::Material& m : scene.materials) {
+        const auto largest = [](const Vec3& c) { return double{std::max({c.x, c.y, c.z})}; };
+        const double highlight =
+            has_highlight(m) ? largest(m.specular) * sqrt(std::max(double{m.shininess}, 1.0)) : 0;
+        steepest = std::max(steepest, largest(m.diffuse) + highlight);
+    }
+    return steepest;
+}
+
+} // namespace
+
+shade::StepLimits step_limits(const scene::Scene& scene, const FramePlan& plan) {
+    double light = 1; // all that shines, together
+    for (const scene::Light& l : plan.lights)
+        light += double{std::max({l.colour.x, l.colour.y, l.colour.z})} * l.power;
+    const double shown = kHalfCode / (light * double{plan.exposure});
+    // Half of the budget each for what vertices have and for where they face; a mean of unit
+    // vectors may be shorter by a tenth.
+    return {plan.attributes, 1.0 / 256 / texels(scene), shown / 2,
+            shown / 2 / (steepness(scene) * 1.2), kPosition};
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,28 @@
+// Operations on a finished picture: convolutions, the filters of [C 6]. In linear light, weighted
+// by alpha, the edge repeated.
+#pragma once
+
+#include "base/technique.h"
+#include "image/image.h"
+#include "image/plane.h"
+
+#include <span>
+#include <string_view>
+
+namespace scanout::image {
+
+struct Convolution {
+    Technique card;
+    Image (*run)(const Image& picture);
+};
+
+// In the order of techniques.h; null where there is no such name.
+std::span<const Convolution* const> convolutions();
+const Convolution* find_convolution(std::string_view name);
+
+// What varies slowly, by the binomial weights 1 4 6 4 1 / 16 on each axis; and the rest. Together
+// they are the plane; of a constant the first is that constant, the second 0, to the bit.
+Plane low_pass(const Plane& plane);
+Plane high_pass(const Plane& plane);
+
+} // namespace scanout::image

@@ -1,0 +1,53 @@
+// A low-pass: what varies within a few pixels is smoothed away. After the fact it cannot undo
+// stairs, it only blurs them [C 6].
+#include "image/colour.h"
+#include "image/convolution.h"
+#include "math/srgb.h"
+
+#include <array>
+
+namespace scanout::image {
+
+Plane low_pass(const Plane& plane) {
+    static constexpr std::array kBinomial = {1 / 16.0, 4 / 16.0, 6 / 16.0, 4 / 16.0, 1 / 16.0};
+    return convolve(plane, {kBinomial, 1}, {kBinomial, 1});
+}
+
+namespace convolution {
+namespace {
+
+Image smoothed(const Image& picture) {
+    std::array<Plane, 4> planes; // light times alpha, and alpha
+    planes.fill(Plane(picture.width(), picture.height()));
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
+        const Rgba8& p = picture.pixels()[i];
+        const DVec3 light = linear_light(p) * static_cast<double>(p.a);
+        for (std::size_t c = 0; c < 3; ++c)
+            planes[c].value[i] = light[static_cast<int>(c)];
+        planes[3].value[i] = p.a;
+    }
+    for (Plane& plane : planes)
+        plane = low_pass(plane);
+    Image out(picture.width(), picture.height());
+    for (std::size_t i = 0; i < out.pixels().size(); ++i) {
+        const double alpha = planes[3].value[i];
+        const auto code = [&](std::size_t c) {
+            return srgb_encode(alpha > 0 ? static_cast<float>(planes[c].value[i] / alpha) : 0.0F);
+        };
+        out.pixels()[i] = {code(0), code(1), code(2), static_cast<std::uint8_t>(alpha + 0.5)};
+    }
+    return out;
+}
+
+} // namespace
+
+extern const Convolution low_pass;
+constinit const Convolution low_pass{{.axis = "convolution",
+                                      .name = "low_pass",
+                                      .blurb = "smooths what varies within 5 x 5 pixels",
+                                      .source = "[C 6], binomial weights",
+                                      .kind = Kind::model},
+                                     smoothed};
+
+} // namespace convolution
+} // namespace scanout::image

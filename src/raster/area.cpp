@@ -1,0 +1,248 @@
+#include "raster/area.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scanout::raster {
+namespace {
+
+constexpr double kBox = double{kSubpixel} * kSubpixel; // a pixel's area
+constexpr double kNothing = kBox * 0x1p-32;            // smaller parts are rounding
+
+// Depths closer than this part of themselves are equal: the lower id stays.
+constexpr double kSameDepth = 0x1p-24;
+
+} // namespace
+
+void AreaTile::reset(const image::Rect& area) {
+    area_ = area;
+    sources_.clear();
+    constexpr auto kPixels = static_cast<std::size_t>(kTileSize) * kTileSize;
+    pixels_.resize(kPixels);
+    for (PixelParts& parts : pixels_)
+        parts.clear();
+    filled_.assign(kPixels, kNoPrimitive);
+}
+
+void AreaTile::add(const Triangle& t) {
+    const Edges e = edges_of(t);
+    Source source{
+        {}, {}, t.id, pixel_bounds(t, area_.x1, area_.y1), {t.y[0], t.x[0], t.y[1], t.x[1]}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        source.edges.a[k] = e.a[k];
+        source.edges.b[k] = e.b[k];
+        source.edges.c[k] = e.c[k];
+        source.share[k] = t.depth[k] / static_cast<double>(e.area);
+    }
+    sources_.push_back(source);
+}
+
+void AreaTile::add(const raster::Piece& piece) {
+    const auto& v = piece.vertex;
+    Source source{edges_of(piece),
+                  {},
+                  piece.id,
+                  pixel_bounds(piece, area_.x1, area_.y1, {}),
+                  {v[0].y, v[0].x, v[1].y, v[1].x}};
+    const double size = size_of(piece);
+    for (std::size_t k = 0; k < 3; ++k)
+        source.share[k] = v[k].z / size;
+    sources_.push_back(source);
+}
+
+void AreaTile::finish() {
+    std::sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
+        return std::tie(a.id, a.order) < std::tie(b.id, b.order);
+    });
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        draw(static_cast<std::int32_t>(i));
+}
+
+// Into the pixels that it touches.
+void AreaTile::draw(std::int32_t source) {
+    const Source& s = sources_[static_cast<std::size_t>(source)];
+    for (int y = std::max(s.box.y0, area_.y0); y < s.box.y1; ++y)
+        for (int x = std::max(s.box.x0, area_.x0); x < s.box.x1; ++x) {
+            const std::array<Linear, 3> edge = edges_in(s, x, y);
+            bool touched = true, whole = true;
+            for (const Linear& e : edge) {
+                const double right = e.x * kSubpixel, down = e.y * kSubpixel;
+                touched = touched && e.at + (std::max(right, 0.0) + std::max(down, 0.0)) > 0;
+                whole = whole && e.at + (std::min(right, 0.0) + std::min(down, 0.0)) >= 0;
+            }
+            if (touched) insert(pixel(x, y), source, x, y, edge, whole);
+        }
+}
+
+// Exact at the pixel's corner, but for one rounding.
+std::array<AreaTile::Linear, 3> AreaTile::edges_in(const Source& s, int x, int y) const {
+    std::array<Linear, 3> edge;
+    for (std::size_t k = 0; k < 3; ++k)
+        edge[k] = {static_cast<double>(
+                       s.edges.at(k, std::int64_t{x} * kSubpixel, std::int64_t{y} * kSubpixel)),
+                   static_cast<double>(s.edges.a[k]), static_cast<double>(s.edges.b[k])};
+    return edge;
+}
+
+void AreaTile::fill(int x, int y, std::uint32_t id) {
+    filled_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))] = id;
+}
+
+AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
+    Linear depth{0, 0, 0};
+    const std::array<Linear, 3> edge = edges_in(s, x, y);
+    for (std::size_t k = 0; k < 3; ++k) {
+        depth.at += edge[k].at * s.share[k];
+        depth.x += edge[k].x * s.share[k];
+        depth.y += edge[k].y * s.share[k];
+    }
+    return depth;
+}
+
+double AreaTile::area_of(const Part& p) {
+    double twice = 0;
+    for (int i = 2; i < p.corners; ++i) { // a fan from corner 0
+        const Corner &o = p.corner[0], &a = p.corner[static_cast<std::size_t>(i - 1)],
+                     &b = p.corner[static_cast<std::size_t>(i)];
+        twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+    }
+    return 0.5 * (twice < 0 ? -twice : twice);
+}
+
+// Along line = 0. Too many corners: the piece goes whole to the side where most of them are.
+void AreaTile::split(const Part& piece, const Linear& line, Part& inside, Part& outside) {
+    inside.corners = outside.corners = 0;
+    inside.source = outside.source = piece.source;
+    const auto add = [](Part& to, const Corner& c) {
+        if (to.corners < kMostCorners) to.corner[static_cast<std::size_t>(to.corners)] = c;
+        ++to.corners;
+    };
+    for (int i = 0; i < piece.corners; ++i) {
+        const Corner& here = piece.corner[static_cast<std::size_t>(i)];
+        const Corner& next = piece.corner[static_cast<std::size_t>((i + 1) % piece.corners)];
+        const double at = line(here), then = line(next);
+        if (at >= 0) add(inside, here);
+        if (at <= 0) add(outside, here);
+        if ((at > 0 && then < 0) || (at < 0 && then > 0)) {
+            // From the inner end, so that both parts beside an edge get the same corner.
+            const double t = at > 0 ? at / (at - then) : then / (then - at);
+            const Corner &from = at > 0 ? here : next, &to = at > 0 ? next : here;
+            const Corner cut{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+            add(inside, cut);
+            add(outside, cut);
+        }
+    }
+    if (inside.corners > kMostCorners || outside.corners > kMostCorners) {
+        const bool in = inside.corners >= outside.corners;
+        (in ? inside : outside) = piece;
+        (in ? outside : inside).corners = 0;
+    }
+}
+
+void AreaTile::insert(PixelParts& parts, std::int32_t source, int x, int y,
+                      const std::array<Linear, 3>& edge, bool whole) {
+    if (parts.empty()) {
+        constexpr double kSide = kSubpixel;
+        Part box;
+        box.corners = 4;
+        box.corner[0] = {0, 0};
+        box.corner[1] = {kSide, 0};
+        box.corner[2] = {kSide, kSide};
+        box.corner[3] = {0, kSide};
+        parts.push_back(box);
+    }
+    const std::size_t before = parts.size();
+    for (std::size_t i = 0; i < before; ++i)
+        take(parts, i, source, x, y, edge, whole ? 0 : 3);
+    // What one triangle holds whole is one piece again.
+    const bool all = whole && std::all_of(parts.begin(), parts.end(),
+                                          [&](const Part& p) { return p.source == source; });
+    if (all && parts.size() > 1) {
+        parts.clear();
+        insert(parts, source, x, y, edge, true);
+    }
+}
+
+// What the source shows of one piece becomes its own; the rest is appended.
+void AreaTile::take(PixelParts& parts, std::size_t index, std::int32_t source, int x, int y,
+                    const std::array<Linear, 3>& edge, int edges) {
+    Part inside = parts[index], rest;
+    std::array<Part, 4> left; // beyond each edge, and behind the old owner
+    std::size_t lefts = 0;
+    for (int k = 0; k < edges; ++k) {
+        const Part whole = inside;
+        split(whole, edge[static_cast<std::size_t>(k)], inside, rest);
+        if (area_of(inside) <= kNothing) return;
+        if (area_of(rest) > kNothing) left[lefts++] = rest;
+    }
+    if (inside.source >= 0) {
+        const Linear mine = depth_in(sources_[static_cast<std::size_t>(source)], x, y);
+        const Linear owner = depth_in(sources_[static_cast<std::size_t>(inside.source)], x, y);
+        const Linear ahead{mine.at - owner.at, mine.x - owner.x, mine.y - owner.y};
+        bool behind = true, before = true;
+        for (int i = 0; i < inside.corners; ++i) {
+            const Corner& c = inside.corner[static_cast<std::size_t>(i)];
+            const double tolerance = kSameDepth * owner(c), by = ahead(c);
+            behind = behind && by <= tolerance;
+            before = before && by >= -tolerance;
+        }
+        if (behind) return;
+        if (!before) { // the planes cross here
+            const Part whole = inside;
+            split(whole, ahead, inside, rest);
+            if (area_of(inside) <= kNothing) return;
+            if (area_of(rest) > kNothing) left[lefts++] = rest;
+        }
+    }
+    if (lefts > 0 && parts.size() + lefts > kMostParts) return;
+    inside.source = source;
+    parts[index] = inside;
+    parts.insert(parts.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(lefts));
+}
+
+std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
+    found_.clear();
+    const auto at = static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
+    if (filled_[at] != kNoPrimitive) {
+        found_.push_back({filled_[at], 1.0F, kSubpixel / 2, kSubpixel / 2});
+        return found_;
+    }
+    struct Sum {
+        double area = 0, largest = 0;
+        Corner middle{0, 0};
+    };
+    std::vector<std::pair<std::uint32_t, Sum>> sums; // by id, in the order of the parts
+    for (const Part& piece : pixels_[at]) {
+        if (piece.source < 0) continue;
+        const std::uint32_t id = sources_[static_cast<std::size_t>(piece.source)].id;
+        auto sum =
+            std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == id; });
+        if (sum == sums.end()) sum = sums.insert(sums.end(), {id, {}});
+        const double area = area_of(piece);
+        sum->second.area += area;
+        if (area <= sum->second.largest) continue;
+        sum->second.largest = area;
+        Corner middle{0, 0};
+        for (int i = 0; i < piece.corners; ++i) {
+            middle.x += piece.corner[static_cast<std::size_t>(i)].x / piece.corners;
+            middle.y += piece.corner[static_cast<std::size_t>(i)].y / piece.corners;
+        }
+        sum->second.middle = middle;
+    }
+    for (const auto& [id, sum] : sums) {
+        const auto from = [](double middle) {
+            return std::clamp(static_cast<std::int32_t>(middle), 0, kSubpixel - 1);
+        };
+        const double share = sum.area / kBox;
+        found_.push_back({id, static_cast<float>(share > 1 - 0x1p-24 ? 1.0 : share),
+                          from(sum.middle.x), from(sum.middle.y)});
+    }
+    std::sort(found_.begin(), found_.end(), [](const AreaFragment& a, const AreaFragment& b) {
+        return a.share != b.share ? a.share > b.share : a.id < b.id;
+    });
+    if (!found_.empty() && found_[0].share == 1.0F)
+        found_.erase(found_.begin() + 1, found_.end()); // the rest is rounding
+    return found_;
+}
+
+} // namespace scanout::raster

@@ -1,0 +1,17 @@
+// Depth in 16 bits: 1 - near / distance in 65535 steps. At a ratio of distances of 1e7 it tells
+// apart less than half of all pairs that lie a hundredth apart, and none a millionth apart.
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth {
+
+extern const DepthFormatRow fixed_16;
+constinit const DepthFormatRow fixed_16{
+    {.axis = "depth",
+     .name = "fixed_16",
+     .blurb = "16 bits, from near to infinitely far: surfaces flicker into each other",
+     .source = "Catmull 1974, HARD-CASES (0) 5",
+     .kind = Kind::rung},
+    true,
+    65535};
+
+} // namespace scanout::raster::depth

@@ -1,0 +1,17 @@
+// Depth in 24 bits: 1 - near / distance in 2^24 - 1 steps, as most depth buffers had it for years.
+// At a ratio of 1e7 it loses 19 % of all pairs a hundredth apart, 76 % of those a millionth apart.
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth {
+
+extern const DepthFormatRow fixed_24;
+constinit const DepthFormatRow fixed_24{
+    {.axis = "depth",
+     .name = "fixed_24",
+     .blurb = "24 bits: tells apart what is near, not what is far",
+     .source = "HARD-CASES (0) 5",
+     .kind = Kind::rung},
+    true,
+    16777215};
+
+} // namespace scanout::raster::depth

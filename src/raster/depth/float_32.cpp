@@ -1,0 +1,17 @@
+// Depth in a float, 1 - near / distance: its finest steps lie where nothing is, before the near
+// plane.
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth {
+
+extern const DepthFormatRow float_32;
+constinit const DepthFormatRow float_32{
+    {.axis = "depth",
+     .name = "float_32",
+     .blurb = "a float that grows with the distance: no better than 24 bits",
+     .source = "HARD-CASES (0) 5",
+     .kind = Kind::rung},
+    true,
+    0};
+
+} // namespace scanout::raster::depth

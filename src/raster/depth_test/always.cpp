@@ -1,0 +1,14 @@
+// Depth test "always", of reversed depth, where greater is nearer. [C 1.6].
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth_test {
+
+extern const DepthTestRow always;
+constinit const DepthTestRow always{{.axis = "depth_test",
+                                     .name = "always",
+                                     .blurb = "the last in the file, whatever its depth",
+                                     .source = "[C 1.6]",
+                                     .kind = Kind::model},
+                                    DepthTest::always};
+
+} // namespace scanout::raster::depth_test

@@ -1,0 +1,15 @@
+// Depth test "equal", of reversed depth, where greater is nearer. [C 1.6].
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth_test {
+
+extern const DepthTestRow equal;
+constinit const DepthTestRow equal{
+    {.axis = "depth_test",
+     .name = "equal",
+     .blurb = "only what lies exactly as deep as what is kept: on an empty buffer, nothing",
+     .source = "[C 1.6]",
+     .kind = Kind::model},
+    DepthTest::equal};
+
+} // namespace scanout::raster::depth_test

@@ -1,0 +1,14 @@
+// Depth test "greater", of reversed depth, where greater is nearer. [C 1.6].
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth_test {
+
+extern const DepthTestRow greater;
+constinit const DepthTestRow greater{{.axis = "depth_test",
+                                      .name = "greater",
+                                      .blurb = "the nearest, at a tie the first in the file",
+                                      .source = "[C 1.6]",
+                                      .kind = Kind::model},
+                                     DepthTest::greater};
+
+} // namespace scanout::raster::depth_test

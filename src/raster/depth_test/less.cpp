@@ -1,0 +1,14 @@
+// Depth test "less", of reversed depth, where greater is nearer. [C 1.6].
+#include "raster/visible_rule.h"
+
+namespace scanout::raster::depth_test {
+
+extern const DepthTestRow less;
+constinit const DepthTestRow less{{.axis = "depth_test",
+                                   .name = "less",
+                                   .blurb = "the farthest, at a tie the first in the file",
+                                   .source = "[C 1.6]",
+                                   .kind = Kind::model},
+                                  DepthTest::less};
+
+} // namespace scanout::raster::depth_test

@@ -1,0 +1,17 @@
+// Additive blending: the surface's light times its alpha is added, nothing behind it is dimmed, so
+// the order does not matter. A transparent background stays transparent.
+#include "shade/transparency.h"
+
+namespace scanout::shade::blend {
+
+extern const Blend add;
+constinit const Blend add{{.axis = "blend",
+                           .name = "add",
+                           .blurb = "its light is added, nothing is taken: flames, sparks",
+                           .source = "[C 1.6]",
+                           .kind = Kind::model},
+                          [](float alpha, float through) -> Blend::Shares {
+                              return {through * alpha, through};
+                          }};
+
+} // namespace scanout::shade::blend

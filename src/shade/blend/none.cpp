@@ -1,0 +1,16 @@
+// No blending: of what lies at a sample the nearest is shown, as if it were opaque.
+#include "shade/transparency.h"
+
+namespace scanout::shade::blend {
+
+extern const Blend none;
+constinit const Blend none{{.axis = "blend",
+                            .name = "none",
+                            .blurb = "nothing is mixed: the nearest surface is shown whole",
+                            .source = "[C 1.6]",
+                            .kind = Kind::model},
+                           [](float /*alpha*/, float through) -> Blend::Shares {
+                               return {through, 0};
+                           }};
+
+} // namespace scanout::shade::blend

@@ -1,0 +1,17 @@
+// Over: a surface shows by its alpha, what lies behind it by the rest. Porter and Duff,
+// "Compositing Digital Images", 1984.
+#include "shade/transparency.h"
+
+namespace scanout::shade::blend {
+
+extern const Blend over;
+constinit const Blend over{{.axis = "blend",
+                            .name = "over",
+                            .blurb = "alpha of the surface, the rest of what lies behind",
+                            .source = "Porter and Duff 1984, [C 1.6]",
+                            .kind = Kind::model},
+                           [](float alpha, float through) -> Blend::Shares {
+                               return {through * alpha, through * (1 - alpha)};
+                           }};
+
+} // namespace scanout::shade::blend

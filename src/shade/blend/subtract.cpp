@@ -1,0 +1,17 @@
+// Subtractive blending: the surface's light times its alpha is taken from what lies behind, in any
+// order; what would be below black is black.
+#include "shade/transparency.h"
+
+namespace scanout::shade::blend {
+
+extern const Blend subtract;
+constinit const Blend subtract{{.axis = "blend",
+                                .name = "subtract",
+                                .blurb = "its light is taken away, not below black",
+                                .source = "[C 1.6]",
+                                .kind = Kind::model},
+                               [](float alpha, float through) -> Blend::Shares {
+                                   return {through * -alpha, through};
+                               }};
+
+} // namespace scanout::shade::blend

@@ -1,0 +1,15 @@
+// Samples are mixed as light mixes: in linear light, encoded once (HARD-CASES 70).
+#include "shade/output.h"
+
+namespace scanout::shade::blend_space {
+
+extern const BlendSpace linear;
+constinit const BlendSpace linear{{.axis = "blend_space",
+                                   .name = "linear",
+                                   .blurb = "samples are mixed in linear light, then encoded",
+                                   .source = "Porter and Duff 1984; HARD-CASES 70",
+                                   .kind = Kind::rung},
+                                  nullptr,
+                                  nullptr};
+
+} // namespace scanout::shade::blend_space

@@ -1,0 +1,58 @@
+// For every triangle the cheapest of affine, every 16 and every 8 pixels and perspective whose
+// error is bounded by 1/256 texel and half a code (shade/interpolation_step.h).
+#include "shade/interpolation_step.h"
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/interpolate/adaptive.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/interpolate/affine-inl.h"
+
+SIMD_BEGIN(scanout::shade::interpolate)
+
+struct Adaptive {
+    template <class Form>
+    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
+                                 const Run& run) {
+        switch (run.primitive->step) {
+        case kAffine:
+            affine_lanes<Form>(b, frame, want, run);
+            break;
+        case 16:
+            stepped_lanes<16, Form>(b, frame, want, run);
+            break;
+        case 8:
+            stepped_lanes<8, Form>(b, frame, want, run);
+            break;
+        default:
+            perspective_lanes<Form>(b, frame, want, run);
+        }
+    }
+};
+
+void adaptive_run(Block& b, const FrameState& frame) {
+    run_rung<Adaptive>(b, frame);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::interpolate {
+
+SIMD_REGISTER(adaptive_run);
+
+extern const Stage adaptive;
+constinit const Stage adaptive{
+    {.axis = "interpolate",
+     .name = "adaptive",
+     .blurb = "per triangle the cheapest within 1/256 texel and half a code",
+     .source = "HARD-CASES (c), by the ratio of distances",
+     .kind = Kind::rung},
+    {},
+    [](Block& block, const FrameState& frame) {
+        SIMD_CALL(adaptive_run)
+        (block, frame);
+    }};
+
+} // namespace scanout::shade::interpolate
+#endif

@@ -1,0 +1,117 @@
+// Interpolation that divides seldom: exact at some places of a triangle's row, straight between
+// them. The places are the multiples of `step` pixels on the screen's x axis, and the ends of the
+// row inside the triangle, so that nothing depends on tiles or runs and no weight is ever negative.
+// Half-way it was the trick of 1990s' renderers (HARD-CASES 33; C. Hecker, "Perspective texture
+// mapping", 1995).
+//
+// Where distances along a step have the ratio r, the error is (sqrt(r) - 1) / (sqrt(r) + 1) of what
+// the attribute changes along it.
+#if defined(SCANOUT_SHADE_AFFINE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SHADE_AFFINE_INL_H
+#undef SCANOUT_SHADE_AFFINE_INL_H
+#else
+#define SCANOUT_SHADE_AFFINE_INL_H
+#endif
+
+#include "shade/interpolate/interpolate-inl.h"
+
+SIMD_BEGIN(scanout::shade::interpolate)
+
+// Screen areas alone: no division at all but by the whole area. Where a triangle was cut by the
+// near plane it has no areas on the screen, and is interpolated exactly.
+template <class Form>
+HWY_INLINE void affine_lanes(Block& b, const FrameState& frame, const Wanted& want,
+                             const Run& run) {
+    const Primitive& t = *run.primitive;
+    if (t.clipped) return perspective_lanes<Form>(b, frame, want, run);
+    const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
+    const F64x8 inverse = 1.0 / whole;
+    for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
+        const F64x8 x = to_f64(load<I32x8>(b.x + i)), y = to_f64(load<I32x8>(b.y + i));
+        put<Form>(b, frame, want, t,
+                  {to_f32(area_at(t, 1, x, y) * inverse), to_f32(area_at(t, 2, x, y) * inverse)},
+                  i);
+    }
+}
+
+// A place in a row, and the exact weights there.
+struct Anchor {
+    double x; // 1/256 pixel
+    float one, two;
+};
+
+// In the order of operations of weights(), one place at a time.
+HWY_INLINE Anchor anchor_at(const Primitive& t, double x, double y) {
+    const auto area = [&](int k) HWY_ATTR {
+        const double b = (t.a[k] * x + t.b[k] * y) + t.c[k];
+        return b > 0 ? b : 0.0; // an end of the row may round to just outside
+    };
+    const double p0 = area(0) * double{t.inverse_w[0]}, p1 = area(1) * double{t.inverse_w[1]},
+                 p2 = area(2) * double{t.inverse_w[2]};
+    const double sum = (p0 + p1) + p2;
+    if (!(sum > 0)) return {x, 0.0F, 0.0F}; // a corner that is no wider than rounding
+    return {x, static_cast<float>(p1 / sum), static_cast<float>(p2 / sum)};
+}
+
+// Where the row y enters and leaves the triangle, 1/256 pixel; within +-2^24.
+struct Span {
+    double from, to;
+};
+HWY_INLINE Span span_of(const Primitive& t, double y) {
+    Span span{-0x1p24, 0x1p24};
+    for (int k = 0; k < 3; ++k) {
+        if (t.a[k] == 0) continue;
+        const double x = -(t.b[k] * y + t.c[k]) / t.a[k];
+        if (t.a[k] > 0)
+            span.from = x > span.from ? x : span.from;
+        else
+            span.to = x < span.to ? x : span.to;
+    }
+    return span;
+}
+
+template <int kStep, class Form>
+HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& want,
+                              const Run& run) {
+    constexpr std::int32_t kUnits = kStep * 256;
+    const Primitive& t = *run.primitive;
+    const double y = run.y;
+    const Span span = span_of(t, y);
+    const auto place = [&](std::int32_t x) HWY_ATTR {
+        const double at = x;
+        return anchor_at(t, at < span.from ? span.from : at > span.to ? span.to : at, y);
+    };
+    std::int32_t left = (run.x >= 0 ? run.x / kUnits : -((kUnits - 1 - run.x) / kUnits)) * kUnits;
+    Anchor from = place(left);
+    for (int lane = 0; lane < run.count;) {
+        const Anchor to = place(left + kUnits);
+        // The pixels whose centres lie before the next place.
+        const int end = (left + kUnits - 1 - run.x) / 256 + 1;
+        const int last = end < run.count ? end : run.count;
+        const double length = to.x - from.x;
+        const double inverse = length > 0 ? 1.0 / length : 0.0;
+        for (int i = lane; i < last; i += kLanesX8) {
+            const int at = run.first + i;
+            const I32x8 place_x = load<I32x8>(b.x + at), place_y = load<I32x8>(b.y + at);
+            const F64x8 x = to_f64(place_x);
+            const F32x8 share = to_f32((x - F64x8(from.x)) * F64x8(inverse));
+            Weights w{F32x8(from.one) + share * F32x8(to.one - from.one),
+                      F32x8(from.two) + share * F32x8(to.two - from.two)};
+            if ((run.dx | run.dy) != 0) {
+                // A sample beside the centre, as edge pixels have, lies in a row of its own.
+                const auto centre = place_x == I32x8(run.x) + shift_left<8>(iota<I32x8>(i)) &
+                                    place_y == I32x8(run.y);
+                const Weights exact = weights(t, x, to_f64(place_y));
+                w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two)};
+            }
+            put<Form>(b, frame, want, t, w, at);
+        }
+        lane = last;
+        left += kUnits;
+        from = to;
+    }
+}
+
+SIMD_END
+
+#endif

@@ -1,0 +1,45 @@
+// Straight on the screen, as if all vertices were equally far: textures bend at the edges between
+// triangles (TOPICS T4). [A ch.3, ch.5].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/interpolate/affine.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/interpolate/affine-inl.h"
+
+SIMD_BEGIN(scanout::shade::interpolate)
+
+struct Affine {
+    template <class Form>
+    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
+                                 const Run& run) {
+        affine_lanes<Form>(b, frame, want, run);
+    }
+};
+
+void affine_run(Block& b, const FrameState& frame) {
+    run_rung<Affine>(b, frame);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::interpolate {
+
+SIMD_REGISTER(affine_run);
+
+extern const Stage affine;
+constinit const Stage affine{
+    {.axis = "interpolate",
+     .name = "affine",
+     .blurb = "straight on the screen: 1/6 of the range wrong where distances double",
+     .source = "[A ch.3], [A ch.5]; HARD-CASES 33",
+     .kind = Kind::rung},
+    {},
+    [](Block& block, const FrameState& frame) {
+        SIMD_CALL(affine_run)
+        (block, frame);
+    }};
+
+} // namespace scanout::shade::interpolate
+#endif

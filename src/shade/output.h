@@ -1,0 +1,60 @@
+// From a pixel's light to its code: how the samples of a pixel are mixed (blend space) and how the
+// mixture becomes 8 bits (encoding). Stands at the end of a block and of a tile.
+#pragma once
+
+#include "base/technique.h"
+#include "shade/stage.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace scanout::shade {
+
+// Pixels side by side. Arrays may be read and written up to a register beyond count (stage.h,
+// kRoom).
+struct Light {
+    const float *red, *green, *blue;
+    const std::int32_t* alpha = nullptr; // codes; null: all 255
+    // What is added to the code before it is cut to a whole one (image/dither.h); null: nearest.
+    const float* offset = nullptr;
+};
+
+struct Encoding {
+    Technique card;
+    float (*decode)(std::uint8_t code); // the light that has this code: of the background
+    // out: image::Rgba8 in memory. Light is clamped to [0, 1]; NaN counts as 0.
+    void (*encode)(const Light& light, int count, std::uint32_t* out);
+};
+
+struct BlendSpace {
+    Technique card;
+    // Writes what is mixed into block.colour; null: the linear light that stands there.
+    void (*enter)(Block& block, const std::uint32_t* code);
+    // Of the mixture; null: the frame's encoding.
+    const Encoding* encoding;
+};
+
+namespace encode {
+extern const Encoding srgb;
+}
+namespace blend_space {
+extern const BlendSpace linear;
+}
+
+struct Output {
+    const Encoding* encoding = &encode::srgb;
+    const BlendSpace* blend_space = &blend_space::linear;
+    bool dither = false; // to 8 bits
+    const Encoding& of_mixture() const {
+        return blend_space->encoding != nullptr ? *blend_space->encoding : *encoding;
+    }
+};
+
+// In the order of techniques.h; null where there is no such name.
+std::span<const Encoding* const> encodings();
+std::span<const BlendSpace* const> blend_spaces();
+const Encoding* find_encoding(std::string_view name);
+const BlendSpace* find_blend_space(std::string_view name);
+
+} // namespace scanout::shade
