@@ -3,7 +3,11 @@
 #pragma once
 
 #define SCANOUT_INTERPOLATE(X) X(affine) X(affine_16) X(affine_8) X(adaptive) X(perspective)
-#define SCANOUT_TEXTURE(X) X(nearest) X(bilinear)
+#define SCANOUT_TEXTURE(X)                                                                         \
+    X(nearest)                                                                                     \
+    X(bilinear)                                                                                    \
+    X(mipmap) X(trilinear) X(anisotropic_2) X(anisotropic_4) X(anisotropic_8) X(anisotropic_16)
+#define SCANOUT_WRAP(X) X(repeat) X(mirror) X(clamp)
 #define SCANOUT_MAP(X) X(diffuse) X(opacity)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)

@@ -63,8 +63,8 @@ Result<void> check_files(const Settings& s) {
 class RenderRun {
 public:
     RenderRun(const Settings& settings, PictureFormat format, const scene::Scene& scene,
-              const frame::FramePlan& plan, Jobs& jobs)
-        : settings_(settings), format_(format), scene_(scene), plan_(plan), renderer_(jobs) {}
+              const frame::SceneFacts& facts, Jobs& jobs)
+        : settings_(settings), format_(format), scene_(scene), facts_(facts), renderer_(jobs) {}
 
     Result<void> draw(int index, RunReport& report) {
         scene::Pose pose;
@@ -72,9 +72,13 @@ public:
         TRY(const scene::View view,
             scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
                              settings_.frame.width, settings_.frame.height));
+        TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
+        if (settings_.verbose && index == 0)
+            for (const frame::Decision& decision : plan.decisions)
+                say(to_string(decision));
         const image::Image* picture = nullptr;
         for (int repeat = 0; repeat < settings_.frames; ++repeat) {
-            picture = &renderer_.render(scene_, view, plan_);
+            picture = &renderer_.render(scene_, view, plan);
             const std::uint64_t hash = image::frame_hash(displayed(*picture, settings_));
             report.frames.push_back(
                 {index, hash, picture->width(), picture->height(), renderer_.stats()});
@@ -104,7 +108,7 @@ private:
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
-    const frame::FramePlan& plan_;
+    const frame::SceneFacts& facts_;
     frame::Renderer renderer_;
 };
 
@@ -114,11 +118,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     TRY(const PictureFormat format, check(settings));
     TRY_VOID(check_files(settings));
     TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
-    TRY(const frame::FramePlan plan, frame::plan(settings.frame, frame::facts(model.scene)));
-    if (settings.verbose)
-        for (const frame::Decision& decision : plan.decisions)
-            say(to_string(decision));
-
+    const frame::SceneFacts facts = frame::facts(model.scene);
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);
     RunReport report;
@@ -129,7 +129,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     report.warnings = model.warnings;
     report.start_bytes = start_bytes;
     report.threads = jobs.threads();
-    RenderRun run(settings, format, model.scene, plan, jobs);
+    RenderRun run(settings, format, model.scene, facts, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));
     TRY_VOID(write_report(settings, to_json(report)));

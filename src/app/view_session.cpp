@@ -275,11 +275,11 @@ Result<void> ViewSession::load(bool again) {
     print_warnings(model_->warnings, settings_);
     // Options that no technique answers to, and cameras that see nothing, are faults of the
     // command.
-    TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_));
+    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
+    TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
-    TRY_VOID(viewer_.view(model_->scene.mesh));
     return {};
 }
 
@@ -359,7 +359,8 @@ Result<frame::FramePlan> ViewSession::plan() const {
     options.height = background_.height();
     options.cull = viewer_.state().look.cull;
     options.lights = viewer_.lights(model_->scene.mesh);
-    return frame::plan(options, facts_);
+    const Result<scene::View> view = viewer_.view(model_->scene.mesh);
+    return frame::plan(options, facts_, view ? *view : scene::View());
 }
 
 Result<void> ViewSession::render() {

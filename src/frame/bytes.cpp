@@ -29,6 +29,9 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
         if (row != nullptr && row->on() && held > 0) bytes[effect] += held;
     };
     add("texture", texture_bytes(scene, &scene::Material::map_diffuse));
+    for (const shade::MipUse& use : plan.mips)
+        add("mipmaps",
+            shade::mip_chain_bytes(scene.textures[static_cast<std::size_t>(use.texture)].image));
     return bytes;
 }
 

@@ -115,6 +115,7 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
     facts.ground = ground(mesh);
+    facts.textured_surfaces = textured_surfaces(scene);
     const Census census(scene);
     facts.textured_triangles = census.count(facts, "texture", [&](const scene::Material& m) {
         return m.map_diffuse.texture >= 0 && facts.uv;

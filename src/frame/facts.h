@@ -4,6 +4,7 @@
 
 #include "frame/alpha_facts.h"
 #include "frame/mesh_sides.h"
+#include "frame/minification.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -39,6 +40,7 @@ struct SceneFacts {
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    std::vector<TexturedSurface> textured_surfaces;
     float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
     Ground ground;
 

@@ -24,6 +24,7 @@ struct FrameOptions {
     // Techniques by name (`scanout list techniques`); "auto" lets the plan decide from the scene.
     std::string interpolate = "auto";
     std::string texture = "auto";
+    std::string wrap = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
     std::string shadow = "auto";

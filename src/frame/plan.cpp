@@ -106,11 +106,22 @@ public:
         plan_.techniques.push_back(&found->card);
         return found;
     }
-    void filter(std::string_view name) {
-        plan_.filter = shade::find_filter(name);
-        CHECK(plan_.filter != nullptr);
-        plan_.techniques.push_back(&plan_.filter->card);
-        plan_.attributes = plan_.attributes | plan_.filter->needs;
+    // For the stages that find colours, for those that find alpha, or both.
+    void filter(const shade::Filter& filter, bool colour, bool alpha) {
+        for (Decision& decision : plan_.decisions)
+            if (decision.effect == "texture" && decision.on())
+                decision.technique = filter.card.name;
+        if (colour) {
+            plan_.filter = &filter;
+            plan_.attributes = plan_.attributes | filter.needs;
+        }
+        if (alpha) {
+            plan_.transparency.filter = &filter;
+            plan_.transparency.attributes = plan_.transparency.attributes | filter.needs;
+        }
+        const auto first_map = std::find_if(plan_.techniques.begin(), plan_.techniques.end(),
+                                            [](const Technique* t) { return t->axis == "map"; });
+        plan_.techniques.insert(first_map, &filter.card); // in the order of techniques.h
     }
 
 private:
@@ -302,8 +313,7 @@ std::string part(std::size_t materials, std::size_t triangles, const SceneFacts&
 }
 
 // Which materials are cut out or blended, and how alpha is found.
-Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                               const std::string& filter) {
+Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
     const AlphaFacts& a = facts.alpha;
     TRY(const std::string cut_name, choose("transparency", o.transparency, "cut_out"));
@@ -354,10 +364,80 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         t.attributes = t.attributes | t.stages.back()->needs;
     }
     plan.techniques.push_back(&t.stages.back()->card);
-    t.filter = shade::find_filter(filter);
-    CHECK(t.filter != nullptr);
-    if (plan.filter == nullptr) plan.techniques.push_back(&t.filter->card);
-    t.attributes = t.attributes | t.filter->needs;
+    return {};
+}
+
+// Does some stage of the plan read the map, for colour or for alpha?
+bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
+    if ((plan.attributes.maps & shade::bit_of(surface.map)) != 0) return true;
+    const TransparencyPlan& t = plan.transparency;
+    if (t.stages.empty() || t.layers[surface.material + 1] == raster::Layer::opaque) return false;
+    const shade::MaterialAlpha& alpha = t.alpha[surface.material + 1];
+    return surface.map == shade::kDiffuseMap
+               ? alpha.diffuse_map
+               : surface.map == shade::kOpacityMap && alpha.opacity_map;
+}
+
+// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
+Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                         const scene::View& view) {
+    const FrameOptions& options = plan.options;
+    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
+    const shade::Filter* filter = shade::find_filter(name);
+    CHECK(filter != nullptr);
+    const bool automatic = options.texture == "auto";
+    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
+    double most = 0; // texels a pixel
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if (!is_read(surface, plan)) continue;
+        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
+                                               options.height * plan.aa->scale);
+        most = std::max(most, texels);
+        // A filter that the user names is drawn as it is; else what is not minified has no
+        // mipmaps, though its rim may show a few texels a pixel.
+        if (automatic && texels * kMostSlant <= 1) continue;
+        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
+            plan.mips.push_back(surface.texture);
+    }
+    const bool mipmaps = planner.effect(
+        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
+        colour || alpha
+            ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
+                          most, most * kMostSlant)
+            : "no texture is read");
+    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
+    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
+    if (colour || alpha) planner.filter(*filter, colour, alpha);
+    return {};
+}
+
+// What lies beyond textures' edges: what each map says, unless the user does.
+Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.wrap;
+    TRY(const std::string name, choose("wrap", asked, "repeat"));
+    std::size_t maps = 0, clamped = 0;
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if (!is_read(surface, plan)) continue;
+        ++maps;
+        if (surface.clamp) ++clamped;
+    }
+    const auto use = [&](std::string_view wrapping) {
+        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
+        return shade::find_wrapping(wrapping)->wrap;
+    };
+    if (asked != "auto" && maps > 0) plan.wrap = use(name);
+    if (asked == "auto" && clamped < maps) use("repeat");
+    if (asked == "auto" && clamped > 0) use("clamp");
+    planner.choice("wrap",
+                   maps == 0         ? "off"
+                   : asked != "auto" ? name
+                   : clamped == 0    ? "repeat"
+                   : clamped == maps ? "clamp"
+                                     : "repeat and clamp",
+                   asked,
+                   maps == 0 ? "no texture is read"
+                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
+                   maps > 0);
     return {};
 }
 
@@ -505,7 +585,8 @@ Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePla
 
 } // namespace
 
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view) {
     TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
@@ -515,28 +596,27 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts) {
                    "a division a pixel is exact at any ratio of distances");
     planner.stage("interpolate", steps);
 
-    TRY(const std::string filter, choose("texture", options.texture, "bilinear"));
     const bool textured = facts.textured_triangles > 0;
-    if (planner.effect("texture", filter, textured,
+    if (planner.effect("texture", options.texture == "auto" ? "bilinear" : options.texture,
+                       textured,
                        textured ? fmt::format("{} of {} triangles have a readable map_Kd",
                                               facts.textured_triangles, facts.triangles)
                                 : "no triangle has a readable map_Kd and texture coordinates") &&
-        facts.triangles > 0 && facts.uv) {
-        planner.filter(filter);
+        facts.triangles > 0 && facts.uv)
         planner.stage("map", "diffuse");
-    }
-
     TRY_VOID(plan_light(planner, plan, facts));
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
-    TRY_VOID(plan_transparency(planner, plan, facts, filter));
+    TRY_VOID(plan_transparency(planner, plan, facts));
     plan_casters(plan, facts);
     TRY_VOID(plan_merging(planner, plan));
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, planner, plan));
     TRY_VOID(plan_output(options, planner, plan));
+    TRY_VOID(plan_filter(planner, plan, facts, view));
+    TRY_VOID(plan_wrap(planner, plan, facts));
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

@@ -12,6 +12,7 @@
 #include "shade/transparency.h"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -76,12 +77,16 @@ struct FramePlan {
     bool corner_normals = false;
     shade::Sides sides = shade::Sides::eye;
     ShadowPlan shadow;
+    std::vector<shade::MipUse> mips; // the textures that have mipmaps in this frame
+    std::optional<shade::Wrap> wrap; // of all textures; else as each map says
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };
 
-// Fails (Exit::usage) when the options name a technique or a size that does not exist.
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts);
+// Fails (Exit::usage) when the options name a technique or a size that does not exist. Without a
+// view, nothing counts as far away.
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view = {});
 
 } // namespace scanout::frame

@@ -89,6 +89,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<Worker> workers;
     raster::Geometry geometry;
+    shade::MipChains mips;
     image::Image back_buffer;
     shade::WidePicture wide; // of filters that reach into neighbours
 
@@ -126,18 +127,17 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
 }
 
 // Makes the frame's shadows, or frees what those of an earlier frame held.
-static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, Jobs& jobs,
-                               const scene::Scene& scene, const scene::View& view,
-                               const FramePlan& plan, const raster::ScreenTransform& transform,
-                               int tile_size, FrameLights& lights) {
-    if (plan.shadow.stage == nullptr) {
+static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowScene& in,
+                               const raster::ScreenTransform& transform, int tile_size,
+                               FrameLights& lights) {
+    if (in.plan.shadow.stage == nullptr) {
         pass.reset();
         return nullptr;
     }
-    const FrameOptions& o = plan.options;
-    if (pass == nullptr) pass = std::make_unique<ShadowPass>(jobs.threads());
-    pass->run({jobs, scene, view, plan}, transform,
-              {o.width * plan.aa->scale, o.height * plan.aa->scale, tile_size, plan.aa->samples},
+    const FrameOptions& o = in.plan.options;
+    const AntiAliasing& aa = *in.plan.aa;
+    if (pass == nullptr) pass = std::make_unique<ShadowPass>(in.jobs.threads());
+    pass->run(in, transform, {o.width * aa.scale, o.height * aa.scale, tile_size, aa.samples},
               lights);
     return pass.get();
 }
@@ -145,7 +145,8 @@ static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, Jobs& jobs,
 static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
                                        const FramePlan& plan, const raster::Geometry& geometry,
                                        const raster::ScreenTransform& transform,
-                                       const shade::FrameState& frame) {
+                                       const shade::FrameState& frame,
+                                       const shade::MipChains& mips) {
     shade::GatherInput in;
     in.mesh = &scene.mesh;
     in.geometry = &geometry;
@@ -153,6 +154,8 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.view = &view;
     in.materials = scene.materials;
     in.textures = scene.textures;
+    in.mips = &mips;
+    in.wrap = plan.wrap;
     in.stages = plan.stages;
     in.frame = &frame;
     in.mirrored = view.mirrored;
@@ -308,6 +311,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
         s.back_buffer = image::Image(o.width, o.height);
     const Stopwatch total;
+    s.mips.update(scene, plan.mips, s.jobs);
     const AntiAliasing& aa = *plan.aa;
     const int width = o.width * aa.scale, height = o.height * aa.scale;
     const raster::ScreenTransform transform(view, width, height);
@@ -317,7 +321,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =
-        shadow_pass(s.shadows, s.jobs, scene, view, plan, transform, tile_size, lights);
+        shadow_pass(s.shadows, {s.jobs, scene, view, plan, s.mips}, transform, tile_size, lights);
     const double geometry_ms = total.milliseconds();
 
     shade::FrameState frame = frame_state(view, plan, lights);
@@ -327,7 +331,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         steps = step_limits(scene, plan);
         frame.steps = &*steps;
     }
-    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame);
+    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame, s.mips);
     if (linear != nullptr) *linear = shade::LinearPicture(width, height);
     in.linear = linear;
     const bool layered = !plan.transparency.layers.empty();
@@ -360,6 +364,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.stats.shadow_bytes = shadows->bytes();
     }
     s.count_work();
+    s.stats.mipmap_bytes = s.mips.bytes();
     return s.back_buffer;
 }
 

@@ -87,6 +87,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
     gather.view = &from.view;
     gather.materials = in.scene.materials;
     gather.textures = in.scene.textures;
+    gather.mips = &in.mips;
+    gather.wrap = in.plan.wrap;
     gather.frame = &layers.frame;
     gather.layers = &layers;
     in.jobs.for_each(geometry_.tiles(), [&](int number, int worker_number) {

@@ -21,6 +21,7 @@ struct ShadowScene {
     const scene::Scene& scene;
     const scene::View& view;
     const FramePlan& plan;
+    const shade::MipChains& mips;
 };
 
 class ShadowMaps {

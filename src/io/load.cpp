@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <exception>
 #include <new>
 #include <utility>
@@ -184,8 +185,10 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
         geom::build_mesh(std::move(parts.polygons), options.build, path, warnings);
     parts.times.build = watch.milliseconds();
     if (options.times != nullptr) *options.times = parts.times;
+    static std::atomic<std::uint64_t> loaded{0};
     scene::Scene scene;
     scene.path = path;
+    scene.revision = ++loaded;
     scene.mesh = std::move(built.mesh);
     scene.materials = std::move(parts.materials.materials);
     scene.textures = std::move(parts.materials.textures);

@@ -51,7 +51,7 @@ public:
           renderer_(jobs), other_renderer_(jobs) {}
 
     Result<Explanation> run() {
-        TRY(plan_, frame::plan(options_, facts_));
+        TRY(plan_, frame::plan(options_, facts_, view_));
         picture_ = renderer_.render(scene_, view_, plan_);
         Explanation result;
         result.width = options_.width;
@@ -88,7 +88,7 @@ private:
         bare.samples = 1;
         for (const auto& [effect, materials] : facts_.materials_of)
             if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
-        TRY(const frame::FramePlan plan, frame::plan(bare, facts_));
+        TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));
         frame::Visibility visible;
         other_renderer_.render(scene_, view_, plan, &visible);
         const std::size_t none = scene_.materials.size();
@@ -118,6 +118,7 @@ private:
         int special = 0;
         for (const frame::Decision& decision : plan_.decisions) {
             const frame::Decision* same = plain.decision(decision.effect);
+            if (decision.choice) continue; // something always runs there
             special += decision.on() && (same == nullptr || !same->on()) ? 1 : 0;
         }
         return special;
@@ -144,7 +145,7 @@ private:
         const bool on = row.decision.on();
         const auto options = switched(row);
         if (!options) return;
-        const auto other = frame::plan(*options, facts_);
+        const auto other = frame::plan(*options, facts_, view_);
         if (!other) {
             row.refusal = other.error().what;
             return;

@@ -27,6 +27,9 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     ModelCounts counts;
+    // What a renderer keeps of a scene from frame to frame holds while this stays the same; 0: it
+    // keeps nothing. Two loaded scenes never share one.
+    std::uint64_t revision = 0;
 };
 
 } // namespace scanout::scene

@@ -30,14 +30,10 @@ void AlphaLanes::bind(std::int32_t index) {
     b.material = &in_.material(index);
     const MaterialAlpha& alpha = in_.layers->alpha[static_cast<std::size_t>(index + 1)];
     constant_ = !alpha.diffuse_map && !alpha.opacity_map;
-    const auto texture = [&](bool matters, const scene::TextureMap& map) {
-        return BoundMap{matters ? &in_.textures[static_cast<std::size_t>(map.texture)] : nullptr,
-                        &map};
-    };
     for (BoundMap& map : b.map)
         map = {};
-    b.map[kDiffuseMap] = texture(alpha.diffuse_map, b.material->map_diffuse);
-    b.map[kOpacityMap] = texture(alpha.opacity_map, b.material->map_opacity);
+    if (alpha.diffuse_map) b.map[kDiffuseMap] = bound_map(in_, kDiffuseMap, *b.material);
+    if (alpha.opacity_map) b.map[kOpacityMap] = bound_map(in_, kOpacityMap, *b.material);
 }
 
 void AlphaLanes::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {

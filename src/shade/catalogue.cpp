@@ -46,6 +46,11 @@ namespace transparency {
 SCANOUT_TRANSPARENCY(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Wrapping name;
+namespace wrap {
+SCANOUT_WRAP(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 
 std::span<const Stage* const> stages() {
     static constexpr auto kStages = std::to_array<const Stage*>({
@@ -102,6 +107,20 @@ std::span<const Transparency* const> transparencies() {
     return kAll;
 }
 
+std::span<const Wrapping* const> wrappings() {
+#define SCANOUT_ROW(name) &wrap::name,
+    static constexpr auto kWrappings = std::to_array<const Wrapping*>({SCANOUT_WRAP(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kWrappings;
+}
+
+const std::array<MapSlot, kMaps>& map_slots() {
+    static constexpr std::array<MapSlot, kMaps> kSlots = {
+        MapSlot{&scene::Material::map_diffuse, TexelKind::colour},
+        MapSlot{&scene::Material::map_opacity, TexelKind::data}};
+    return kSlots;
+}
+
 const Stage* find_stage(std::string_view axis, std::string_view name) {
     for (const Stage* stage : stages())
         if (stage->card.axis == axis && stage->card.name == name) return stage;
@@ -117,6 +136,12 @@ const Filter* find_filter(std::string_view name) {
 const Transparency* find_transparency(std::string_view name) {
     for (const Transparency* transparency : transparencies())
         if (transparency->card.name == name) return transparency;
+    return nullptr;
+}
+
+const Wrapping* find_wrapping(std::string_view name) {
+    for (const Wrapping* wrapping : wrappings())
+        if (wrapping->card.name == name) return wrapping;
     return nullptr;
 }
 

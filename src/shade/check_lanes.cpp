@@ -106,6 +106,9 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     if (!any_map(b)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
+    if (frame.attributes.footprint)
+        for (const float* slope : {b.u_x, b.v_x, b.u_y, b.v_y})
+            check(slope, count, "slope of u or v", name);
     if (stage.card.axis != "map") return;
     if (stage.card.name == "opacity") return check(b.alpha, count, "alpha", name);
     for (int c = 0; c < 3; ++c)

@@ -1,8 +1,8 @@
-// How many texels a pixel covers: the level of detail of a texture, log2(max(|d/dx|, |d/dy|)) in
-// texels (D3D 11.3 functional specification 7.18.11; Heckbert 1989; HARD-CASES R24). The
-// derivatives of u and v are those of the triangle's plane at the sample. There are no quads of
-// pixels, so neither a triangle's edge nor its size changes anything (HARD-CASES 38, 39). For
-// mipmaps, which no stage has yet: only tests use it.
+// How many texels a pixel covers. The derivatives of u and v are those of the triangle's plane at
+// the sample: there are no quads of pixels, so neither a triangle's edge nor its size changes
+// anything (HARD-CASES 38, 39). From them follows the level of detail of a texture,
+// log2(max(|d/dx|, |d/dy|)) in texels (D3D 11.3 functional specification 7.18.11; Heckbert 1989;
+// HARD-CASES R24).
 #if defined(SCANOUT_SHADE_FOOTPRINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_FOOTPRINT_INL_H
 #undef SCANOUT_SHADE_FOOTPRINT_INL_H
@@ -16,16 +16,21 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
+// A pixel to the right, and a pixel down.
+template <class D>
+struct UvSlopes {
+    Float<D> u_x, v_x, u_y, v_y;
+};
+
 // With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of u_i / w_i,
 // u = N / D and du/dx = (dN/dx - u dD/dx) / D. In double: towards the horizon, and far from vertex
 // 0, to which u is relative, the difference cancels by the ratio of distances.
 class Footprint {
 public:
-    // width, height: texels a unit of u and of v, all scales included.
-    Footprint(const Primitive& t, double width, double height) : t_(t) {
+    explicit Footprint(const Primitive& t) : t_(t) {
         for (int k = 0; k < 3; ++k) {
-            u_[k] = (double{t.uv[0][k]} - double{t.uv[0][0]}) * width;
-            v_[k] = (double{t.uv[1][k]} - double{t.uv[1][0]}) * height;
+            u_[k] = double{t.uv[0][k]} - double{t.uv[0][0]};
+            v_[k] = double{t.uv[1][k]} - double{t.uv[1][0]};
             const double a = t.a[k] * 256 * double{t.inverse_w[k]}; // a pixel is 256 units
             const double b = t.b[k] * 256 * double{t.inverse_w[k]};
             sum_x_ += a;
@@ -37,10 +42,10 @@ public:
         }
     }
 
-    // 0: one texel a pixel. x, y: of the sample, 1/256 pixel. Within +-32, which is also the level
-    // of footprints without end, or not a number (+), and of none (-).
+    // x, y: of the sample, 1/256 pixel. Within +-2^60, which also stands for slopes without end, or
+    // not a number.
     template <class D>
-    HWY_INLINE Float<D> level(Int<D> x, Int<D> y) const {
+    HWY_INLINE UvSlopes<D> slopes(Int<D> x, Int<D> y) const {
         using F64s = Double<D>;
         const F64s px = to_f64(x), py = to_f64(y);
         const auto share = [&](int k) HWY_ATTR {
@@ -51,22 +56,47 @@ public:
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2);
         const F64s u = (p1 * F64s(u_[1]) + p2 * F64s(u_[2])) * inverse;
         const F64s v = (p1 * F64s(v_[1]) + p2 * F64s(v_[2])) * inverse;
-        const auto length_squared = [&](double du, double dv, double sum) HWY_ATTR {
-            const F64s along_u = (F64s(du) - u * F64s(sum)) * inverse;
-            const F64s along_v = (F64s(dv) - v * F64s(sum)) * inverse;
-            return minimum(along_u * along_u + along_v * along_v, F64s(0x1p64)); // NaN too
+        const auto slope = [&](double n_slope, F64s at, double d_slope) HWY_ATTR {
+            const F64s exact = (F64s(n_slope) - at * F64s(d_slope)) * inverse;
+            return to_f32(minimum(maximum(exact, F64s(-0x1p60)), F64s(0x1p60)));
         };
-        const F64s longest =
-            maximum(maximum(length_squared(u_x_, v_x_, sum_x_), length_squared(u_y_, v_y_, sum_y_)),
-                    F64s(0x1p-64));
-        return Float<D>(0.5F) * log2(to_f32(longest));
+        return {slope(u_x_, u, sum_x_), slope(v_x_, v, sum_x_), slope(u_y_, u, sum_y_),
+                slope(v_y_, v, sum_y_)};
     }
 
 private:
     const Primitive& t_;
-    double u_[3], v_[3]; // of the vertices, in texels, from vertex 0
+    double u_[3], v_[3]; // of the vertices, from vertex 0
     double sum_x_ = 0, sum_y_ = 0, u_x_ = 0, u_y_ = 0, v_x_ = 0, v_y_ = 0; // of D and N, a pixel
 };
+
+// Of every lane of a block, for an interpolation stage to call when the frame wants it.
+HWY_INLINE void write_slopes(Block& b) {
+    for (const Run* run = b.run; run != b.run + b.runs; ++run) {
+        const Footprint footprint(*run->primitive);
+        for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
+            const auto slopes = footprint.slopes(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
+            store(slopes.u_x, b.u_x + i);
+            store(slopes.v_x, b.v_x + i);
+            store(slopes.u_y, b.u_y + i);
+            store(slopes.v_y, b.v_y + i);
+        }
+    }
+}
+
+// 0: one texel a pixel; slopes in texels. Within +-32, which is also the level of footprints
+// without end, or not a number (+), and of none (-).
+template <class D>
+HWY_INLINE Float<D> level_of_detail(const UvSlopes<D>& texels) {
+    using F = Float<D>;
+    const auto length_squared = [](F u, F v) HWY_ATTR {
+        return minimum(u * u + v * v, F(0x1p64F)); // NaN too
+    };
+    const F longest = maximum(
+        maximum(length_squared(texels.u_x, texels.v_x), length_squared(texels.u_y, texels.v_y)),
+        F(0x1p-64F));
+    return F(0.5F) * log2(longest);
+}
 
 SIMD_END
 

@@ -73,11 +73,11 @@ Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
 
 // The maps of the block's material that some stage of the frame reads; alpha is known by now.
 void bind_maps(Block& b, const GatherInput& in) {
-    const scene::TextureMap* const maps[kMaps] = {&b.material->map_diffuse, nullptr};
     for (std::size_t i = 0; i < kMaps; ++i) {
-        b.map[i] = {nullptr, maps[i]};
-        if (maps[i] != nullptr && maps[i]->texture >= 0 && b.lit && in.frame->attributes.uv)
-            b.map[i].texture = &in.textures[static_cast<std::size_t>(maps[i]->texture)];
+        const auto map = static_cast<Map>(i);
+        const bool read = b.lit && (in.frame->attributes.maps & bit_of(map)) != 0 &&
+                          (b.material->*map_slots()[i].map).texture >= 0;
+        b.map[i] = read ? bound_map(in, map, *b.material) : BoundMap();
     }
 }
 
@@ -114,6 +114,13 @@ Run run_at(const GatherInput& in, const Primitive& primitive, int lane, int x, i
         run.y += dy;
     }
     return run;
+}
+
+BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& material) {
+    const scene::TextureMap& options = material.*map_slots()[map].map;
+    return {&in.textures[static_cast<std::size_t>(options.texture)], &options,
+            in.mips->find(mip_use(map, options)),
+            in.wrap.value_or(options.clamp ? Wrap::clamp : Wrap::repeat)};
 }
 
 const scene::Material& GatherInput::material(std::int32_t index) const {

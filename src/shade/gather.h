@@ -10,6 +10,7 @@
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/linear_picture.h"
+#include "shade/mip_chain.h"
 #include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
@@ -19,6 +20,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +49,8 @@ struct GatherInput {
     const scene::View* view = nullptr;
     std::span<const scene::Material> materials;
     std::span<const scene::Texture> textures;
+    const MipChains* mips = nullptr;
+    std::optional<Wrap> wrap; // of every map; else as each says
     std::span<const Stage* const> stages;
     const FrameState* frame = nullptr;
     bool mirrored = false;
@@ -58,6 +62,9 @@ struct GatherInput {
 
     const scene::Material& material(std::int32_t index) const; // -1: the default material
 };
+
+// A map of a material, ready to be read: it has a texture.
+BoundMap bound_map(const GatherInput& input, Map map, const scene::Material& material);
 
 // One lane for a triangle in a pixel: at the centre where the triangle covers it, else at a sample
 // that it covers; place_lanes has the last word.

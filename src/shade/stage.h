@@ -22,15 +22,34 @@ inline constexpr int kLanes = 128;
 // stands there is finite.
 inline constexpr int kRoom = kLanes + 16;
 
-// What a stage reads: vertex attributes, and the ray from the eye.
+// What a map's texels mean: sRGB colours, linear numbers, or that only their alpha counts.
+enum class TexelKind : std::uint8_t { colour, data, alpha };
+
+// The maps that a material can have.
+enum Map : std::uint8_t { kDiffuseMap, kOpacityMap, kMaps };
+using MapBits = std::uint16_t;
+constexpr MapBits bit_of(Map map) {
+    return static_cast<MapBits>(1U << map);
+}
+
+// What a stage reads: vertex attributes, maps, and the ray from the eye.
 struct Attributes {
     bool normal = false, uv = false, colour = false, ray = false, position = false;
-    bool corners = false; // normals and positions of the vertices; no lane needs its own
-    bool facing = false;  // Primitive::facing
+    bool corners = false;   // normals and positions of the vertices; no lane needs its own
+    bool facing = false;    // Primitive::facing
+    bool footprint = false; // how u and v change from pixel to pixel
+    MapBits maps = 0;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal,     a.uv || b.uv,           a.colour || b.colour, a.ray || b.ray,
-            a.position || b.position, a.corners || b.corners, a.facing || b.facing};
+    return {a.normal || b.normal,
+            a.uv || b.uv,
+            a.colour || b.colour,
+            a.ray || b.ray,
+            a.position || b.position,
+            a.corners || b.corners,
+            a.facing || b.facing,
+            a.footprint || b.footprint,
+            static_cast<MapBits>(a.maps | b.maps)};
 }
 
 // What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
@@ -77,14 +96,25 @@ inline bool continues(const Run& run, const Run& next) {
            run.dy == next.dy;
 }
 
-// The maps that a material can have.
-enum Map : std::uint8_t { kDiffuseMap, kOpacityMap, kMaps };
+// Where a material keeps each, and how its texels are read.
+struct MapSlot {
+    scene::TextureMap scene::Material::*map;
+    TexelKind kind;
+};
+const std::array<MapSlot, kMaps>& map_slots(); // [Map]
+
+struct MipChain;
+
+// What lies beyond the edges of a texture.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
 
 // A map of the block's material; no texture where the material has none, or where no stage of the
 // frame reads it.
 struct BoundMap {
     const scene::Texture* texture = nullptr;
     const scene::TextureMap* map = nullptr; // its options
+    const MipChain* mips = nullptr;         // null where the texture is nowhere minified
+    Wrap wrap = Wrap::repeat;
 };
 
 // A light as the lanes of a block see it.
@@ -120,6 +150,8 @@ struct Block {
     alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
     alignas(64) float u[kRoom], v[kRoom];
     alignas(64) float position[3][kRoom]; // view space, times scene::to_floats
+    // Change of u and v a pixel, to the right and downwards; where the frame asks for a footprint.
+    alignas(64) float u_x[kRoom], v_x[kRoom], u_y[kRoom], v_y[kRoom];
 
     // Of the map that was sampled last: red, green, blue, or alpha; linear.
     alignas(64) float sampled[4][kRoom];
@@ -139,6 +171,13 @@ struct Block {
     alignas(64) float albedo[3][kRoom];
     alignas(64) float colour[3][kRoom];
 };
+
+// Some map of the block has a texture: it wants u and v.
+inline bool any_map(const Block& block) {
+    for (const BoundMap& map : block.map)
+        if (map.texture != nullptr) return true;
+    return false;
+}
 
 struct Filter;
 struct StepLimits;
@@ -177,27 +216,27 @@ struct Stage {
     void (*run)(Block& block, const FrameState& frame);
 };
 
-// A texture filter: reads a map at b.u, b.v into b.sampled, red to blue as sRGB or as linear
-// numbers, or alpha alone.
-enum class TexelKind : std::uint8_t { colour, data, alpha };
+// A texture filter: reads a map at b.u, b.v into b.sampled: its first three rows, or, where only
+// alpha counts, its last.
 struct Filter {
     Technique card;
     Attributes needs;
     void (*sample)(Block& block, const BoundMap& map, TexelKind kind);
 };
 
-// Some map of the block has a texture: it wants u and v.
-inline bool any_map(const Block& block) {
-    for (const BoundMap& map : block.map)
-        if (map.texture != nullptr) return true;
-    return false;
-}
+// A choice of what lies beyond a texture's edges.
+struct Wrapping {
+    Technique card;
+    Wrap wrap;
+};
 
-// Every stage and every filter there is, in the order of techniques.h; null where there is no such
-// name.
+// Every stage, filter and wrapping there is, in the order of techniques.h; null where there is no
+// such name.
 std::span<const Stage* const> stages();
 std::span<const Filter* const> filters();
+std::span<const Wrapping* const> wrappings();
 const Stage* find_stage(std::string_view axis, std::string_view name);
 const Filter* find_filter(std::string_view name);
+const Wrapping* find_wrapping(std::string_view name);
 
 } // namespace scanout::shade

@@ -1,5 +1,5 @@
 // Texel addressing that the texture filters share: texel centres lie at half-integers, v runs up
-// and rows run down (TOPICS T15), repeat or clamp, the options -o and -s of the map.
+// and rows run down (TOPICS T15), repeat, mirror or clamp, the options -o and -s of the map.
 #if defined(SCANOUT_SHADE_TEXEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_TEXEL_INL_H
 #undef SCANOUT_SHADE_TEXEL_INL_H
@@ -23,15 +23,28 @@ HWY_INLINE I32 floor_to_int(F32 x) {
     return whole - select(to_f32(whole) > x, I32(1), I32(0));
 }
 
-// What a kind of texel has: red, green and blue, or alpha alone.
-template <bool kAlpha>
-inline constexpr int kFirstChannel = kAlpha ? 3 : 0;
-template <bool kAlpha>
-inline constexpr int kEndChannel = kAlpha ? 4 : 3;
+HWY_INLINE F32 mix(F32 share, F32 from, F32 to) {
+    return from + share * (to - from);
+}
 
+// What a filter reads of a texel: red, green and blue, or alpha alone.
+template <int kChannels>
 struct Texel {
-    F32 channel[4];
+    F32 channel[kChannels];
 };
+template <int kChannels>
+HWY_INLINE Texel<kChannels> mix(F32 share, const Texel<kChannels>& from,
+                                const Texel<kChannels>& to) {
+    Texel<kChannels> mixed;
+    for (int c = 0; c < kChannels; ++c)
+        mixed.channel[c] = mix(share, from.channel[c], to.channel[c]);
+    return mixed;
+}
+template <int kChannels>
+HWY_INLINE void store_sample(const Texel<kChannels>& texel, Block& b, int lane) {
+    for (int c = 0; c < kChannels; ++c)
+        store(texel.channel[c], b.sampled[kChannels == 1 ? 3 : c] + lane);
+}
 
 class TexelReader {
 public:
@@ -40,58 +53,82 @@ public:
           decode_(kind == TexelKind::colour ? ::scanout::detail::kSrgb.decode
                                             : ::scanout::detail::kSrgb.linear),
           width_(bound.texture->image.width()), height_(bound.texture->image.height()),
-          clamp_(bound.map->clamp), scale_x_(bound.map->scale.x), scale_y_(bound.map->scale.y),
+          wrap_(bound.wrap), scale_x_(bound.map->scale.x), scale_y_(bound.map->scale.y),
           offset_x_(bound.map->offset.x), offset_y_(bound.map->offset.y) {}
 
+    std::int32_t width() const { return width_; }
+    std::int32_t height() const { return height_; }
+
+    // u and v with the map's options, in turns of the texture.
+    HWY_INLINE F32 turns_x(F32 u) const { return u * F32(scale_x_) + F32(offset_x_); }
+    HWY_INLINE F32 turns_y(F32 v) const { return v * F32(scale_y_) + F32(offset_y_); }
+
+    // Into [0, 1]: repeats by removing whole turns first, so that large coordinates keep their
+    // precision; mirrors or clamps where the map says so. NaN gives 0.
+    HWY_INLINE F32 unit(F32 t) const {
+        if (wrap_ == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
+        const F32 safe = convertible(t);
+        if (wrap_ == Wrap::repeat) return safe - to_f32(floor_to_int(safe));
+        const F32 there_and_back = safe - F32(2.0F) * to_f32(floor_to_int(safe * F32(0.5F)));
+        return select(there_and_back > F32(1.0F), F32(2.0F) - there_and_back, there_and_back);
+    }
+
     // Texel coordinates, in texels: x right from the left edge, y up from the bottom edge.
-    HWY_INLINE F32 x(F32 u) const {
-        return unit(u * F32(scale_x_) + F32(offset_x_)) * F32(static_cast<float>(width_));
+    HWY_INLINE F32 x(F32 u) const { return unit(turns_x(u)) * F32(static_cast<float>(width_)); }
+    HWY_INLINE F32 y(F32 v) const { return unit(turns_y(v)) * F32(static_cast<float>(height_)); }
+
+    // A texel counted from an edge, `size` texels from the other; beyond them by at most `size`.
+    HWY_INLINE I32 address(I32 i, I32 size) const {
+        if (wrap_ != Wrap::repeat) return minimum(maximum(i, I32(0)), size - I32(1));
+        return select(i < I32(0), i + size, select(i >= size, i - size, i));
     }
-    HWY_INLINE F32 y(F32 v) const {
-        return unit(v * F32(scale_y_) + F32(offset_y_)) * F32(static_cast<float>(height_));
-    }
-    // Addressed beyond the edges, by at most the picture's size: the column of a texel counted from
-    // the left, and where the row begins that is counted from the bottom. At most 2^28, an image
-    // has up to 2^14 x 2^14 texels.
-    HWY_INLINE I32 column(I32 x) const { return address(x, width_); }
+    // The column of a texel counted from the left, and where the row begins that is counted from
+    // the bottom. At most 2^28, an image has up to 2^14 x 2^14 texels.
+    HWY_INLINE I32 column(I32 x) const { return address(x, I32(width_)); }
     HWY_INLINE I32 row(I32 y) const {
-        return (I32(height_ - 1) - address(y, height_)) * I32(width_);
+        return (I32(height_ - 1) - address(y, I32(height_))) * I32(width_);
     }
-    // Linear light of a texel, or its alpha.
-    template <bool kAlpha>
-    HWY_INLINE Texel read(I32 column, I32 row) const {
-        const I32 texel = gather(texels_, row + column), code_mask = 255;
-        Texel t;
-        if constexpr (kAlpha) {
-            t.channel[3] = gather(decode_, shift_right<24>(texel) & code_mask);
+    // Linear light of a texel.
+    template <int kChannels>
+    HWY_INLINE Texel<kChannels> read(I32 place) const {
+        const I32 texel = gather(texels_, place), code_mask = 255;
+        if constexpr (kChannels == 1) {
+            return {{gather(::scanout::detail::kSrgb.linear, shift_right<24>(texel) & code_mask)}};
         } else {
-            t.channel[0] = gather(decode_, texel & code_mask);
-            t.channel[1] = gather(decode_, shift_right<8>(texel) & code_mask);
-            t.channel[2] = gather(decode_, shift_right<16>(texel) & code_mask);
+            return {{gather(decode_, texel & code_mask),
+                     gather(decode_, shift_right<8>(texel) & code_mask),
+                     gather(decode_, shift_right<16>(texel) & code_mask)}};
         }
-        return t;
     }
 
 private:
-    // Into [0, 1]: repeats by removing whole turns first, so that large coordinates keep their
-    // precision; clamps where the map says so. NaN gives 0.
-    HWY_INLINE F32 unit(F32 t) const {
-        if (clamp_) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
-        const F32 safe = convertible(t);
-        return safe - to_f32(floor_to_int(safe));
-    }
-    HWY_INLINE I32 address(I32 i, std::int32_t size) const {
-        if (clamp_) return minimum(maximum(i, I32(0)), I32(size - 1));
-        const I32 turn = size;
-        return select(i < I32(0), i + turn, select(i >= turn, i - turn, i));
-    }
-
     const std::int32_t* texels_; // image::Rgba8, red in the lowest byte
     const float* decode_;        // of 256 codes
     std::int32_t width_, height_;
-    bool clamp_;
+    Wrap wrap_;
     float scale_x_, scale_y_, offset_x_, offset_y_;
 };
+
+// The four texels around a place and its share of the way from the lower left one.
+struct Around {
+    I32 left, right, bottom, top; // columns; where rows begin
+    F32 x, y;
+};
+// x, y: texel coordinates.
+HWY_INLINE Around around(const TexelReader& reader, F32 x, F32 y) {
+    x = x - F32(0.5F);
+    y = y - F32(0.5F);
+    const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
+    return {reader.column(x0), reader.column(x0 + I32(1)),
+            reader.row(y0),    reader.row(y0 + I32(1)),
+            x - to_f32(x0),    y - to_f32(y0)};
+}
+// read(place): a texel.
+template <int kChannels, class Read>
+HWY_INLINE Texel<kChannels> blend(const Around& at, Read read) {
+    return mix(at.y, mix(at.x, read(at.bottom + at.left), read(at.bottom + at.right)),
+               mix(at.x, read(at.top + at.left), read(at.top + at.right)));
+}
 
 SIMD_END
 

@@ -111,9 +111,9 @@ protected:
         frame::FrameOptions options = settings.frame;
         options.width = 160;
         options.height = 120;
-        const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene));
         const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
                                                    settings.camera, {}, 160, 120);
+        const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
         frame::Renderer renderer(jobs);
         return renderer.render(model.scene, view, plan);
     }

@@ -115,8 +115,9 @@ TEST(Picture, DoesNotDependOnTheFrameBefore) {
         for (const Shot& s : shots) {
             const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
                                                s.options.width, s.options.height);
-            const auto plan = frame::plan(s.options, frame::facts(s.scene));
-            ASSERT_TRUE(view && plan);
+            ASSERT_TRUE(view);
+            const auto plan = frame::plan(s.options, frame::facts(s.scene), *view);
+            ASSERT_TRUE(plan);
             ASSERT_EQ(renderer.render(s.scene, *view, *plan), draw(s)) << s.name;
         }
     }

@@ -13,6 +13,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
     const std::pair<std::string_view, std::vector<std::string_view>> axes[] = {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},

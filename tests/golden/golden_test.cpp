@@ -67,6 +67,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
+        {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},

@@ -31,6 +31,7 @@ inline std::unique_ptr<Block> new_block(const scene::Material& material) {
         }
         b->ray_x[i] = b->ray_y[i] = b->u[i] = b->v[i] = 0;
         b->x[i] = b->y[i] = 0;
+        b->u_x[i] = b->v_x[i] = b->u_y[i] = b->v_y[i] = 0;
     }
     return b;
 }
@@ -47,7 +48,8 @@ inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
         return std::memcmp(x + first, y + first,
                            static_cast<std::size_t>(end - first) * sizeof(float)) == 0;
     };
-    bool equal = same(a.u, b.u) && same(a.v, b.v);
+    bool equal = same(a.u, b.u) && same(a.v, b.v) && same(a.u_x, b.u_x) && same(a.v_x, b.v_x) &&
+                 same(a.u_y, b.u_y) && same(a.v_y, b.v_y);
     for (int c = 0; c < 3; ++c)
         for (std::size_t k = 0; k < a.light.size(); ++k)
             equal = equal && same(a.light[k].towards[c], b.light[k].towards[c]) &&

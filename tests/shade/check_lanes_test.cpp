@@ -4,6 +4,7 @@
 #include "shade/block.h"
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
+#include "shade/mip_chain.h"
 
 #include <algorithm>
 #include <array>
@@ -59,6 +60,7 @@ protected:
         lights_[0].position = {0, 0, 3};
         frame_.lights = lights_;
         frame_.varies = varies_;
+        frame_.attributes.maps = bit_of(kDiffuseMap);
         frame_.filter = find_filter("bilinear");
         frame_.reflection.fill(&stage("reflection", "blinn_phong"));
         materials_[0].specular = Vec3(1);
@@ -83,6 +85,7 @@ protected:
         in.transform = &transform;
         in.materials = materials_;
         in.textures = textures_;
+        in.mips = &mips_;
         in.stages = stages_;
         in.frame = &frame_;
         in.rays = rays_;
@@ -97,6 +100,7 @@ protected:
     std::vector<scene::Texture> textures_{scanout::test::checkers()};
     std::vector<scene::ViewLight> lights_{1};
     std::array<bool, 1> varies_{true};
+    const MipChains mips_;
     FrameState frame_ = identity_frame();
     Rays rays_{0.01F, 0, 0.01F, 0};
     const Stage interpolate_ =

@@ -8,17 +8,26 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 // Arrays have room for whole registers.
-void levels_wide(const Primitive& t, double width, double height, const std::int32_t* x,
-                 const std::int32_t* y, int count, float* out) {
-    const Footprint footprint(t, width, height);
-    for (int i = 0; i < count; i += kLanes)
-        store(footprint.level(load<I32>(x + i), load<I32>(y + i)), out + i);
+template <class Place>
+HWY_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
+                          const std::int32_t* y, int count, float* out) {
+    const Footprint footprint(t);
+    for (int i = 0; i < count; i += static_cast<int>(Place::kLanes)) {
+        auto slopes = footprint.slopes(load<Place>(x + i), load<Place>(y + i));
+        slopes.u_x = slopes.u_x * width;
+        slopes.v_x = slopes.v_x * height;
+        slopes.u_y = slopes.u_y * width;
+        slopes.v_y = slopes.v_y * height;
+        store(level_of_detail(slopes), out + i);
+    }
 }
-void levels_narrow(const Primitive& t, double width, double height, const std::int32_t* x,
+void levels_wide(const Primitive& t, float width, float height, const std::int32_t* x,
+                 const std::int32_t* y, int count, float* out) {
+    levels_of<I32>(t, width, height, x, y, count, out);
+}
+void levels_narrow(const Primitive& t, float width, float height, const std::int32_t* x,
                    const std::int32_t* y, int count, float* out) {
-    const Footprint footprint(t, width, height);
-    for (int i = 0; i < count; i += kLanesX8)
-        store(footprint.level(load<I32x8>(x + i), load<I32x8>(y + i)), out + i);
+    levels_of<I32x8>(t, width, height, x, y, count, out);
 }
 
 SIMD_END
@@ -28,7 +37,7 @@ namespace scanout::shade::texture {
 SIMD_REGISTER(levels_wide);
 SIMD_REGISTER(levels_narrow);
 
-static void run(bool narrow, const Primitive& t, double width, double height, const std::int32_t* x,
+static void run(bool narrow, const Primitive& t, float width, float height, const std::int32_t* x,
                 const std::int32_t* y, int count, float* out) {
     const auto kernel = narrow ? SIMD_CALL(levels_narrow) : SIMD_CALL(levels_wide);
     kernel(t, width, height, x, y, count, out);
@@ -37,7 +46,7 @@ static void run(bool narrow, const Primitive& t, double width, double height, co
 
 namespace scanout::shade::test {
 
-std::vector<float> levels(bool narrow, const Primitive& triangle, double width, double height,
+std::vector<float> levels(bool narrow, const Primitive& triangle, float width, float height,
                           const std::vector<Sample>& samples) {
     std::vector<std::int32_t> x(samples.size() + 16), y(samples.size() + 16);
     std::vector<float> out(samples.size() + 16);

@@ -18,7 +18,7 @@ namespace {
 using scanout::test::on_every_target;
 using scanout::test::Random;
 
-constexpr double kWidth = 512, kHeight = 2048; // texels
+constexpr float kWidth = 512, kHeight = 2048; // texels
 constexpr float kLimit = 32;
 
 struct Vec {
@@ -284,7 +284,7 @@ TEST(Footprint, OfOneTexelAPixelIsLevel0AndEveryDoublingIsOneMore) {
     const std::vector<Sample> samples = {{128, 128}, {1000, 3000}};
     for (int level = -8; level <= 8; ++level)
         for (const float got :
-             levels(false, straight_on(256), std::ldexp(256.0, level), 64, samples))
+             levels(false, straight_on(256), std::ldexp(256.0F, level), 64, samples))
             EXPECT_NEAR(got, std::max(level, -2), 0x1p-20); // 64 texels in 256 pixels along v
 }
 

@@ -1,4 +1,5 @@
 #include "shade/block.h"
+#include "shade/mip_chain.h"
 #include "support/srgb_formula.h"
 
 #include <bit>
@@ -23,10 +24,35 @@ scene::Texture noise(int width, int height, std::uint64_t seed) {
     return texture;
 }
 
+constexpr Wrap kWraps[] = {Wrap::repeat, Wrap::mirror, Wrap::clamp};
+
+// Slopes of u and v from pixel to pixel: along x, then along y.
+struct Slopes {
+    Vec2 x{0}, y{0};
+};
+
 struct Sampler {
-    explicit Sampler(const scene::Texture& t, bool clamp = false) : texture(t) {
-        material.map_diffuse.clamp = clamp;
-        block->map[kDiffuseMap] = {&texture, &material.map_diffuse};
+    explicit Sampler(const scene::Texture& t, Wrap wrap = Wrap::repeat)
+        : texture(t), chain(make_mip_chain(t.image, TexelKind::colour, jobs())) {
+        block->map[kDiffuseMap] = {&texture, &material.map_diffuse, &chain, wrap};
+    }
+    static Jobs& jobs() {
+        static Jobs one(1);
+        return one;
+    }
+    void set_slopes(int lane, const Slopes& s) {
+        block->u_x[lane] = s.x.x;
+        block->v_x[lane] = s.x.y;
+        block->u_y[lane] = s.y.x;
+        block->v_y[lane] = s.y.y;
+    }
+    // Every lane has slopes of its own, of any size.
+    void set_random_slopes(Random& random) {
+        for (int i = 0; i < kLanes; ++i) {
+            const double size = std::exp2(random.in(-20, 60));
+            const DVec3 x = random.in_cube(size), y = random.in_cube(size);
+            set_slopes(i, {Vec2(x.x, x.y), Vec2(y.x, y.y)});
+        }
     }
     // Up to a block of coordinates at once.
     void sample(std::string_view filter, const std::vector<Vec2>& uv) {
@@ -44,6 +70,7 @@ struct Sampler {
         return {block->albedo[0][0], block->albedo[1][0], block->albedo[2][0]};
     }
     const scene::Texture& texture;
+    MipChain chain;
     scene::Material material = scanout::test::textured(0);
     std::unique_ptr<Block> block = new_block(material);
 };
@@ -66,14 +93,15 @@ std::vector<std::string> filters() {
 TEST(Texture, AConstantOneStaysConstantUnderEveryFilter) {
     Random random(1);
     for (const std::string& filter : filters()) {
-        for (const bool clamp : {false, true}) {
+        for (const Wrap wrap : kWraps) {
             const scene::Texture grey{"grey", image::Image(5, 3, {100, 200, 7, 255})};
-            Sampler sampler(grey, clamp);
+            Sampler sampler(grey, wrap);
             const Vec3 first = sampler.one(filter, 0.5F, 0.5F);
             EXPECT_NEAR(first.x, scanout::test::decoded(100), 1e-7);
             EXPECT_NEAR(first.y, scanout::test::decoded(200), 1e-7);
             EXPECT_NEAR(first.z, scanout::test::decoded(7), 1e-7);
             for (const double size : {0.1, 2.0, 1e5, 1e30}) {
+                sampler.set_random_slopes(random);
                 sampler.sample(filter, random_uv(random, size));
                 for (int i = 0; i < kLanes; ++i)
                     for (int c = 0; c < 3; ++c)
@@ -87,7 +115,7 @@ TEST(Texture, NearestGivesExactlyTheTexelThatTheSampleFallsInto) {
     Random random(2);
     const scene::Texture texture = noise(13, 7, 3);
     for (const bool clamp : {false, true}) {
-        Sampler sampler(texture, clamp);
+        Sampler sampler(texture, clamp ? Wrap::clamp : Wrap::repeat);
         for (int round = 0; round < 2000; ++round) {
             const std::vector<Vec2> uv = random_uv(random, round % 2 == 0 ? 1 : 3);
             sampler.sample("nearest", uv);
@@ -130,7 +158,7 @@ TEST(Texture, BilinearIsTheOverlapOfATexelSizedSquare) {
     const scene::Texture texture = noise(8, 4, 5);
     double worst = 0;
     for (const bool clamp : {false, true}) {
-        Sampler sampler(texture, clamp);
+        Sampler sampler(texture, clamp ? Wrap::clamp : Wrap::repeat);
         for (int round = 0; round < 4000; ++round) {
             const std::vector<Vec2> uv = random_uv(random, 1.5);
             sampler.sample("bilinear", uv);
@@ -208,7 +236,7 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
                           {100000.5F, 2, 3}};
     for (const Case& c : cases) {
         for (const bool clamp : {false, true}) {
-            Sampler sampler(row, clamp);
+            Sampler sampler(row, clamp ? Wrap::clamp : Wrap::repeat);
             const int expected = clamp ? c.clamp : c.repeat;
             EXPECT_NEAR(sampler.one("nearest", c.u, 0.5F).x, scanout::test::decoded(expected + 1),
                         1e-9)
@@ -231,7 +259,7 @@ TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
         return std::bit_cast<float>(static_cast<std::uint32_t>(random.bits()));
     };
     for (int round = 0; round < 2000; ++round) {
-        Sampler sampler(texture, round % 2 == 1);
+        Sampler sampler(texture, kWraps[round % 3]);
         if (round % 4 >= 2) {
             sampler.material.map_diffuse.scale = {any(), any(), 1};
             sampler.material.map_diffuse.offset = {any(), any(), 0};
@@ -239,6 +267,8 @@ TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
         std::vector<Vec2> uv(static_cast<std::size_t>(random.whole(1, kLanes)));
         for (Vec2& t : uv)
             t = {any(), any()};
+        for (int i = 0; i < kLanes; ++i)
+            sampler.set_slopes(i, {{any(), any()}, {any(), any()}});
         for (const std::string& filter : filters()) {
             sampler.sample(filter, uv);
             for (std::size_t i = 0; i < uv.size(); ++i)
@@ -273,8 +303,9 @@ TEST(Texture, OfOneTexelIsReadEverywhere) {
     const scene::Texture dot{"dot", image::Image(1, 1, {77, 77, 77, 255})};
     Random random(6);
     for (const std::string& filter : filters())
-        for (const bool clamp : {false, true}) {
-            Sampler sampler(dot, clamp);
+        for (const Wrap wrap : kWraps) {
+            Sampler sampler(dot, wrap);
+            sampler.set_random_slopes(random);
             sampler.sample(filter, random_uv(random, 5));
             for (int i = 0; i < kLanes; ++i)
                 ASSERT_NEAR(sampler.block->albedo[0][i], scanout::test::decoded(77), 1e-8);
@@ -287,10 +318,236 @@ TEST(Texture, OffsetAndScaleOfTheMapMoveTheCoordinates) {
     moved.material.map_diffuse.scale = {2, 4, 1};
     moved.material.map_diffuse.offset = {0.25F, -0.5F, 0};
     Random random(7);
-    for (const Vec2& uv : random_uv(random, 2))
+    for (const Vec2& uv : random_uv(random, 2)) {
+        const Vec2 x(random.in(-1, 1), random.in(-1, 1)), y(random.in(-1, 1), random.in(-1, 1));
+        moved.set_slopes(0, {x, y});
+        plain.set_slopes(0, {{x.x * 2, x.y * 4}, {y.x * 2, y.y * 4}});
         for (const std::string& filter : filters())
             EXPECT_EQ(moved.one(filter, uv.x, uv.y),
                       plain.one(filter, uv.x * 2 + 0.25F, uv.y * 4 - 0.5F));
+    }
+}
+
+// --- minified
+
+// A level of a chain, bilinear, repeated.
+double in_level(const MipChain& chain, const image::Image& image, int level, double u, double v) {
+    const int width = chain.width[level], height = chain.height[level];
+    const double x = u * width - 0.5, y = v * height - 0.5;
+    double sum = 0;
+    for (int j = 0; j < 2; ++j) {
+        for (int k = 0; k < 2; ++k) {
+            const double tx = std::floor(x) + k, ty = std::floor(y) + j;
+            const auto wrapped = [](double t, int size) {
+                return static_cast<int>(t - std::floor(t / size) * size);
+            };
+            const int column = wrapped(tx, width), row = height - 1 - wrapped(ty, height);
+            const double texel = level == 0
+                                     ? scanout::test::decoded(image.at(column, row).r)
+                                     : chain.texels[static_cast<std::size_t>(chain.begin[level] +
+                                                                             row * width + column) *
+                                                    4];
+            sum += texel * (1 - std::abs(x - tx)) * (1 - std::abs(y - ty));
+        }
+    }
+    return sum;
+}
+
+TEST(Texture, NothingMinifiedIsReadAsBilinearReadsItToTheBit) {
+    Random random(10);
+    const scene::Texture texture = noise(16, 8, 11);
+    for (const Wrap wrap : kWraps) {
+        Sampler sampler(texture, wrap);
+        for (int i = 0; i < kLanes; ++i) {
+            const double angle = random.in(0, 6.28), size = i % 2 == 0 ? 0.999 : 0.01;
+            const Vec2 x(std::cos(angle) * size / 16, std::sin(angle) * size / 8);
+            sampler.set_slopes(i, {x, {-x.y * 0.25F, x.x}});
+        }
+        const std::vector<Vec2> uv = random_uv(random, 2);
+        sampler.sample("bilinear", uv);
+        const Block expected = *sampler.block;
+        for (const std::string& filter : filters()) {
+            if (filter == "nearest") continue;
+            for (const MipChain* mips : {static_cast<const MipChain*>(&sampler.chain),
+                                         static_cast<const MipChain*>(nullptr)}) {
+                sampler.block->map[kDiffuseMap].mips = mips;
+                sampler.sample(filter, uv);
+                EXPECT_TRUE(same_lanes(*sampler.block, expected, 0, kLanes)) << filter;
+            }
+        }
+    }
+}
+
+TEST(Texture, MipmapReadsTheNearestLevelAndTrilinearBothWithTheirShares) {
+    Random random(11);
+    const scene::Texture texture = noise(37, 64, 12);
+    Sampler sampler(texture);
+    for (int round = 0; round < 500; ++round) {
+        std::vector<double> level(kLanes);
+        for (int i = 0; i < kLanes; ++i) {
+            double& l = level[static_cast<std::size_t>(i)];
+            l = random.in(-1, 7);
+            const double size = std::exp2(l), angle = random.in(0, 6.28);
+            const Vec2 longer(size * std::cos(angle) / 37, size * std::sin(angle) / 64);
+            const Vec2 shorter = longer * static_cast<float>(random.in(0, 0.99));
+            sampler.set_slopes(i, i % 2 == 0 ? Slopes{longer, shorter} : Slopes{shorter, longer});
+        }
+        const std::vector<Vec2> uv = random_uv(random, 1);
+        const auto got = [&](std::string_view filter, auto expected) {
+            sampler.sample(filter, uv);
+            for (std::size_t i = 0; i < uv.size(); ++i) {
+                const double l = std::clamp(level[i], 0.0, double(sampler.chain.last));
+                if (std::abs(l - std::floor(l) - 0.5) < 1e-4) continue; // which is nearer?
+                ASSERT_NEAR(sampler.block->albedo[0][i], expected(l, uv[i]), 3e-5)
+                    << filter << " at level " << l;
+            }
+        };
+        const auto read = [&](double l, const Vec2& at) {
+            return in_level(sampler.chain, texture.image, static_cast<int>(l), at.x, at.y);
+        };
+        got("mipmap", [&](double l, const Vec2& at) { return read(std::floor(l + 0.5), at); });
+        got("trilinear", [&](double l, const Vec2& at) {
+            const double sharp = std::floor(l), share = l - sharp;
+            const double near = read(sharp, at);
+            return share == 0 ? near : near + share * (read(sharp + 1, at) - near);
+        });
+    }
+}
+
+// A footprint of n texels by one: n probes of one texel each, in a line.
+TEST(Texture, AnisotropicIsTheMeanAlongTheFootprint) {
+    Random random(12);
+    const scene::Texture texture = noise(64, 64, 13);
+    Sampler sampler(texture);
+    for (const auto& [filter, most] :
+         {std::pair{"anisotropic_2", 2}, std::pair{"anisotropic_4", 4},
+          std::pair{"anisotropic_8", 8}, std::pair{"anisotropic_16", 16}}) {
+        for (int round = 0; round < 200; ++round) {
+            const double angle = random.in(0, 6.28);
+            const double x = std::cos(angle), y = std::sin(angle), n = most * 0.9999;
+            for (int i = 0; i < kLanes; ++i) {
+                // Any conjugate axes of the same ellipse are the same footprint.
+                const double turn = random.in(0, 6.28), c = std::cos(turn), s = std::sin(turn);
+                sampler.set_slopes(i, {Vec2(n * x * c - y * s, n * y * c + x * s) / 64.0F,
+                                       Vec2(-n * x * s - y * c, -n * y * s + x * c) / 64.0F});
+            }
+            const std::vector<Vec2> uv = random_uv(random, 1);
+            sampler.sample(filter, uv);
+            for (std::size_t i = 0; i < uv.size(); ++i) {
+                double mean = 0;
+                for (int k = 0; k < most; ++k) {
+                    const double along = ((k + 0.5) / most - 0.5) * n / 64;
+                    mean += in_level(sampler.chain, texture.image, 0, uv[i].x + along * x,
+                                     uv[i].y + along * y) /
+                            most;
+                }
+                ASSERT_NEAR(sampler.block->albedo[0][i], mean, 2e-4) << filter;
+            }
+        }
+    }
+}
+
+TEST(Texture, AnisotropicOfARoundFootprintIsTrilinear) {
+    Random random(13);
+    const scene::Texture texture = noise(64, 32, 14);
+    Sampler sampler(texture);
+    for (int i = 0; i < kLanes; ++i) {
+        const double size = std::exp2(random.in(0, 6)), angle = random.in(0, 6.28);
+        const Vec2 a(size * std::cos(angle), size * std::sin(angle));
+        sampler.set_slopes(i, {{a.x / 64, a.y / 32}, {-a.y * 0.9999F / 64, a.x * 0.9999F / 32}});
+    }
+    const std::vector<Vec2> uv = random_uv(random, 1);
+    sampler.sample("trilinear", uv);
+    const Block expected = *sampler.block;
+    sampler.sample("anisotropic_16", uv);
+    double worst = 0;
+    for (int i = 0; i < kLanes; ++i)
+        worst =
+            std::max<double>(worst, std::abs(sampler.block->albedo[0][i] - expected.albedo[0][i]));
+    EXPECT_LT(worst, 1e-3);
+}
+
+TEST(Texture, MinifiedValuesStayWithinThoseOfTheTexture) {
+    Random random(14);
+    const scene::Texture texture = noise(37, 19, 15);
+    float low = 1, high = 0;
+    for (const image::Rgba8& p : texture.image.pixels()) {
+        low = std::min(low, static_cast<float>(scanout::test::decoded(p.g)));
+        high = std::max(high, static_cast<float>(scanout::test::decoded(p.g)));
+    }
+    for (int round = 0; round < 1300; ++round) { // P13: a million samples
+        Sampler sampler(texture, kWraps[round % 3]);
+        sampler.set_random_slopes(random);
+        const std::vector<Vec2> uv = random_uv(random, std::exp2(random.in(-3, 40)));
+        for (const std::string& filter : filters()) {
+            sampler.sample(filter, uv);
+            for (int i = 0; i < kLanes; ++i) {
+                ASSERT_GE(sampler.block->albedo[1][i], low * (1 - 0x1p-22F)) << filter;
+                ASSERT_LE(sampler.block->albedo[1][i], high * (1 + 0x1p-22F)) << filter;
+            }
+        }
+    }
+}
+
+TEST(Texture, FootprintsWithoutEndReadTheSmallestLevel) {
+    const scene::Texture texture = noise(64, 64, 16);
+    Sampler sampler(texture);
+    const float mean = sampler.chain.texels[sampler.chain.texels.size() - 4];
+    for (const float slope : {kInf, -kInf, kNaN, 1e30F, 1000.0F}) {
+        sampler.set_slopes(0, {{slope, slope}, {slope, slope}});
+        for (const std::string& filter : filters()) {
+            if (filter == "nearest" || filter == "bilinear") continue;
+            EXPECT_FLOAT_EQ(sampler.one(filter, 0.3F, 0.6F).x, mean) << filter << ' ' << slope;
+        }
+    }
+}
+
+TEST(Texture, MirroredIsTheTurnedPictureInEverySecondTile) {
+    Random random(15);
+    const scene::Texture texture = noise(16, 8, 17);
+    Sampler mirrored(texture, Wrap::mirror), clamped(texture, Wrap::clamp);
+    const auto folded = [](float t) {
+        const float turn = t - 2 * std::floor(t / 2);
+        return turn > 1 ? 2 - turn : turn;
+    };
+    for (const char* filter : {"nearest", "bilinear", "trilinear"}) {
+        for (const Vec2& uv : random_uv(random, 5))
+            EXPECT_EQ(mirrored.one(filter, uv.x, uv.y),
+                      clamped.one(filter, folded(uv.x), folded(uv.y)))
+                << filter << ' ' << uv.x << ' ' << uv.y;
+    }
+    // 1 and -0 are edges; what has no place reads the corner.
+    for (const float u : {kNaN, kInf, -kInf, 1e30F, 0.0F, -0.0F, 2.0F, -2.0F})
+        EXPECT_EQ(mirrored.one("nearest", u, u), mirrored.one("nearest", 0, 0)) << u;
+    EXPECT_EQ(mirrored.one("nearest", 1, 1), mirrored.one("nearest", 0.9999F, 0.9999F));
+}
+
+TEST(Texture, AlphaIsReadAloneByEveryFilter) {
+    Random random(16);
+    image::Image image(8, 8);
+    for (image::Rgba8& p : image.pixels())
+        p = {9, 9, 9, static_cast<std::uint8_t>(random.bits())};
+    image::Image grey(8, 8); // alpha is linear
+    for (std::size_t i = 0; i < image.pixels().size(); ++i)
+        grey.pixels()[i] = {image.pixels()[i].a, 0, 0, 255};
+    const scene::Texture transparent{"transparent", image}, plain{"plain", grey};
+    Sampler alpha(transparent), data(plain);
+    data.chain = make_mip_chain(grey, TexelKind::data, Sampler::jobs());
+    const std::vector<Vec2> uv = random_uv(random, 1);
+    for (const Filter* filter : shade::filters()) {
+        for (int i = 0; i < kLanes; ++i) {
+            const DVec3 x = random.in_cube(0.5), y = random.in_cube(0.5);
+            const Slopes slopes{{x.x, x.y}, {y.x, y.y}};
+            alpha.set_slopes(i, slopes);
+            data.set_slopes(i, slopes);
+            alpha.block->u[i] = data.block->u[i] = uv[static_cast<std::size_t>(i)].x;
+            alpha.block->v[i] = data.block->v[i] = uv[static_cast<std::size_t>(i)].y;
+        }
+        filter->sample(*alpha.block, alpha.block->map[kDiffuseMap], TexelKind::alpha);
+        filter->sample(*data.block, data.block->map[kDiffuseMap], TexelKind::data);
+        for (int i = 0; i < kLanes; ++i)
+            ASSERT_EQ(alpha.block->sampled[3][i], data.block->sampled[0][i]) << filter->card.name;
+    }
 }
 
 TEST(Texture, MultipliesTheAlbedo) {

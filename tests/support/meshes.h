@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/scene.h"
+#include "support/random.h"
 
 #include <array>
 #include <cmath>
@@ -145,6 +146,21 @@ inline scene::Texture checkers() {
             image.at(x, y) = {30, 200, 30, 255};
     }
     return {"checkers", image};
+}
+
+// Squares of two by two texels, each in a colour of its own.
+inline scene::Texture noisy(int side, std::uint64_t seed) {
+    Random random(seed);
+    image::Image image(side, side);
+    for (int y = 0; y < side; y += 2)
+        for (int x = 0; x < side; x += 2) {
+            const std::uint64_t bits = random.bits();
+            for (int i = 0; i < 4; ++i)
+                image.at(x + i % 2, y + i / 2) = {static_cast<std::uint8_t>(bits),
+                                                  static_cast<std::uint8_t>(bits >> 8),
+                                                  static_cast<std::uint8_t>(bits >> 16), 255};
+        }
+    return {"noisy", image};
 }
 
 } // namespace scanout::test

@@ -174,6 +174,36 @@ inline Shot near_clip(std::string name) {
         uv = {uv.x * 4, uv.y * 4};
     s.camera.eye = DVec3(0.1, 0.1, 0.3);
     s.camera.target = DVec3(0, 0, -0.4);
+    s.options.texture = "bilinear"; // far squares flicker: lines and clipping are the subject
+    return s;
+}
+
+// A floor of coarse noise that runs to the horizon: what each filter makes of minified texels.
+inline Shot noisy_floor(std::string name, const std::string& filter) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {noisy(64, 5)};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}}, {0, 1, 0}, 0);
+    for (Vec2& uv : mesh.uv)
+        uv = {uv.x * 5, uv.y * 5};
+    s.camera.eye = DVec3(0.1, 0.06, 0.9);
+    s.camera.target = DVec3(0, -0.1, -0.4);
+    s.options.texture = filter;
+    return s;
+}
+
+// A picture in the middle third of a square, and what lies beyond its edges.
+inline Shot wrapped_square(std::string name, const std::string& wrap) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {textured(0)};
+    s.scene.textures = {checkers()};
+    add_square(s.scene.mesh, 0.7F, 0, 0);
+    for (Vec2& uv : s.scene.mesh.uv)
+        uv = {uv.x * 3 - 1, uv.y * 3 - 1};
+    s.camera.azimuth_degrees = 20;
+    s.options.texture = "bilinear";
+    s.options.wrap = wrap;
     return s;
 }
 
@@ -261,6 +291,11 @@ inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
     shots.push_back(textured_cube("texture_bilinear", "bilinear"));
+    for (const char* filter : {"mipmap", "trilinear", "anisotropic_2", "anisotropic_4",
+                               "anisotropic_8", "anisotropic_16"})
+        shots.push_back(noisy_floor(std::string("texture_") + filter, filter));
+    for (const char* wrap : {"repeat", "mirror", "clamp"})
+        shots.push_back(wrapped_square(std::string("wrap_") + wrap, wrap));
     shots.push_back(textured_cube("map_diffuse", "auto"));
     shots.back().camera.azimuth_degrees = 60;
     const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);

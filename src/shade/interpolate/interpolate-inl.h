@@ -9,6 +9,7 @@
 #define SCANOUT_SHADE_INTERPOLATE_INL_H
 #endif
 
+#include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
@@ -123,6 +124,8 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
         run_normals<Rung, Normals::turned>(b, frame);
     else
         run_normals<Rung, Normals::unit>(b, frame);
+    // How u and v change is exact whatever the rung.
+    if (frame.attributes.footprint && any_map(b)) texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END

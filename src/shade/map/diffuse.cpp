@@ -27,7 +27,7 @@ constinit const Stage diffuse{{.axis = "map",
                                .blurb = "map_Kd: the diffuse colour times a texture",
                                .source = "[A 11.2], [C 9]",
                                .kind = Kind::effect},
-                              {.uv = true},
+                              {.uv = true, .maps = bit_of(kDiffuseMap)},
                               [](Block& block, const FrameState& frame) {
                                   const BoundMap& map = block.map[kDiffuseMap];
                                   if (map.texture == nullptr) return;

@@ -63,7 +63,7 @@ constinit const Stage opacity{{.axis = "map",
                                .blurb = "d, times map_d, times the alpha channel of map_Kd",
                                .source = "MTL, [C 1.6]",
                                .kind = Kind::effect},
-                              {.uv = true},
+                              {.uv = true, .maps = bit_of(kDiffuseMap) | bit_of(kOpacityMap)},
                               run};
 
 } // namespace scanout::shade::map

@@ -8,23 +8,21 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
-template <bool kAlpha>
-HWY_INLINE void nearest(Block& b, const TexelReader& reader) {
+template <int kChannels>
+HWY_INLINE void nearest_lanes(Block& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
-        const Texel texel =
-            reader.read<kAlpha>(reader.column(floor_to_int(x)), reader.row(floor_to_int(y)));
-        for (int c = kFirstChannel<kAlpha>; c < kEndChannel<kAlpha>; ++c)
-            store(texel.channel[c], b.sampled[c] + i);
+        const I32 place = reader.row(floor_to_int(y)) + reader.column(floor_to_int(x));
+        store_sample(reader.read<kChannels>(place), b, i);
     }
 }
 
 void nearest_sample(Block& b, const BoundMap& map, TexelKind kind) {
     const TexelReader reader(map, kind);
     if (kind == TexelKind::alpha)
-        nearest<true>(b, reader);
+        nearest_lanes<1>(b, reader);
     else
-        nearest<false>(b, reader);
+        nearest_lanes<3>(b, reader);
 }
 
 SIMD_END

@@ -1,0 +1,103 @@
+#include "frame/minification.h"
+
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <array>
+
+namespace scanout::frame {
+namespace {
+
+struct Corner {
+    DVec3 position{0};
+    DVec2 texel{0};
+};
+
+// The most texels a unit of a triangle's plane spans in any direction: the larger singular value of
+// position -> texel. 0 for a triangle without area, which nobody sees.
+double texels_per_unit(const std::array<Corner, 3>& c) {
+    const DVec3 e1 = c[1].position - c[0].position, e2 = c[2].position - c[0].position;
+    const DVec2 t1 = c[1].texel - c[0].texel, t2 = c[2].texel - c[0].texel;
+    // J J^T = T G^-1 T^T, G the edges' inner products.
+    const double g11 = dot3(e1, e1), g12 = dot3(e1, e2), g22 = dot3(e2, e2);
+    const DVec3 normal = cross3(e1, e2);
+    const double area = dot3(normal, normal);
+    if (!(area > 0)) return 0;
+    const auto product = [&](double x1, double x2, double y1, double y2) {
+        return (x1 * y1 * g22 - (x1 * y2 + x2 * y1) * g12 + x2 * y2 * g11) / area;
+    };
+    const double a = product(t1.x, t2.x, t1.x, t2.x), b = product(t1.x, t2.x, t1.y, t2.y),
+                 d = product(t1.y, t2.y, t1.y, t2.y);
+    const double half = (a - d) / 2;
+    const double largest = (a + d) / 2 + scanout::sqrt(half * half + b * b);
+    return largest > 0 ? scanout::sqrt(largest) : 0;
+}
+
+void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool first) {
+    surface.texels_per_unit = std::max(surface.texels_per_unit, texels_per_unit(triangle));
+    if (first) surface.box_min = surface.box_max = triangle[0].position;
+    for (const Corner& corner : triangle)
+        for (int axis = 0; axis < 3; ++axis) {
+            surface.box_min[axis] = std::min(surface.box_min[axis], corner.position[axis]);
+            surface.box_max[axis] = std::max(surface.box_max[axis], corner.position[axis]);
+        }
+}
+
+} // namespace
+
+std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
+    const geom::Mesh& mesh = scene.mesh;
+    std::vector<TexturedSurface> found;
+    if (mesh.uv.empty()) return found;
+    constexpr std::size_t kNone = ~std::size_t{0};
+    std::vector<std::size_t> first_of(scene.materials.size(), kNone); // surface of each material
+    for (std::size_t t = 0; t < mesh.triangles(); ++t) {
+        if (mesh.material[t] < 0) continue;
+        const auto m = static_cast<std::size_t>(mesh.material[t]);
+        const scene::Material& material = scene.materials[m];
+        const bool first = first_of[m] == kNone;
+        if (first) first_of[m] = found.size();
+        std::size_t at = first_of[m];
+        for (std::size_t i = 0; i < shade::kMaps; ++i) {
+            const scene::TextureMap& map = material.*shade::map_slots()[i].map;
+            if (map.texture < 0) continue;
+            if (first)
+                found.push_back({.material = m,
+                                 .map = static_cast<shade::Map>(i),
+                                 .texture = shade::mip_use(static_cast<shade::Map>(i), map),
+                                 .clamp = map.clamp});
+            const image::Image& image = scene.textures[static_cast<std::size_t>(map.texture)].image;
+            const DVec2 size(double{map.scale.x} * image.width(),
+                             double{map.scale.y} * image.height());
+            std::array<Corner, 3> corner;
+            for (std::size_t k = 0; k < 3; ++k) {
+                const std::uint32_t v = mesh.index[3 * t + k];
+                corner[k] = {DVec3(mesh.position[v]), DVec2(mesh.uv[v]) * size};
+            }
+            add(found[at++], corner, first);
+        }
+    }
+    return found;
+}
+
+double texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width, int height) {
+    // The model is scaled along its axes, then turned: the columns' lengths are the scales.
+    double least_scale = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double scale = scanout::sqrt(dot3(view.linear[axis], view.linear[axis]));
+        least_scale = axis == 0 ? scale : std::min(least_scale, scale);
+    }
+    double farthest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const DVec3 p((corner & 1) != 0 ? s.box_max.x : s.box_min.x,
+                      (corner & 2) != 0 ? s.box_max.y : s.box_min.y,
+                      (corner & 4) != 0 ? s.box_max.z : s.box_min.z);
+        farthest = std::max(farthest, -(view.linear * p + view.translation).z);
+    }
+    const double pixel = std::max(2 * view.half_width / width, 2 * view.half_height / height);
+    const bool perspective = view.projection == scene::Projection::perspective;
+    const double span = perspective ? pixel * farthest : pixel;
+    return span > 0 ? s.texels_per_unit * span / least_scale : 0; // scale 0: infinitely many
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,100 @@
+// Reading a texture at a level of detail, which differs from lane to lane: what the filters for
+// minified textures share. Level 0 is the image itself and read as `bilinear` reads it, to the bit.
+#if defined(SCANOUT_SHADE_MIP_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SHADE_MIP_INL_H
+#undef SCANOUT_SHADE_MIP_INL_H
+#else
+#define SCANOUT_SHADE_MIP_INL_H
+#endif
+
+#include "shade/mip_chain.h"
+
+#include "shade/footprint-inl.h"
+#include "shade/texel-inl.h"
+
+SIMD_BEGIN(scanout::shade::texture)
+
+class MipReader {
+public:
+    MipReader(const BoundMap& bound, TexelKind kind)
+        : image_(bound, kind), chain_(bound.mips),
+          // A texel of the image in texels of the map: its options scale the footprint, too.
+          size_x_(bound.map->scale.x * static_cast<float>(image_.width())),
+          size_y_(bound.map->scale.y * static_cast<float>(image_.height())) {}
+
+    const TexelReader& image() const { return image_; }
+    float last() const { return chain_ == nullptr ? 0 : static_cast<float>(chain_->last); }
+
+    // In texels of the image.
+    HWY_INLINE UvSlopes<F32::Tag> slopes(const Block& b, int lane) const {
+        return {load<F32>(b.u_x + lane) * F32(size_x_), load<F32>(b.v_x + lane) * F32(size_y_),
+                load<F32>(b.u_y + lane) * F32(size_x_), load<F32>(b.v_y + lane) * F32(size_y_)};
+    }
+
+    // Bilinear in a level of each lane; s and t in turns of the texture.
+    template <int kChannels>
+    HWY_INLINE Texel<kChannels> bilinear(F32 s, F32 t, I32 level) const {
+        s = image_.unit(s);
+        t = image_.unit(t);
+        const auto whole = level == I32(0);
+        if (all(whole)) return bilinear_in_image<kChannels>(s, t);
+        const I32 width = gather(chain_->width, level), height = gather(chain_->height, level);
+        const I32 begin = gather(chain_->begin, level);
+        const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
+        const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
+        const auto row = [&](I32 from_bottom) HWY_ATTR {
+            return begin + (height - I32(1) - image_.address(from_bottom, height)) * width;
+        };
+        const Around at = {image_.address(x0, width),
+                           image_.address(x0 + I32(1), width),
+                           row(y0),
+                           row(y0 + I32(1)),
+                           x - to_f32(x0),
+                           y - to_f32(y0)};
+        const float* const texels = chain_->texels.data() + (kChannels == 1 ? 3 : 0);
+        const auto read = [&](I32 place) HWY_ATTR {
+            // Lanes of level 0 read what is discarded below.
+            const I32 at_texel = shift_left<2>(select(whole, I32(0), place));
+            Texel<kChannels> texel;
+            for (int c = 0; c < kChannels; ++c)
+                texel.channel[c] = gather(texels + c, at_texel);
+            return texel;
+        };
+        Texel<kChannels> found = blend<kChannels>(at, read);
+        if (any(whole)) {
+            const Texel<kChannels> direct = bilinear_in_image<kChannels>(s, t);
+            for (int c = 0; c < kChannels; ++c)
+                found.channel[c] = select(whole, direct.channel[c], found.channel[c]);
+        }
+        return found;
+    }
+
+    // Between the two nearest levels; `level` in [0, last].
+    template <int kChannels>
+    HWY_INLINE Texel<kChannels> trilinear(F32 s, F32 t, F32 level) const {
+        const I32 sharp = to_i32(level);
+        const Texel<kChannels> near = bilinear<kChannels>(s, t, sharp);
+        const F32 share = level - to_f32(sharp);
+        if (all(share == F32(0.0F))) return near; // nowhere minified, above all
+        const I32 blurred = minimum(sharp + I32(1), to_i32(F32(last())));
+        return mix(share, near, bilinear<kChannels>(s, t, blurred));
+    }
+
+private:
+    // s, t in [0, 1].
+    template <int kChannels>
+    HWY_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
+        const Around at = around(image_, s * F32(static_cast<float>(image_.width())),
+                                 t * F32(static_cast<float>(image_.height())));
+        const auto read = [&](I32 place) HWY_ATTR { return image_.read<kChannels>(place); };
+        return blend<kChannels>(at, read);
+    }
+
+    TexelReader image_;
+    const MipChain* chain_;
+    float size_x_, size_y_;
+};
+
+SIMD_END
+
+#endif

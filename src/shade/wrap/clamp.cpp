@@ -1,0 +1,15 @@
+// Beyond an edge the edge's texel goes on: -clamp on of MTL. The arithmetic stands in
+// shade/texel-inl.h, inside every filter.
+#include "shade/stage.h"
+
+namespace scanout::shade::wrap {
+
+extern const Wrapping clamp;
+constinit const Wrapping clamp{{.axis = "wrap",
+                                .name = "clamp",
+                                .blurb = "beyond an edge the edge's texel goes on",
+                                .source = "MTL -clamp on",
+                                .kind = Kind::model},
+                               Wrap::clamp};
+
+} // namespace scanout::shade::wrap

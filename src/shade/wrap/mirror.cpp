@@ -1,0 +1,15 @@
+// The texture is tiled, every second tile turned round, so that any picture joins itself. The
+// arithmetic stands in shade/texel-inl.h, inside every filter.
+#include "shade/stage.h"
+
+namespace scanout::shade::wrap {
+
+extern const Wrapping mirror;
+constinit const Wrapping mirror{{.axis = "wrap",
+                                 .name = "mirror",
+                                 .blurb = "every second tile is turned round: no seam",
+                                 .source = "D3D 11.3 7.18.9",
+                                 .kind = Kind::model},
+                                Wrap::mirror};
+
+} // namespace scanout::shade::wrap

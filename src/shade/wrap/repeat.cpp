@@ -1,0 +1,15 @@
+// The texture is tiled, as MTL means it: the fraction of u and v counts, and the last texel's
+// neighbour is the first. The arithmetic stands in shade/texel-inl.h, inside every filter.
+#include "shade/stage.h"
+
+namespace scanout::shade::wrap {
+
+extern const Wrapping repeat;
+constinit const Wrapping repeat{{.axis = "wrap",
+                                 .name = "repeat",
+                                 .blurb = "the texture again and again, edge to opposite edge",
+                                 .source = "MTL, [A 3.3]",
+                                 .kind = Kind::model},
+                                Wrap::repeat};
+
+} // namespace scanout::shade::wrap
