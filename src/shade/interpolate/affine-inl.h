@@ -19,20 +19,19 @@ SIMD_BEGIN(scanout::shade::interpolate)
 
 // Screen areas alone: no division at all but by the whole area. Where a triangle was cut by the
 // near plane it has no areas on the screen, and is interpolated exactly.
-template <class Form>
 HWY_INLINE void affine_lanes(Block& b, const FrameState& frame, const Wanted& want,
                              const Run& run) {
     const Primitive& t = *run.primitive;
-    if (t.clipped) return perspective_lanes<Form>(b, frame, want, run);
+    if (t.clipped) return perspective_lanes(b, frame, want, run);
     const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
     const F64x8 inverse = 1.0 / whole;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
         const F64x8 x = to_f64(load<I32x8>(b.x + i)), y = to_f64(load<I32x8>(b.y + i));
-        put<Form>(b, frame, want, t,
-                  {to_f32(area_at(t, 1, x, y) * inverse),
-                   to_f32(area_at(t, 2, x, y) * inverse),
-                   {i, run.first + run.count - i}},
-                  i);
+        put(b, frame, want, t,
+            {to_f32(area_at(t, 1, x, y) * inverse),
+             to_f32(area_at(t, 2, x, y) * inverse),
+             {i, run.first + run.count - i}},
+            i);
     }
 }
 
@@ -72,7 +71,7 @@ HWY_INLINE Span span_of(const Primitive& t, double y) {
     return span;
 }
 
-template <int kStep, class Form>
+template <int kStep>
 HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& want,
                               const Run& run) {
     constexpr std::int32_t kUnits = kStep * 256;
@@ -107,7 +106,7 @@ HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& w
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
-            put<Form>(b, frame, want, t, w, at);
+            put(b, frame, want, t, w, at);
         }
         lane = last;
         left += kUnits;

@@ -10,10 +10,9 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine {
-    template <class Form>
     static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
                                  const Run& run) {
-        affine_lanes<Form>(b, frame, want, run);
+        affine_lanes(b, frame, want, run);
     }
 };
 

@@ -9,10 +9,9 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine16 {
-    template <class Form>
     static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
                                  const Run& run) {
-        stepped_lanes<16, Form>(b, frame, want, run);
+        stepped_lanes<16>(b, frame, want, run);
     }
 };
 

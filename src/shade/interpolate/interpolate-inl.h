@@ -14,22 +14,22 @@
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
-// How a frame wants its normals.
-enum class Normals { turned, unit, raw };
+// How a frame wants its normals. Asked for every register of lanes: as a template's argument it
+// made six of every rung, on every target, and saved no more than a branch.
+enum class Normals { none, turned, unit, raw };
 
 // In view space. turned: the side that the eye sees is lit, whichever way the file wound it or its
 // normals. raw: as the vertices' unit normals mix, shorter between them.
-template <Normals kNormals>
-HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weights& w, float* to_x,
-                        float* to_y, float* to_z) {
+HWY_INLINE void normals(Normals wanted, const Primitive& t, const FrameState& frame,
+                        const Weights& w, float* to_x, float* to_y, float* to_z) {
     F32x8 n[3] = {mix(w, t.normal[0]), mix(w, t.normal[1]), mix(w, t.normal[2])};
-    if constexpr (kNormals == Normals::raw) {
+    if (wanted == Normals::raw) {
         store(n[0], to_x);
         store(n[1], to_y);
         store(n[2], to_z);
         return;
     }
-    if constexpr (kNormals == Normals::turned) {
+    if (wanted == Normals::turned) {
         const F32x8 side =
             (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
         const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
@@ -51,34 +51,31 @@ HWY_INLINE void normals(const Primitive& t, const FrameState& frame, const Weigh
 
 // Which attributes a block wants.
 struct Wanted {
-    bool normal, uv, colour;
+    Normals normal;
+    bool uv, colour, position;
     float kd[3];
 };
 HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
-    return {frame.attributes.normal,
+    return {!frame.attributes.normal    ? Normals::none
+            : frame.corner_normals      ? Normals::raw
+            : frame.sides == Sides::eye ? Normals::turned
+                                        : Normals::unit,
             frame.attributes.uv && any_map(b),
             frame.attributes.colour,
+            frame.attributes.position,
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
 }
 
-// What the frame decides once for all its lanes.
-template <Normals kWantedNormals, bool kWantsPosition>
-struct FormOf {
-    static constexpr Normals kNormals = kWantedNormals;
-    static constexpr bool kPosition = kWantsPosition;
-};
-
 // One register of lanes from lane i on.
-template <class Form>
 HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const Primitive& t,
                     const Weights& w, int i) {
-    if (want.normal)
-        normals<Form::kNormals>(t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
+    if (want.normal != Normals::none)
+        normals(want.normal, t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
     if (want.uv) {
         store(mix(w, t.uv[0]), b.u + i);
         store(mix(w, t.uv[1]), b.v + i);
     }
-    if constexpr (Form::kPosition)
+    if (want.position)
         for (int c = 0; c < 3; ++c)
             store(mix(w, t.position[c]), b.position[c] + i);
     for (int c = 0; c < 3; ++c) {
@@ -88,42 +85,23 @@ HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const
 }
 
 // Exactly, at every lane of a run.
-template <class Form>
 HWY_INLINE void perspective_lanes(Block& b, const FrameState& frame, const Wanted& want,
                                   const Run& run) {
     const Primitive& t = *run.primitive;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8)
-        put<Form>(b, frame, want, t,
-                  weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)),
-                          {i, run.first + run.count - i}),
-                  i);
+        put(b, frame, want, t,
+            weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)),
+                    {i, run.first + run.count - i}),
+            i);
 }
 
-template <class Rung, class Form>
-HWY_INLINE void run_form(Block& b, const FrameState& frame) {
-    const Wanted want = wanted(b, frame);
-    for (const Run* run = b.run; run != b.run + b.runs; ++run)
-        Rung::template lanes<Form>(b, frame, want, *run);
-}
-
-template <class Rung, Normals kNormals>
-HWY_INLINE void run_normals(Block& b, const FrameState& frame) {
-    if (frame.attributes.position)
-        run_form<Rung, FormOf<kNormals, true>>(b, frame);
-    else
-        run_form<Rung, FormOf<kNormals, false>>(b, frame);
-}
-
-// All runs of a block; Rung::lanes<Form> fills those of one.
+// All runs of a block; Rung::lanes fills those of one.
 template <class Rung>
 HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     if (!b.lit) return;
-    if (frame.corner_normals)
-        run_normals<Rung, Normals::raw>(b, frame);
-    else if (frame.sides == Sides::eye)
-        run_normals<Rung, Normals::turned>(b, frame);
-    else
-        run_normals<Rung, Normals::unit>(b, frame);
+    const Wanted want = wanted(b, frame);
+    for (const Run* run = b.run; run != b.run + b.runs; ++run)
+        Rung::lanes(b, frame, want, *run);
     // How u and v change is exact whatever the rung.
     if (frame.attributes.footprint && any_map(b)) texture::HWY_NAMESPACE::write_slopes(b);
 }

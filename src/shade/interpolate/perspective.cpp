@@ -11,10 +11,9 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Perspective {
-    template <class Form>
     static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
                                  const Run& run) {
-        perspective_lanes<Form>(b, frame, want, run);
+        perspective_lanes(b, frame, want, run);
     }
 };
 

@@ -1,0 +1,190 @@
+// Lights, sides, reflection, shadows, and how often they are evaluated.
+#include "base/check.h"
+#include "frame/planner.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::frame {
+namespace {
+
+// One row for each kind of light: on where one shines that is not black, and something is lit.
+void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                 const shade::Stage& shading) {
+    const FrameOptions& options = plan.options;
+    for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
+                            scene::LightKind::point, scene::LightKind::spot}) {
+        std::string names;
+        std::vector<scene::Light> shining;
+        for (const scene::Light& light : options.lights) {
+            if (light.kind != kind || is_black(light)) continue;
+            names += (names.empty() ? "" : ", ") + light.name;
+            shining.push_back(light);
+        }
+        const bool lit = facts.triangles > 0;
+        const std::string because = shining.empty()
+                                        ? fmt::format("there is no {} light", name_of(kind))
+                                    : !lit ? "nothing is lit: there are no triangles"
+                                           : fmt::format("{} light{}: {}", shining.size(),
+                                                         shining.size() == 1 ? "" : "s", names);
+        const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
+                                       lit && !shining.empty(), because);
+        if (!on || !lit || shining.empty()) continue;
+        plan.lights.insert(plan.lights.end(), shining.begin(), shining.end());
+        // A directional light is the same in all lanes: there is nothing to write.
+        if (kind == scene::LightKind::directional) continue;
+        if (shading.needs.corners)
+            plan.corner_lights.push_back(planner.called("light", name_of(kind), {}));
+        else
+            planner.stage("light", name_of(kind));
+    }
+}
+
+// Which model reflects on each kind of surface.
+Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                             const shade::Stage& shading) {
+    const std::string& asked = plan.options.reflection;
+    TRY(const std::string glossy, choose("reflection", asked, "blinn_phong"));
+    TRY(const std::string physical, choose("reflection", asked, "ggx"));
+    const std::size_t shiny = facts.specular_triangles, rough = facts.physical_triangles;
+    const bool highlight = planner.effect(
+        "highlight",
+        rough == 0 || glossy == physical ? glossy
+        : rough == shiny                 ? physical
+                                         : glossy + " and " + physical,
+        shiny > 0 && glossy != "lambert",
+        fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0{})", shiny,
+                    facts.triangles,
+                    rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
+    // Each model that some surface has, once; lines and points go the way of the matt ones.
+    const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
+        const shade::Stage*& model = plan.reflection[static_cast<std::size_t>(surface)];
+        model = shade::find_stage("reflection", name);
+        CHECK(model != nullptr);
+        const auto& ran = plan.techniques;
+        if (!used || std::find(ran.begin(), ran.end(), &model->card) != ran.end()) return;
+        planner.called("reflection", name,
+                       shading.needs.corners ? shade::Attributes{} : model->needs);
+    };
+    use(scene::Surface::matt, "lambert", shiny < facts.triangles || facts.triangles == 0);
+    use(scene::Surface::glossy, highlight ? glossy : "lambert", shiny > rough);
+    use(scene::Surface::physical, highlight ? physical : "lambert", rough > 0);
+    return {};
+}
+
+// Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
+// the one that the eye sees.
+void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const MeshSides& sides = facts.sides;
+    const Cull cull = plan.options.cull;
+    bool needed = facts.triangles > 0;
+    std::string because;
+    if (!needed) {
+        because = "nothing is lit: there are no triangles";
+    } else if (sides.leaning > 0) {
+        because = fmt::format("{} of {} triangles have a normal that leans to their back",
+                              sides.leaning, facts.triangles);
+    } else if (cull == Cull::front) {
+        because = "backs alone are drawn (--cull front)";
+    } else if (cull == Cull::back) {
+        needed = false;
+        because = "backs are left out (--cull back)";
+    } else if (facts.alpha.see_through_triangles() > 0) {
+        because = fmt::format("backs show through {} of {} triangles that are not opaque",
+                              facts.alpha.see_through_triangles(), facts.triangles);
+    } else if (!sides.closed) {
+        because = "the mesh has open edges: backs can be seen";
+    } else if (!sides.outward) {
+        because = "the mesh is closed, but wound inside out";
+    } else {
+        needed = false;
+        because = "the mesh is closed and its normals point outwards: no back can be seen";
+    }
+    const bool on = planner.effect("two_sided", "on", needed, std::move(because));
+    plan.sides = needed && !on       ? shade::Sides::file
+                 : sides.leaning > 0 ? shade::Sides::eye
+                                     : shade::Sides::face;
+}
+
+// Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
+// a point are sharp, and the filtered map is the cheapest that shows no steps.
+Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                          const shade::Stage& shading) {
+    std::string names;
+    int casting = 0, sized = 0;
+    bool directional = false;
+    for (const scene::Light& light : plan.lights) {
+        if (!light.casts || light.kind == scene::LightKind::ambient) continue;
+        names += (names.empty() ? "" : ", ") + light.name;
+        ++casting;
+        sized += light.size > 0 ? 1 : 0;
+        directional = directional || light.kind == scene::LightKind::directional;
+    }
+    TRY(const std::string name,
+        choose("shadow", plan.options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
+    const bool floor = name != "projected" || facts.ground.triangles > 0;
+    const bool at_pixels = name == "attached" || !shading.needs.corners;
+    std::string because =
+        facts.triangles == 0 ? "nothing is lit: there are no triangles"
+        : casting == 0       ? "no light that reaches anything casts shadows"
+        : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
+                                           shading.card.name)
+        : !floor
+            ? "no triangle lies flat on a side of the model's box, to project shadows onto"
+            : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
+    const bool possible = casting > 0 && facts.triangles > 0 && floor && at_pixels;
+    if (possible && sized > 0) because += fmt::format("; {} with a size", sized);
+    if (possible && facts.alpha.blended_triangles > 0)
+        because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
+    if (!planner.effect("shadow", name, possible, std::move(because)) || !possible) return {};
+    if (name == "attached") {
+        planner.technique("shadow", name);
+        return {};
+    }
+    // A directional light now differs from lane to lane, too.
+    if (directional) planner.stage("light", "directional");
+    planner.stage("shadow", name);
+    plan.shadow.stage = plan.stages.back();
+    plan.shadow.ground = facts.ground;
+    return {};
+}
+
+} // namespace
+
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.shading;
+    TRY(const std::string name, choose("shading", asked, "per_pixel"));
+    const shade::Stage* shading = shade::find_stage("shading", name);
+    CHECK(shading != nullptr);
+    plan_lights(planner, plan, facts, *shading);
+    plan_sides(planner, plan, facts);
+    TRY_VOID(plan_reflection(planner, plan, facts, *shading));
+    TRY_VOID(plan_shadows(planner, plan, facts, *shading));
+    planner.choice("shading", facts.triangles > 0 ? name : "off", asked,
+                   facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
+                                       : "nothing is lit: there are no triangles",
+                   facts.triangles > 0);
+    planner.stage("shading", name);
+    plan.corner_normals = name == "gouraud" || name == "per_pixel_raw";
+    return {};
+}
+
+void plan_casters(FramePlan& plan, const SceneFacts& facts) {
+    if (plan.shadow.stage == nullptr) return;
+    const std::vector<raster::Layer>& layers = plan.transparency.layers;
+    bool all = true;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const AlphaClass alpha = facts.alpha.of_material[i];
+        raster::Layer layer = layers[i];
+        if (layer == raster::Layer::blended)
+            layer = alpha == AlphaClass::opaque    ? raster::Layer::opaque
+                    : alpha == AlphaClass::cut_out ? raster::Layer::cut_out
+                                                   : raster::Layer::nothing;
+        all = all && layer == raster::Layer::opaque;
+        plan.shadow.casters.push_back(layer);
+    }
+    if (all) plan.shadow.casters.clear();
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,133 @@
+// From surfaces and light to codes: what is seen at a sample, tone, edges, encoding.
+#include "base/check.h"
+#include "frame/brightness.h"
+#include "frame/planner.h"
+#include "image/dither.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::frame {
+
+Result<void> plan_merging(Planner& planner, FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    constexpr std::string_view kSides[] = {"none", "back", "front"};
+    const std::string cull(kSides[static_cast<std::size_t>(o.cull)]);
+    planner.choice("cull", cull, o.cull == Cull::none ? "auto" : cull,
+                   o.cull == Cull::none
+                       ? "files do not say whether their backs are meant to be seen"
+                       : "as asked");
+    TRY(const std::string depth, choose("depth", o.depth, "reversed"));
+    TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
+    TRY(const std::string blend, choose("blend", o.blend, "over"));
+    const auto* format = raster::find_depth_format(depth);
+    const auto* compare = raster::find_depth_test(test);
+    const auto* mix = shade::find_blend(blend);
+    CHECK(format != nullptr && compare != nullptr && mix != nullptr);
+    planner.choice("depth", depth, o.depth, std::string(format->card.blurb));
+    planner.choice("depth_test", test, o.depth_test, std::string(compare->card.blurb));
+    const bool blends = plan.transparency.blended != nullptr;
+    planner.choice("blend", blends ? blend : "off", o.blend,
+                   blends ? std::string(mix->card.blurb) : "nothing is blended", blends);
+    plan.visible = {compare->test, format->standard, format->steps};
+    plan.transparency.blend = mix;
+    if (!plan.visible.usual())
+        for (const Technique* card : {&format->card, &compare->card})
+            plan.techniques.push_back(card);
+    if (blends) plan.techniques.push_back(&mix->card);
+    return {};
+}
+
+Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                       FramePlan& plan) {
+    if (!(options.exposure >= -kMostStops && options.exposure <= kMostStops))
+        return fail(Exit::usage, "--exposure {}: choose {} to {} stops", options.exposure,
+                    -kMostStops, kMostStops);
+    const bool exposed = planner.effect(
+        "exposure", "on", options.exposure != 0,
+        options.exposure != 0 ? fmt::format("{:+} stops are asked for", options.exposure)
+                              : "no exposure is asked for");
+    plan.exposure = static_cast<float>(exposed ? exp2(options.exposure) : 1.0);
+    const double brightest =
+        double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
+    const bool bright = brightest > 1 && facts.triangles > 0;
+    TRY(const std::string tone, choose("tone", options.tone, bright ? "filmic" : "clamp"));
+    planner.choice("tone", tone, options.tone,
+                   fmt::format("diffuse light is at most {:.2f}{}", brightest,
+                               bright ? "" : ", and highlights may burn out"));
+    // Codes end at 1 anyway.
+    if (tone != "clamp" || exposed) planner.stage("tone", tone);
+    return {};
+}
+
+Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan& plan) {
+    const bool by_number = options.aa == "auto";
+    if (!by_number && options.samples != 1)
+        return fail(Exit::usage, "--aa {} and --samples {}: give one of them", options.aa,
+                    options.samples);
+    const std::string number =
+        options.samples == 1 ? "none" : fmt::format("samples_{}", options.samples);
+    TRY(std::string name, choose("aa", options.aa, number));
+    std::string because(find_anti_aliasing(name)->card.blurb);
+    if (name == "none" && by_number)
+        because = "smoother edges are a matter of taste: nobody asked for them";
+    if (find_anti_aliasing(name)->exact && !plan.transparency.layers.empty()) {
+        name = "samples_16";
+        because = "areas know no transparency, which this scene has";
+    } else if (find_anti_aliasing(name)->exact && !plan.visible.usual()) {
+        name = "samples_16";
+        because = "areas know the nearest surface alone, in exact depth";
+    } else if (find_anti_aliasing(name)->exact && plan.shadow.stage != nullptr &&
+               plan.shadow.stage->card.name == "volume") {
+        name = "samples_16";
+        because = "areas know no stencil, which shadow volumes count in";
+    }
+    plan.aa = find_anti_aliasing(name);
+    CHECK(plan.aa != nullptr);
+    plan.options.samples = plan.aa->samples;
+    if (plan.aa->scale * std::max(options.width, options.height) > kMaxSide)
+        return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most", name,
+                    kMaxSide / plan.aa->scale);
+    planner.choice("aa", name, by_number && options.samples == 1 ? "auto" : name,
+                   std::move(because));
+    plan.techniques.push_back(&plan.aa->card);
+    return {};
+}
+
+Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan) {
+    const bool mixed = plan.aa->card.name != "none";
+    TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
+    planner.choice("blend_space", space, options.blend_space,
+                   mixed ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
+                         : "one sample a pixel: nothing is mixed");
+    TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
+    planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
+    plan.output.blend_space = shade::find_blend_space(space);
+    plan.output.encoding = shade::find_encoding(encoding);
+    CHECK(plan.output.blend_space != nullptr && plan.output.encoding != nullptr);
+    if (mixed) plan.techniques.push_back(&plan.output.blend_space->card);
+    plan.techniques.push_back(&plan.output.encoding->card);
+    if (options.convolution != "auto") {
+        TRY(const std::string name, choose("convolution", options.convolution, ""));
+        plan.convolution = image::find_convolution(name);
+        CHECK(plan.convolution != nullptr);
+    }
+    const bool filtered = plan.convolution != nullptr;
+    planner.choice("convolution", filtered ? options.convolution : "off", options.convolution,
+                   filtered ? "the finished picture is filtered, as asked"
+                            : "nobody asked for a filter over the finished picture",
+                   filtered);
+    if (filtered) plan.techniques.push_back(&plan.convolution->card);
+    TRY(const std::string dither, choose("dither", options.dither, "none"));
+    planner.choice("dither", dither, options.dither,
+                   "8 bits hide their steps; displays of fewer are always dithered");
+    const image::Dither* found = image::find_dither(dither);
+    CHECK(found != nullptr);
+    plan.output.dither = found->ordered;
+    if (found->ordered) plan.techniques.push_back(&found->card);
+    return {};
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,62 @@
+// How a plan is built: row by row, in parts that each decide one kind of thing. Shared by the files
+// plan*.cpp; everyone else wants frame/plan.h.
+#pragma once
+
+#include "frame/plan.h"
+
+#include <string>
+#include <string_view>
+
+namespace scanout::frame {
+
+// What the user asked for on an axis, or the automatic choice, when the axis has it.
+Result<std::string> choose(std::string_view axis, const std::string& asked,
+                           std::string_view automatic);
+
+// Builds a plan row by row.
+class Planner {
+public:
+    Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
+
+    // Decides an effect: on when the scene needs it, unless the user forces it. Returns whether.
+    bool effect(std::string name, std::string technique, bool needed, std::string because);
+    // Notes what was chosen on an axis that is no effect: its own option decides.
+    void choice(std::string axis, std::string technique, const std::string& asked,
+                std::string because, bool needed = true);
+    void stage(std::string_view axis, std::string_view name);
+    // A stage that another one calls; it reads `needs` of every lane.
+    const shade::Stage* called(std::string_view axis, std::string_view name,
+                               shade::Attributes needs);
+    // It runs without a stage.
+    const shade::Stage* technique(std::string_view axis, std::string_view name);
+    // For the stages that find colours, for those that find alpha, or both.
+    void filter(const shade::Filter& filter, bool colour, bool alpha);
+
+private:
+    const FrameOptions& options_;
+    FramePlan& plan_;
+};
+
+// Lights, sides, reflection, and how often they are evaluated.
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Which materials are cut out or blended, and how alpha is found.
+Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
+Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                         const scene::View& view);
+// What lies beyond textures' edges: what each map says, unless the user does.
+Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// What is blended throws no shadow: what comes through it would have to be tinted.
+void plan_casters(FramePlan& plan, const SceneFacts& facts);
+// Which surfaces are seen, and how they are mixed: choices of the user's.
+Result<void> plan_merging(Planner& planner, FramePlan& plan);
+// Is there light above 1, and what becomes of it? Highlights alone do not count: MTL means them to
+// burn out, and a curve would dim all else for their sake.
+Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                       FramePlan& plan);
+// How edges are smoothed.
+Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan& plan);
+// From light to codes.
+Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan);
+
+} // namespace scanout::frame
