@@ -237,7 +237,8 @@ TEST(Shadow, MapsAreWhereRaysSayButForTheirTexels) {
         s.options.shadow_size = 1024;
         for (const auto& [technique, texels] :
              {std::pair{"map", 1.5}, std::pair{"map_pcf", 3.0}, std::pair{"map_soft", 3.0}}) {
-            const auto away = [&](const Oracle& oracle, const Oracle::Place& p, double, double) {
+            const auto away = [&, texels = texels](const Oracle& oracle, const Oracle::Place& p,
+                                                   double, double) {
                 return std::abs(oracle.height(p)) > 1e-3 &&
                        oracle.alike(p, texels * oracle.texel(p, 1024));
             };
