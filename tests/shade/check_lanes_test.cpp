@@ -100,7 +100,7 @@ protected:
     std::vector<scene::Texture> textures_{scanout::test::checkers()};
     std::vector<scene::ViewLight> lights_{1};
     std::array<bool, 1> varies_{true};
-    const MipChains mips_;
+    const MipChains mips_{};
     FrameState frame_ = identity_frame();
     Rays rays_{0.01F, 0, 0.01F, 0};
     const Stage interpolate_ =
