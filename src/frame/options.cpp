@@ -8,6 +8,8 @@ bool ask(FrameOptions& o, std::string_view axis, std::string_view technique) {
     const std::pair<std::string_view, std::string*> axes[] = {{"interpolate", &o.interpolate},
                                                               {"texture", &o.texture},
                                                               {"wrap", &o.wrap},
+                                                              {"source", &o.source},
+                                                              {"mapping", &o.mapping},
                                                               {"reflection", &o.reflection},
                                                               {"shading", &o.shading},
                                                               {"transparency", &o.transparency},

@@ -25,6 +25,7 @@ struct FrameOptions {
     std::string interpolate = "auto";
     std::string texture = "auto";
     std::string wrap = "auto";
+    std::string source = "auto", mapping = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights

@@ -1,7 +1,7 @@
 #include "frame/plan.h"
 
-#include "base/check.h"
 #include "frame/brightness.h"
+#include "frame/planner.h"
 #include "frame/techniques.h"
 #include "image/dither.h"
 #include "math/transcendental.h"
@@ -12,16 +12,14 @@
 #include <fmt/format.h>
 
 namespace scanout::frame {
-namespace {
 
 // The command line's name of an axis.
-std::string option_of(std::string_view axis) {
+static std::string option_of(std::string_view axis) {
     std::string name(axis);
     std::replace(name.begin(), name.end(), '_', '-');
     return name;
 }
 
-// What the user asked for on an axis, or the automatic choice, when the axis has it.
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
@@ -30,6 +28,8 @@ Result<std::string> choose(std::string_view axis, const std::string& asked,
     return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option_of(axis),
                 asked, names_of(axis));
 }
+
+namespace {
 
 Result<void> check_numbers(const FrameOptions& o) {
     if (o.width < 1 || o.height < 1 || o.width > kMaxSide || o.height > kMaxSide)
@@ -58,65 +58,6 @@ std::string to_string(const Decision& d) {
 }
 
 namespace {
-
-// Builds a plan row by row.
-class Planner {
-public:
-    Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
-
-    // Decides an effect: on when the scene needs it, unless the user forces it. Returns whether.
-    bool effect(std::string name, std::string technique, bool needed, std::string because) {
-        const auto forced = options_.effects.find(name);
-        const bool is_forced = forced != options_.effects.end();
-        const bool on = is_forced ? forced->second : needed;
-        plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
-                                   std::move(because), needed, is_forced && on != needed, false});
-        return on;
-    }
-    // Notes what was chosen on an axis that is no effect: its own option decides.
-    void choice(std::string axis, std::string technique, const std::string& asked,
-                std::string because, bool needed = true) {
-        plan_.decisions.push_back({std::move(axis), std::move(technique), std::move(because),
-                                   needed, asked != "auto", true});
-    }
-    void stage(std::string_view axis, std::string_view name) {
-        const shade::Stage* found = shade::find_stage(axis, name);
-        CHECK(found != nullptr);
-        plan_.stages.push_back(found);
-        plan_.techniques.push_back(&found->card);
-        plan_.attributes = plan_.attributes | found->needs;
-    }
-    // A stage that another one calls; it reads `needs` of every lane.
-    const shade::Stage* called(std::string_view axis, std::string_view name,
-                               shade::Attributes needs) {
-        const shade::Stage* found = shade::find_stage(axis, name);
-        CHECK(found != nullptr);
-        plan_.techniques.push_back(&found->card);
-        plan_.attributes = plan_.attributes | needs;
-        return found;
-    }
-    // For the stages that find colours, for those that find alpha, or both.
-    void filter(const shade::Filter& filter, bool colour, bool alpha) {
-        for (Decision& decision : plan_.decisions)
-            if (decision.effect == "texture" && decision.on())
-                decision.technique = filter.card.name;
-        if (colour) {
-            plan_.filter = &filter;
-            plan_.attributes = plan_.attributes | filter.needs;
-        }
-        if (alpha) {
-            plan_.transparency.filter = &filter;
-            plan_.transparency.attributes = plan_.transparency.attributes | filter.needs;
-        }
-        const auto first_map = std::find_if(plan_.techniques.begin(), plan_.techniques.end(),
-                                            [](const Technique* t) { return t->axis == "map"; });
-        plan_.techniques.insert(first_map, &filter.card); // in the order of techniques.h
-    }
-
-private:
-    const FrameOptions& options_;
-    FramePlan& plan_;
-};
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
@@ -234,6 +175,20 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     return {};
 }
 
+// Maps change what light falls on, so they come before it; what a surface gives off by itself is
+// added to what it reflects.
+void put_in_order(std::vector<const shade::Stage*>& stages) {
+    constexpr std::string_view kOrder[] = {"interpolate", "mapping",  "map", "light",
+                                           "shading",     "emission", "tone"};
+    const auto place = [&](const shade::Stage* stage) {
+        const Technique& card = stage->card;
+        const std::string_view row = card.name == "emission" ? card.name : card.axis;
+        return std::find(std::begin(kOrder), std::end(kOrder), row) - std::begin(kOrder);
+    };
+    std::stable_sort(stages.begin(), stages.end(),
+                     [&](const auto* a, const auto* b) { return place(a) < place(b); });
+}
+
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
@@ -309,80 +264,6 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         t.attributes = t.attributes | t.stages.back()->needs;
     }
     plan.techniques.push_back(&t.stages.back()->card);
-    return {};
-}
-
-// Does some stage of the plan read the map, for colour or for alpha?
-bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
-    if ((plan.attributes.maps & shade::bit_of(surface.map)) != 0) return true;
-    const TransparencyPlan& t = plan.transparency;
-    if (t.stages.empty() || t.layers[surface.material + 1] == raster::Layer::opaque) return false;
-    const shade::MaterialAlpha& alpha = t.alpha[surface.material + 1];
-    return surface.map == shade::kDiffuseMap
-               ? alpha.diffuse_map
-               : surface.map == shade::kOpacityMap && alpha.opacity_map;
-}
-
-// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
-Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                         const scene::View& view) {
-    const FrameOptions& options = plan.options;
-    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
-    const shade::Filter* filter = shade::find_filter(name);
-    CHECK(filter != nullptr);
-    const bool automatic = options.texture == "auto";
-    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
-    double most = 0; // texels a pixel
-    for (const TexturedSurface& surface : facts.textured_surfaces) {
-        if (!is_read(surface, plan)) continue;
-        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
-                                               options.height * plan.aa->scale);
-        most = std::max(most, texels);
-        // A filter that the user names is drawn as it is; else what is not minified has no
-        // mipmaps, though its rim may show a few texels a pixel.
-        if (automatic && texels * kMostSlant <= 1) continue;
-        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
-            plan.mips.push_back(surface.texture);
-    }
-    const bool mipmaps = planner.effect(
-        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
-        colour || alpha
-            ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
-                          most, most * kMostSlant)
-            : "no texture is read");
-    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
-    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
-    if (colour || alpha) planner.filter(*filter, colour, alpha);
-    return {};
-}
-
-// What lies beyond textures' edges: what each map says, unless the user does.
-Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const std::string& asked = plan.options.wrap;
-    TRY(const std::string name, choose("wrap", asked, "repeat"));
-    std::size_t maps = 0, clamped = 0;
-    for (const TexturedSurface& surface : facts.textured_surfaces) {
-        if (!is_read(surface, plan)) continue;
-        ++maps;
-        if (surface.clamp) ++clamped;
-    }
-    const auto use = [&](std::string_view wrapping) {
-        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
-        return shade::find_wrapping(wrapping)->wrap;
-    };
-    if (asked != "auto" && maps > 0) plan.wrap = use(name);
-    if (asked == "auto" && clamped < maps) use("repeat");
-    if (asked == "auto" && clamped > 0) use("clamp");
-    planner.choice("wrap",
-                   maps == 0         ? "off"
-                   : asked != "auto" ? name
-                   : clamped == 0    ? "repeat"
-                   : clamped == maps ? "clamp"
-                                     : "repeat and clamp",
-                   asked,
-                   maps == 0 ? "no texture is read"
-                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
-                   maps > 0);
     return {};
 }
 
@@ -519,15 +400,9 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
                    "a division a pixel is exact at any ratio of distances");
     planner.stage("interpolate", steps);
 
-    const bool textured = facts.textured_triangles > 0;
-    if (planner.effect("texture", options.texture == "auto" ? "bilinear" : options.texture,
-                       textured,
-                       textured ? fmt::format("{} of {} triangles have a readable map_Kd",
-                                              facts.textured_triangles, facts.triangles)
-                                : "no triangle has a readable map_Kd and texture coordinates") &&
-        facts.triangles > 0 && facts.uv)
-        planner.stage("map", "diffuse");
+    TRY_VOID(plan_texture(planner, plan, facts));
     TRY_VOID(plan_light(planner, plan, facts));
+    plan_maps(planner, plan, facts);
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
@@ -537,8 +412,8 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, planner, plan));
     TRY_VOID(plan_output(options, planner, plan));
-    TRY_VOID(plan_filter(planner, plan, facts, view));
-    TRY_VOID(plan_wrap(planner, plan, facts));
+    TRY_VOID(plan_sampling(planner, plan, facts, view));
+    put_in_order(plan.stages);
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

@@ -63,7 +63,9 @@ void set_attributes(Primitive& p, const GatherInput& in, const Corners& v, Behin
     const geom::Mesh& mesh = *in.mesh;
     const FrameState& frame = *in.frame;
     const Attributes wanted = frame.attributes;
-    if (frame.sides == Sides::eye || wanted.corners)
+    // Mappings, and maps that lean the normal, ask where the face itself lies.
+    const bool lies = wanted.object || (wanted.maps & (bit_of(kNormalMap) | bit_of(kBumpMap))) != 0;
+    if (frame.sides == Sides::eye || wanted.corners || lies)
         set_facing(p, mesh, v, behind.of_order != (frame.sides == Sides::file && behind.of_file));
     if (wanted.position || wanted.corners) set_positions(p, in, v);
     const bool own_normals = wanted.normal && !frame.corner_normals;
@@ -73,8 +75,9 @@ void set_attributes(Primitive& p, const GatherInput& in, const Corners& v, Behin
         for (int c = 0; c < 3; ++c) {
             if (own_normals) p.normal[c][k] = mesh.normal[v[k]][c] * side;
             if (wanted.colour) p.colour[c][k] = mesh.colour[v[k]][c];
+            if (wanted.object) p.object[c][k] = mesh.position[v[k]][c];
         }
-        if (wanted.uv) {
+        if (wanted.uv && !in.frame->mapped) {
             p.uv[0][k] = mesh.uv[v[k]].x;
             p.uv[1][k] = mesh.uv[v[k]].y;
         }

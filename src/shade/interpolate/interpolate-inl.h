@@ -56,7 +56,7 @@ struct Wanted {
 };
 HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
     return {frame.attributes.normal,
-            frame.attributes.uv && any_map(b),
+            wants_uv(b, frame) && !frame.mapped,
             frame.attributes.colour,
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
 }
@@ -123,7 +123,8 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     else
         run_normals<Rung, Normals::unit>(b, frame);
     // How u and v change is exact whatever the rung.
-    if (frame.attributes.footprint && any_map(b)) texture::HWY_NAMESPACE::write_slopes(b);
+    if (frame.attributes.footprint && !frame.mapped && wants_uv(b, frame))
+        texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END
