@@ -155,11 +155,11 @@ stage_asan() {
     run_ctest asan -L 'unit|golden|sanitized' -E "$numbers"
 }
 
-# The modules that run threads, and the viewer on a recording.
+# The modules that run threads (the raster core within `frame`), and the viewer on a recording.
 stage_tsan() {
     configure tsan tsan "${sanitized[@]}"
     export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
-    without=$numbers run_modules tsan base raster frame golden app
+    without=$numbers run_modules tsan base frame golden app
     build tsan scanout
     run_ctest tsan -R '^cli\.replay$'
 }
