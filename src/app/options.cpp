@@ -187,6 +187,13 @@ const std::array kOptions = std::to_array<Option>({
     {"wrap", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.wrap; }),
      "what lies beyond a texture's edges (`list techniques`); auto: what the material says"},
+    {"source", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.source; }),
+     "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own"},
+    {"mapping", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.mapping; }),
+     "how textures lie on the model (`list techniques`); auto: by its uv, or as on a box where it "
+     "has none"},
     {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
      "how surfaces reflect (`list techniques`)"},

@@ -1,5 +1,7 @@
 #include "frame/bytes.h"
 
+#include "frame/map_facts.h"
+
 #include <vector>
 
 namespace scanout::frame {
@@ -29,6 +31,10 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
         if (row != nullptr && row->on() && held > 0) bytes[effect] += held;
     };
     add("texture", texture_bytes(scene, &scene::Material::map_diffuse));
+    for (std::size_t i = 0; i < shade::kMaps; ++i)
+        if (const auto effect = map_effect(static_cast<shade::Map>(i)); !effect.empty())
+            add(std::string(effect).c_str(), texture_bytes(scene, shade::map_slots()[i].map));
+    add("emission", texture_bytes(scene, &scene::Material::map_emission));
     for (const shade::MipUse& use : plan.mips)
         add("mipmaps",
             shade::mip_chain_bytes(scene.textures[static_cast<std::size_t>(use.texture)].image));

@@ -1,5 +1,7 @@
 #include "frame/facts.h"
 
+#include "frame/map_facts.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -121,9 +123,8 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.ground = ground(mesh);
     facts.textured_surfaces = textured_surfaces(scene);
     const Census census(scene);
-    facts.textured_triangles = census.count(facts, "texture", [&](const scene::Material& m) {
-        return m.map_diffuse.texture >= 0 && facts.uv;
-    });
+    facts.textured_triangles = census.count(
+        facts, "texture", [&](const scene::Material& m) { return m.map_diffuse.texture >= 0; });
     facts.specular_triangles = census.count(facts, "highlight", [](const scene::Material& m) {
         return surface_of(m) != scene::Surface::matt;
     });
@@ -140,6 +141,18 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
     facts.brightest = census.brightest();
+    const MapFacts maps(scene);
+    for (std::size_t i = 0; i < shade::kMaps; ++i) {
+        const auto map = static_cast<shade::Map>(i);
+        for (const scene::Material& m : scene.materials)
+            if ((m.*shade::map_slots()[i].map).texture >= 0)
+                facts.readable_maps |= shade::bit_of(map);
+        if (const std::string_view effect = map_effect(map); !effect.empty())
+            facts.mapped_triangles[i] = census.count(
+                facts, effect, [&](const scene::Material& m) { return maps.matters(m, map); });
+    }
+    facts.emitting_triangles = census.count(
+        facts, "emission", [](const scene::Material& m) { return m.emission != Vec3(0); });
     return facts;
 }
 

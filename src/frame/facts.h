@@ -7,6 +7,7 @@
 #include "frame/minification.h"
 #include "scene/scene.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -33,13 +34,17 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    std::size_t textured_triangles = 0; // material has a readable map_Kd, and the mesh has uvs
+    std::size_t textured_triangles = 0; // material has a readable map_Kd
     std::size_t specular_triangles = 0; // material has a highlight
     std::size_t physical_triangles = 0; // of those: it says roughness or metalness
     MeshSides sides;
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;
     AlphaFacts alpha;
+    // Whose material has the map, and in it something that can change a pixel.
+    std::array<std::size_t, shade::kMaps> mapped_triangles{};
+    shade::MapBits readable_maps = 0;   // some material has it, whatever it holds
+    std::size_t emitting_triangles = 0; // Ke above 0
     std::vector<TexturedSurface> textured_surfaces;
     float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
     Ground ground;

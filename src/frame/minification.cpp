@@ -8,6 +8,9 @@
 namespace scanout::frame {
 namespace {
 
+// Of the mappings at the model's surface, but near the axis of those around one.
+constexpr double kTurnsPerUnit = 0.5;
+
 struct Corner {
     DVec3 position{0};
     DVec2 texel{0};
@@ -48,7 +51,6 @@ void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool f
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
     const geom::Mesh& mesh = scene.mesh;
     std::vector<TexturedSurface> found;
-    if (mesh.uv.empty()) return found;
     constexpr std::size_t kNone = ~std::size_t{0};
     std::vector<std::size_t> first_of(scene.materials.size(), kNone); // surface of each material
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {
@@ -72,15 +74,20 @@ std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
             std::array<Corner, 3> corner;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t v = mesh.index[3 * t + k];
-                corner[k] = {DVec3(mesh.position[v]), DVec2(mesh.uv[v]) * size};
+                const DVec2 uv = mesh.uv.empty() ? DVec2(0) : DVec2(mesh.uv[v]);
+                corner[k] = {DVec3(mesh.position[v]), uv * size};
             }
+            // Mappings lay a turn over the model's width, or more.
+            found[at].texels_per_unit_mapped =
+                std::max({size.x, -size.x, size.y, -size.y}) * kTurnsPerUnit;
             add(found[at++], corner, first);
         }
     }
     return found;
 }
 
-double texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width, int height) {
+double texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width, int height,
+                        bool mapped) {
     // The model is scaled along its axes, then turned: the columns' lengths are the scales.
     double least_scale = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -97,7 +104,8 @@ double texels_per_pixel(const TexturedSurface& s, const scene::View& view, int w
     const double pixel = std::max(2 * view.half_width / width, 2 * view.half_height / height);
     const bool perspective = view.projection == scene::Projection::perspective;
     const double span = perspective ? pixel * farthest : pixel;
-    return span > 0 ? s.texels_per_unit * span / least_scale : 0; // scale 0: infinitely many
+    const double texels = mapped ? s.texels_per_unit_mapped : s.texels_per_unit;
+    return span > 0 ? texels * span / least_scale : 0; // scale 0: infinitely many
 }
 
 } // namespace scanout::frame

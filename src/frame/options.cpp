@@ -5,13 +5,24 @@
 namespace scanout::frame {
 
 bool ask(FrameOptions& o, std::string_view axis, std::string_view technique) {
-    const std::pair<std::string_view, std::string*> axes[] = {
-        {"interpolate", &o.interpolate},   {"texture", &o.texture}, {"wrap", &o.wrap},
-        {"reflection", &o.reflection},     {"shading", &o.shading}, {"shadow", &o.shadow},
-        {"transparency", &o.transparency}, {"blend", &o.blend},     {"depth", &o.depth},
-        {"depth_test", &o.depth_test},     {"aa", &o.aa},           {"tone", &o.tone},
-        {"blend_space", &o.blend_space},   {"encode", &o.encode},   {"dither", &o.dither},
-        {"convolution", &o.convolution}};
+    const std::pair<std::string_view, std::string*> axes[] = {{"interpolate", &o.interpolate},
+                                                              {"texture", &o.texture},
+                                                              {"wrap", &o.wrap},
+                                                              {"source", &o.source},
+                                                              {"mapping", &o.mapping},
+                                                              {"reflection", &o.reflection},
+                                                              {"shading", &o.shading},
+                                                              {"shadow", &o.shadow},
+                                                              {"transparency", &o.transparency},
+                                                              {"blend", &o.blend},
+                                                              {"depth", &o.depth},
+                                                              {"depth_test", &o.depth_test},
+                                                              {"aa", &o.aa},
+                                                              {"tone", &o.tone},
+                                                              {"blend_space", &o.blend_space},
+                                                              {"encode", &o.encode},
+                                                              {"dither", &o.dither},
+                                                              {"convolution", &o.convolution}};
     for (const auto& [name, asked] : axes) {
         if (name != axis) continue;
         *asked = technique;

@@ -25,6 +25,7 @@ struct FrameOptions {
     std::string interpolate = "auto";
     std::string texture = "auto";
     std::string wrap = "auto";
+    std::string source = "auto", mapping = "auto";
     std::string reflection = "auto";
     std::string shading = "auto";
     std::string shadow = "auto";

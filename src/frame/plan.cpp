@@ -27,6 +27,20 @@ Result<void> check_numbers(const FrameOptions& o) {
     return {};
 }
 
+// Maps change what light falls on, so they come before it; what a surface gives off by itself is
+// added to what it reflects, and no shadow darkens it.
+void put_in_order(std::vector<const shade::Stage*>& stages) {
+    constexpr std::string_view kOrder[] = {"interpolate", "mapping", "map",      "light",
+                                           "shadow",      "shading", "emission", "tone"};
+    const auto place = [&](const shade::Stage* stage) {
+        const Technique& card = stage->card;
+        const std::string_view row = card.name == "emission" ? card.name : card.axis;
+        return std::find(std::begin(kOrder), std::end(kOrder), row) - std::begin(kOrder);
+    };
+    std::stable_sort(stages.begin(), stages.end(),
+                     [&](const auto* a, const auto* b) { return place(a) < place(b); });
+}
+
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
@@ -68,15 +82,9 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
                    "a division a pixel is exact at any ratio of distances");
     planner.stage("interpolate", steps);
 
-    const bool textured = facts.textured_triangles > 0;
-    if (planner.effect("texture", options.texture == "auto" ? "bilinear" : options.texture,
-                       textured,
-                       textured ? fmt::format("{} of {} triangles have a readable map_Kd",
-                                              facts.textured_triangles, facts.triangles)
-                                : "no triangle has a readable map_Kd and texture coordinates") &&
-        facts.triangles > 0 && facts.uv)
-        planner.stage("map", "diffuse");
+    TRY_VOID(plan_texture(planner, plan, facts));
     TRY_VOID(plan_light(planner, plan, facts));
+    plan_maps(planner, plan, facts);
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,
                        facts.vertex_colours ? "the file gives them" : "the file gives none"))
@@ -87,8 +95,8 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, planner, plan));
     TRY_VOID(plan_output(options, planner, plan));
-    TRY_VOID(plan_filter(planner, plan, facts, view));
-    TRY_VOID(plan_wrap(planner, plan, facts));
+    TRY_VOID(plan_sampling(planner, plan, facts, view));
+    put_in_order(plan.stages);
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

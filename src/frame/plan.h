@@ -59,7 +59,8 @@ struct FramePlan {
     // Every technique that runs, in the order in which it was decided; no other one does. The usual
     // depth and depth test are not named.
     std::vector<const Technique*> techniques;
-    // The stages of a block, in order: interpolation first, shading last.
+    // The stages of a block, in order: interpolation, maps, lights, shadow, shading, emission,
+    // tone.
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;                    // what has to be fetched for a block
     const shade::Filter* filter = nullptr;           // how maps are read; null where none is
@@ -70,16 +71,18 @@ struct FramePlan {
     float exposure = 1;                              // what light is multiplied by
     TransparencyPlan transparency;
     raster::VisibleRule visible; // which of several surfaces is seen
-    // How each kind of surface reflects: what the shading stage, the last of `stages`, calls.
+    // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // Where light is not evaluated at pixels: the light stages that run over vertices or faces.
     std::vector<const shade::Stage*> corner_lights;
     bool corner_normals = false;
     shade::Sides sides = shade::Sides::eye;
     ShadowPlan shadow;
-    std::vector<shade::MipUse> mips; // the textures that have mipmaps in this frame
-    std::optional<shade::Wrap> wrap; // of all textures; else as each map says
-    std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
+    std::vector<shade::MipUse> mips;       // the textures that have mipmaps in this frame
+    std::optional<shade::Wrap> wrap;       // of all textures; else as each map says
+    const shade::Source* source = nullptr; // what map_Kd is instead of its picture
+    bool mapped = false;                   // u and v are made, not the model's
+    std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };

@@ -1,4 +1,4 @@
-// Which materials let light through, and how their maps are read.
+// Which materials let light through.
 #include "base/check.h"
 #include "frame/planner.h"
 
@@ -13,17 +13,6 @@ namespace {
 std::string part(std::size_t materials, std::size_t triangles, const SceneFacts& facts) {
     return fmt::format("{} of {} materials ({} of {} triangles)", materials, facts.alpha.materials,
                        triangles, facts.triangles);
-}
-
-// Does some stage of the plan read the map, for colour or for alpha?
-bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
-    if ((plan.attributes.maps & shade::bit_of(surface.map)) != 0) return true;
-    const TransparencyPlan& t = plan.transparency;
-    if (t.stages.empty() || t.layers[surface.material + 1] == raster::Layer::opaque) return false;
-    const shade::MaterialAlpha& alpha = t.alpha[surface.material + 1];
-    return surface.map == shade::kDiffuseMap
-               ? alpha.diffuse_map
-               : surface.map == shade::kOpacityMap && alpha.opacity_map;
 }
 
 } // namespace
@@ -79,67 +68,6 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         t.attributes = t.attributes | t.stages.back()->needs;
     }
     plan.techniques.push_back(&t.stages.back()->card);
-    return {};
-}
-
-Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                         const scene::View& view) {
-    const FrameOptions& options = plan.options;
-    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
-    const shade::Filter* filter = shade::find_filter(name);
-    CHECK(filter != nullptr);
-    const bool automatic = options.texture == "auto";
-    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
-    double most = 0; // texels a pixel
-    for (const TexturedSurface& surface : facts.textured_surfaces) {
-        if (!is_read(surface, plan)) continue;
-        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
-                                               options.height * plan.aa->scale);
-        most = std::max(most, texels);
-        // A filter that the user names is drawn as it is; else what is not minified has no
-        // mipmaps, though its rim may show a few texels a pixel.
-        if (automatic && texels * kMostSlant <= 1) continue;
-        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
-            plan.mips.push_back(surface.texture);
-    }
-    const bool mipmaps = planner.effect(
-        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
-        colour || alpha
-            ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
-                          most, most * kMostSlant)
-            : "no texture is read");
-    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
-    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
-    if (colour || alpha) planner.filter(*filter, colour, alpha);
-    return {};
-}
-
-Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const std::string& asked = plan.options.wrap;
-    TRY(const std::string name, choose("wrap", asked, "repeat"));
-    std::size_t maps = 0, clamped = 0;
-    for (const TexturedSurface& surface : facts.textured_surfaces) {
-        if (!is_read(surface, plan)) continue;
-        ++maps;
-        if (surface.clamp) ++clamped;
-    }
-    const auto use = [&](std::string_view wrapping) {
-        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
-        return shade::find_wrapping(wrapping)->wrap;
-    };
-    if (asked != "auto" && maps > 0) plan.wrap = use(name);
-    if (asked == "auto" && clamped < maps) use("repeat");
-    if (asked == "auto" && clamped > 0) use("clamp");
-    planner.choice("wrap",
-                   maps == 0         ? "off"
-                   : asked != "auto" ? name
-                   : clamped == 0    ? "repeat"
-                   : clamped == maps ? "clamp"
-                                     : "repeat and clamp",
-                   asked,
-                   maps == 0 ? "no texture is read"
-                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
-                   maps > 0);
     return {};
 }
 

@@ -37,15 +37,18 @@ private:
     FramePlan& plan_;
 };
 
+// map_Kd, or what is computed in its place.
+Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// The other maps, and light of the surfaces' own; after the light and the highlights are decided.
+void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
-Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                         const scene::View& view);
-// What lies beyond textures' edges: what each map says, unless the user does.
-Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// How what the stages read is read: where coordinates come from, filter, mipmaps, edges; after all
+// that reads a map is decided.
+Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                           const scene::View& view);
 // What is blended throws no shadow: what comes through it would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
 // Which surfaces are seen, and how they are mixed: choices of the user's.

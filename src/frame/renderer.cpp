@@ -121,6 +121,8 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.corner_normals = plan.corner_normals;
     frame.corner_lights = plan.corner_lights;
     frame.shadow_filter = plan.options.shadow_filter;
+    frame.source = plan.source;
+    frame.mapped = plan.mapped;
     lights.describe(frame);
     frame.exposure = plan.exposure;
     return frame;
@@ -183,6 +185,7 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
     in.frame.attributes = t.attributes;
     in.frame.filter = t.filter;
     in.frame.steps = nullptr; // alpha is always exact
+    in.frame.source = nullptr;
     in.cut = static_cast<float>(plan.options.alpha_cut);
     in.most_fragments = static_cast<std::size_t>(plan.options.most_fragments);
     return in;

@@ -17,6 +17,8 @@ const std::vector<const Technique*>& techniques() {
         std::vector<const Technique*> found;
         for (const shade::Filter* filter : shade::filters())
             found.push_back(&filter->card);
+        for (const shade::Source* source : shade::sources())
+            found.push_back(&source->card);
         for (const shade::Wrapping* wrapping : shade::wrappings())
             found.push_back(&wrapping->card);
         for (const shade::Stage* stage : shade::stages())

@@ -11,6 +11,7 @@
 #include <set>
 #include <system_error>
 #include <unordered_map>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -63,6 +64,21 @@ std::string unquoted(const std::string& text, std::size_t begin, std::size_t end
     return name;
 }
 
+// Exporters that know no norm write a normal map as map_bump. Such a picture is bluish, and its
+// colours are unit vectors.
+bool holds_normals(const image::Image& image) {
+    std::size_t units = 0;
+    std::int64_t bluer = 0;
+    for (const image::Rgba8& p : image.pixels()) {
+        const int x = 2 * p.r - 255, y = 2 * p.g - 255, z = 2 * p.b - 255;
+        const int square = x * x + y * y + z * z;
+        units += z > 0 && square > 255 * 255 * 4 / 5 && square < 255 * 255 * 6 / 5 ? 1 : 0;
+        bluer += p.b - p.r;
+    }
+    const std::size_t texels = image.pixels().size();
+    return units >= texels - texels / 50 && bluer > 32 * static_cast<std::int64_t>(texels);
+}
+
 class MaterialLoader {
 public:
     MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
@@ -92,6 +108,7 @@ private:
     void read_library(const std::string& name, std::size_t line);
     void use(const NameAtLine& used);
     void name_what_is_not_drawn();
+    void load_normal_maps(scene::Material& material, const std::string& library_path);
     void load_map(scene::TextureMap& map, std::string_view keyword,
                   const std::string& library_path);
     std::int32_t texture(const std::string& name, std::string_view keyword,
@@ -196,11 +213,29 @@ void MaterialLoader::use(const NameAtLine& used) {
                                        [](const image::Rgba8& p) { return p.a != 255; });
         material.map_opacity.channel = alpha ? 'm' : 'l';
     }
-    if (!material.map_diffuse.given()) return;
     load_map(material.map_diffuse, "map_Kd", library.path);
     // Kd 0 0 0 beside a map is an exporter's "see the map"; without the map it would be a hole.
-    if (material.map_diffuse.texture < 0 && material.diffuse == Vec3(0))
+    if (material.map_diffuse.given() && material.map_diffuse.texture < 0 &&
+        material.diffuse == Vec3(0))
         material.diffuse = scene::Material().diffuse;
+    load_normal_maps(material, library.path);
+    if (has_highlight(material)) {
+        load_map(material.map_specular, "map_Ks", library.path);
+        load_map(material.map_shininess, "map_Ns", library.path);
+    }
+    if (material.emission != Vec3(0)) load_map(material.map_emission, "map_Ke", library.path);
+    // A colour that only the map gives is gone with it.
+    if (m.specular_by_map && material.map_specular.texture < 0) material.specular = Vec3(0);
+    if (m.emission_by_map && material.map_emission.texture < 0) material.emission = Vec3(0);
+}
+
+void MaterialLoader::load_normal_maps(scene::Material& material, const std::string& library_path) {
+    load_map(material.map_normal, "norm", library_path);
+    if (material.map_bump.bump_multiplier != 0)
+        load_map(material.map_bump, "map_bump", library_path);
+    if (material.map_bump.texture >= 0 && !material.map_normal.given() &&
+        holds_normals(out_.textures[static_cast<std::size_t>(material.map_bump.texture)].image))
+        std::swap(material.map_bump, material.map_normal);
 }
 
 void MaterialLoader::name_what_is_not_drawn() {

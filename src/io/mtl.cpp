@@ -20,11 +20,12 @@ struct MapKeyword {
     std::string_view keyword; // lower case
     TextureMap Material::*map;
     std::string_view name; // as messages name it
+    bool drawn = true;
 };
 
 constexpr std::array kMaps = {
     MapKeyword{"map_kd", &Material::map_diffuse, "map_Kd"},
-    MapKeyword{"map_ka", &Material::map_ambient, "map_Ka"},
+    MapKeyword{"map_ka", &Material::map_ambient, "map_Ka", false},
     MapKeyword{"map_ks", &Material::map_specular, "map_Ks"},
     MapKeyword{"map_ns", &Material::map_shininess, "map_Ns"},
     MapKeyword{"map_d", &Material::map_opacity, "map_d"},
@@ -35,12 +36,12 @@ constexpr std::array kMaps = {
     MapKeyword{"norm", &Material::map_normal, "norm"},
     MapKeyword{"map_norm", &Material::map_normal, "norm"},
     MapKeyword{"map_kn", &Material::map_normal, "norm"},
-    MapKeyword{"disp", &Material::map_displacement, "disp"},
-    MapKeyword{"map_disp", &Material::map_displacement, "disp"},
-    MapKeyword{"decal", &Material::map_decal, "decal"},
-    MapKeyword{"map_decal", &Material::map_decal, "decal"},
-    MapKeyword{"refl", &Material::map_reflection, "refl"},
-    MapKeyword{"map_refl", &Material::map_reflection, "refl"},
+    MapKeyword{"disp", &Material::map_displacement, "disp", false},
+    MapKeyword{"map_disp", &Material::map_displacement, "disp", false},
+    MapKeyword{"decal", &Material::map_decal, "decal", false},
+    MapKeyword{"map_decal", &Material::map_decal, "decal", false},
+    MapKeyword{"refl", &Material::map_reflection, "refl", false},
+    MapKeyword{"map_refl", &Material::map_reflection, "refl", false},
 };
 
 // Physically based values and other additions that have no place in scene::Material.
@@ -86,7 +87,7 @@ private:
     Cursor at_;
     std::vector<MtlMaterial> out_;
     Material* now_ = nullptr;
-    bool has_diffuse_ = false;
+    bool has_diffuse_ = false, has_specular_ = false, has_emission_ = false;
     std::optional<double> dissolve_, transparency_;
 };
 
@@ -114,7 +115,7 @@ void MtlReader::statement() {
         m.line = at_.line;
         m.material.name = at_.rest();
         now_ = &m.material;
-        has_diffuse_ = false;
+        has_diffuse_ = has_specular_ = has_emission_ = false;
         dissolve_ = transparency_ = std::nullopt;
         return;
     }
@@ -132,8 +133,10 @@ bool MtlReader::colour_statement(std::string_view key) {
     } else if (key == "ka") {
         colour(now_->ambient);
     } else if (key == "ks") {
+        has_specular_ = true;
         colour(now_->specular);
     } else if (key == "ke") {
+        has_emission_ = true;
         colour(now_->emission);
     } else if (key == "tf") {
         colour(now_->transmission);
@@ -192,14 +195,16 @@ void MtlReader::finish_material() {
         now_->opacity = static_cast<float>(*dissolve_);
     else if (transparency_ && *transparency_ < 1)
         now_->opacity = static_cast<float>(1 - *transparency_);
-    // map_Kd is multiplied by Kd; a material that gives the map alone means the map's own colours.
+    // A map is multiplied by its colour; a material that gives the map alone means the map's own.
     if (now_->map_diffuse.given() && !has_diffuse_) now_->diffuse = Vec3(1);
+    MtlMaterial& material = out_.back();
+    material.specular_by_map = now_->map_specular.given() && !has_specular_;
+    material.emission_by_map = now_->map_emission.given() && !has_emission_;
+    if (material.specular_by_map) now_->specular = Vec3(1);
+    if (material.emission_by_map) now_->emission = Vec3(1);
     for (const MapKeyword& known : kMaps)
-        if (known.map != &Material::map_diffuse && known.map != &Material::map_opacity &&
-            (now_->*known.map).given())
-            not_drawn(known.name);
+        if (!known.drawn && (now_->*known.map).given()) not_drawn(known.name);
     note_map_options(*now_);
-    if (now_->emission != Vec3(0)) not_drawn("Ke");
     now_ = nullptr;
 }
 

@@ -12,6 +12,9 @@ namespace scanout::shade {
 namespace interpolate {
 SCANOUT_INTERPOLATE(SCANOUT_DECLARE)
 }
+namespace mapping {
+SCANOUT_MAPPING(SCANOUT_DECLARE)
+}
 namespace map {
 SCANOUT_MAP(SCANOUT_DECLARE)
 }
@@ -46,6 +49,11 @@ namespace transparency {
 SCANOUT_TRANSPARENCY(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const Source name;
+namespace source {
+SCANOUT_SOURCE(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
 #define SCANOUT_DECLARE(name) extern const Wrapping name;
 namespace wrap {
 SCANOUT_WRAP(SCANOUT_DECLARE)
@@ -57,23 +65,26 @@ std::span<const Stage* const> stages() {
 #define SCANOUT_ROW(name) &interpolate::name,
         SCANOUT_INTERPOLATE(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &mapping::name,
+            SCANOUT_MAPPING(SCANOUT_ROW)
+#undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &map::name,
-            SCANOUT_MAP(SCANOUT_ROW)
+                SCANOUT_MAP(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &light::name,
-                SCANOUT_LIGHT(SCANOUT_ROW)
+                    SCANOUT_LIGHT(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &shadow::name,
-                    SCANOUT_SHADOW(SCANOUT_ROW)
+                        SCANOUT_SHADOW(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &reflection::name,
-                        SCANOUT_REFLECTION(SCANOUT_ROW)
+                            SCANOUT_REFLECTION(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &shading::name,
-                            SCANOUT_SHADING(SCANOUT_ROW)
+                                SCANOUT_SHADING(SCANOUT_ROW)
 #undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &tone::name,
-                                SCANOUT_TONE(SCANOUT_ROW)
+                                    SCANOUT_TONE(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;
@@ -107,6 +118,13 @@ std::span<const Transparency* const> transparencies() {
     return kAll;
 }
 
+std::span<const Source* const> sources() {
+#define SCANOUT_ROW(name) &source::name,
+    static constexpr auto kSources = std::to_array<const Source*>({SCANOUT_SOURCE(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kSources;
+}
+
 std::span<const Wrapping* const> wrappings() {
 #define SCANOUT_ROW(name) &wrap::name,
     static constexpr auto kWrappings = std::to_array<const Wrapping*>({SCANOUT_WRAP(SCANOUT_ROW)});
@@ -117,7 +135,12 @@ std::span<const Wrapping* const> wrappings() {
 const std::array<MapSlot, kMaps>& map_slots() {
     static constexpr std::array<MapSlot, kMaps> kSlots = {
         MapSlot{&scene::Material::map_diffuse, TexelKind::colour},
-        MapSlot{&scene::Material::map_opacity, TexelKind::data}};
+        MapSlot{&scene::Material::map_opacity, TexelKind::data},
+        MapSlot{&scene::Material::map_normal, TexelKind::data},
+        MapSlot{&scene::Material::map_bump, TexelKind::data},
+        MapSlot{&scene::Material::map_specular, TexelKind::data},
+        MapSlot{&scene::Material::map_shininess, TexelKind::data},
+        MapSlot{&scene::Material::map_emission, TexelKind::colour}};
     return kSlots;
 }
 
@@ -142,6 +165,12 @@ const Transparency* find_transparency(std::string_view name) {
 const Wrapping* find_wrapping(std::string_view name) {
     for (const Wrapping* wrapping : wrappings())
         if (wrapping->card.name == name) return wrapping;
+    return nullptr;
+}
+
+const Source* find_source(std::string_view name) {
+    for (const Source* source : sources())
+        if (source->card.name == name) return source;
     return nullptr;
 }
 

@@ -72,6 +72,7 @@ void check_primitive(const Primitive& p, const Attributes& wanted) {
             if (wanted.colour) check_one(p.colour[c][k], "colour");
             if (wanted.position) check_one(p.position[c][k], "position");
             if (wanted.uv && c < 2) check_one(p.uv[c][k], "uv");
+            if (wanted.object) check_one(p.object[c][k], "place");
         }
     }
 }
@@ -95,6 +96,8 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], count, "albedo", name);
         if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
+        if (b.lit && stage.card.axis == "map" && stage.card.name == "emission")
+            check(b.colour[c], count, "colour", name);
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
         if (stage.card.axis == "shading" || stage.card.axis == "tone")
             check(b.colour[c], count, "colour", name);
@@ -103,7 +106,9 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check_light(b, frame, stage.card, name);
     for (int c = 0; c < 3; ++c)
         check_value(b.ambient[c], "colour", "ambient light", 0, name);
-    if (!any_map(b)) return;
+    if (stage.card.name == "gloss" && b.map[kShininessMap].texture != nullptr)
+        check(b.shininess, count, "exponent", name);
+    if (!wants_uv(b, frame)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
     if (frame.attributes.footprint)
@@ -111,6 +116,8 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
             check(slope, count, "slope of u or v", name);
     if (stage.card.axis != "map") return;
     if (stage.card.name == "opacity") return check(b.alpha, count, "alpha", name);
+    // Where one number counts, it may be the sample's alpha alone.
+    if (stage.card.name == "gloss" || stage.card.name == "bump") return;
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);
 }

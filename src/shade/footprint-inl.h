@@ -16,36 +16,39 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
-// A pixel to the right, and a pixel down.
-template <class D>
-struct UvSlopes {
-    Float<D> u_x, v_x, u_y, v_y;
+// Attributes of a triangle at a sample, and how they change a pixel to the right and a pixel down.
+template <int kCount, class D>
+struct OnPlane {
+    Float<D> value[kCount], right[kCount], down[kCount];
 };
 
-// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of u_i / w_i,
-// u = N / D and du/dx = (dN/dx - u dD/dx) / D. In double: towards the horizon, and far from vertex
-// 0, to which u is relative, the difference cancels by the ratio of distances.
-class Footprint {
+// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i,
+// f = N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex
+// 0, to which f is relative, the difference cancels by the ratio of distances.
+template <int kCount>
+class PlaneOf {
 public:
-    explicit Footprint(const Primitive& t) : t_(t) {
+    // f: of the vertices.
+    PlaneOf(const Primitive& t, const float (&f)[kCount][3]) : t_(t) {
         for (int k = 0; k < 3; ++k) {
-            u_[k] = double{t.uv[0][k]} - double{t.uv[0][0]};
-            v_[k] = double{t.uv[1][k]} - double{t.uv[1][0]};
             const double a = t.a[k] * 256 * double{t.inverse_w[k]}; // a pixel is 256 units
             const double b = t.b[k] * 256 * double{t.inverse_w[k]};
             sum_x_ += a;
             sum_y_ += b;
-            u_x_ += a * u_[k];
-            u_y_ += b * u_[k];
-            v_x_ += a * v_[k];
-            v_y_ += b * v_[k];
+            for (int n = 0; n < kCount; ++n) {
+                f_[n][k] = double{f[n][k]} - double{f[n][0]};
+                f_x_[n] += a * f_[n][k];
+                f_y_[n] += b * f_[n][k];
+            }
         }
+        for (int n = 0; n < kCount; ++n)
+            f0_[n] = double{f[n][0]};
     }
 
-    // x, y: of the sample, 1/256 pixel. Within +-2^60, which also stands for slopes without end, or
-    // not a number.
+    // x, y: of the sample, 1/256 pixel. Slopes within +-2^60, which also stands for those without
+    // end, or not a number.
     template <class D>
-    HWY_INLINE UvSlopes<D> slopes(Int<D> x, Int<D> y) const {
+    HWY_INLINE OnPlane<kCount, D> at(Int<D> x, Int<D> y) const {
         using F64s = Double<D>;
         const F64s px = to_f64(x), py = to_f64(y);
         const auto share = [&](int k) HWY_ATTR {
@@ -54,32 +57,42 @@ public:
         };
         const F64s p0 = share(0), p1 = share(1), p2 = share(2);
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2);
-        const F64s u = (p1 * F64s(u_[1]) + p2 * F64s(u_[2])) * inverse;
-        const F64s v = (p1 * F64s(v_[1]) + p2 * F64s(v_[2])) * inverse;
-        const auto slope = [&](double n_slope, F64s at, double d_slope) HWY_ATTR {
-            const F64s exact = (F64s(n_slope) - at * F64s(d_slope)) * inverse;
+        const auto slope = [&](double n_slope, F64s f, double d_slope) HWY_ATTR {
+            const F64s exact = (F64s(n_slope) - f * F64s(d_slope)) * inverse;
             return to_f32(minimum(maximum(exact, F64s(-0x1p60)), F64s(0x1p60)));
         };
-        return {slope(u_x_, u, sum_x_), slope(v_x_, v, sum_x_), slope(u_y_, u, sum_y_),
-                slope(v_y_, v, sum_y_)};
+        OnPlane<kCount, D> found;
+        for (int n = 0; n < kCount; ++n) {
+            const F64s f = (p1 * F64s(f_[n][1]) + p2 * F64s(f_[n][2])) * inverse;
+            found.value[n] = to_f32(F64s(f0_[n]) + f);
+            found.right[n] = slope(f_x_[n], f, sum_x_);
+            found.down[n] = slope(f_y_[n], f, sum_y_);
+        }
+        return found;
     }
 
 private:
     const Primitive& t_;
-    double u_[3], v_[3]; // of the vertices, from vertex 0
-    double sum_x_ = 0, sum_y_ = 0, u_x_ = 0, u_y_ = 0, v_x_ = 0, v_y_ = 0; // of D and N, a pixel
+    double f0_[kCount], f_[kCount][3]; // of the vertices, from vertex 0
+    double f_x_[kCount] = {}, f_y_[kCount] = {}, sum_x_ = 0, sum_y_ = 0; // of N and D, a pixel
+};
+
+// A pixel to the right, and a pixel down.
+template <class D>
+struct UvSlopes {
+    Float<D> u_x, v_x, u_y, v_y;
 };
 
 // Of every lane of a block, for an interpolation stage to call when the frame wants it.
 HWY_INLINE void write_slopes(Block& b) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
-        const Footprint footprint(*run->primitive);
+        const PlaneOf<2> plane(*run->primitive, run->primitive->uv);
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
-            const auto slopes = footprint.slopes(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
-            store(slopes.u_x, b.u_x + i);
-            store(slopes.v_x, b.v_x + i);
-            store(slopes.u_y, b.u_y + i);
-            store(slopes.v_y, b.v_y + i);
+            const auto at = plane.at(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
+            store(at.right[0], b.u_x + i);
+            store(at.right[1], b.v_x + i);
+            store(at.down[0], b.u_y + i);
+            store(at.down[1], b.v_y + i);
         }
     }
 }

@@ -59,8 +59,9 @@ public:
             for (int c = 0; c < 3; ++c) {
                 if (own_normals) p_.normal[c][k] = mesh.normal[v[k]][c] * side;
                 if (wanted.colour) p_.colour[c][k] = mesh.colour[v[k]][c];
+                if (wanted.object) p_.object[c][k] = mesh.position[v[k]][c];
             }
-            if (wanted.uv) {
+            if (wanted.uv && !in_.frame->mapped) {
                 p_.uv[0][k] = mesh.uv[v[k]].x;
                 p_.uv[1][k] = mesh.uv[v[k]].y;
             }
@@ -79,7 +80,9 @@ public:
         if (wanted.normal) between_both(p_.normal, normal(from), normal(to));
         if (wanted.colour)
             between_both(p_.colour, DVec3(mesh.colour[from]), DVec3(mesh.colour[to]));
-        if (!wanted.uv) return;
+        if (wanted.object)
+            between_both(p_.object, DVec3(mesh.position[from]), DVec3(mesh.position[to]));
+        if (!wanted.uv || in_.frame->mapped) return;
         p_.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
         p_.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
     }

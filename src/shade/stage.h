@@ -26,7 +26,16 @@ inline constexpr int kRoom = kLanes + 16;
 enum class TexelKind : std::uint8_t { colour, data, alpha };
 
 // The maps that a material can have.
-enum Map : std::uint8_t { kDiffuseMap, kOpacityMap, kMaps };
+enum Map : std::uint8_t {
+    kDiffuseMap,
+    kOpacityMap,
+    kNormalMap,
+    kBumpMap,
+    kSpecularMap,
+    kShininessMap,
+    kEmissionMap,
+    kMaps
+};
 using MapBits = std::uint16_t;
 constexpr MapBits bit_of(Map map) {
     return static_cast<MapBits>(1U << map);
@@ -38,18 +47,15 @@ struct Attributes {
     bool corners = false;   // normals and positions of the vertices; no lane needs its own
     bool facing = false;    // Primitive::facing
     bool footprint = false; // how u and v change from pixel to pixel
+    bool object = false;    // vertices' places in object space
     MapBits maps = 0;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal,
-            a.uv || b.uv,
-            a.colour || b.colour,
-            a.ray || b.ray,
-            a.position || b.position,
-            a.corners || b.corners,
-            a.facing || b.facing,
-            a.footprint || b.footprint,
-            static_cast<MapBits>(a.maps | b.maps)};
+    return {a.normal || b.normal,     a.uv || b.uv,
+            a.colour || b.colour,     a.ray || b.ray,
+            a.position || b.position, a.corners || b.corners,
+            a.facing || b.facing,     a.footprint || b.footprint,
+            a.object || b.object,     static_cast<MapBits>(a.maps | b.maps)};
 }
 
 // What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
@@ -78,6 +84,7 @@ struct Primitive {
     // object space, or unit in view space where the frame says corner_normals.
     float normal[3][3], uv[2][3], colour[3][3];
     float position[3][3]; // view space, times scene::to_floats
+    float object[3][3];   // place in object space
 };
 
 // Consecutive lanes of one triangle, whose pixels lie side by side.
@@ -153,6 +160,9 @@ struct Block {
     // Change of u and v a pixel, to the right and downwards; where the frame asks for a footprint.
     alignas(64) float u_x[kRoom], v_x[kRoom], u_y[kRoom], v_y[kRoom];
 
+    // Written by the maps of normals and bumps: directions of u and v on the surface (map/tangent).
+    alignas(64) float tangent[2][3][kRoom];
+
     // Of the map that was sampled last: red, green, blue, or alpha; linear.
     alignas(64) float sampled[4][kRoom];
 
@@ -166,21 +176,18 @@ struct Block {
     const TileShadow* shadow = nullptr;     // set with the tile, in frames that count shadows
     const BlendedPixels* blended = nullptr; // set with the tile, where surfaces blend
 
+    // Ks and Ns times their maps, where the block has these maps; else the material's own count.
+    alignas(64) float specular[3][kRoom], shininess[kRoom];
+
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
     alignas(64) float albedo[3][kRoom];
     alignas(64) float colour[3][kRoom];
 };
 
-// Some map of the block has a texture: it wants u and v.
-inline bool any_map(const Block& block) {
-    for (const BoundMap& map : block.map)
-        if (map.texture != nullptr) return true;
-    return false;
-}
-
 struct Filter;
 struct StepLimits;
+struct Source;
 
 // Which side of a face its normals light.
 enum class Sides : std::uint8_t {
@@ -200,6 +207,8 @@ struct FrameState {
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    const Source* source = nullptr; // what map_Kd is, instead of the picture that the file names
+    bool mapped = false;            // a mapping stage writes u and v; they are not the model's
     std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
     Sides sides = Sides::eye;
     bool corner_normals = false;                 // vertices' normals are unit, in view space
@@ -209,6 +218,15 @@ struct FrameState {
     const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
     float exposure = 1;                          // what light is multiplied by before it is shown
 };
+
+// Some stage of the frame wants the block's u and v.
+inline bool wants_uv(const Block& b, const FrameState& frame) {
+    if (!frame.attributes.uv || !b.lit) return false;
+    bool map = frame.source != nullptr;
+    for (const BoundMap& bound : b.map)
+        map = map || bound.texture != nullptr;
+    return map;
+}
 
 struct Stage {
     Technique card;
@@ -230,13 +248,23 @@ struct Wrapping {
     Wrap wrap;
 };
 
-// Every stage, filter and wrapping there is, in the order of techniques.h; null where there is no
-// such name.
+// Where a texture comes from: computes b.sampled from u and v; null is the picture that the file
+// names.
+struct Source {
+    Technique card;
+    Attributes needs;
+    void (*sample)(Block& block);
+};
+
+// Every stage, filter, wrapping and source there is, in the order of techniques.h; null where there
+// is no such name.
 std::span<const Stage* const> stages();
 std::span<const Filter* const> filters();
 std::span<const Wrapping* const> wrappings();
+std::span<const Source* const> sources();
 const Stage* find_stage(std::string_view axis, std::string_view name);
 const Filter* find_filter(std::string_view name);
 const Wrapping* find_wrapping(std::string_view name);
+const Source* find_source(std::string_view name);
 
 } // namespace scanout::shade

@@ -224,6 +224,7 @@ TEST(Plan, GivesAReasonForEveryDecision) {
     SceneFacts facts;
     facts.triangles = 40;
     facts.textured_triangles = 30;
+    facts.uv = true;
     facts.specular_triangles = 20;
     const FramePlan on = plan_of(facts);
     EXPECT_THAT(to_string(*on.decision("texture")),
@@ -466,7 +467,8 @@ TEST(Facts, CountWhatTheDataCallsFor) {
                 ElementsAre(false, false, true, false, false, false));
     EXPECT_FALSE(all.vertex_colours);
     scene.mesh.uv.clear(); // a texture without coordinates shows nothing
-    EXPECT_EQ(facts(scene).textured_triangles, 0U);
+    EXPECT_FALSE(facts(scene).uv);
+    EXPECT_FALSE(plan_of(facts(scene)).decision("texture")->on());
     scene.mesh.colour.resize(scene.mesh.position.size());
     EXPECT_TRUE(facts(scene).vertex_colours);
     EXPECT_EQ(facts(scene::Scene()).triangles, 0U);
@@ -475,6 +477,108 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     EXPECT_EQ(facts(scene).brightest, 0.5F);
     scene.materials[0].diffuse = Vec3(7);
     EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
+}
+
+// A material with every map, whose pictures can be chosen.
+scene::Scene mapped(const image::Rgba8& texel, const image::Rgba8& other) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    scene.textures = {{"any", image::Image(2, 1, texel)}};
+    scene.textures[0].image.at(1, 0) = other;
+    scene.materials = {test::plain(Vec3(1), Vec3(1), 10), test::plain(Vec3(1))};
+    scene::Material& m = scene.materials[0];
+    m.emission = {0, 0.5F, 0};
+    for (std::size_t i = 0; i < shade::kMaps; ++i)
+        if (i != shade::kOpacityMap) (m.*shade::map_slots()[i].map).texture = 0;
+    test::add_square(scene.mesh, 1, 0, 0);
+    test::add_square(scene.mesh, 1, 0, 1);
+    return scene;
+}
+
+TEST(Plan, RunsTheMapsThatCanChangeAPixel) {
+    const FramePlan all = plan_of(facts(mapped({1, 2, 3, 255}, {4, 5, 6, 255})));
+    EXPECT_THAT(stages(all), ElementsAre("interpolate perspective", "map diffuse", "map normal",
+                                         "map bump", "map specular", "map gloss", "light ambient",
+                                         "shading per_pixel", "map emission"));
+    for (const char* effect :
+         {"normal_map", "bump_map", "specular_map", "gloss_map", "emission", "texture"}) {
+        ASSERT_NE(all.decision(effect), nullptr) << effect;
+        EXPECT_TRUE(all.decision(effect)->on()) << effect;
+        EXPECT_THAT(all.decision(effect)->because, HasSubstr("2 of 4 triangles"));
+    }
+    // Flat normals, one height, white: nothing to see.
+    const image::Rgba8 flat{128, 128, 255, 255}, white{255, 255, 255, 255};
+    EXPECT_FALSE(plan_of(facts(mapped(flat, flat))).decision("normal_map")->on());
+    EXPECT_FALSE(plan_of(facts(mapped(flat, flat))).decision("bump_map")->on());
+    EXPECT_TRUE(plan_of(facts(mapped(flat, white))).decision("normal_map")->on());
+    EXPECT_FALSE(plan_of(facts(mapped(white, white))).decision("specular_map")->on());
+    EXPECT_FALSE(plan_of(facts(mapped(white, white))).decision("gloss_map")->on());
+    // Without a highlight its maps do not run, forced or not.
+    FrameOptions matt;
+    matt.reflection = "lambert";
+    matt.effects = {{"specular_map", true}};
+    EXPECT_THAT(stages(plan_of(facts(mapped({1, 2, 3, 255}, {4, 5, 6, 255})), matt)),
+                ElementsAre("interpolate perspective", "map diffuse", "map normal", "map bump",
+                            "light ambient", "shading per_pixel", "map emission"));
+    // Nor where light does not fall on pixels; what is given off shows all the same.
+    FrameOptions flat_faces;
+    flat_faces.shading = "flat";
+    EXPECT_THAT(
+        stages(plan_of(facts(mapped({1, 2, 3, 255}, {4, 5, 6, 255})), flat_faces)),
+        ElementsAre("interpolate perspective", "map diffuse", "shading flat", "map emission"));
+}
+
+TEST(Plan, LaysTexturesOnAModelAsTheUserAsks) {
+    scene::Scene scene = mapped({1, 2, 3, 255}, {4, 5, 6, 255});
+    EXPECT_FALSE(plan_of(facts(scene)).mapped);
+    EXPECT_EQ(plan_of(facts(scene)).decision("mapping")->technique, "uv");
+    FrameOptions asked;
+    asked.mapping = "sphere";
+    EXPECT_EQ(stages(plan_of(facts(scene), asked))[1], "mapping sphere");
+    EXPECT_TRUE(plan_of(facts(scene), asked).attributes.object);
+    // Without coordinates of its own no picture is laid on by a guess.
+    scene.mesh.uv.clear();
+    EXPECT_EQ(stages(plan_of(facts(scene), asked))[1], "mapping sphere");
+    asked.mapping = "uv"; // which it does not have
+    for (const FrameOptions& options : {FrameOptions(), asked}) {
+        EXPECT_THAT(stages(plan_of(facts(scene), options)),
+                    ElementsAre("interpolate perspective", "light ambient", "shading per_pixel",
+                                "map emission"));
+        EXPECT_THAT(plan_of(facts(scene), options).decision("normal_map")->because,
+                    HasSubstr("no texture coordinates"));
+    }
+    // What reads no coordinates makes none.
+    SceneFacts plain;
+    plain.triangles = 5;
+    asked.mapping = "sphere";
+    EXPECT_THAT(stages(plan_of(plain, asked)),
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
+    EXPECT_FALSE(plan_of(plain, asked).attributes.object);
+    asked.mapping = "cone";
+    const auto refused = plan(asked, plain);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("cylinder"));
+}
+
+TEST(Plan, ComputesTexturesWhereTheUserAsks) {
+    SceneFacts facts;
+    facts.triangles = 5;
+    FrameOptions options;
+    options.source = "checker";
+    const FramePlan plan = plan_of(facts, options);
+    EXPECT_THAT(stages(plan), ElementsAre("interpolate perspective", "mapping box", "map diffuse",
+                                          "light ambient", "shading per_pixel"));
+    EXPECT_EQ(plan.source, shade::find_source("checker"));
+    EXPECT_EQ(plan.filter, nullptr);
+    EXPECT_TRUE(plan.attributes.footprint);
+    options.effects = {{"texture", false}};
+    EXPECT_EQ(plan_of(facts, options).source, nullptr);
+    EXPECT_THAT(stages(plan_of(facts, options)),
+                ElementsAre("interpolate perspective", "light ambient", "shading per_pixel"));
+    options.effects = {{"source", false}};
+    const auto refused = frame::plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--source NAME"));
 }
 
 } // namespace

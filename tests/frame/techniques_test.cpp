@@ -14,6 +14,8 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
         {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
+        {"mapping", {SCANOUT_MAPPING(SCANOUT_NAME)}},
+        {"source", {SCANOUT_SOURCE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},

@@ -66,6 +66,8 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"aa", {SCANOUT_AA(SCANOUT_NAME)}},
         {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
         {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
+        {"mapping", {SCANOUT_MAPPING(SCANOUT_NAME)}},
+        {"source", {SCANOUT_SOURCE(SCANOUT_NAME)}},
         {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
         {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},

@@ -235,6 +235,51 @@ TEST(Textures, AnOpacityMapIsReadByItsAlphaWhereThatSaysSomething) {
     EXPECT_TRUE(warned(l.warnings, {"m.mtl: texture 'gone.png' is not there"}));
 }
 
+TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
+    const Folder folder;
+    for (const char* name : {"n", "b", "s", "g", "e"})
+        folder.write_picture(std::string(name) + ".png", 1, 1, {});
+    const std::string maps =
+        "norm n.png\nmap_bump b.png\nmap_Ks s.png\nmap_Ns g.png\nmap_Ke e.png\n";
+    folder.write("m.mtl", "newmtl a\nKs 1 1 1\nNs 9\nKe 1 0 0\n" + maps +
+                              "newmtl b\nKs 0 0 0\nNs 9\nKe 0 0 0\n" + maps +
+                              "newmtl c\nmap_Ke gone.png\nmap_bump -bm 0 b.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\n");
+    const std::vector<scene::Material>& m = l.materials.materials;
+    ASSERT_EQ(m.size(), 3u);
+    for (const auto map :
+         {&scene::Material::map_normal, &scene::Material::map_bump, &scene::Material::map_specular,
+          &scene::Material::map_shininess, &scene::Material::map_emission})
+        EXPECT_GE((m[0].*map).texture, 0);
+    EXPECT_EQ(l.materials.textures.size(), 5u);
+    EXPECT_GE(m[1].map_normal.texture, 0);
+    EXPECT_EQ(m[1].map_specular.texture, -1) << "black Ks: nothing to see";
+    EXPECT_EQ(m[1].map_shininess.texture, -1);
+    EXPECT_EQ(m[1].map_emission.texture, -1);
+    EXPECT_EQ(m[2].map_bump.texture, -1);
+    EXPECT_EQ(m[2].emission, Vec3(0)) << "a colour that only the map gives is gone with it";
+    EXPECT_EQ(all_lines(l.warnings),
+              folder.path("m.mtl") + ": texture 'gone.png' is not there; drawn plain\n");
+}
+
+TEST(Textures, AMapBumpOfNormalsIsANormalMap) {
+    const Folder folder;
+    folder.write_picture("normals.png", 4, 4, {140, 120, 254, 255});
+    folder.write_picture("heights.png", 4, 4, {200, 200, 200, 255});
+    folder.write(
+        "m.mtl",
+        "newmtl a\nmap_bump -bm 1 -clamp on normals.png\nnewmtl b\nmap_bump heights.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\n");
+    const std::vector<scene::Material>& m = l.materials.materials;
+    ASSERT_EQ(m.size(), 2u);
+    EXPECT_GE(m[0].map_normal.texture, 0);
+    EXPECT_TRUE(m[0].map_normal.clamp);
+    EXPECT_EQ(m[0].map_bump.texture, -1);
+    EXPECT_EQ(m[1].map_normal.texture, -1);
+    EXPECT_GE(m[1].map_bump.texture, 0);
+    EXPECT_EQ(all_lines(l.warnings), "");
+}
+
 TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
     const Folder folder;
     std::string mtl, obj = "mtllib m.mtl\n";
@@ -250,12 +295,11 @@ TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
 
 TEST(Materials, WhatIsNotDrawnYetIsOneLineALibrary) {
     const Folder folder;
-    folder.write(
-        "m.mtl",
-        "newmtl a\nmap_bump b.png\nnewmtl b\nmap_Ks s.png\nmap_bump c.png\nnewmtl c\nd 0.5\n");
+    folder.write("m.mtl",
+                 "newmtl a\ndisp b.png\nnewmtl b\ndecal s.png\ndisp c.png\nnewmtl c\nd 0.5\n");
     const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\n");
     EXPECT_EQ(all_lines(l.warnings),
-              folder.path("m.mtl") + ": map_bump, map_Ks are read but not drawn yet\n");
+              folder.path("m.mtl") + ": disp, decal are read but not drawn yet\n");
 }
 
 } // namespace

@@ -23,6 +23,10 @@ void run_pow(const float* x, const float* y, int count, float* out) {
     for (int i = 0; i < count; i += kLanes)
         store(pow(load<F32>(x + i), load<F32>(y + i)), out + i);
 }
+void run_atan2(const float* y, const float* x, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes)
+        store(atan2(load<F32>(y + i), load<F32>(x + i)), out + i);
+}
 void run_encode(const float* linear, int count, std::int32_t* out) {
     for (int i = 0; i < count; i += kLanes)
         store(srgb_encode(load<F32>(linear + i)), out + i);
@@ -40,6 +44,7 @@ namespace scanout::test {
 SIMD_REGISTER(run_log2);
 SIMD_REGISTER(run_exp2);
 SIMD_REGISTER(run_pow);
+SIMD_REGISTER(run_atan2);
 SIMD_REGISTER(run_encode);
 SIMD_REGISTER(run_decode);
 
@@ -68,6 +73,9 @@ Floats exp2_lanes(const Floats& x) {
 }
 Floats pow_lanes(const Floats& x, const Floats& y) {
     return apply<float>(SIMD_CALL(run_pow), x, y);
+}
+Floats atan2_lanes(const Floats& y, const Floats& x) {
+    return apply<float>(SIMD_CALL(run_atan2), y, x);
 }
 std::vector<std::int32_t> srgb_encode_lanes(const Floats& linear) {
     return apply<std::int32_t>(SIMD_CALL(run_encode), linear);

@@ -95,6 +95,35 @@ TEST(LaneTranscendentals, PowOfAHighlightIsWithin2ToTheMinus23) {
     RecordProperty("worst", testing::PrintToString(worst));
 }
 
+TEST(LaneTranscendentals, Atan2IsWithin3UlpInEveryQuadrant) {
+    Points random(3);
+    Floats y, x;
+    for (int i = 0; i < 300000; ++i) {
+        y.push_back(
+            static_cast<float>(i % 2 == 0 ? random.uniform(-1, 1) : random.any_size(-30, 30)));
+        x.push_back(
+            static_cast<float>(i % 3 == 0 ? random.any_size(-30, 30) : random.uniform(-1, 1)));
+        if (i % 7 == 0) x.back() = -x.back();
+        if (i % 5 == 0) y.back() = -y.back();
+    }
+    const Floats angles = atan2_lanes(y, x);
+    double worst = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        Real exact(y[i]);
+        mpfr_atan2(exact.get(), exact.get(), Real(x[i]).get(), MPFR_RNDN);
+        worst = std::max(worst, ulps(angles[i], exact, 24, -126));
+    }
+    EXPECT_LE(worst, 3);
+    EXPECT_GT(worst, 0.5);
+    RecordProperty("worst", testing::PrintToString(worst));
+    on_every_target([&](const std::string&) {
+        EXPECT_TRUE(same(atan2_lanes(y, x), angles));
+        const float pi = 0x1.921fb6p+1F;
+        EXPECT_EQ(atan2_lanes({0, 0, 1, -1, 0, 1, -1}, {0, 1, 0, 0, -1, 1, -1}),
+                  (Floats{0, 0, pi / 2, -pi / 2, pi, pi / 4, -(pi - pi / 4)}));
+    });
+}
+
 TEST(LaneTranscendentals, PowersOfTwoAreExact) {
     Floats whole, powers;
     for (int i = -126; i <= 127; ++i) {

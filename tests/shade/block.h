@@ -56,7 +56,9 @@ inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
                     same(a.light[k].colour[c], b.light[k].colour[c]);
     for (int c = 0; c < 3; ++c)
         equal = equal && same(a.position[c], b.position[c]) && same(a.normal[c], b.normal[c]) &&
-                same(a.albedo[c], b.albedo[c]) && same(a.colour[c], b.colour[c]);
+                same(a.albedo[c], b.albedo[c]) && same(a.colour[c], b.colour[c]) &&
+                same(a.specular[c], b.specular[c]);
+    equal = equal && same(a.shininess, b.shininess);
     return equal;
 }
 

@@ -8,26 +8,24 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 // Arrays have room for whole registers.
-template <class Place>
+template <class D>
 HWY_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
                           const std::int32_t* y, int count, float* out) {
-    const Footprint footprint(t);
-    for (int i = 0; i < count; i += static_cast<int>(Place::kLanes)) {
-        auto slopes = footprint.slopes(load<Place>(x + i), load<Place>(y + i));
-        slopes.u_x = slopes.u_x * width;
-        slopes.v_x = slopes.v_x * height;
-        slopes.u_y = slopes.u_y * width;
-        slopes.v_y = slopes.v_y * height;
-        store(level_of_detail(slopes), out + i);
+    const PlaneOf<2> plane(t, t.uv);
+    for (int i = 0; i < count; i += static_cast<int>(Int<D>::kLanes)) {
+        const auto at = plane.at(load<Int<D>>(x + i), load<Int<D>>(y + i));
+        store(level_of_detail<D>({at.right[0] * width, at.right[1] * height, at.down[0] * width,
+                                  at.down[1] * height}),
+              out + i);
     }
 }
 void levels_wide(const Primitive& t, float width, float height, const std::int32_t* x,
                  const std::int32_t* y, int count, float* out) {
-    levels_of<I32>(t, width, height, x, y, count, out);
+    levels_of<F32::Tag>(t, width, height, x, y, count, out);
 }
 void levels_narrow(const Primitive& t, float width, float height, const std::int32_t* x,
                    const std::int32_t* y, int count, float* out) {
-    levels_of<I32x8>(t, width, height, x, y, count, out);
+    levels_of<F32x8::Tag>(t, width, height, x, y, count, out);
 }
 
 SIMD_END

@@ -163,4 +163,20 @@ inline scene::Texture noisy(int side, std::uint64_t seed) {
     return {"noisy", image};
 }
 
+// A normal map of one pyramid: its four sides lean away from the middle.
+inline scene::Texture pyramids() {
+    image::Image image(16, 16);
+    for (int y = 0; y < 16; ++y)
+        for (int x = 0; x < 16; ++x) {
+            const int right = 2 * x - 15, up = 15 - 2 * y; // of the middle
+            const bool sideways = right * right > up * up;
+            const auto lean = [](int by) {
+                return static_cast<std::uint8_t>(128 + (by > 0 ? 70 : -70));
+            };
+            image.at(x, y) = {sideways ? lean(right) : std::uint8_t{128},
+                              sideways ? std::uint8_t{128} : lean(up), 234, 255};
+        }
+    return {"pyramids", image};
+}
+
 } // namespace scanout::test

@@ -287,6 +287,54 @@ inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
     }
 }
 
+// A glossy sphere with one map of many small tiles.
+inline Shot mapped_sphere(std::string name, scene::TextureMap scene::Material::*map,
+                          scene::Texture texture) {
+    Shot s = shot(std::move(name));
+    scene::Material material = plain(Vec3(0.4F), Vec3(0.6F), 20);
+    (material.*map).texture = 0;
+    (material.*map).path = "made by the test";
+    (material.*map).scale = {8, 4, 1};
+    (material.*map).bump_multiplier = 3;
+    if (map == &scene::Material::map_emission) material.emission = {0.5F, 0.2F, 0};
+    s.scene.materials = {material};
+    s.scene.textures = {std::move(texture)};
+    add_sphere(s.scene.mesh, Vec3(0), 0.95F, 32, 16, 0);
+    s.camera.elevation_degrees = 20;
+    return s;
+}
+
+// A sphere and a cube under a texture of another make, or laid on in another way.
+inline Shot covered_solids(std::string name, const std::string& source,
+                           const std::string& mapping) {
+    Shot s = solids(std::move(name));
+    s.scene.materials = {textured(0), textured(0)};
+    s.scene.textures = {checkers()};
+    s.scene.mesh = empty_mesh();
+    add_cube(s.scene.mesh, 0.45F, 1);
+    add_sphere(s.scene.mesh, {0.45F, 0.35F, 0.3F}, 0.4F, 24, 12, 0);
+    s.options.source = source;
+    s.options.mapping = mapping;
+    return s;
+}
+
+inline std::vector<Shot> map_shots() {
+    using scene::Material;
+    std::vector<Shot> shots;
+    shots.push_back(mapped_sphere("map_normal", &Material::map_normal, pyramids()));
+    shots.push_back(mapped_sphere("map_bump", &Material::map_bump, noisy(16, 3)));
+    shots.push_back(mapped_sphere("map_specular", &Material::map_specular, checkers()));
+    shots.push_back(mapped_sphere("map_gloss", &Material::map_shininess, checkers()));
+    shots.push_back(mapped_sphere("map_emission", &Material::map_emission, checkers()));
+    for (const char* source : {"image", "checker", "white_noise", "perlin_noise"})
+        shots.push_back(covered_solids(std::string("source_") + source, source, "auto"));
+    for (const char* mapping : {"uv", "plane", "box", "cylinder", "sphere"}) {
+        shots.push_back(covered_solids(std::string("mapping_") + mapping, "auto", mapping));
+        shots.back().camera.azimuth_degrees = 50;
+    }
+    return shots;
+}
+
 inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
     shots.push_back(textured_cube("texture_nearest", "nearest"));
@@ -298,6 +346,8 @@ inline std::vector<Shot> golden_shots() {
         shots.push_back(wrapped_square(std::string("wrap_") + wrap, wrap));
     shots.push_back(textured_cube("map_diffuse", "auto"));
     shots.back().camera.azimuth_degrees = 60;
+    for (Shot& s : map_shots())
+        shots.push_back(std::move(s));
     const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);
     shots.push_back(stage("light_ambient", {light_of(scene::LightKind::ambient, 0.6)}));
     for (const auto kind :

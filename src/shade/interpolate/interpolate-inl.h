@@ -60,7 +60,7 @@ HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
             : frame.corner_normals      ? Normals::raw
             : frame.sides == Sides::eye ? Normals::turned
                                         : Normals::unit,
-            frame.attributes.uv && any_map(b),
+            wants_uv(b, frame) && !frame.mapped,
             frame.attributes.colour,
             frame.attributes.position,
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
@@ -103,7 +103,8 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run)
         Rung::lanes(b, frame, want, *run);
     // How u and v change is exact whatever the rung.
-    if (frame.attributes.footprint && any_map(b)) texture::HWY_NAMESPACE::write_slopes(b);
+    if (frame.attributes.footprint && !frame.mapped && wants_uv(b, frame))
+        texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END

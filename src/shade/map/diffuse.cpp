@@ -1,4 +1,5 @@
-// map_Kd: the material's diffuse colour times the texture's. [A 11.2], [C 9].
+// map_Kd: the material's diffuse colour times the texture's, or times what a source of the user's
+// choice computes in its place. [A 11.2], [C 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/diffuse.cpp"
@@ -30,8 +31,12 @@ constinit const Stage diffuse{{.axis = "map",
                               {.uv = true, .maps = bit_of(kDiffuseMap)},
                               [](Block& block, const FrameState& frame) {
                                   const BoundMap& map = block.map[kDiffuseMap];
-                                  if (map.texture == nullptr) return;
-                                  frame.filter->sample(block, map, TexelKind::colour);
+                                  if (frame.source != nullptr && block.lit)
+                                      frame.source->sample(block);
+                                  else if (map.texture != nullptr)
+                                      frame.filter->sample(block, map, TexelKind::colour);
+                                  else
+                                      return;
                                   SIMD_CALL(diffuse_run)(block);
                               }};
 

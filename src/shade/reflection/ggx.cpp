@@ -19,29 +19,39 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct Mirrors {
-    float metal; // share
-    float alpha; // roughness of the distribution
-    float f0[3]; // what a surface that is no metal mirrors straight on
+    bool physical;                  // it says roughness or metalness: Ks and Ns do not count
+    float metal;                    // share
+    alignas(64) float alpha[kRoom]; // roughness of the distribution
 };
 
 HWY_INLINE float clamped(float x, float low, float high) {
     return x < low ? low : (x > high ? high : x);
 }
 
-Mirrors mirrors_of(const scene::Material& m) {
+void find_mirrors(const Block& b, Mirrors& out) {
     constexpr float kLeastAlpha = 0x1p-9F; // a mirror's image of a point would be a point
-    Mirrors out{0, 1, {0.04F, 0.04F, 0.04F}};
-    if (scene::surface_of(m) == scene::Surface::physical) {
+    const scene::Material& m = *b.material;
+    out.physical = scene::surface_of(m) == scene::Surface::physical;
+    out.metal = out.physical && m.metalness ? clamped(*m.metalness, 0, 1) : 0;
+    if (out.physical) {
         const float roughness = m.roughness ? *m.roughness : 0.5F;
-        out.metal = m.metalness ? clamped(*m.metalness, 0, 1) : 0;
-        out.alpha = clamped(roughness * roughness, kLeastAlpha, 1);
-        return out;
+        const float alpha = clamped(roughness * roughness, kLeastAlpha, 1);
+        for (float& lane : out.alpha)
+            lane = alpha;
+        return;
     }
-    const double ns = m.shininess;
-    out.alpha = clamped(static_cast<float>(scanout::sqrt(2 / (ns + 2))), kLeastAlpha, 1);
-    for (int c = 0; c < 3; ++c)
-        out.f0[c] = clamped(m.specular[c], 0, 1);
-    return out;
+    for_exponents(
+        b,
+        [](double ns) {
+            return clamped(static_cast<float>(scanout::sqrt(2 / (ns + 2))), kLeastAlpha, 1);
+        },
+        out.alpha);
+}
+
+// What a surface that is no metal mirrors straight on.
+HWY_INLINE F32 straight_on(const Block& b, const Mirrors& m, int channel, int lane) {
+    if (m.physical) return F32(0.04F);
+    return minimum(maximum(specular_at(b, channel, lane), F32(0.0F)), F32(1.0F));
 }
 
 // (1 - x)^5
@@ -69,12 +79,16 @@ HWY_INLINE F32 mirrored(const Vector& normal, const Vector& half, F32 half_squar
 
 void ggx_run(Block& b, const FrameState& frame) {
     if (!b.lit || scene::surface_of(*b.material) == scene::Surface::matt) return diffuse(b, frame);
-    const Mirrors m = mirrors_of(*b.material);
-    const F32 one = 1.0F, alpha2 = m.alpha * m.alpha, metal = m.metal, other = 1.0F - m.metal;
+    Mirrors m;
+    find_mirrors(b, m);
+    const F32 one = 1.0F, metal = m.metal, other = 1.0F - m.metal;
     const float ambient[3] = {b.ambient.x, b.ambient.y, b.ambient.z};
     const std::size_t light_count = frame.lights.size();
     for (int i = 0; i < b.count; i += kLanes) {
         const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
+        const F32 alpha = load<F32>(m.alpha + i), alpha2 = alpha * alpha;
+        const F32 f0_of[3] = {straight_on(b, m, 0, i), straight_on(b, m, 1, i),
+                              straight_on(b, m, 2, i)};
         const F32 n_e = minimum(maximum(dot(normal, eye), F32(0x1p-10F)), one);
         const F32 leaves = one - schlick(n_e);
         // Part of the albedo that comes back, and what comes back without it.
@@ -90,7 +104,7 @@ void ggx_run(Block& b, const FrameState& frame) {
             const F32 grazing = schlick(F32(0.5F) * sqrt(half_square)); // e.h = |e + l| / 2
             const F32 scattered = other * (one - schlick(n_l)) * leaves * n_l;
             for (int c = 0; c < 3; ++c) {
-                const F32 f0 = m.f0[c], enters = one - f0;
+                const F32 f0 = f0_of[c], enters = one - f0;
                 const F32 fresnel = f0 + enters * grazing;
                 tinted[c] = tinted[c] + l.colour[c] * (scattered * (enters * enters) +
                                                        metal * (one - grazing) * all);

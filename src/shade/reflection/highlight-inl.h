@@ -37,22 +37,44 @@ HWY_INLINE Vector normal_at(const Block& b, int lane) {
             load<F32>(b.normal[2] + lane)};
 }
 
-// Adds light * Ks * bright(normal, eye, light, Ns) to b.colour for every light.
+// Ks and Ns of a lane: the material's own, or what its maps made of them.
+HWY_INLINE F32 specular_at(const Block& b, int channel, int lane) {
+    return b.map[kSpecularMap].texture != nullptr ? load<F32>(b.specular[channel] + lane)
+                                                  : F32(b.material->specular[channel]);
+}
+HWY_INLINE F32 shininess_at(const Block& b, int lane) {
+    return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + lane)
+                                                   : F32(b.material->shininess);
+}
+
+// of_exponent(Ns) for every lane. In double, one by one: the same for the same Ns wherever it comes
+// from.
+template <class OfExponent>
+HWY_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kRoom]) {
+    const auto own = static_cast<float>(of_exponent(double{b.material->shininess}));
+    for (float& lane : out)
+        lane = own;
+    if (b.map[kShininessMap].texture == nullptr) return;
+    for (int i = 0; i < b.count; ++i)
+        out[i] = static_cast<float>(of_exponent(double{b.shininess[i]}));
+}
+
+// Adds light * Ks * bright(normal, eye, light, Ns, lane) to b.colour for every light.
 template <class Bright>
 HWY_INLINE void add_highlights(Block& b, const FrameState& frame, Bright bright) {
-    const Vec3& ks = b.material->specular;
-    const F32 exponent = b.material->shininess;
     const std::size_t light_count = frame.lights.size();
     for (int i = 0; i < b.count; i += kLanes) {
         const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
+        const F32 exponent = shininess_at(b, i),
+                  ks[3] = {specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)};
         F32 red = load<F32>(b.colour[0] + i), green = load<F32>(b.colour[1] + i),
             blue = load<F32>(b.colour[2] + i);
         for (std::size_t k = 0; k < light_count; ++k) {
             const Light l = light_at(b, frame, k, i);
-            const F32 share = bright(normal, eye, towards(l), exponent);
-            red = red + (l.colour[0] * F32(ks.x)) * share;
-            green = green + (l.colour[1] * F32(ks.y)) * share;
-            blue = blue + (l.colour[2] * F32(ks.z)) * share;
+            const F32 share = bright(normal, eye, towards(l), exponent, i);
+            red = red + (l.colour[0] * ks[0]) * share;
+            green = green + (l.colour[1] * ks[1]) * share;
+            blue = blue + (l.colour[2] * ks[2]) * share;
         }
         store(red, b.colour[0] + i);
         store(green, b.colour[1] + i);

@@ -1,0 +1,206 @@
+// Textures: which maps are read, where their coordinates come from, and how they are filtered.
+#include "base/check.h"
+#include "frame/map_facts.h"
+#include "frame/planner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace scanout::frame {
+namespace {
+
+// Are there coordinates for maps? The model's own, or those that the user's choice makes: a model
+// without any is not dressed by a guess, unless what it wears is computed.
+bool has_coordinates(const FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.mapping;
+    return facts.uv || plan.source != nullptr || (asked != "auto" && asked != "uv");
+}
+
+// Does some stage of the plan read the map, for colour or for alpha?
+bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
+    if ((plan.attributes.maps & shade::bit_of(surface.map)) != 0) return true;
+    const TransparencyPlan& t = plan.transparency;
+    if (t.stages.empty() || t.layers[surface.material + 1] == raster::Layer::opaque) return false;
+    const shade::MaterialAlpha& alpha = t.alpha[surface.material + 1];
+    return surface.map == shade::kDiffuseMap
+               ? alpha.diffuse_map
+               : surface.map == shade::kOpacityMap && alpha.opacity_map;
+}
+
+// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
+Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                         const scene::View& view) {
+    const FrameOptions& options = plan.options;
+    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
+    const shade::Filter* filter = shade::find_filter(name);
+    CHECK(filter != nullptr);
+    const bool automatic = options.texture == "auto";
+    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
+    double most = 0; // texels a pixel
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if (!is_read(surface, plan)) continue;
+        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
+                                               options.height * plan.aa->scale, plan.mapped);
+        most = std::max(most, texels);
+        // A filter that the user names is drawn as it is; else what is not minified has no
+        // mipmaps, though its rim may show a few texels a pixel.
+        if (automatic && texels * kMostSlant <= 1) continue;
+        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
+            plan.mips.push_back(surface.texture);
+    }
+    const bool mipmaps = planner.effect(
+        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
+        colour || alpha
+            ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
+                          most, most * kMostSlant)
+            : "no texture is read");
+    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
+    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
+    if (colour || alpha) planner.filter(*filter, colour, alpha);
+    return {};
+}
+
+// What lies beyond textures' edges: what each map says, unless the user does.
+Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.wrap;
+    TRY(const std::string name, choose("wrap", asked, "repeat"));
+    std::size_t maps = 0, clamped = 0;
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if (!is_read(surface, plan)) continue;
+        ++maps;
+        if (surface.clamp) ++clamped;
+    }
+    const auto use = [&](std::string_view wrapping) {
+        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
+        return shade::find_wrapping(wrapping)->wrap;
+    };
+    if (asked != "auto" && maps > 0) plan.wrap = use(name);
+    if (asked == "auto" && clamped < maps) use("repeat");
+    if (asked == "auto" && clamped > 0) use("clamp");
+    planner.choice("wrap",
+                   maps == 0         ? "off"
+                   : asked != "auto" ? name
+                   : clamped == 0    ? "repeat"
+                   : clamped == maps ? "clamp"
+                                     : "repeat and clamp",
+                   asked,
+                   maps == 0 ? "no texture is read"
+                             : fmt::format("{} of {} maps say -clamp on", clamped, maps),
+                   maps > 0);
+    return {};
+}
+
+// Where u and v come from.
+Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const std::string& asked = plan.options.mapping;
+    TRY(std::string name, choose("mapping", asked, facts.uv ? "uv" : "box"));
+    const bool lacking = name == "uv" && !facts.uv;
+    if (lacking) name = "box";
+    TransparencyPlan& t = plan.transparency;
+    const bool colour = plan.source != nullptr || plan.attributes.maps != 0;
+    const bool read = colour || !t.stages.empty();
+    plan.mapped = read && name != "uv";
+    planner.choice("mapping", read ? name : "off", lacking ? "auto" : asked,
+                   !read       ? "nothing reads coordinates"
+                   : !facts.uv ? "the model has no uv"
+                               : "the model has uv",
+                   read);
+    if (!plan.mapped) return {};
+    const shade::Stage* mapping = shade::find_stage("mapping", name);
+    CHECK(mapping != nullptr);
+    plan.techniques.push_back(&mapping->card);
+    if (colour) {
+        plan.stages.insert(plan.stages.begin() + 1, mapping);
+        plan.attributes = plan.attributes | mapping->needs;
+    }
+    if (!t.stages.empty()) {
+        t.stages.insert(t.stages.begin() + 1, mapping);
+        t.attributes = t.attributes | mapping->needs;
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const FrameOptions& options = plan.options;
+    TRY(const std::string name, choose("source", options.source, "image"));
+    const shade::Source* source = shade::find_source(name);
+    CHECK(source != nullptr);
+    if (source->sample != nullptr && facts.triangles > 0) plan.source = source;
+    const bool pictures = facts.textured_triangles > 0 && has_coordinates(plan, facts);
+    const bool on =
+        planner.effect("texture",
+                       plan.source != nullptr      ? name
+                       : options.texture == "auto" ? "bilinear"
+                                                   : options.texture,
+                       pictures || plan.source != nullptr,
+                       plan.source != nullptr ? fmt::format("--source {} for all triangles", name)
+                       : pictures ? fmt::format("{} of {} triangles have a readable map_Kd",
+                                                facts.textured_triangles, facts.triangles)
+                                  : "no triangle has a readable map_Kd and texture coordinates");
+    if (!on) plan.source = nullptr;
+    const bool runs = on && (pictures || plan.source != nullptr);
+    planner.choice("source", runs ? name : "off", options.source,
+                   plan.source != nullptr ? "the user asks for it"
+                   : runs                 ? "the materials name pictures"
+                                          : "no texture is read",
+                   runs);
+    if (!runs) return {};
+    planner.stage("map", "diffuse");
+    if (plan.source == nullptr) return {};
+    plan.attributes = plan.attributes | plan.source->needs;
+    plan.attributes.maps = 0;
+    plan.techniques.push_back(&plan.source->card);
+    return {};
+}
+
+void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const bool pixels = !plan.attributes.corners, coordinates = has_coordinates(plan, facts);
+    const Decision* highlight = plan.decision("highlight");
+    const bool shiny = highlight != nullptr && highlight->on() && pixels;
+    const char* const unlit = "light is not evaluated at pixels";
+    const char* const matt = pixels ? "no highlight is drawn" : unlit;
+    const struct {
+        shade::Map map;
+        std::string_view stage, what;
+        bool shown;
+        const char* hidden;
+    } rows[] = {
+        {shade::kNormalMap, "normal", "a norm that is not flat", pixels, unlit},
+        {shade::kBumpMap, "bump", "a map_bump of more than one height", pixels, unlit},
+        {shade::kSpecularMap, "specular", "a highlight and a map_Ks that is not white", shiny,
+         matt},
+        {shade::kShininessMap, "gloss", "a highlight and a map_Ns that is not white", shiny, matt}};
+    for (const auto& row : rows) {
+        const std::size_t triangles = coordinates ? facts.mapped_triangles[row.map] : 0;
+        const bool on = planner.effect(
+            std::string(map_effect(row.map)), "on", triangles > 0 && row.shown,
+            !coordinates && facts.mapped_triangles[row.map] > 0 ? "there are no texture coordinates"
+            : row.shown
+                ? fmt::format("{} of {} triangles have {}", triangles, facts.triangles, row.what)
+                : row.hidden);
+        if (on && row.shown && coordinates && facts.triangles > 0 &&
+            (facts.readable_maps & shade::bit_of(row.map)) != 0)
+            planner.stage("map", row.stage);
+    }
+    const bool emission = planner.effect("emission", "on", facts.emitting_triangles > 0,
+                                         fmt::format("{} of {} triangles have Ke above 0",
+                                                     facts.emitting_triangles, facts.triangles));
+    if (!emission || facts.emitting_triangles == 0) return;
+    planner.stage("map", "emission");
+    if (coordinates && (facts.readable_maps & shade::bit_of(shade::kEmissionMap)) != 0)
+        plan.attributes = plan.attributes |
+                          shade::Attributes{.uv = true, .maps = shade::bit_of(shade::kEmissionMap)};
+}
+
+Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                           const scene::View& view) {
+    TRY_VOID(plan_mapping(planner, plan, facts));
+    TRY_VOID(plan_filter(planner, plan, facts, view));
+    return plan_wrap(planner, plan, facts);
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,112 @@
+// map_bump: a texture gives heights, white above black, and the surface leans as if it had them:
+// Blinn, "Simulation of Wrinkled Surfaces", 1978; [A 11.2]. The file says no unit: a height of 1 is
+// as high as -bm texels are wide, so that the picture does not depend on the model's size. The
+// slope is the difference of the heights half a texel to both sides; half a pixel where pixels are
+// larger.
+#include "shade/map/bump_lanes.h"
+#include "shade/map/scalar.h"
+
+#define SIMD_FILE "shade/map/bump.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/footprint-inl.h"
+#include "shade/map/scalar-inl.h"
+#include "shade/map/tangent-inl.h"
+
+SIMD_BEGIN(scanout::shade::map)
+
+// Moves u and v by `share` of the reach in u, then in v.
+void bump_move(Block& b, const BumpLanes& lanes, float share_u, float share_v) {
+    for (int i = 0; i < b.count; i += kLanes) {
+        const F32 reach = load<F32>(lanes.reach + i);
+        store(load<F32>(lanes.u + i) + reach * F32(share_u * lanes.texel_u), b.u + i);
+        store(load<F32>(lanes.v + i) + reach * F32(share_v * lanes.texel_v), b.v + i);
+    }
+}
+
+void bump_keep(Block& b, float* height) {
+    for (int i = 0; i < b.count; i += kLanes)
+        store(scalar_at(b, b.map[kBumpMap], i), height + i);
+}
+
+// Keeps where the lanes are, and says how far their neighbours lie, in texels.
+void bump_begin(Block& b, BumpLanes& lanes) {
+    const BoundMap& map = b.map[kBumpMap];
+    const auto per_texel = [](float scale, int size) {
+        const float texels = scale * static_cast<float>(size);
+        return texels == 0 ? 0.0F : 1.0F / texels;
+    };
+    lanes.texel_u = per_texel(map.map->scale.x, map.texture->image.width());
+    lanes.texel_v = per_texel(map.map->scale.y, map.texture->image.height());
+    const F32 size_u = map.map->scale.x * static_cast<float>(map.texture->image.width());
+    const F32 size_v = map.map->scale.y * static_cast<float>(map.texture->image.height());
+    for (int i = 0; i < b.count; i += kLanes) {
+        store(load<F32>(b.u + i), lanes.u + i);
+        store(load<F32>(b.v + i), lanes.v + i);
+        const F32 level = texture::HWY_NAMESPACE::level_of_detail<F32::Tag>(
+            {load<F32>(b.u_x + i) * size_u, load<F32>(b.v_x + i) * size_v,
+             load<F32>(b.u_y + i) * size_u, load<F32>(b.v_y + i) * size_v});
+        store(exp2(maximum(level, F32(0.0F))) * F32(0.5F), lanes.reach + i);
+    }
+}
+
+void bump_run(Block& b, const FrameState& frame, const BumpLanes& lanes) {
+    write_tangents(b, frame);
+    const scene::TextureMap& map = *b.map[kBumpMap].map;
+    const float strength = map.bump_multiplier * 0.5F;
+    const F32 along_u = map.scale.x < 0 ? -strength : strength,
+              along_v = map.scale.y < 0 ? -strength : strength;
+    for (int i = 0; i < b.count; i += kLanes) {
+        const F32 inverse = F32(1.0F) / load<F32>(lanes.reach + i);
+        const auto slope = [&](const float(&beyond)[kRoom], const float(&before)[kRoom],
+                               F32 factor) HWY_ATTR {
+            return (load<F32>(before + i) - load<F32>(beyond + i)) * inverse * factor;
+        };
+        lean_normal(b, i,
+                    {slope(lanes.height[0], lanes.height[1], along_u),
+                     slope(lanes.height[2], lanes.height[3], along_v), F32(1.0F)});
+    }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::map {
+
+SIMD_REGISTER(bump_begin);
+SIMD_REGISTER(bump_move);
+SIMD_REGISTER(bump_keep);
+SIMD_REGISTER(bump_run);
+
+static void run(Block& block, const FrameState& frame) {
+    const BoundMap& map = block.map[kBumpMap];
+    if (map.texture == nullptr) return;
+    BumpLanes lanes;
+    SIMD_CALL(bump_begin)(block, lanes);
+    constexpr float kShare[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    for (int k = 0; k < 4; ++k) {
+        SIMD_CALL(bump_move)(block, lanes, kShare[k][0], kShare[k][1]);
+        frame.filter->sample(block, map, scalar_kind(map));
+        SIMD_CALL(bump_keep)(block, lanes.height[k]);
+    }
+    SIMD_CALL(bump_move)(block, lanes, 0, 0);
+    SIMD_CALL(bump_run)(block, frame, lanes);
+}
+
+extern const Stage bump;
+constinit const Stage bump{
+    {.axis = "map",
+     .name = "bump",
+     .blurb = "map_bump: the surface leans as if a texture's heights stood on it",
+     .source = "Blinn 1978, [A 11.2]",
+     .kind = Kind::effect},
+    {.normal = true,
+     .uv = true,
+     .ray = true,
+     .facing = true,
+     .footprint = true,
+     .maps = bit_of(kBumpMap)},
+    run};
+
+} // namespace scanout::shade::map
+#endif

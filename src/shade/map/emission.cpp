@@ -1,0 +1,45 @@
+// Ke, times map_Ke: light that the surface gives off by itself. It lights nothing else. MTL's
+// common addition; [A 11.1].
+#include "shade/stage.h"
+
+#define SIMD_FILE "shade/map/emission.cpp"
+#include "simd/for_each_target.h"
+
+#include "simd/lanes-inl.h"
+
+SIMD_BEGIN(scanout::shade::map)
+
+void emission_run(Block& b, bool mapped) {
+    const Vec3& ke = b.material->emission;
+    const float own[3] = {ke.x, ke.y, ke.z};
+    for (int c = 0; c < 3; ++c)
+        for (int i = 0; i < b.count; i += kLanes) {
+            const F32 light = mapped ? F32(own[c]) * load<F32>(b.sampled[c] + i) : F32(own[c]);
+            store(load<F32>(b.colour[c] + i) + light, b.colour[c] + i);
+        }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::map {
+
+SIMD_REGISTER(emission_run);
+
+extern const Stage emission;
+constinit const Stage emission{{.axis = "map",
+                                .name = "emission",
+                                .blurb = "Ke and map_Ke: light of the surface's own",
+                                .source = "MTL, [A 11.1]",
+                                .kind = Kind::effect},
+                               {},
+                               [](Block& block, const FrameState& frame) {
+                                   if (!block.lit || block.material->emission == Vec3(0)) return;
+                                   const BoundMap& map = block.map[kEmissionMap];
+                                   const bool mapped = map.texture != nullptr;
+                                   if (mapped) frame.filter->sample(block, map, TexelKind::colour);
+                                   SIMD_CALL(emission_run)(block, mapped);
+                               }};
+
+} // namespace scanout::shade::map
+#endif

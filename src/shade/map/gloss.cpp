@@ -1,0 +1,43 @@
+// map_Ns: the highlight's exponent times a texture, so that parts of a surface shine sharper than
+// others. MTL; [A 11.2].
+#include "shade/map/scalar.h"
+
+#define SIMD_FILE "shade/map/gloss.cpp"
+#include "simd/for_each_target.h"
+
+#include "shade/map/scalar-inl.h"
+
+SIMD_BEGIN(scanout::shade::map)
+
+void gloss_run(Block& b) {
+    const F32 own = b.material->shininess, one = 1.0F;
+    // Exponent 0 would shine everywhere: where the map is black, the highlight is as wide as 1
+    // says.
+    const F32 least = minimum(own, one);
+    for (int i = 0; i < b.count; i += kLanes)
+        store(maximum(own * scalar_at(b, b.map[kShininessMap], i), least), b.shininess + i);
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade::map {
+
+SIMD_REGISTER(gloss_run);
+
+extern const Stage gloss;
+constinit const Stage gloss{{.axis = "map",
+                             .name = "gloss",
+                             .blurb = "map_Ns: the highlight's exponent times a texture",
+                             .source = "MTL, [A 11.2]",
+                             .kind = Kind::effect},
+                            {.uv = true, .maps = bit_of(kShininessMap)},
+                            [](Block& block, const FrameState& frame) {
+                                const BoundMap& map = block.map[kShininessMap];
+                                if (map.texture == nullptr) return;
+                                frame.filter->sample(block, map, scalar_kind(map));
+                                SIMD_CALL(gloss_run)(block);
+                            }};
+
+} // namespace scanout::shade::map
+#endif

@@ -1,0 +1,81 @@
+// Coordinates made from the place on the model: the loop that the mappings share. They are computed
+// at every pixel, from the exact place in the triangle's plane, so that nothing bends inside a
+// triangle; and their change from pixel to pixel follows from the mapping's derivatives, which know
+// no seam: u may jump from 1 to 0 between two pixels, but no footprint does.
+#if defined(SCANOUT_SHADE_PROJECT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_SHADE_PROJECT_INL_H
+#undef SCANOUT_SHADE_PROJECT_INL_H
+#else
+#define SCANOUT_SHADE_PROJECT_INL_H
+#endif
+
+#include "shade/footprint-inl.h"
+
+SIMD_BEGIN(scanout::shade::mapping)
+
+// A place on the model, object space: the model's middle is the origin, its corners lie within 1.
+struct Place {
+    F32x8 x, y, z;
+};
+// u, v, and how they change along x, y and z.
+struct Projected {
+    F32x8 u, v;
+    Place u_by, v_by;
+};
+
+HWY_INLINE F32x8 dot(const Place& a, const Place& b) {
+    return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+
+// No further than the triangle's vertices, whatever rounding says; where a sample lies so close
+// beside a clipped triangle that no weight is left, the place is not a number until here.
+HWY_INLINE F32x8 within(F32x8 x, const float (&vertex)[3]) {
+    const F32x8 a = vertex[0], b = vertex[1], c = vertex[2];
+    return minimum(maximum(x, minimum(minimum(a, b), c)), maximum(maximum(a, b), c));
+}
+
+// project(primitive, place): Projected.
+template <class Project>
+HWY_INLINE void project_lanes(Block& b, const FrameState& frame, Project project) {
+    for (const Run* run = b.run; run != b.run + b.runs; ++run) {
+        const Primitive& t = *run->primitive;
+        const texture::HWY_NAMESPACE::PlaneOf<3> plane(t, t.object);
+        for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
+            const auto at = plane.at(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
+            const Projected p =
+                project(t, Place{within(at.value[0], t.object[0]), within(at.value[1], t.object[1]),
+                                 within(at.value[2], t.object[2])});
+            store(p.u, b.u + i);
+            store(p.v, b.v + i);
+            if (!frame.attributes.footprint) continue;
+            const Place right = {at.right[0], at.right[1], at.right[2]},
+                        down = {at.down[0], at.down[1], at.down[2]};
+            const auto bounded = [](F32x8 x) HWY_ATTR {
+                return minimum(maximum(x, F32x8(-0x1p60F)), F32x8(0x1p60F));
+            };
+            store(bounded(dot(p.u_by, right)), b.u_x + i);
+            store(bounded(dot(p.v_by, right)), b.v_x + i);
+            store(bounded(dot(p.u_by, down)), b.u_y + i);
+            store(bounded(dot(p.v_by, down)), b.v_y + i);
+        }
+    }
+}
+
+// Around the y axis: 0 behind, 1/2 in front (+z), growing to the right.
+struct Around {
+    F32x8 u, distance; // from the axis
+    Place u_by;
+};
+HWY_INLINE Around around_y(const Place& p) {
+    constexpr float kPerTurn = 0.15915494F; // 1 / 2 pi
+    const F32x8 squared = p.x * p.x + p.z * p.z;
+    // On the axis itself there is no direction: its slopes are steep, but finite.
+    const F32x8 scale = F32x8(kPerTurn) / maximum(squared, F32x8(0x1p-40F));
+    return {F32x8(0.5F) + atan2(p.x, p.z) * F32x8(kPerTurn),
+            sqrt(squared),
+            {p.z * scale, F32x8(0.0F), -(p.x * scale)}};
+}
+
+SIMD_END
+
+#endif

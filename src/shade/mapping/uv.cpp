@@ -1,0 +1,15 @@
+// The coordinates that the model gives: the interpolation stage writes them, and nothing else runs.
+#include "shade/stage.h"
+
+namespace scanout::shade::mapping {
+
+extern const Stage uv;
+constinit const Stage uv{{.axis = "mapping",
+                          .name = "uv",
+                          .blurb = "the coordinates that the model gives",
+                          .source = "[A 3.3], [C 9.4]",
+                          .kind = Kind::model},
+                         {},
+                         nullptr};
+
+} // namespace scanout::shade::mapping
