@@ -137,7 +137,7 @@ stage_bits() {
 # nothing_fused FOLDER: neither compiler made a*b+c one operation in code that decides a pixel.
 nothing_fused() {
     local module found=0 kernels=0
-    for module in math geom scene raster shade frame; do
+    for module in base math simd image geom scene io raster shade frame; do
         objdump -d --no-show-raw-insn "build/$1/libscanout_$module.a" >"build/$1/$module.asm"
         if grep -E -m 1 '\bvfn?m(add|sub)' "build/$1/$module.asm"; then
             echo "libscanout_$module.a has fused operations" >&2
