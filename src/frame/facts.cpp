@@ -87,13 +87,17 @@ Ground ground(const geom::Mesh& mesh) {
         const int axis = std::array{1, 2, 0}[k % 3];
         sides[k] = {axis, k > 2, k > 2 ? high[axis] : low[axis], 0};
     }
+    const DVec3 size = DVec3(high) - DVec3(low);
+    const double extent = std::max({size.x, size.y, size.z});
+    if (!(extent > 0)) return {};
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
         for (std::size_t k = 0; k < 6; ++k) {
             if (!lies_in(mesh, i, sides[k].axis, sides[k].at)) continue;
             const DVec3 a(mesh.position[mesh.index[i * 3]]),
                 b(mesh.position[mesh.index[i * 3 + 1]]), c(mesh.position[mesh.index[i * 3 + 2]]);
-            area[k] +=
-                static_cast<std::int64_t>(std::abs(cross3(b - a, c - a)[sides[k].axis]) * 0x1p30);
+            const double share =
+                std::abs(cross3((b - a) / extent, (c - a) / extent)[sides[k].axis]);
+            area[k] += static_cast<std::int64_t>(share * 0x1p30); // at most 1: 2^32 triangles fit
             ++sides[k].triangles;
         }
     }

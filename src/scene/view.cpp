@@ -51,7 +51,8 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
     stand.distance = length(back);
     if (stand.distance == 0)
         return fail(Exit::usage,
-                    "the camera's eye and target are the same point; move one of them");
+                    "the camera's eye and target are the same point, or too close together for a "
+                    "model of this size; move one of them");
     stand.azimuth = degrees(scanout::atan2(back.x, back.z));
     stand.elevation = degrees(scanout::atan2(back.y, length({back.x, 0, back.z})));
     return stand;

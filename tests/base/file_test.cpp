@@ -59,7 +59,8 @@ TEST(Fd, SaysWhichFileCannotBeOpenedAndWhy) {
 
 TEST(Mapping, ShowsTheBytesOfAFile) {
     const TemporaryFolder folder;
-    const std::string text = std::string("v 1 2 3\n\0\xff", 10) + std::string(100000, 'x');
+    std::string text("v 1 2 3\n\0\xff", 10);
+    text.append(100000, 'x');
     ASSERT_TRUE(write_file(folder / "a", text));
     Result<Mapping> mapping = Mapping::open(folder / "a");
     ASSERT_TRUE(mapping);

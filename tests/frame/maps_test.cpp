@@ -55,8 +55,8 @@ TEST(MaterialMaps, LeavingOneOutChangesThePicture) {
     std::vector<Shot> shots = map_shots();
     shots.push_back(mapped_sphere("map_diffuse", &Material::map_diffuse, checkers()));
     for (const auto& [name, effect] : effects) {
-        const auto found =
-            std::find_if(shots.begin(), shots.end(), [&](const Shot& s) { return s.name == name; });
+        const auto found = std::find_if(shots.begin(), shots.end(),
+                                        [&, name = name](const Shot& s) { return s.name == name; });
         ASSERT_NE(found, shots.end()) << name;
         Shot s = *found;
         const image::Image with = draw(s);

@@ -134,7 +134,8 @@ TEST_F(Hashes, AreTheSameOnEveryTargetAndThreadCount) {
                 EXPECT_EQ(hashes(s, threads, 64), table.at(s.name))
                     << s.name << " on " << target.name << " with " << threads << " threads";
     }
-    EXPECT_GE(targets, 2) << "nothing to compare with";
+    // Sanitized builds hold one target; they look for what threads do.
+    EXPECT_GE(targets, simd::targets().size() > 1 ? 2 : 1) << "nothing to compare with";
     RecordProperty("targets", targets);
 }
 

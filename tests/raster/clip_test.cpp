@@ -1,6 +1,7 @@
 // What clip() makes of triangles and edges: HARD-CASES P6, rows 6, 9, 11, 13.
 #include "raster/clip.h"
 #include "raster/exactly_once.h"
+#include "support/targets.h"
 
 #include <algorithm>
 #include <bit>
@@ -345,6 +346,54 @@ TEST(Snap, IsDefinedForEveryNumber) {
     const ScreenVertex none = transform.to_screen({nan, -nan, 0.5, 1});
     EXPECT_LE(std::abs(none.x), kMost);
     EXPECT_LE(std::abs(none.y), kMost);
+}
+
+// Rows 67 and 68 where frames snap: in lanes, on every target. What is not finite has no place.
+TEST(Snap, InLanesIsToTheNearestWithTiesToEvenOnEveryTarget) {
+    const ScreenTransform transform(pixel_view(64, 64), 64, 64);
+    std::vector<Vec3> position;
+    for (int k = -64 * 512; k <= 2 * 64 * 512; k += 7)
+        position.emplace_back(static_cast<float>(k) / 512, static_cast<float>(-k) / 512, 0.5F);
+    const std::size_t ties = position.size();
+    Random random(11);
+    const float inf = std::numeric_limits<float>::infinity();
+    const float odd[] = {inf, -inf, NAN, 0.0F, -0.0F, 1e30F, -3e38F, 1e-40F, 32767, -32768, 32800};
+    for (int i = 0; i < 5000; ++i) {
+        Vec3 p(random.in_cube(std::exp2(random.in(-20, 20))));
+        if (i % 3 == 0) p[random.whole(0, 2)] = odd[random.whole(0, 10)];
+        position.push_back(p);
+    }
+    const ScreenTransform views[] = {transform, ScreenTransform(eye_view(0.6, 0.4, 0.01), 64, 48)};
+    scanout::test::on_every_target([&](const std::string&) {
+        for (const ScreenTransform& view : views) {
+            std::vector<ScreenVertex> got(position.size());
+            transform_vertices(view, position, got);
+            int on_screen = 0;
+            for (std::size_t i = 0; i < got.size(); ++i) {
+                const ScreenVertex expected = view.transform(position[i]);
+                ASSERT_EQ(got[i].x, expected.x) << i;
+                ASSERT_EQ(got[i].y, expected.y) << i;
+                ASSERT_EQ(std::bit_cast<std::uint64_t>(got[i].depth),
+                          std::bit_cast<std::uint64_t>(expected.depth))
+                    << i;
+                on_screen += got[i].on_screen() ? 1 : 0;
+            }
+            EXPECT_GT(on_screen, 1000);
+        }
+        std::vector<ScreenVertex> got(ties);
+        transform_vertices(transform, std::span(position).first(ties), got);
+        int halves = 0;
+        for (std::size_t i = 0; i < ties; ++i) {
+            const int k = static_cast<int>(i) * 7 - 64 * 512; // x is k / 2 steps of the grid
+            const int down = k >= 0 ? k / 2 : -((1 - k) / 2);
+            const int even = down % 2 == 0 ? down : down + 1;
+            ASSERT_EQ(got[i].x, k % 2 == 0 ? k / 2 : even) << k;
+            const int y = 64 * 512 + k; // counted from the top, it is never below 0
+            ASSERT_EQ(got[i].y, y % 2 == 0 ? y / 2 : (y / 2) % 2 == 0 ? y / 2 : y / 2 + 1) << k;
+            halves += k % 2 == 0 ? 0 : 1;
+        }
+        EXPECT_GT(halves, 1000);
+    });
 }
 
 } // namespace

@@ -122,11 +122,12 @@ TEST(Mapping, GivesTheCoordinatesAndSlopesOfThePlaceItself) {
     Random random(1);
     const std::pair<const char*, std::function<Uv(const Point&)>> mappings[] = {
         {"sphere", sphere}, {"cylinder", cylinder}, {"plane", plane}};
-    for (const auto& [name, exact] : mappings) {
+    for (const auto& mapping : mappings) {
+        const auto& exact = mapping.second;
         Real worst = 0, worst_slope = 0;
         for (int round = 0; round < 100; ++round) {
             Mapped m(random);
-            m.run(name);
+            m.run(mapping.first);
             for (int i = 0; i < kUsed; ++i) {
                 const Point p = m.point(i);
                 const Real near = std::hypot(p.x, p.z);
@@ -148,8 +149,8 @@ TEST(Mapping, GivesTheCoordinatesAndSlopesOfThePlaceItself) {
                 slope(0, h, m.block->u_y[i], m.block->v_y[i]);
             }
         }
-        EXPECT_LT(worst, 4e-6L) << name;
-        EXPECT_LT(worst_slope, 1e-4L) << name;
+        EXPECT_LT(worst, 4e-6L) << mapping.first;
+        EXPECT_LT(worst_slope, 1e-4L) << mapping.first;
     }
 }
 

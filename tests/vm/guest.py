@@ -56,9 +56,10 @@ class Guest:
         monitor = self.folder / "qmp.sock"
         monitor.unlink(missing_ok=True)
         # TCG: nested KVM is often absent, and the boot takes 2 s without it. `-cpu max`: the default CPU has no SSSE3.
+        # Without AVX2: QEMU 7.2 gathers from wrong places where ymm4 holds the indices.
         # No PS/2 controller: QEMU would send the keys there.
         self._qemu = subprocess.Popen(
-            ["qemu-system-x86_64", "-M", "q35,i8042=off", "-accel", "tcg,thread=multi", "-cpu", "max", "-m", "512",
+            ["qemu-system-x86_64", "-M", "q35,i8042=off", "-accel", "tcg,thread=multi", "-cpu", "max,-avx2", "-m", "512",
              "-nodefaults", "-no-user-config", "-display", "none", "-no-reboot", "-serial", "stdio",
              "-qmp", f"unix:{os.path.relpath(monitor)},server=on,wait=off", "-kernel", str(kernel), "-initrd", str(archive),
              "-append", f"console=ttyS0 panic=-1 quiet {append}",
