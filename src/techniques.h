@@ -10,7 +10,9 @@
 #define SCANOUT_WRAP(X) X(repeat) X(mirror) X(clamp)
 #define SCANOUT_MAPPING(X) X(uv) X(plane) X(box) X(cylinder) X(sphere)
 #define SCANOUT_SOURCE(X) X(image) X(checker) X(white_noise) X(perlin_noise)
-#define SCANOUT_MAP(X) X(diffuse) X(opacity) X(normal) X(bump) X(specular) X(gloss) X(emission)
+#define SCANOUT_MAP(X)                                                                             \
+    X(diffuse)                                                                                     \
+    X(opacity) X(normal) X(bump) X(specular) X(gloss) X(roughness) X(metalness) X(emission)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
 #define SCANOUT_REFLECTION(X) X(lambert) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)

@@ -12,6 +12,10 @@ std::string_view map_effect(shade::Map map) {
         return "specular_map";
     case shade::kShininessMap:
         return "gloss_map";
+    case shade::kRoughnessMap:
+        return "roughness_map";
+    case shade::kMetalnessMap:
+        return "metalness_map";
     default:
         return {};
     }
@@ -55,6 +59,10 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     case shade::kSpecularMap:
     case shade::kShininessMap:
         return !content.white && surface_of(m) == scene::Surface::glossy;
+    case shade::kRoughnessMap:
+        return !content.white && surface_of(m) == scene::Surface::physical && roughness_of(m) > 0;
+    case shade::kMetalnessMap:
+        return !content.white && surface_of(m) == scene::Surface::physical && metalness_of(m) > 0;
     default:
         return false;
     }

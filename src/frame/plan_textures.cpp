@@ -161,8 +161,12 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const bool pixels = !plan.attributes.corners, coordinates = has_coordinates(plan, facts);
     const Decision* highlight = plan.decision("highlight");
     const bool shiny = highlight != nullptr && highlight->on() && pixels;
+    const shade::Stage* mirrors =
+        plan.reflection[static_cast<std::size_t>(scene::Surface::physical)];
+    const bool physical = shiny && mirrors != nullptr && mirrors->card.name == "ggx";
     const char* const unlit = "light is not evaluated at pixels";
     const char* const matt = pixels ? "no highlight is drawn" : unlit;
+    const char* const dull = pixels ? "no physical material reflects as one" : unlit;
     const struct {
         shade::Map map;
         std::string_view stage, what;
@@ -173,7 +177,11 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
         {shade::kBumpMap, "bump", "a map_bump of more than one height", pixels, unlit},
         {shade::kSpecularMap, "specular", "a highlight and a map_Ks that is not white", shiny,
          matt},
-        {shade::kShininessMap, "gloss", "a highlight and a map_Ns that is not white", shiny, matt}};
+        {shade::kShininessMap, "gloss", "a highlight and a map_Ns that is not white", shiny, matt},
+        {shade::kRoughnessMap, "roughness", "Pr above 0 and a map_Pr that is not white", physical,
+         dull},
+        {shade::kMetalnessMap, "metalness", "Pm above 0 and a map_Pm that is not white", physical,
+         dull}};
     for (const auto& row : rows) {
         const std::size_t triangles = coordinates ? facts.mapped_triangles[row.map] : 0;
         const bool on = planner.effect(
@@ -200,7 +208,10 @@ Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& 
                            const scene::View& view) {
     TRY_VOID(plan_mapping(planner, plan, facts));
     TRY_VOID(plan_filter(planner, plan, facts, view));
-    return plan_wrap(planner, plan, facts);
+    TRY_VOID(plan_wrap(planner, plan, facts));
+    // Whatever reads coordinates, they are made, not fetched.
+    if (plan.mapped) plan.attributes.uv = plan.transparency.attributes.uv = false;
+    return {};
 }
 
 } // namespace scanout::frame

@@ -79,6 +79,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
     layers.stages = alpha.stages;
     layers.frame.attributes = alpha.attributes;
     layers.frame.filter = alpha.filter;
+    layers.frame.mapped = in.plan.mapped;
     layers.cut = static_cast<float>(in.plan.options.alpha_cut);
     shade::GatherInput gather;
     gather.mesh = &in.scene.mesh;

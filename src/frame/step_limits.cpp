@@ -49,12 +49,10 @@ shade::StepLimits step_limits(const scene::Scene& scene, const FramePlan& plan) 
     for (const scene::Light& l : plan.lights)
         light += double{std::max({l.colour.x, l.colour.y, l.colour.z})} * l.power;
     const double shown = kHalfCode / (light * double{plan.exposure});
-    shade::Attributes attributes = plan.attributes;
-    if (plan.mapped) attributes.uv = false; // made exactly at every pixel
     // Half of the budget each for what vertices have and for where they face; a mean of unit
     // vectors may be shorter by a tenth.
-    return {attributes, 1.0 / 256 / texels(scene), shown / 2, shown / 2 / (steepness(scene) * 1.2),
-            kPosition};
+    return {plan.attributes, 1.0 / 256 / texels(scene), shown / 2,
+            shown / 2 / (steepness(scene) * 1.2), kPosition};
 }
 
 } // namespace scanout::frame

@@ -224,7 +224,13 @@ void MaterialLoader::use(const NameAtLine& used) {
         load_map(material.map_shininess, "map_Ns", library.path);
     }
     if (material.emission != Vec3(0)) load_map(material.map_emission, "map_Ke", library.path);
-    // A colour that only the map gives is gone with it.
+    if (surface_of(material) == scene::Surface::physical) {
+        if (roughness_of(material) > 0) load_map(material.map_roughness, "map_Pr", library.path);
+        if (metalness_of(material) > 0) load_map(material.map_metalness, "map_Pm", library.path);
+    }
+    // What only the map gives is gone with it.
+    if (m.roughness_by_map && material.map_roughness.texture < 0) material.roughness.reset();
+    if (m.metalness_by_map && material.map_metalness.texture < 0) material.metalness.reset();
     if (m.specular_by_map && material.map_specular.texture < 0) material.specular = Vec3(0);
     if (m.emission_by_map && material.map_emission.texture < 0) material.emission = Vec3(0);
 }

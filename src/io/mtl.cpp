@@ -28,6 +28,8 @@ constexpr std::array kMaps = {
     MapKeyword{"map_ka", &Material::map_ambient, "map_Ka", false},
     MapKeyword{"map_ks", &Material::map_specular, "map_Ks"},
     MapKeyword{"map_ns", &Material::map_shininess, "map_Ns"},
+    MapKeyword{"map_pr", &Material::map_roughness, "map_Pr"},
+    MapKeyword{"map_pm", &Material::map_metalness, "map_Pm"},
     MapKeyword{"map_d", &Material::map_opacity, "map_d"},
     MapKeyword{"map_opacity", &Material::map_opacity, "map_d"},
     MapKeyword{"map_ke", &Material::map_emission, "map_Ke"},
@@ -45,9 +47,9 @@ constexpr std::array kMaps = {
 };
 
 // Physically based values and other additions that have no place in scene::Material.
-constexpr std::array<std::string_view, 14> kNotKept = {
-    "Kt",     "Ps",     "Pc",      "Pcr",     "aniso",   "anisor",    "map_Pr",
-    "map_Pm", "map_Ps", "map_aat", "map_RMA", "map_ORM", "sharpness", "Km"};
+constexpr std::array<std::string_view, 12> kNotKept = {"Kt",      "Ps",      "Pc",        "Pcr",
+                                                       "aniso",   "anisor",  "map_Ps",    "map_aat",
+                                                       "map_RMA", "map_ORM", "sharpness", "Km"};
 
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
@@ -200,8 +202,12 @@ void MtlReader::finish_material() {
     MtlMaterial& material = out_.back();
     material.specular_by_map = now_->map_specular.given() && !has_specular_;
     material.emission_by_map = now_->map_emission.given() && !has_emission_;
+    material.roughness_by_map = now_->map_roughness.given() && !now_->roughness;
+    material.metalness_by_map = now_->map_metalness.given() && !now_->metalness;
     if (material.specular_by_map) now_->specular = Vec3(1);
     if (material.emission_by_map) now_->emission = Vec3(1);
+    if (material.roughness_by_map) now_->roughness = 1.0F;
+    if (material.metalness_by_map) now_->metalness = 1.0F;
     for (const MapKeyword& known : kMaps)
         if (!known.drawn && (now_->*known.map).given()) not_drawn(known.name);
     note_map_options(*now_);

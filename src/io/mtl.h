@@ -16,8 +16,9 @@ namespace scanout::io {
 struct MtlMaterial {
     scene::Material material; // maps have their path as the file names it, no texture yet
     std::size_t line = 0;     // of its newmtl
-    // Ks or Ke is not given, but its map: the map's own colours.
+    // Ks, Ke, Pr or Pm is not given, but its map: the map's own colours or numbers.
     bool specular_by_map = false, emission_by_map = false;
+    bool roughness_by_map = false, metalness_by_map = false;
     // What it asks for and the renderer does not draw yet, in MTL's words.
     std::vector<std::string_view> not_drawn;
 };

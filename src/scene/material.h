@@ -38,6 +38,7 @@ struct Material {
     int illumination = 2;                      // illum
     std::optional<float> roughness, metalness; // Pr, Pm: 0 to 1
     TextureMap map_diffuse, map_ambient, map_specular, map_shininess, map_opacity, map_emission;
+    TextureMap map_roughness, map_metalness; // map_Pr, map_Pm
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
@@ -53,6 +54,14 @@ inline constexpr int kSurfaces = 3;
 inline Surface surface_of(const Material& m) {
     if (m.roughness || m.metalness) return Surface::physical;
     return has_highlight(m) ? Surface::glossy : Surface::matt;
+}
+
+// Of a physical material that says only one of them.
+inline float roughness_of(const Material& m) {
+    return m.roughness ? *m.roughness : 0.5F;
+}
+inline float metalness_of(const Material& m) {
+    return m.metalness ? *m.metalness : 0.0F;
 }
 
 struct Texture {

@@ -140,6 +140,8 @@ const std::array<MapSlot, kMaps>& map_slots() {
         MapSlot{&scene::Material::map_bump, TexelKind::data},
         MapSlot{&scene::Material::map_specular, TexelKind::data},
         MapSlot{&scene::Material::map_shininess, TexelKind::data},
+        MapSlot{&scene::Material::map_roughness, TexelKind::data},
+        MapSlot{&scene::Material::map_metalness, TexelKind::data},
         MapSlot{&scene::Material::map_emission, TexelKind::colour}};
     return kSlots;
 }

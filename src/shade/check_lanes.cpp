@@ -108,6 +108,10 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check_value(b.ambient[c], "colour", "ambient light", 0, name);
     if (stage.card.name == "gloss" && b.map[kShininessMap].texture != nullptr)
         check(b.shininess, count, "exponent", name);
+    if (stage.card.name == "roughness" && b.map[kRoughnessMap].texture != nullptr)
+        check(b.roughness, count, "roughness", name);
+    if (stage.card.name == "metalness" && b.map[kMetalnessMap].texture != nullptr)
+        check(b.metalness, count, "share of metal", name);
     if (!wants_uv(b, frame)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
@@ -117,7 +121,8 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     if (stage.card.axis != "map") return;
     if (stage.card.name == "opacity") return check(b.alpha, count, "alpha", name);
     // Where one number counts, it may be the sample's alpha alone.
-    if (stage.card.name == "gloss" || stage.card.name == "bump") return;
+    for (const std::string_view scalar : {"gloss", "bump", "roughness", "metalness"})
+        if (stage.card.name == scalar) return;
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);
 }

@@ -59,13 +59,19 @@ public:
             for (int c = 0; c < 3; ++c) {
                 if (own_normals) p_.normal[c][k] = mesh.normal[v[k]][c] * side;
                 if (wanted.colour) p_.colour[c][k] = mesh.colour[v[k]][c];
-                if (wanted.object) p_.object[c][k] = mesh.position[v[k]][c];
             }
-            if (wanted.uv && !in_.frame->mapped) {
+            if (wanted.uv) {
                 p_.uv[0][k] = mesh.uv[v[k]].x;
                 p_.uv[1][k] = mesh.uv[v[k]].y;
             }
         }
+    }
+
+    // A loop of its own: one question more made `set` twice as long for frames that do not ask.
+    void set_places(const Corners& v) {
+        if (!in_.frame->attributes.object) return;
+        for (std::size_t k = 0; k < 3; ++k)
+            put(p_.object, k, DVec3(in_.mesh->position[v[k]]));
     }
 
     // Where the near plane cuts the edge between two vertices of the mesh.
@@ -82,7 +88,7 @@ public:
             between_both(p_.colour, DVec3(mesh.colour[from]), DVec3(mesh.colour[to]));
         if (wanted.object)
             between_both(p_.object, DVec3(mesh.position[from]), DVec3(mesh.position[to]));
-        if (!wanted.uv || in_.frame->mapped) return;
+        if (!wanted.uv) return;
         p_.uv[0][k] = between(mesh.uv[from].x, mesh.uv[to].x, share);
         p_.uv[1][k] = between(mesh.uv[from].y, mesh.uv[to].y, share);
     }
@@ -184,6 +190,7 @@ void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
     for (std::size_t k = 0; k < 3; ++k)
         from[k] = corner[piece.vertex[k].place.from];
     vertices.set(from);
+    vertices.set_places(from);
     for (std::size_t k = 0; k < 3; ++k) {
         const raster::EdgePlace& place = piece.vertex[k].place;
         p.inverse_w[k] = 1;
@@ -236,6 +243,7 @@ const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t 
     const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
     Vertices attributes(p, in, v, {behind, behind != winds.reordered});
     attributes.set(v);
+    attributes.set_places(v);
     p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
     check_primitive(p, in.frame->attributes);
     return p;

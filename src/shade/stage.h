@@ -9,6 +9,7 @@
 #include "scene/material.h"
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -33,6 +34,8 @@ enum Map : std::uint8_t {
     kBumpMap,
     kSpecularMap,
     kShininessMap,
+    kRoughnessMap,
+    kMetalnessMap,
     kEmissionMap,
     kMaps
 };
@@ -43,6 +46,7 @@ constexpr MapBits bit_of(Map map) {
 
 // What a stage reads: vertex attributes, maps, and the ray from the eye.
 struct Attributes {
+    // uv: the model's own; a mapping stage makes them of the place in object space instead.
     bool normal = false, uv = false, colour = false, ray = false, position = false;
     bool corners = false;   // normals and positions of the vertices; no lane needs its own
     bool facing = false;    // Primitive::facing
@@ -176,8 +180,9 @@ struct Block {
     const TileShadow* shadow = nullptr;     // set with the tile, in frames that count shadows
     const BlendedPixels* blended = nullptr; // set with the tile, where surfaces blend
 
-    // Ks and Ns times their maps, where the block has these maps; else the material's own count.
-    alignas(64) float specular[3][kRoom], shininess[kRoom];
+    // Ks, Ns, Pr and Pm times their maps, where the block has these maps; else the material's own
+    // count.
+    alignas(64) float specular[3][kRoom], shininess[kRoom], roughness[kRoom], metalness[kRoom];
 
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
@@ -221,11 +226,11 @@ struct FrameState {
 
 // Some stage of the frame wants the block's u and v.
 inline bool wants_uv(const Block& b, const FrameState& frame) {
-    if (!frame.attributes.uv || !b.lit) return false;
-    bool map = frame.source != nullptr;
-    for (const BoundMap& bound : b.map)
-        map = map || bound.texture != nullptr;
-    return map;
+    if (!(frame.attributes.uv || frame.mapped) || !b.lit) return false;
+    if (frame.source != nullptr) return true;
+    for (unsigned rest = frame.attributes.maps; rest != 0; rest &= rest - 1)
+        if (b.map[std::countr_zero(rest)].texture != nullptr) return true;
+    return false;
 }
 
 struct Stage {

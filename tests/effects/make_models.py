@@ -234,6 +234,14 @@ def metal(folder):
     model.write(folder, "metal")
 
 
+def metal_maps(folder):
+    png(os.path.join(folder, "worn.png"), 32, 32, checker(32, 4, (255, 255, 255), (60, 60, 60)))
+    model = Model("Kd 0.9 0.7 0.3\nPr 0.8\nPm 1\nmap_Pr worn.png", "Kd 0.5 0.1 0.1\nPr 0.4\nmap_Pm worn.png")
+    model.sphere((-0.7, 0, 0), 0.6, 0)
+    model.sphere((0.7, 0, 0), 0.6, 1)
+    model.write(folder, "metal_maps")
+
+
 def open_box(folder):
     """Its inside shows the backs of its faces."""
     model = Model(GREY)
@@ -257,7 +265,7 @@ def everything(folder):
 def make(folder):
     os.makedirs(folder, exist_ok=True)
     for maker in (plain, wires, vertex_colours, checker_board, floor, opaque_alpha, fence, leaves, glass, gloss, black_ks,
-                  bumps, normals, glow, gloss_maps, metal, open_box, everything):
+                  bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
         maker(folder)
 
 

@@ -20,6 +20,8 @@ constexpr Neutral kNeutral[] = {
     {"bump_map", &Material::map_bump, {90, 90, 90, 255}},
     {"specular_map", &Material::map_specular, {255, 255, 255, 255}},
     {"gloss_map", &Material::map_shininess, {255, 255, 255, 255}},
+    {"roughness_map", &Material::map_roughness, {255, 255, 255, 255}},
+    {"metalness_map", &Material::map_metalness, {255, 255, 255, 255}},
 };
 
 TEST(MaterialMaps, OfNothingAreLeftOutAndForcedOnTheyChangeNoBit) {
@@ -46,9 +48,10 @@ TEST(MaterialMaps, OfNothingAreLeftOutAndForcedOnTheyChangeNoBit) {
 
 TEST(MaterialMaps, LeavingOneOutChangesThePicture) {
     const std::pair<const char*, const char*> effects[] = {
-        {"map_diffuse", "texture"}, {"map_normal", "normal_map"},
-        {"map_bump", "bump_map"},   {"map_specular", "specular_map"},
-        {"map_gloss", "gloss_map"}, {"map_emission", "emission"}};
+        {"map_diffuse", "texture"},         {"map_normal", "normal_map"},
+        {"map_bump", "bump_map"},           {"map_specular", "specular_map"},
+        {"map_gloss", "gloss_map"},         {"map_roughness", "roughness_map"},
+        {"map_metalness", "metalness_map"}, {"map_emission", "emission"}};
     std::vector<Shot> shots = map_shots();
     shots.push_back(mapped_sphere("map_diffuse", &Material::map_diffuse, checkers()));
     for (const auto& [name, effect] : effects) {
@@ -73,6 +76,34 @@ TEST(MaterialMaps, OfAHighlightDoNotTouchPhysicalMaterials) {
     const image::Image without = draw(s);
     s.options.effects = {{"specular_map", true}, {"gloss_map", true}};
     EXPECT_EQ(draw(s), without);
+}
+
+// And the other way round: who reflects by another model has no use for roughness.
+TEST(MaterialMaps, OfRoughnessAndMetalnessAreForPhysicalMaterialsAlone) {
+    Shot s = mapped_sphere("glossy", &Material::map_shininess, checkers());
+    Material& m = s.scene.materials[0];
+    std::swap(m.map_shininess, m.map_roughness);
+    m.map_metalness = m.map_roughness;
+    const auto on = [&](const char* effect) {
+        return frame::plan(s.options, frame::facts(s.scene))->decision(effect)->on();
+    };
+    const auto expect_neither = [&] {
+        EXPECT_FALSE(on("roughness_map"));
+        EXPECT_FALSE(on("metalness_map"));
+        const image::Image without = draw(s);
+        s.options.effects = {{"roughness_map", true}, {"metalness_map", true}};
+        EXPECT_EQ(draw(s), without);
+        s.options.effects.clear();
+    };
+    expect_neither(); // glossy
+    m.roughness = m.metalness = 0.5F;
+    EXPECT_TRUE(on("roughness_map"));
+    EXPECT_TRUE(on("metalness_map"));
+    s.options.reflection = "phong";
+    expect_neither();
+    s.options.reflection = "auto";
+    m.roughness = m.metalness = 0.0F; // nothing to multiply
+    expect_neither();
 }
 
 TEST(MaterialMaps, AModelWithoutCoordinatesWearsWhatTheUserLaysOn) {
@@ -151,6 +182,34 @@ TEST(MaterialMaps, WhatTheNearPlaneCutsIsMappedAsTheWhole) {
             EXPECT_LE(image::compare(draw(given), draw(made), 1).over_tolerance, 0) << filter;
         }
     }
+}
+
+// And so does the shadow of what is cut out: the same coordinates, made or given.
+TEST(MaterialMaps, ShadowsOfHolesFollowTheMapping) {
+    Shot given = shot("shade of a leaf");
+    given.scene.materials = {textured(0), plain(Vec3(0.8F))};
+    given.scene.textures = {leaf(false)};
+    add_square(given.scene.mesh, 0.8F, 0, 0);
+    for (std::size_t i = 0; i < given.scene.mesh.uv.size(); ++i) {
+        const Vec3& p = given.scene.mesh.position[i];
+        given.scene.mesh.uv[i] = {0.5F + p.x / 2, 0.5F + p.y / 2}; // mapping/plane.cpp
+    }
+    add_square(given.scene.mesh, 0.95F, -0.4F, 1);
+    scene::Light sun = light_of(scene::LightKind::directional, 0.9);
+    sun.towards = {0.5, 0.3, 1};
+    sun.casts = true;
+    given.options.lights = {sun, light_of(scene::LightKind::ambient, 0.2)};
+    given.options.texture = "nearest";
+    given.options.shadow = "map";
+    Shot made = given;
+    made.options.mapping = "plane";
+    for (Vec2& uv : made.scene.mesh.uv)
+        uv = {0.01F, 0.01F};
+    const image::Image expected = draw(given);
+    Shot bright = given;
+    bright.options.effects = {{"shadow", false}};
+    EXPECT_GT(image::compare(draw(bright), expected, 2).over_tolerance, 40);
+    EXPECT_LE(image::compare(draw(made), expected, 2).over_tolerance, 4);
 }
 
 } // namespace

@@ -150,9 +150,24 @@ TEST(Mtl, NoMessageQuotesTheFile) {
     EXPECT_TRUE(other.warnings.empty());
 }
 
+TEST(Mtl, AMapOfRoughnessOrMetalnessAloneMeansItsOwnNumbers) {
+    const auto alone = read_one("map_Pr r.tex\nmap_Pm -imfchan b m.tex").materials[0];
+    EXPECT_EQ(alone.material.map_roughness.path, "r.tex");
+    EXPECT_EQ(alone.material.map_metalness.path, "m.tex");
+    EXPECT_EQ(alone.material.map_metalness.channel, 'b');
+    EXPECT_EQ(alone.material.roughness, 1.0F);
+    EXPECT_EQ(alone.material.metalness, 1.0F);
+    EXPECT_TRUE(alone.roughness_by_map && alone.metalness_by_map);
+    EXPECT_THAT(alone.not_drawn, IsEmpty());
+    const auto beside = read_one("map_Pr r.tex\nPr 0.25\nmap_Pm m.tex\nPm 0").materials[0];
+    EXPECT_EQ(beside.material.roughness, 0.25F);
+    EXPECT_EQ(beside.material.metalness, 0.0F);
+    EXPECT_FALSE(beside.roughness_by_map || beside.metalness_by_map);
+}
+
 TEST(Mtl, KnownValuesThatAreNotDrawnAreNamed) {
-    EXPECT_THAT(read_one("Pr 0.2\nPm 0.3\nmap_Pr r.tex\nKt 1 1 1").materials[0].not_drawn,
-                ElementsAre("map_Pr", "Kt"));
+    EXPECT_THAT(read_one("Pr 0.2\nPm 0.3\nmap_Ps r.tex\nKt 1 1 1").materials[0].not_drawn,
+                ElementsAre("map_Ps", "Kt"));
     EXPECT_THAT(read_one("Kd 1 1 1\nKa 1 1 1\nKs 0 0 0\nKe 0 0 0\nd 1\nillum 2\nmap_Kd -o 1 -s 2 "
                          "-clamp on a.png")
                     .materials[0]

@@ -66,7 +66,8 @@ protected:
             }
             block->run[i] = {&t, i, 1, 0, 0, 0, 0};
         }
-        frame.attributes = {true, true, true, false};
+        frame.attributes = {
+            .normal = true, .uv = true, .colour = true, .maps = bit_of(kDiffuseMap)};
         block->map[kDiffuseMap] = {&texture, &material.map_diffuse};
         stage("interpolate", "perspective").run(*block, frame);
     }

@@ -49,7 +49,7 @@ public:
     Row() : block_(new_block(material_)) {
         texture_.image = image::Image(4, 4);
         frame_ = identity_frame();
-        frame_.attributes = {.normal = false, .uv = true};
+        frame_.attributes = {.uv = true, .maps = bit_of(kDiffuseMap)};
     }
     std::vector<float> u(const std::string& name, const Primitive& t, int x, int y, int count,
                          int piece = kLanes) {

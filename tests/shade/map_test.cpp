@@ -9,13 +9,16 @@
 namespace scanout::shade::test {
 namespace {
 
-constexpr Map kEvery[] = {kNormalMap, kBumpMap, kSpecularMap, kShininessMap, kEmissionMap};
+constexpr Map kEvery[] = {kNormalMap,    kBumpMap,      kSpecularMap, kShininessMap,
+                          kRoughnessMap, kMetalnessMap, kEmissionMap};
 
 struct Mapped {
     explicit Mapped(Map m, image::Image image) : texture{"map", std::move(image)}, map(m) {
         material.specular = {0.9F, 0.5F, 0.25F};
         material.shininess = 40;
         material.emission = {0.5F, 0.25F, 2};
+        material.roughness = 0.6F;
+        material.metalness = 0.8F;
         block->map[map] = {&texture, &(material.*map_slots()[map].map), nullptr, Wrap::repeat};
         frame.filter = find_filter("bilinear");
         frame.orthographic = true;
@@ -131,6 +134,68 @@ TEST(Maps, EveryModelReflectsWhatTheMapsGive) {
     }
 }
 
+TEST(Maps, RoughnessAndMetalnessMultiplyTheMaterialsOwn) {
+    for (const auto& [code, share] : {std::pair{255, 1.0F}, {51, 0.2F}, {0, 0.0F}}) {
+        const auto c = static_cast<std::uint8_t>(code);
+        Mapped rough(kRoughnessMap, one_texel(c, c, c)), metal(kMetalnessMap, one_texel(c, c, c));
+        rough.run("roughness");
+        metal.run("metalness");
+        for (int i = 0; i < kLanes; ++i) {
+            ASSERT_FLOAT_EQ(rough.block->roughness[i], 0.6F * share);
+            ASSERT_FLOAT_EQ(metal.block->metalness[i], 0.8F * share);
+        }
+        if (code != 255) continue;
+        EXPECT_EQ(rough.block->roughness[5], 0.6F) << "white changes no bit";
+        EXPECT_EQ(metal.block->metalness[5], 0.8F) << "white changes no bit";
+    }
+    Mapped blue(kMetalnessMap, one_texel(255, 255, 51));
+    blue.material.map_metalness.channel = 'b';
+    blue.run("metalness");
+    EXPECT_FLOAT_EQ(blue.block->metalness[0], 0.16F);
+}
+
+// To the bit: a map that gives one Pr or one Pm is a material that says them.
+TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
+    Random random(9);
+    const scene::Texture any{"any", one_texel(1, 2, 3)};
+    std::vector<scene::ViewLight> lights;
+    for (int k = 0; k < 3; ++k) {
+        const DVec3 to = random.in_cube(1) + DVec3(0, 0, 1.2);
+        lights.push_back(
+            scanout::test::directional(Vec3(to / std::sqrt(dot3(to, to))), {1, 0.5F, 0.25F}));
+    }
+    for (const float pr : {0.0F, 0.03F, 0.4F, 1.0F}) {
+        for (const float pm : {0.0F, 0.3F, 1.0F}) {
+            scene::Material mapped = scanout::test::plain(Vec3(1)), plain = mapped;
+            mapped.roughness = mapped.metalness = 0.77F;
+            plain.roughness = pr;
+            plain.metalness = pm;
+            auto by_maps = new_block(mapped), by_material = new_block(plain);
+            by_maps->map[kRoughnessMap] = {&any, &mapped.map_roughness, nullptr, Wrap::repeat};
+            by_maps->map[kMetalnessMap] = {&any, &mapped.map_metalness, nullptr, Wrap::repeat};
+            std::fill_n(by_maps->roughness, kRoom, pr);
+            std::fill_n(by_maps->metalness, kRoom, pm);
+            FrameState frame = identity_frame();
+            frame.lights = lights;
+            for (int i = 0; i < kLanes; ++i) {
+                const DVec3 n = random.in_cube(1) + DVec3(0, 0, 1.5);
+                for (Block* b : {by_maps.get(), by_material.get()}) {
+                    b->ray_x[i] = static_cast<float>(i) / kLanes - 0.5F;
+                    for (int c = 0; c < 3; ++c) {
+                        b->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
+                        b->albedo[c][i] = 0.25F * static_cast<float>(c + 1);
+                    }
+                }
+            }
+            run_stage("reflection", "ggx", *by_maps, frame);
+            run_stage("reflection", "ggx", *by_material, frame);
+            for (int c = 0; c < 3; ++c)
+                for (int i = 0; i < kLanes; ++i)
+                    ASSERT_EQ(by_maps->colour[c][i], by_material->colour[c][i]) << pr << ' ' << pm;
+        }
+    }
+}
+
 TEST(Maps, EmissionIsAddedToWhatTheSurfaceReflects) {
     Mapped lamp(kEmissionMap, one_texel(255, 0, 255));
     for (auto& channel : lamp.block->colour)
@@ -154,7 +219,8 @@ TEST(Maps, NothingIsReadWhereThereIsNoMap) {
         none.block->map[map].texture = nullptr;
         none.material.emission = Vec3(0);
         const Block before = *none.block;
-        for (const char* stage : {"normal", "bump", "specular", "gloss", "emission"})
+        for (const char* stage :
+             {"normal", "bump", "specular", "gloss", "roughness", "metalness", "emission"})
             none.run(stage);
         EXPECT_TRUE(same_lanes(*none.block, before, 0, kLanes));
     }

@@ -297,6 +297,11 @@ inline Shot mapped_sphere(std::string name, scene::TextureMap scene::Material::*
     (material.*map).scale = {8, 4, 1};
     (material.*map).bump_multiplier = 3;
     if (map == &scene::Material::map_emission) material.emission = {0.5F, 0.2F, 0};
+    if (map == &scene::Material::map_roughness) material.roughness = material.metalness = 1.0F;
+    if (map == &scene::Material::map_metalness) {
+        material.roughness = 0.3F;
+        material.metalness = 1;
+    }
     s.scene.materials = {material};
     s.scene.textures = {std::move(texture)};
     add_sphere(s.scene.mesh, Vec3(0), 0.95F, 32, 16, 0);
@@ -325,6 +330,8 @@ inline std::vector<Shot> map_shots() {
     shots.push_back(mapped_sphere("map_bump", &Material::map_bump, noisy(16, 3)));
     shots.push_back(mapped_sphere("map_specular", &Material::map_specular, checkers()));
     shots.push_back(mapped_sphere("map_gloss", &Material::map_shininess, checkers()));
+    shots.push_back(mapped_sphere("map_roughness", &Material::map_roughness, checkers()));
+    shots.push_back(mapped_sphere("map_metalness", &Material::map_metalness, checkers()));
     shots.push_back(mapped_sphere("map_emission", &Material::map_emission, checkers()));
     for (const char* source : {"image", "checker", "white_noise", "perlin_noise"})
         shots.push_back(covered_solids(std::string("source_") + source, source, "auto"));

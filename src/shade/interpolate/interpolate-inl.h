@@ -103,8 +103,7 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run)
         Rung::lanes(b, frame, want, *run);
     // How u and v change is exact whatever the rung.
-    if (frame.attributes.footprint && !frame.mapped && wants_uv(b, frame))
-        texture::HWY_NAMESPACE::write_slopes(b);
+    if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }
 
 SIMD_END

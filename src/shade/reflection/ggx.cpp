@@ -20,7 +20,7 @@ SIMD_BEGIN(scanout::shade::reflection)
 
 struct Mirrors {
     bool physical;                  // it says roughness or metalness: Ks and Ns do not count
-    float metal;                    // share
+    float metal;                    // share, where no map says it
     alignas(64) float alpha[kRoom]; // roughness of the distribution
 };
 
@@ -32,12 +32,15 @@ void find_mirrors(const Block& b, Mirrors& out) {
     constexpr float kLeastAlpha = 0x1p-9F; // a mirror's image of a point would be a point
     const scene::Material& m = *b.material;
     out.physical = scene::surface_of(m) == scene::Surface::physical;
-    out.metal = out.physical && m.metalness ? clamped(*m.metalness, 0, 1) : 0;
+    out.metal = out.physical ? clamped(scene::metalness_of(m), 0, 1) : 0;
     if (out.physical) {
-        const float roughness = m.roughness ? *m.roughness : 0.5F;
-        const float alpha = clamped(roughness * roughness, kLeastAlpha, 1);
-        for (float& lane : out.alpha)
-            lane = alpha;
+        const bool mapped = b.map[kRoughnessMap].texture != nullptr;
+        const F32 own = scene::roughness_of(m);
+        for (int i = 0; i < b.count; i += kLanes) {
+            const F32 roughness = mapped ? load<F32>(b.roughness + i) : own;
+            store(minimum(maximum(roughness * roughness, F32(kLeastAlpha)), F32(1.0F)),
+                  out.alpha + i);
+        }
         return;
     }
     for_exponents(
@@ -52,6 +55,11 @@ void find_mirrors(const Block& b, Mirrors& out) {
 HWY_INLINE F32 straight_on(const Block& b, const Mirrors& m, int channel, int lane) {
     if (m.physical) return F32(0.04F);
     return minimum(maximum(specular_at(b, channel, lane), F32(0.0F)), F32(1.0F));
+}
+
+HWY_INLINE F32 metal_at(const Block& b, const Mirrors& m, int lane) {
+    if (!m.physical || b.map[kMetalnessMap].texture == nullptr) return F32(m.metal);
+    return minimum(maximum(load<F32>(b.metalness + lane), F32(0.0F)), F32(1.0F));
 }
 
 // (1 - x)^5
@@ -81,12 +89,13 @@ void ggx_run(Block& b, const FrameState& frame) {
     if (!b.lit || scene::surface_of(*b.material) == scene::Surface::matt) return diffuse(b, frame);
     Mirrors m;
     find_mirrors(b, m);
-    const F32 one = 1.0F, metal = m.metal, other = 1.0F - m.metal;
+    const F32 one = 1.0F;
     const float ambient[3] = {b.ambient.x, b.ambient.y, b.ambient.z};
     const std::size_t light_count = frame.lights.size();
     for (int i = 0; i < b.count; i += kLanes) {
         const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
         const F32 alpha = load<F32>(m.alpha + i), alpha2 = alpha * alpha;
+        const F32 metal = metal_at(b, m, i), other = one - metal;
         const F32 f0_of[3] = {straight_on(b, m, 0, i), straight_on(b, m, 1, i),
                               straight_on(b, m, 2, i)};
         const F32 n_e = minimum(maximum(dot(normal, eye), F32(0x1p-10F)), one);

@@ -59,14 +59,19 @@ HWY_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&ou
         out[i] = static_cast<float>(of_exponent(double{b.shininess[i]}));
 }
 
-// Adds light * Ks * bright(normal, eye, light, Ns, lane) to b.colour for every light.
+// Ks and Ns of some lanes.
+struct Gloss {
+    F32 ks[3], exponent;
+};
+
+// Not inlined: blocks with and without maps share one copy of it.
 template <class Bright>
-HWY_INLINE void add_highlights(Block& b, const FrameState& frame, Bright bright) {
+HWY_NOINLINE void add_highlights(Block& b, const FrameState& frame, const Bright& bright,
+                                 const Gloss& gloss, int first, int end) {
     const std::size_t light_count = frame.lights.size();
-    for (int i = 0; i < b.count; i += kLanes) {
+    const F32 exponent = gloss.exponent, ks[3] = {gloss.ks[0], gloss.ks[1], gloss.ks[2]};
+    for (int i = first; i < end; i += kLanes) {
         const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
-        const F32 exponent = shininess_at(b, i),
-                  ks[3] = {specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)};
         F32 red = load<F32>(b.colour[0] + i), green = load<F32>(b.colour[1] + i),
             blue = load<F32>(b.colour[2] + i);
         for (std::size_t k = 0; k < light_count; ++k) {
@@ -79,6 +84,19 @@ HWY_INLINE void add_highlights(Block& b, const FrameState& frame, Bright bright)
         store(red, b.colour[0] + i);
         store(green, b.colour[1] + i);
         store(blue, b.colour[2] + i);
+    }
+}
+
+// Adds light * Ks * bright(normal, eye, light, Ns, lane) to b.colour for every light.
+template <class Bright>
+HWY_INLINE void add_highlights(Block& b, const FrameState& frame, const Bright& bright) {
+    const bool mapped =
+        b.map[kSpecularMap].texture != nullptr || b.map[kShininessMap].texture != nullptr;
+    const int step = mapped ? kLanes : b.count;
+    for (int i = 0; i < b.count; i += step) {
+        const Gloss gloss = {{specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)},
+                             shininess_at(b, i)};
+        add_highlights(b, frame, bright, gloss, i, i + step);
     }
 }
 
