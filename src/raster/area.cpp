@@ -1,5 +1,7 @@
 #include "raster/area.h"
 
+#include "raster/check_lanes.h"
+
 #include <algorithm>
 #include <tuple>
 
@@ -237,6 +239,7 @@ std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
         found_.push_back({id, static_cast<float>(share > 1 - 0x1p-24 ? 1.0 : share),
                           from(sum.middle.x), from(sum.middle.y)});
     }
+    check_lanes(found_);
     std::sort(found_.begin(), found_.end(), [](const AreaFragment& a, const AreaFragment& b) {
         return a.share != b.share ? a.share > b.share : a.id < b.id;
     });

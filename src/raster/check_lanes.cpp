@@ -76,5 +76,11 @@ void check_lanes(const VisibilityTile& tile) {
                             "coverage");
 }
 
+void check_lanes(std::span<const AreaFragment> fragments) {
+    for (const AreaFragment& f : fragments)
+        if (!std::isfinite(f.share))
+            fail(fmt::format("share of triangle {} is {} after its area", f.id, f.share));
+}
+
 } // namespace scanout::raster
 #endif

@@ -3,6 +3,7 @@
 // is looked at before. Elsewhere it is nothing.
 #pragma once
 
+#include "raster/area.h"
 #include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
@@ -24,7 +25,8 @@ void check_lanes(std::span<const Triangle> triangles);    // set up
 void check_lanes(const Piece& piece);                     // likewise
 void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
-void check_lanes(const VisibilityTile& tile); // drawn; the pixels of its area
+void check_lanes(const VisibilityTile& tile);              // drawn; the pixels of its area
+void check_lanes(std::span<const AreaFragment> fragments); // of a pixel
 #else
 inline constexpr bool kCheckLanes = false;
 inline void check_before_snap(double, double, std::size_t) {}
@@ -36,6 +38,7 @@ inline void check_lanes(const Piece&) {}
 inline void check_lanes(const Segment&) {}
 inline void check_lanes(const Point&) {}
 inline void check_lanes(const VisibilityTile&) {}
+inline void check_lanes(std::span<const AreaFragment>) {}
 #endif
 
 } // namespace scanout::raster

@@ -31,11 +31,11 @@ double share(double d_in, double d_out) {
 
 ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double d_in,
                      const ClipVertex& out, double d_out) {
-    const double t = share(d_in, d_out);
-    ClipVertex v{in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
-                 in.w + t * (out.w - in.w)};
-    // On the plane exactly and never behind near, although the sum cancels where the inside vertex
-    // is many powers of ten further away: the divide that follows must not meet w <= 0.
+    // As a mean with weights: no term is larger than what it gives, however far one vertex lies
+    // beyond the other. in + t (out - in) would cancel to noise at ratios above 2^53.
+    const double of_in = -d_out / (d_in - d_out), of_out = share(d_in, d_out);
+    ClipVertex v{in.x * of_in + out.x * of_out, in.y * of_in + out.y * of_out,
+                 in.z * of_in + out.z * of_out, in.w * of_in + out.w * of_out};
     v.w = plane == 0 ? box.near_w : std::max(v.w, box.near_w);
     if (plane == 1 || plane == 2) v.x = (plane == 1 ? box.left : box.right) * v.w;
     if (plane == 3 || plane == 4) v.y = (plane == 3 ? box.top : box.bottom) * v.w;

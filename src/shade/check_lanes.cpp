@@ -127,6 +127,10 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
         check(b.sampled[c], count, "sampled", name);
 }
 
+void check_values(std::span<const float> values, std::string_view what, std::string_view stage) {
+    check(values.data(), values.size(), what, stage);
+}
+
 void check_sums(const PixelSums& sums, std::size_t count) {
     for (const auto* channel : {&sums.red, &sums.green, &sums.blue})
         check(channel->data(), count, "sum", "the sums of samples");

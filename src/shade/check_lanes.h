@@ -7,6 +7,9 @@
 #include "shade/resolve.h"
 #include "shade/stage.h"
 
+#include <span>
+#include <string_view>
+
 namespace scanout::shade {
 
 #ifdef SCANOUT_CHECK_LANES
@@ -18,6 +21,8 @@ void check_before_clamp(const float* lanes, int count, int first);
 void check_rays(const Block& block, const FrameState& frame); // place_lanes
 void check_lanes(const Block& block, const FrameState& frame, const Stage& stage);
 void check_sums(const PixelSums& sums, std::size_t count); // of all blocks, to be resolved
+// What is no lane of a block: the first that is not finite is named as `what` of `stage`.
+void check_values(std::span<const float> values, std::string_view what, std::string_view stage);
 #else
 inline constexpr bool kCheckLanes = false;
 inline void check_lights(const FrameState&) {}
@@ -26,6 +31,7 @@ inline void check_before_clamp(const float*, int, int) {}
 inline void check_rays(const Block&, const FrameState&) {}
 inline void check_lanes(const Block&, const FrameState&, const Stage&) {}
 inline void check_sums(const PixelSums&, std::size_t) {}
+inline void check_values(std::span<const float>, std::string_view, std::string_view) {}
 #endif
 
 } // namespace scanout::shade

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
+#include "shade/check_lanes.h"
 #include "shade/primitives.h"
 
 #include <algorithm>
@@ -125,6 +126,9 @@ private:
         for (auto& channel : b.albedo)
             std::fill_n(channel, kRoom, albedo);
         b.model->run(b, frame_);
+        for (const float* channel : b.colour)
+            check_values({channel, static_cast<std::size_t>(b.count)}, "colour",
+                         "light at corners");
         for (int lane = 0; lane < b.count; ++lane) {
             CornerLight::Triangle& t =
                 light_.triangle[lit_ + static_cast<std::size_t>(lane / corners_)];

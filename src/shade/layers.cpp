@@ -1,5 +1,7 @@
 #include "shade/layers.h"
 
+#include "shade/check_lanes.h"
+
 #include <algorithm>
 #include <bit>
 
@@ -200,6 +202,7 @@ void Layers::weigh(const Task& task, int pixel) {
         for (const std::uint32_t f : at_sample_) {
             BlendFragment& fragment = fragments[f];
             const Blend::Shares shares = meet(fragment.alpha, through);
+            check_values(std::array{shares.weight, shares.through}, "share", "blending");
             if (shares.weight != 0) {
                 fragment.weight += shares.weight * share;
                 fragment.shown = static_cast<std::uint16_t>(fragment.shown | 1U << s);

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "math/srgb.h"
+#include "shade/check_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -109,6 +110,7 @@ MipChain make_mip_chain(const image::Image& image, TexelKind kind, Jobs& jobs) {
             }
         });
     }
+    check_values(chain.texels, "texel", "the mip chain");
     return chain;
 }
 

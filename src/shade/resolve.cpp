@@ -1,6 +1,7 @@
 #include "shade/resolve.h"
 
 #include "image/dither.h"
+#include "shade/check_lanes.h"
 #include "shade/stage.h"
 
 #include <cstring>
@@ -46,6 +47,8 @@ void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& b
                            encoding.decode(background.b)};
     SIMD_CALL(mean)
     (sum, sums.through.data(), back, static_cast<float>(background.a), count, sums.alpha.data());
+    for (const float* channel : sum)
+        check_values({channel, static_cast<std::size_t>(count)}, "mean", "resolve");
     encoding.encode({sum[0], sum[1], sum[2], sums.alpha.data(), offsets}, count, out);
 }
 

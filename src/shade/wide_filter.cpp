@@ -1,5 +1,7 @@
 #include "shade/wide_filter.h"
 
+#include "shade/check_lanes.h"
+
 #include <algorithm>
 
 namespace scanout::shade {
@@ -62,6 +64,8 @@ bool filter_area(const WideFilter& filter, WidePicture& from, const image::Rect&
             sums.through[i] = sum[3] > kFull ? 0.0F : 1 - sum[3];
             any = any || sum[3] > 0;
         }
+    for (const auto* channel : {&sums.red, &sums.green, &sums.blue, &sums.through})
+        check_values(std::span(*channel).first(i), "sum", "the wide filter");
     return any;
 }
 

@@ -50,11 +50,11 @@ public:
         if (det < Number(0))
             for (Line<Number>& e : edge_)
                 e = {-e.a, -e.b, -e.c};
-        const double size = std::abs(static_cast<double>(det));
+        size_ = std::abs(static_cast<double>(det));
         for (const Line<Number>& e : edge_) { // sum of the three / det = 1 / w
-            inverse_w_.a += static_cast<double>(e.a) / size;
-            inverse_w_.b += static_cast<double>(e.b) / size;
-            inverse_w_.c += static_cast<double>(e.c) / size;
+            inverse_w_.a += static_cast<double>(e.a) / size_;
+            inverse_w_.b += static_cast<double>(e.b) / size_;
+            inverse_w_.c += static_cast<double>(e.c) / size_;
         }
     }
 
@@ -76,8 +76,7 @@ public:
             close = close || d < near;
         }
         const double cut =
-            distance(1 / near_w_ - inverse_w(static_cast<double>(x), static_cast<double>(y)),
-                     inverse_w_.a, inverse_w_.b);
+            distance(1 / near_w_ - inverse_w_inside(x, y), inverse_w_.a, inverse_w_.b);
         if (cut < -near) return Place::outside;
         if (close || cut < near) return Place::close;
         return inside ? Place::inside : Place::outside;
@@ -85,6 +84,13 @@ public:
     bool empty() const { return empty_; }
 
 private:
+    // The same where all edges are positive: nothing cancels, whatever the vertices' distances.
+    double inverse_w_inside(Number x, Number y) const {
+        double sum = 0;
+        for (const Line<Number>& e : edge_)
+            sum += static_cast<double>(e.at(x, y)) / size_;
+        return sum;
+    }
     // From the value of a linear function to the distance from its zero, in pixels.
     double distance(double value, double a, double b) const {
         const double length = std::hypot(a, b);
@@ -93,6 +99,7 @@ private:
     }
 
     double near_w_, unit_;
+    double size_; // det, positive
     bool empty_;
     std::array<Line<Number>, 3> edge_; // positive inside
     Line<double> inverse_w_{0, 0, 0};

@@ -65,6 +65,48 @@ TEST(Homogeneous, TrianglesThroughTheEyesPlaneCoverWhatTheirEdgesSay) {
     record("samples_closer", static_cast<double>(close));
 }
 
+// HARD-CASES row 6: the finite part, up to a sixteenth of the largest float, beside vertices of
+// ordinary size. (Two vertices seen in the same direction to 50 bits are one point to the renderer:
+// random ones never are.)
+TEST(Homogeneous, CoordinatesUpToTheLargestFloatsCoverWhatTheirEdgesSay) {
+    constexpr int kWidth = 60, kHeight = 40;
+    const scene::View view = eye_view(0.6, 0.4, 0);
+    Jobs jobs(1);
+    Random random(16);
+    std::int64_t covered = 0, close = 0, wrong = 0, huge = 0;
+    for (int i = 0; i < 12000; ++i) {
+        std::array<Vec3, 3> v;
+        int large = 0;
+        for (Vec3& p : v) {
+            const double log_size = random.in(i % 3 == 0 ? 90 : -20, 124);
+            large += log_size > 100 ? 1 : 0; // above 1e30
+            p = Vec3(random.in_cube(std::exp2(log_size)));
+        }
+        huge += large > 0 ? 1 : 0;
+        geom::Mesh mesh;
+        add_triangle(mesh, v);
+        const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight);
+        const HomogeneousTriangle<double> exact(
+            projected(view, kWidth, kHeight, v[0]), projected(view, kWidth, kHeight, v[1]),
+            projected(view, kWidth, kHeight, v[2]), view.near_distance);
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const Place place = exact.place(x + 0.5, y + 0.5, kSnapped);
+                close += place == Place::close ? 1 : 0;
+                if (place == Place::close) continue;
+                wrong += (planes.id(x, y) == 0) != (place == Place::inside) ? 1 : 0;
+                covered += place == Place::inside ? 1 : 0;
+            }
+        ASSERT_EQ(wrong, 0) << i;
+    }
+    EXPECT_GT(covered, 1000000);
+    EXPECT_GT(huge, 5000);
+    EXPECT_LT(close, covered / 20);
+    record("mismatches_beyond_1/256_px", static_cast<double>(wrong));
+    record("samples_covered", static_cast<double>(covered));
+    record("triangles_above_1e30", static_cast<double>(huge));
+}
+
 // HARD-CASES row 10: external triangles, in whole numbers. View space is a grid of 1/64; the
 // picture has 64 pixels across two units at distance 1, so pixels times w are whole numbers of
 // 1/64, and samples whole numbers of half pixels.

@@ -324,5 +324,60 @@ TEST_F(ShadeLanesDeathTest, SumsBeyondTheLastPixelAreDead) {
     EXPECT_DEATH(check_sums(sums, 20), "sum of lane 19 is -?nan");
 }
 
+// What no block of lanes holds: each place that makes such values looks at them itself.
+TEST_F(ShadeLanesDeathTest, MeansThatAreNotFiniteEndTheProgramBeforeTheyAreEncoded) {
+    const Output output{find_encoding("srgb")};
+    std::uint32_t codes[kLanes + kRoom];
+    const auto resolve = [&](float red) {
+        PixelSums sums;
+        sums.reset(20);
+        sums.red[13] = red;
+        sums.red[20] = kNaN; // dead
+        resolve_pixels(sums, output, {}, nullptr, 20, codes);
+    };
+    resolve(0.5F);
+    for (const float bad : {kNaN, kInf})
+        EXPECT_DEATH(resolve(bad), "mean of lane 13 is -?(nan|inf) after resolve");
+}
+
+TEST_F(ShadeLanesDeathTest, AWideFilterThatIsNotFiniteEndsTheProgram) {
+    const WideFilter filter(raster::sample_pattern(4), [](double d) { return d < 1 ? 1 - d : 0; });
+    const auto filtered = [&](float red) {
+        WidePicture wide;
+        wide.reset(8, 8, 8, 1, 1);
+        wide.own.at(4, 4)[0] = red;
+        PixelSums sums;
+        sums.reset(64);
+        filter_area(filter, wide, {0, 0, 8, 8}, sums);
+    };
+    filtered(0.5F);
+    for (const float bad : {kNaN, kInf})
+        EXPECT_DEATH(filtered(bad), "sum of lane 27 is -?(nan|inf) after the wide filter");
+}
+
+TEST_F(ShadeLanesDeathTest, LightAtCornersThatIsNotFiniteEndsTheProgram) {
+    stages_.pop_back();
+    const Stage& gouraud = stage("shading", "gouraud");
+    stages_.push_back(&gouraud);
+    frame_.attributes.corners = true;
+    const Stage* const lights[] = {&stage("light", "point"), &stage("light", "ambient")};
+    frame_.corner_lights = lights;
+    shade();
+    for (const float bad : {kNaN, kInf}) {
+        frame_.ambient = {0.1F, bad, 0.1F};
+        EXPECT_DEATH(shade(), "colour of lane [0-9]+ is -?(nan|inf) after light at corners");
+    }
+}
+
+TEST_F(ShadeLanesDeathTest, AValueOfAListIsNamedByItsPlace) {
+    std::vector<float> texels(9, 0.5F);
+    check_values(texels, "texel", "the mip chain");
+    for (const float bad : {kNaN, kInf, -kInf}) {
+        texels[8] = bad;
+        EXPECT_DEATH(check_values(texels, "texel", "the mip chain"),
+                     "texel of lane 8 is -?(nan|inf) after the mip chain");
+    }
+}
+
 } // namespace
 } // namespace scanout::shade::test
