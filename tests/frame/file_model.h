@@ -34,6 +34,7 @@ struct FileModel {
     std::vector<Vec3> normal;
     std::vector<FileFace> face;
     DVec3 eye{0}, target{0};
+    double opacity = 1; // of the second material
 
     std::string text() const {
         std::string out = "mtllib model.mtl\n";
@@ -53,8 +54,8 @@ struct FileModel {
         const TemporaryFolder folder;
         std::string materials;
         for (int m = 0; m < kMaterials; ++m)
-            materials += fmt::format("newmtl m{}\nKd {} {} 0.4\nKs 0.{} 0 0.2\nNs 20\n", m,
-                                     0.1 + 0.2 * m, 0.9 - 0.2 * m, m);
+            materials += fmt::format("newmtl m{}\nKd {} {} 0.4\nKs 0.{} 0 0.2\nNs 20\nd {}\n", m,
+                                     0.1 + 0.2 * m, 0.9 - 0.2 * m, m, m == 1 ? opacity : 1);
         folder.write("model.mtl", materials);
         Warnings warnings;
         auto scene = io::load(folder.write("model.obj", text()), {}, warnings);

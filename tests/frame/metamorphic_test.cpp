@@ -188,6 +188,54 @@ TEST(Metamorphic, ScalingModelCameraAndLightsByAPowerOfTwoChangesNoBit) {
     RecordProperty("pictures_equal", pictures);
 }
 
+// The same with what is measured in lengths of other kinds: shadows, their biases and the plane
+// that they fall on, blended layers, and textures that the model's size places.
+TEST(Metamorphic, ScalingShadowsLayersAndTexturesByAPowerOfTwoChangesNoBit) {
+    Random random(7);
+    const DVec3 middle(0.1, 0.2, 0.3);
+    FileModel m = file_soup(random, 120, false);
+    const auto first_corner = static_cast<int>(m.vertex.size()),
+               up = static_cast<int>(m.normal.size());
+    m.vertex.insert(m.vertex.end(), {{-3, -3, -3}, {-3, -3, 3}, {3, -3, 3}, {3, -3, -3}});
+    m.normal.push_back({0, 1, 0});
+    for (const int k : {1, 2}) // a floor
+        m.face.push_back({{first_corner, first_corner + k, first_corner + k + 1}, {up, up, up}, 0});
+    for (DVec3& v : m.vertex)
+        v = v * 0.7 + middle;
+    m.opacity = 0.6;
+    auto options = picture_options(4);
+    options.source = "checker";
+    options.mapping = "box";
+    options.texture = "trilinear";
+    options.shadow_size = 256;
+    int pictures = 0;
+    for (const char* shadow : {"map", "map_pcf", "map_soft", "projected", "volume"}) {
+        options.shadow = shadow;
+        options.lights = placed_lights(middle, 1);
+        options.effects.clear();
+        const Shown first = m.picture(options);
+        options.effects["shadow"] = false;
+        EXPECT_FALSE(m.picture(options) == first) << shadow;
+        options.effects.clear();
+        for (const int k : {-50, -23, -1, 1, 17, 50}) {
+            FileModel scaled = m;
+            const double factor = std::ldexp(1.0, k);
+            for (DVec3& v : scaled.vertex)
+                v = v * factor;
+            scaled.eye = m.eye * factor;
+            scaled.target = m.target * factor;
+            options.lights = placed_lights(middle, factor);
+            ASSERT_TRUE(scaled.picture(options) == first) << k << ' ' << shadow;
+            ++pictures;
+        }
+    }
+    options.lights = placed_lights(middle, 1);
+    const Shown blended = m.picture(options);
+    m.opacity = 1;
+    EXPECT_FALSE(m.picture(options) == blended);
+    RecordProperty("pictures_equal", pictures);
+}
+
 const DVec3 kFar[] = {{1e7, 1e7, -1e7}, {-1e7, 0, 1e7}, {0, 1e7, 0}, {4.6e6, 5.4e6, 210}};
 
 FileModel moved(const FileModel& m, const DVec3& by) {
