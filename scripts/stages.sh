@@ -123,10 +123,11 @@ run_modules() {
     run_ctest "$folder" -R "^(${names%|})\\." ${without:+-E "$without"}
 }
 
-# The same bits from the other compiler: the render core with its hashes and pictures, on every SIMD target.
+# The same bits from the other compiler: every hash and picture, on every SIMD target. (The other modules' cases run
+# from clang++ with the sanitizers.)
 stage_bits() {
     configure bits release -DCMAKE_CXX_COMPILER=clang++-14
-    run_modules bits math simd raster shade frame golden
+    run_modules bits math simd golden
     configure test release
     build test scanout
     check nothing_fused test
@@ -171,11 +172,11 @@ stage_asan() {
     run_ctest asan -L 'unit|golden|sanitized' -E "$numbers"
 }
 
-# The modules that run threads (the raster core within `frame`), and the viewer on a recording.
+# What runs threads: the render core on each of its scenes (golden), the viewer, and it on a recording.
 stage_tsan() {
     configure tsan tsan "${sanitized[@]}"
     export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
-    without=$numbers run_modules tsan base frame golden app
+    without=$numbers run_modules tsan base golden app
     build tsan scanout
     run_ctest tsan -R '^cli\.replay$'
 }

@@ -66,11 +66,14 @@ void keep(const raster::VisibilityTile& tile, Visibility& out) {
 }
 
 void clear(const image::Rect& area, const image::Rgba8& background, image::Image& out) {
-    for (int y = area.y0; y < area.y1; ++y) {
-        const auto row = out.row(y).subspan(static_cast<std::size_t>(area.x0),
-                                            static_cast<std::size_t>(area.x1 - area.x0));
-        std::fill(row.begin(), row.end(), background);
-    }
+    const auto row = [&](int y) {
+        return out.row(y).subspan(static_cast<std::size_t>(area.x0),
+                                  static_cast<std::size_t>(area.x1 - area.x0));
+    };
+    const auto first = row(area.y0);
+    std::fill(first.begin(), first.end(), background);
+    for (int y = area.y0 + 1; y < area.y1; ++y) // faster than a loop over pixels
+        std::copy(first.begin(), first.end(), row(y).begin());
 }
 
 struct Frame {

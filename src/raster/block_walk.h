@@ -7,20 +7,12 @@
 
 namespace scanout::raster {
 
-// A triangle's walk over a tile, in blocks of 8 x 8 pixels. Within a block all samples of one place
-// in the pattern lie whole pixels apart, so an edge function is E + 256 n with an integer n, and
+// A triangle is walked over in blocks of 8 x 8 pixels. Within a block all samples of one place in
+// the pattern lie whole pixels apart, so an edge function is E + 256 n with an integer n, and
 // E + 256 n + bias >= 0 exactly when floor((E + bias) / 256) + n >= 0: the pixels need 32 bits only
 // however large the triangle is (|n| < 2^28; the floor saturates at 2^29).
 struct BlockWalk {
     static constexpr int kSide = 8;
-
-    Edges edges;
-    DepthPlane depth;
-    std::uint32_t id;
-    int x0, y0, x1, y1; // blocks, of the tile
-    int row0, row1;     // of the tile: the rows that can hold a sample
-    // How far an edge function may lie below and above its value at a block's corner.
-    std::int64_t lowest[3], highest[3];
 };
 
 // The pixels of a block in which a piece of a triangle covers a sample, and its depth there: what

@@ -45,10 +45,10 @@ void check_lanes(std::span<const ScreenVertex> vertices) {
     }
 }
 
-void check_lanes(std::span<const Triangle> triangles) {
-    for (const Triangle& t : triangles)
-        for (const double depth : t.depth)
-            check_depth(depth, "triangle", t.id, "set-up");
+void check_lanes(std::span<const SnappedTriangle> triangles) {
+    for (const SnappedTriangle& t : triangles)
+        for (const ScreenVertex& v : t.corner)
+            check_depth(v.depth, "triangle", t.id, "set-up");
 }
 
 void check_lanes(const Piece& piece) {

@@ -26,7 +26,7 @@ struct TilePlanes {
 };
 
 // Did any of them show? Pixels of the planes beyond the area may be drawn, too.
-bool draw_triangles(const TilePlanes& tile, std::span<const Triangle> triangles);
+bool draw_triangles(const TilePlanes& tile, std::span<const SnappedTriangle> triangles);
 bool draw_piece(const TilePlanes& tile, const Piece& piece);
 
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23
@@ -42,11 +42,6 @@ bool draw_piece(const TilePlanes& tile, const Piece& piece);
 //
 // Neither depends on the tile, the vertices' order or what else is drawn. Pieces have the same
 // bound (raster/piece_coverage.cpp).
-struct DepthPlane {
-    bool flat;
-    double share[3];     // depth of a vertex / area
-    double per_x, per_y; // change a pixel
-};
-DepthPlane depth_plane(const Triangle& triangle, const Edges& edges);
+bool near_to_flat(const SnappedTriangle& triangle);
 
 } // namespace scanout::raster

@@ -207,7 +207,7 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
 }
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
-    std::array<Triangle, 64> ready;
+    std::array<SnappedTriangle, 64> ready;
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         std::size_t count = 0;
@@ -216,8 +216,7 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
             count = 0;
         };
         for (const std::uint32_t id : bin.triangles) {
-            if (const std::optional<SetUp> t = set_up(corners(id), id))
-                ready[count++] = t->triangle;
+            ready[count++] = {corners(id), id};
             if (count == ready.size()) flush();
         }
         flush();

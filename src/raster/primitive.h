@@ -24,6 +24,12 @@ struct Triangle {
     bool flipped; // the canonical order winds the other way round: edge functions change sign
 };
 
+// As the mesh has it: vertices on the screen, in any order, perhaps without area.
+struct SnappedTriangle {
+    std::array<ScreenVertex, 3> corner;
+    std::uint32_t id;
+};
+
 struct Segment {
     std::array<std::int32_t, 2> x, y;
     std::array<double, 2> depth;

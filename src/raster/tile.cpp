@@ -28,7 +28,14 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
             std::min(r.y1, area_.y1)};
 }
 
-bool VisibilityTile::draw(std::span<const Triangle> triangles) {
+bool VisibilityTile::draw(const Triangle& t) {
+    SnappedTriangle snapped{{}, t.id};
+    for (std::size_t k = 0; k < 3; ++k)
+        snapped.corner[k] = {t.x[k], t.y[k], t.depth[k]};
+    return draw(std::span(&snapped, 1));
+}
+
+bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
     check_lanes(triangles);
     const bool shows =
         draw_triangles({area_, pattern_, depth_.data(), id_.data(), rule_}, triangles);

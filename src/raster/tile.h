@@ -20,8 +20,8 @@ public:
     void reset(const image::Rect& area, int samples, const VisibleRule& rule = {});
 
     // Triangles: does any of them show? Pixels beyond area() count, too.
-    bool draw(std::span<const Triangle> triangles);
-    bool draw(const Triangle& triangle) { return draw(std::span(&triangle, 1)); }
+    bool draw(std::span<const SnappedTriangle> triangles);
+    bool draw(const Triangle& triangle);
     bool draw(const Piece& piece);
     // What is drawn there so far, all triangles, is the ground, as a rule of this very tile: lines
     // and points that follow are held against it, not against each other's pixels, so that their

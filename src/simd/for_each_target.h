@@ -45,6 +45,12 @@
     }                                                                                              \
     }                                                                                              \
     HWY_AFTER_NAMESPACE();
+// Before a loop of a few rounds over vertices or registers: its arrays become registers.
+#ifdef __clang__
+#define SIMD_UNROLL _Pragma("clang loop unroll(full)")
+#else
+#define SIMD_UNROLL _Pragma("GCC unroll 8")
+#endif
 #define SIMD_ONCE HWY_ONCE
 #define SIMD_REGISTER(kernel) HWY_EXPORT(kernel)
 #define SIMD_CALL(kernel) HWY_DYNAMIC_DISPATCH(kernel)

@@ -155,6 +155,12 @@ struct Double {
         friend HWY_INLINE DoubleMask operator!(DoubleMask a) {
             return {hn::Not(a.low), hn::Not(a.high)};
         }
+        friend HWY_INLINE std::uint32_t bits(DoubleMask a) {
+            std::uint8_t low[8] = {}, high[8] = {};
+            hn::StoreMaskBits(Tag(), a.low, low);
+            hn::StoreMaskBits(Tag(), a.high, high);
+            return low[0] | static_cast<std::uint32_t>(high[0]) << (kLanes / 2);
+        }
     };
 
     Double() = default;
@@ -265,6 +271,11 @@ template <class T>
 HWY_INLINE T load(const std::uint32_t* from) { // bits as they are
     return T(
         hn::BitCast(typename T::Tag(), hn::LoadU(hn::RebindToUnsigned<typename T::Tag>(), from)));
+}
+template <class T>
+HWY_INLINE T load(const double* from) {
+    const typename T::Tag tag;
+    return {hn::LoadU(tag, from), hn::LoadU(tag, from + T::kLanes / 2)};
 }
 template <class D>
 HWY_INLINE void store(Float<D> a, float* to) {

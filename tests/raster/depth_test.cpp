@@ -313,11 +313,13 @@ struct SteepQuad {
                            std::initializer_list<std::array<std::size_t, 3>> triangles) const {
         std::vector<bool> flat;
         for (const auto& [i, j, k] : triangles) {
-            const Triangle t =
-                set_up({corner[i], corner[j], corner[k]}, static_cast<std::uint32_t>(flat.size()),
-                       {depth[i], depth[j], depth[k]});
-            flat.push_back(depth_plane(t, edges_of(t)).flat);
-            tile.draw(t);
+            const auto vertex = [&](std::size_t v) {
+                return ScreenVertex{corner[v].x, corner[v].y, depth[v]};
+            };
+            const SnappedTriangle t{{vertex(i), vertex(j), vertex(k)},
+                                    static_cast<std::uint32_t>(flat.size())};
+            flat.push_back(near_to_flat(t));
+            tile.draw(std::span(&t, 1));
         }
         return flat;
     }

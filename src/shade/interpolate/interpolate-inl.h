@@ -33,6 +33,7 @@ HWY_INLINE void normals(Normals wanted, const Primitive& t, const FrameState& fr
         const F32x8 side =
             (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
         const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
+        SIMD_UNROLL
         for (F32x8& component : n)
             component = component * sign;
     }
@@ -76,8 +77,10 @@ HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const
         store(mix(w, t.uv[1]), b.v + i);
     }
     if (want.position)
+        SIMD_UNROLL
         for (int c = 0; c < 3; ++c)
             store(mix(w, t.position[c]), b.position[c] + i);
+    SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
         const F32x8 own = want.colour ? mix(w, t.colour[c]) : F32x8(1.0F);
         store(F32x8(want.kd[c]) * own, b.albedo[c] + i);
