@@ -251,12 +251,14 @@ static void draw_samples(const raster::Geometry& geometry, int tile, const shade
 
 void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
     const AntiAliasing& aa = *f.plan.aa;
-    image::Rect area = geometry.tile_area(tile);
-    worker.visibility.reset(area, aa.samples, f.plan.visible);
+    const image::Rect samples = geometry.tile_area(tile);
+    const image::Rect area = {samples.x0 / aa.scale, samples.y0 / aa.scale, samples.x1 / aa.scale,
+                              samples.y1 / aa.scale};
+    clear(area, f.plan.options.background, back_buffer);
+    if (f.visibility == nullptr && geometry.is_empty(tile)) return;
+    worker.visibility.reset(samples, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
-    area = {area.x0 / aa.scale, area.y0 / aa.scale, area.x1 / aa.scale, area.y1 / aa.scale};
-    clear(area, f.plan.options.background, back_buffer);
     worker.gatherer.send_mixtures(f.filter == nullptr
                                       ? shade::MixtureSink{}
                                       : shade::MixtureSink{&wide.own, f.filter, &wide});

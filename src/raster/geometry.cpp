@@ -190,6 +190,17 @@ image::Rect Geometry::tile_area(int tile) const {
     return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
 }
 
+bool Geometry::is_empty(int tile) const {
+    const auto at = static_cast<std::size_t>(tile);
+    const auto bare = [](const Batch::Bin& bin) {
+        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
+               bin.points.empty();
+    };
+    return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
+        return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
+    });
+}
+
 void Geometry::draw(int tile, AreaTile& out) const {
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];

@@ -41,6 +41,7 @@ public:
     int tiles_across() const { return across_; }
     int tiles() const { return across_ * down_; }
     image::Rect tile_area(int tile) const;
+    bool is_empty(int tile) const; // no primitive may touch it
     // Draws everything opaque that may touch the tile.
     void draw(int tile, VisibilityTile& out) const;
     // The same in two parts: triangles, then lines and points on the ground that is shown.

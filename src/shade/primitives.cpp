@@ -149,7 +149,16 @@ Winding set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVerte
         p.b[k] = static_cast<double>(edges.b[k]);
         p.c[k] = static_cast<double>(edges.c[k]);
         p.least[k] = static_cast<double>(-edges.bias[k]);
+        p.whole_a[k] = static_cast<std::int32_t>(edges.a[k]);
+        p.whole_b[k] = static_cast<std::int32_t>(edges.b[k]);
+        p.whole_c[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(edges.c[k]));
     }
+    // Below 2^30 inside, and a pixel further by less than 2^30 more: sides of less than 2^20.
+    constexpr std::int64_t kSide = std::int64_t{1} << 20;
+    const auto is_short = [&](std::int64_t step) { return -kSide < step && step < kSide; };
+    p.whole = edges.area < std::int64_t{1} << 30 &&
+              std::all_of(edges.a.begin(), edges.a.end(), is_short) &&
+              std::all_of(edges.b.begin(), edges.b.end(), is_short);
     return {!t->triangle.flipped, t->order.odd};
 }
 

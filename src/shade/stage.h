@@ -69,6 +69,10 @@ struct Primitive {
     // vertex i, whole numbers and exact, where the triangle was not clipped; else
     // raster::PieceWeights. Inside, none is negative.
     double a[3], b[3], c[3];
+    // The same modulo 2^32, where the triangle is so small that its weights within a pixel of it
+    // are numbers of 32 bits; else not `whole`.
+    std::int32_t whole_a[3], whole_b[3], whole_c[3];
+    bool whole;
     double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
                      // asked for where the triangle was clipped
     bool clipped;

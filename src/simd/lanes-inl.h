@@ -156,10 +156,10 @@ struct Double {
             return {hn::Not(a.low), hn::Not(a.high)};
         }
         friend HWY_INLINE std::uint32_t bits(DoubleMask a) {
-            std::uint8_t low[8] = {}, high[8] = {};
-            hn::StoreMaskBits(Tag(), a.low, low);
-            hn::StoreMaskBits(Tag(), a.high, high);
-            return low[0] | static_cast<std::uint32_t>(high[0]) << (kLanes / 2);
+            std::uint8_t bits_low[8] = {}, bits_high[8] = {};
+            hn::StoreMaskBits(Tag(), a.low, bits_low);
+            hn::StoreMaskBits(Tag(), a.high, bits_high);
+            return bits_low[0] | static_cast<std::uint32_t>(bits_high[0]) << (kLanes / 2);
         }
     };
 

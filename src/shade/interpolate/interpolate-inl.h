@@ -76,10 +76,9 @@ HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const
         store(mix(w, t.uv[0]), b.u + i);
         store(mix(w, t.uv[1]), b.v + i);
     }
-    if (want.position)
-        SIMD_UNROLL
-        for (int c = 0; c < 3; ++c)
-            store(mix(w, t.position[c]), b.position[c] + i);
+    if (want.position) SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        store(mix(w, t.position[c]), b.position[c] + i);
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
         const F32x8 own = want.colour ? mix(w, t.colour[c]) : F32x8(1.0F);
@@ -93,8 +92,7 @@ HWY_INLINE void perspective_lanes(Block& b, const FrameState& frame, const Wante
     const Primitive& t = *run.primitive;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8)
         put(b, frame, want, t,
-            weights(t, to_f64(load<I32x8>(b.x + i)), to_f64(load<I32x8>(b.y + i)),
-                    {i, run.first + run.count - i}),
+            weights(t, load<I32x8>(b.x + i), load<I32x8>(b.y + i), {i, run.first + run.count - i}),
             i);
 }
 

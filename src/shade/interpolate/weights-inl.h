@@ -41,6 +41,15 @@ HWY_INLINE F64x8 area_at(const Primitive& t, int k, F64x8 x, F64x8 y) {
     return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
 }
 
+// Of vertices' areas that are rounded once.
+HWY_INLINE Weights weights_of(const Primitive& t, F32x8 b0, F32x8 b1, F32x8 b2, const Live& live) {
+    const F32x8 p0 = b0 * F32x8(t.inverse_w[0]);
+    const F32x8 p1 = b1 * F32x8(t.inverse_w[1]);
+    const F32x8 p2 = b2 * F32x8(t.inverse_w[2]);
+    const F32x8 sum = (p0 + p1) + p2;
+    return {p1 / sum, p2 / sum, live};
+}
+
 HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y, const Live& live) {
     F64x8 b0 = area_at(t, 0, x, y), b1 = area_at(t, 1, x, y), b2 = area_at(t, 2, x, y);
     if (t.clipped) {
@@ -58,11 +67,17 @@ HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y, const Live& liv
         b1 = select(some, b1 / divisor, F64x8(1.0));
         b2 = select(some, b2 / divisor, F64x8(1.0));
     }
-    const F32x8 p0 = to_f32(b0) * F32x8(t.inverse_w[0]);
-    const F32x8 p1 = to_f32(b1) * F32x8(t.inverse_w[1]);
-    const F32x8 p2 = to_f32(b2) * F32x8(t.inverse_w[2]);
-    const F32x8 sum = (p0 + p1) + p2;
-    return {p1 / sum, p2 / sum, live};
+    return weights_of(t, to_f32(b0), to_f32(b1), to_f32(b2), live);
+}
+
+// At samples on the grid of 1/256 pixel, within a pixel of the triangle. The same bits from half as
+// many registers: both ways round the same whole numbers to floats.
+HWY_INLINE Weights weights(const Primitive& t, I32x8 x, I32x8 y, const Live& live) {
+    if (!t.whole) return weights(t, to_f64(x), to_f64(y), live);
+    const auto area = [&](int k) {
+        return to_f32((I32x8(t.whole_a[k]) * x + I32x8(t.whole_b[k]) * y) + I32x8(t.whole_c[k]));
+    };
+    return weights_of(t, area(0), area(1), area(2), live);
 }
 
 HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
