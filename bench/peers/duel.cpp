@@ -1,0 +1,82 @@
+#include "bench/peers/duel.h"
+
+#include "base/write_file.h"
+#include "bench/peers/compare.h"
+#include "image/codec.h"
+#include "image/flip.h"
+
+#include <algorithm>
+
+namespace scanout::bench {
+namespace {
+
+constexpr int kBatch = 5, kWarm = 2, kFirstFrames = 3;
+
+Result<void> save(const PicturePair& pair, const Load& load, const std::string& folder) {
+    std::string name(load.name);
+    std::replace(name.begin(), name.end(), ' ', '-');
+    for (const auto& [picture, side] :
+         {std::pair(&pair.ours, "scanout"), {&pair.theirs, "llvmpipe"}}) {
+        TRY(const image::Bytes png, image::encode_png(*picture));
+        TRY_VOID(write_file(fmt::format("{}/{}.{}.png", folder, name, side), png));
+    }
+    return {};
+}
+
+// First frames of new renderers, each with all its buffers to make.
+Result<double> first_frame(Jobs& jobs, const Load& load, const scene::Scene& scene,
+                           const scene::View& view, const DuelOptions& o) {
+    Times times;
+    for (int i = 0; i < kFirstFrames; ++i) {
+        Ours fresh(jobs, scene, load, o.width, o.height);
+        Result<void> drawn;
+        times.add([&] { drawn = fresh.draw(view); });
+        TRY_VOID(drawn);
+    }
+    return times.cpu_median();
+}
+
+} // namespace
+
+Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions& o) {
+    Duel result;
+    Jobs jobs(1);
+    TRY(const scene::View start, view_of(load, scene, 0, o.frames, o.width, o.height));
+    TRY(const double first, first_frame(jobs, load, scene, start, o));
+    Ours ours(jobs, scene, load, o.width, o.height);
+    TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height));
+    Result<void> drawn;
+    for (int i = 0; i < kWarm; ++i) {
+        theirs.draw(start);
+        TRY_VOID(ours.draw(start));
+    }
+    for (int begin = 0; begin < o.frames; begin += kBatch) {
+        std::vector<scene::View> views;
+        for (int i = begin; i < std::min(o.frames, begin + kBatch); ++i) {
+            TRY(const scene::View view, view_of(load, scene, i, o.frames, o.width, o.height));
+            views.push_back(view);
+        }
+        for (const scene::View& view : views)
+            result.theirs.add([&] { theirs.draw(view); });
+        for (const scene::View& view : views) {
+            result.ours.add([&] { drawn = ours.draw(view); });
+            TRY_VOID(drawn);
+        }
+    }
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        TRY(const scene::View view, view_of(load, scene, quarter, 4, o.width, o.height));
+        result.fragments += theirs.fragments(view) / 4;
+    }
+    TRY(const scene::View seen, view_of(load, scene, 1, 12, o.width, o.height));
+    theirs.draw(seen);
+    TRY_VOID(ours.draw(seen));
+    const PicturePair pair = pictures_of(ours, theirs, load, seen);
+    result.flip = static_cast<double>(mean_flip(pair.theirs, pair.ours));
+    if (!o.save_in.empty()) TRY_VOID(save(pair, load, o.save_in));
+    result.first = first / result.ours.cpu_median();
+    result.triangles = scene.mesh.triangles();
+    result.drawn = ours.triangles_drawn();
+    return result;
+}
+
+} // namespace scanout::bench

@@ -1,0 +1,32 @@
+// One load, both sides, in turns: batches of frames of the same views.
+#pragma once
+
+#include "bench/peers/clock.h"
+#include "bench/peers/load.h"
+
+#include <string>
+
+namespace scanout::bench {
+
+struct DuelOptions {
+    int width = 1920, height = 1080;
+    int frames = 40;     // a side, spread over a whole turn
+    std::string save_in; // a folder for the pictures that were compared; empty: none
+};
+
+struct Duel {
+    Times theirs, ours;
+    double first = 0;     // our first frame over our median, of a renderer without buffers
+    double flip = 0;      // mean, between both pictures
+    double fragments = 0; // that pass the depth test in the file's order, mean of four views
+    std::size_t triangles = 0;
+    std::uint64_t drawn = 0; // by us, left after culling
+    // How many times faster we are, by the time that the thread ran: other work on the machine
+    // takes wall time from both.
+    double ratio() const { return theirs.cpu_median() / ours.cpu_median(); }
+    double wall_ratio() const { return theirs.wall_median() / ours.wall_median(); }
+};
+
+Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions& options);
+
+} // namespace scanout::bench

@@ -1,0 +1,16 @@
+// What the figures were measured on, and with.
+#pragma once
+
+#include <string>
+
+namespace scanout::bench {
+
+std::string cpu_name();      // and how many there are
+std::string compiler_name(); // of this program
+double load_average();       // of the last minute: 0 on an idle machine
+
+// The calling thread stays on the first core that it may run on.
+void stay_on_one_core();
+void run_anywhere();
+
+} // namespace scanout::bench

@@ -1,0 +1,47 @@
+#include "bench/peers/ours.h"
+
+#include <algorithm>
+
+namespace scanout::bench {
+
+Ours::Ours(Jobs& jobs, const scene::Scene& scene, const Load& load, int width, int height)
+    : jobs_(jobs), scene_(scene), depth_only_(load.shading == Shading::depth),
+      options_(options_of(load, width, height)), facts_(frame::facts(scene)), renderer_(jobs),
+      tiles_(static_cast<std::size_t>(jobs.threads())) {}
+
+Result<void> Ours::draw(const scene::View& view) {
+    if (depth_only_) {
+        draw_depth(view);
+        return {};
+    }
+    TRY(const frame::FramePlan plan, frame::plan(options_, facts_, view));
+    picture_ = &renderer_.render(scene_, view, plan);
+    return {};
+}
+
+void Ours::draw_depth(const scene::View& view) {
+    const auto width = static_cast<std::size_t>(options_.width);
+    depth_.resize(width * static_cast<std::size_t>(options_.height));
+    raster::GeometryOptions options;
+    options.width = options_.width;
+    options.height = options_.height;
+    options.keep = options_.cull == frame::Cull::back ? raster::Facing::front : raster::Facing::any;
+    options.mirrored = view.mirrored;
+    geometry_.run(jobs_, scene_.mesh,
+                  raster::ScreenTransform(view, options_.width, options_.height), options);
+    jobs_.for_each(geometry_.tiles(), [&](int number, int worker) {
+        raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
+        const image::Rect area = geometry_.tile_area(number);
+        tile.reset(area, 1);
+        geometry_.draw_triangles(number, tile);
+        for (int y = area.y0; y < area.y1; ++y)
+            std::copy_n(tile.depths(0).data() + (y - area.y0) * raster::kTileSize, area.width(),
+                        depth_.data() + static_cast<std::size_t>(y) * width + area.x0);
+    });
+}
+
+std::uint64_t Ours::triangles_drawn() const {
+    return depth_only_ ? geometry_.triangles_drawn() : renderer_.stats().triangles_drawn;
+}
+
+} // namespace scanout::bench

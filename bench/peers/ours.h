@@ -1,0 +1,45 @@
+// A load drawn by scanout: one call a frame, from the view to the picture in memory.
+#pragma once
+
+#include "base/jobs.h"
+#include "bench/peers/load.h"
+#include "frame/plan.h"
+#include "frame/renderer.h"
+#include "raster/geometry.h"
+
+#include <optional>
+#include <vector>
+
+namespace scanout::bench {
+
+class Ours {
+public:
+    // The scene must outlive it.
+    Ours(Jobs& jobs, const scene::Scene& scene, const Load& load, int width, int height);
+
+    // Plan and frame, as a viewer does whose model turns.
+    Result<void> draw(const scene::View& view);
+
+    const image::Image& picture() const { return *picture_; } // of shaded loads
+    // Of loads of depth alone: reversed, rows from the top.
+    const std::vector<float>& depth() const { return depth_; }
+    std::uint64_t triangles_drawn() const;
+
+private:
+    // The renderer always shades. What it runs before that, and writes in its passes of shadow
+    // maps, is here by itself: geometry, then the tiles' depths copied to a frame of floats.
+    void draw_depth(const scene::View& view);
+
+    Jobs& jobs_;
+    const scene::Scene& scene_;
+    bool depth_only_;
+    frame::FrameOptions options_;
+    frame::SceneFacts facts_;
+    frame::Renderer renderer_;
+    const image::Image* picture_ = nullptr;
+    raster::Geometry geometry_;
+    std::vector<raster::VisibilityTile> tiles_; // one a worker
+    std::vector<float> depth_;
+};
+
+} // namespace scanout::bench

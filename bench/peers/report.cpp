@@ -1,0 +1,113 @@
+#include "bench/peers/report.h"
+
+#include "bench/peers/compare.h"
+
+#include <iterator>
+
+namespace scanout::bench {
+namespace {
+
+// What a ratio reaches; less_is_better: of first frames.
+std::string verdict(double value, double gate, double goal, bool less_is_better = false) {
+    if (gate == 0) return "-";
+    const auto meets = [&](double bound) {
+        return less_is_better ? value <= bound : value >= bound;
+    };
+    const double short_by = less_is_better ? value / gate : gate / value;
+    const double to_goal = less_is_better ? value / goal : goal / value;
+    if (meets(goal)) return "goal met";
+    if (meets(gate)) return fmt::format("gate met, goal short by {:.2f}x", to_goal);
+    return fmt::format("MISSED by {:.2f}x", short_by);
+}
+
+std::string bounds(double gate, double goal) {
+    return gate == 0 ? "-" : fmt::format("{}x / {}x", gate, goal);
+}
+
+} // namespace
+
+std::vector<std::string> missed_gates(const Report& report) {
+    std::vector<std::string> missed;
+    for (const auto& [load, duel] : report.duels) {
+        if (duel.ratio() < load.gate)
+            missed.push_back(
+                fmt::format("{}: {:.2f}x, the gate is {}x", load.name, duel.ratio(), load.gate));
+        if (!(duel.flip <= kMostFlip))
+            missed.push_back(fmt::format("{}: the pictures differ by FLIP {:.4f}, more than {}",
+                                         load.name, duel.flip, kMostFlip));
+        // Of depth alone it is the benchmark's own buffers that are made.
+        if (load.shading != Shading::depth && duel.first > kFirstGate)
+            missed.push_back(fmt::format("{}: the first frame takes {:.2f} steady ones, the gate "
+                                         "is {}",
+                                         load.name, duel.first, kFirstGate));
+    }
+    for (const auto& [load, threads] : report.threads)
+        if (threads.relative() < kThreadsGate)
+            missed.push_back(fmt::format("two threads, {}: {:.2f}x beside a pair that computes at "
+                                         "{:.2f}x, so {:.2f}x; the gate is {}x",
+                                         load.name, threads.ours, threads.compute,
+                                         threads.relative(), kThreadsGate));
+    return missed;
+}
+
+std::string to_markdown(const Report& r) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out,
+                   "{}x{}, one thread on one core; {}; {}; target {}; peer {}; load average {:.1f} "
+                   "to {:.1f}\n\n",
+                   r.width, r.height, r.cpu, r.compiler, r.target, r.peer, r.load_before,
+                   r.load_after);
+    fmt::format_to(out, "| load | triangles | Mfrag | llvmpipe ms | scanout ms | ratio | by wall | "
+                        "gate / goal | verdict | first / steady | FLIP |\n"
+                        "|---|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|\n");
+    for (const auto& [load, d] : r.duels)
+        fmt::format_to(out,
+                       "| {} | {} | {:.2f} | {:.2f} | {:.2f} | **{:.2f}x** | {:.2f}x | {} | {} | "
+                       "{:.2f} | {:.4f} |\n",
+                       load.name, d.triangles, d.fragments * 1e-6, d.theirs.cpu_median(),
+                       d.ours.cpu_median(), d.ratio(), d.wall_ratio(), bounds(load.gate, load.goal),
+                       verdict(d.ratio(), load.gate, load.goal), d.first, d.flip);
+    if (r.threads.empty()) return text;
+    fmt::format_to(out,
+                   "\n| two threads against one | ours | pure compute | relative | gate / goal "
+                   "| verdict |\n|---|--:|--:|--:|--:|---|\n");
+    for (const auto& [load, t] : r.threads)
+        fmt::format_to(out, "| {} | {:.2f}x | {:.2f}x | **{:.2f}x** | {} | {} |\n", load.name,
+                       t.ours, t.compute, t.relative(), bounds(kThreadsGate, kThreadsGoal),
+                       verdict(t.relative(), kThreadsGate, kThreadsGoal));
+    return text;
+}
+
+std::string to_json(const Report& r) {
+    std::string text;
+    const auto out = std::back_inserter(text);
+    fmt::format_to(out,
+                   "{{\"cpu\": \"{}\", \"compiler\": \"{}\", \"target\": \"{}\", \"peer\": \"{}\", "
+                   "\"load_average\": [{}, {}], \"size\": [{}, {}],\n \"loads\": [",
+                   r.cpu, r.compiler, r.target, r.peer, r.load_before, r.load_after, r.width,
+                   r.height);
+    const char* comma = "";
+    for (const auto& [load, d] : r.duels) {
+        fmt::format_to(
+            out,
+            "{}\n  {{\"name\": \"{}\", \"triangles\": {}, \"drawn\": {}, \"fragments\": {}, "
+            "\"llvmpipe_ms\": {{\"cpu\": {:.4f}, \"wall\": {:.4f}, \"least\": {:.4f}}}, "
+            "\"scanout_ms\": {{\"cpu\": {:.4f}, \"wall\": {:.4f}, \"least\": {:.4f}}}, "
+            "\"ratio\": {:.3f}, \"gate\": {}, \"goal\": {}, \"first\": {:.3f}, \"flip\": {:.5f}}}",
+            std::exchange(comma, ","), load.name, d.triangles, d.drawn, d.fragments,
+            d.theirs.cpu_median(), d.theirs.wall_median(), d.theirs.wall_least(),
+            d.ours.cpu_median(), d.ours.wall_median(), d.ours.wall_least(), d.ratio(), load.gate,
+            load.goal, d.first, d.flip);
+    }
+    fmt::format_to(out, "],\n \"two_threads\": [");
+    comma = "";
+    for (const auto& [load, t] : r.threads)
+        fmt::format_to(out,
+                       "{}\n  {{\"name\": \"{}\", \"ours\": {:.3f}, \"compute\": {:.3f}, "
+                       "\"relative\": {:.3f}}}",
+                       std::exchange(comma, ","), load.name, t.ours, t.compute, t.relative());
+    return text + "]}\n";
+}
+
+} // namespace scanout::bench

@@ -1,0 +1,22 @@
+// Two of our threads against one, beside two threads that only compute: what this machine's second
+// core is worth at this moment.
+#pragma once
+
+#include "base/jobs.h"
+#include "base/result.h"
+#include "bench/peers/load.h"
+
+namespace scanout::bench {
+
+struct ThreadsResult {
+    double ours = 0;    // speed-up, least time against least time
+    double compute = 0; // of the pair
+    // Of a machine whose second core is a whole one.
+    double relative() const { return compute > 0 ? 2 * ours / compute : 0; }
+};
+
+// two: of two threads, made while the process may run on every core.
+Result<ThreadsResult> measure_threads(const Load& load, const scene::Scene& scene, Jobs& two,
+                                      int width, int height, int rounds);
+
+} // namespace scanout::bench
