@@ -30,6 +30,7 @@ CanonicalOrder canonical_order(const std::array<std::int32_t, 3>& x,
 Edges edges_of(const Triangle& t) {
     Edges e{};
     const std::int64_t sign = t.flipped ? -1 : 1;
+#pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t from = (i + 1) % 3, to = (i + 2) % 3;
         e.a[i] = sign * (t.y[from] - t.y[to]);
@@ -61,6 +62,7 @@ std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& v, std::uint32_t 
     if (area == 0) return std::nullopt;
     const CanonicalOrder order = canonical_order(x, y);
     Triangle t{};
+#pragma GCC unroll 3
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t from = order.vertex[i];
         t.x[i] = x[from];

@@ -51,27 +51,16 @@ void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOf
         primitives_->clear();
     }
     const Primitive& primitive = primitives_->get(in_, triangle);
-    Run next = run_at(in_, primitive, b.count, x, y, sample);
-    if (at_ == At::sample) { // place_lanes would look for the centre
-        next.x = x * kSubpixel + sample.x;
-        next.y = y * kSubpixel + sample.y;
-        next.dx = next.dy = 0;
-        b.x[b.count] = next.x;
-        b.y[b.count] = next.y;
-    }
-    next.primitive = &Gatherer::Primitives::at(primitive, next.x, next.y);
-    Run* last = b.runs > 0 ? &b.run[b.runs - 1] : nullptr;
-    if (last != nullptr && continues(*last, next))
-        ++last->count;
-    else
-        b.run[b.runs++] = next;
-    place_[b.count++] = out_->size() - 1;
+    const auto place = at_ == At::centre ? place_in_pixel(in_, primitive, x, y, sample)
+                                         : raster::SampleOffset{x * kSubpixel + sample.x,
+                                                                y * kSubpixel + sample.y};
+    place_[b.count] = out_->size() - 1;
+    shade::add_lane(b, Gatherer::Primitives::at(primitive, place.x, place.y), place.x, place.y);
 }
 
 void AlphaLanes::run_block() {
     Block& b = *block_;
     if (b.count == 0) return;
-    if (at_ == At::centre) place_lanes(b, *in_.frame, in_.rays);
     for (const Stage* stage : in_.layers->stages) {
         stage->run(b, *in_.frame);
         check_lanes(b, *in_.frame, *stage);

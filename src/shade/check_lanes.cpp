@@ -86,8 +86,8 @@ void check_before_clamp(const float* lanes, int count, int first) {
 void check_rays(const Block& b, const FrameState& frame) {
     if (!b.lit || !frame.attributes.ray) return;
     const auto count = static_cast<std::size_t>(b.count);
-    check(b.ray_x, count, "ray x", "place_lanes");
-    check(b.ray_y, count, "ray y", "place_lanes");
+    check(b.ray_x, count, "ray x", "set_rays");
+    check(b.ray_y, count, "ray y", "set_rays");
 }
 
 void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {

@@ -18,7 +18,7 @@ void check_lights(const FrameState& frame); // all, whether or not they vary
 void check_primitive(const Primitive& primitive, const Attributes& wanted); // set up
 // Of a register whose first lane is that of the block: the live ones.
 void check_before_clamp(const float* lanes, int count, int first);
-void check_rays(const Block& block, const FrameState& frame); // place_lanes
+void check_rays(const Block& block, const FrameState& frame); // set_rays
 void check_lanes(const Block& block, const FrameState& frame, const Stage& stage);
 void check_sums(const PixelSums& sums, std::size_t count); // of all blocks, to be resolved
 // What is no lane of a block: the first that is not finite is named as `what` of `stage`.

@@ -20,18 +20,16 @@ namespace scanout::shade {
 using raster::kSubpixel;
 using raster::kTileSize;
 
-// One primitive in pixels of a row side by side.
+// One primitive in a pixel that it shares with others, or that it does not fill.
 struct Gatherer::Fragment {
     std::uint32_t id;
-    std::int32_t material;   // index, -1: the default material
-    std::uint16_t pixel;     // the first, in the tile
-    std::uint8_t count;      // pixels
+    Look look;
+    std::uint16_t pixel;     // in the tile
     std::uint8_t sample;     // the first that shows it
-    bool lit;                // lines and points are not
     std::uint8_t rank;       // of a pixel with blended fragments: 0 is shaded first
-    std::uint16_t shared;    // place in the list of shared pixels, or kOwn
-    float weight;            // its share of a shared pixel
-    std::uint16_t samples;   // of a shared pixel: bit s says that it shows at sample s
+    std::uint16_t shared;    // place in the list of shared pixels
+    float weight;            // its share of the pixel
+    std::uint16_t samples;   // bit s says that it shows at sample s
     std::uint8_t at_x, at_y; // a place that shows it, from the pixel's corner, 1/256 pixel
 };
 
@@ -40,11 +38,11 @@ struct Gatherer::Seen {
     Fragment fragment;
 };
 
-struct Gatherer::Piece {
-    int lane, count; // of the block
-    std::uint16_t pixel, shared;
+// Of a pixel that several fragments share, or that one does not fill.
+struct Gatherer::Share {
+    std::uint16_t shared;  // place in the list of such pixels
+    std::uint16_t samples; // of the fragment
     float weight;
-    std::uint16_t samples;
 };
 
 namespace {
@@ -53,22 +51,9 @@ std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]
     return static_cast<std::uint8_t>(offset);
 }
 
-constexpr std::uint16_t kOwn = 0xffff; // all samples show this fragment, and nothing else
-
 const scene::Material& default_material() {
     static const scene::Material material;
     return material;
-}
-
-struct Look {
-    std::int32_t material;
-    bool lit;
-};
-Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
-    const std::size_t triangles = mesh.triangles(), lines = mesh.lines();
-    if (id < triangles) return {mesh.material[id], true};
-    const std::size_t line = id - triangles;
-    return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
 }
 
 // The maps of the block's material that some stage of the frame reads; alpha is known by now.
@@ -81,17 +66,6 @@ void bind_maps(Block& b, const GatherInput& in) {
     }
 }
 
-// Of one lane.
-Run run_at_centre(const Primitive& primitive, int lane, int x, int y) {
-    return {&primitive,
-            lane,
-            1,
-            x * kSubpixel + raster::kPixelCentre.x,
-            y * kSubpixel + raster::kPixelCentre.y,
-            0,
-            0};
-}
-
 // Does a clipped triangle cover the point (1/256 pixel)?
 bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
     const raster::Pieces pieces = in.geometry->pieces(triangle);
@@ -101,19 +75,18 @@ bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::
 
 } // namespace
 
-Run run_at(const GatherInput& in, const Primitive& primitive, int lane, int x, int y,
-           raster::SampleOffset sample) {
-    Run run = run_at_centre(primitive, lane, x, y);
-    const int dx = sample.x - raster::kPixelCentre.x, dy = sample.y - raster::kPixelCentre.y;
-    if (!primitive.clipped) {
-        run.dx = dx;
-        run.dy = dy;
-    } else if (!covers(in, primitive.id, run.x, run.y)) {
-        // The weights are rounded: the exact edges decide.
-        run.x += dx;
-        run.y += dy;
-    }
-    return run;
+raster::SampleOffset place_in_pixel(const GatherInput& in, const Primitive& t, int x, int y,
+                                    raster::SampleOffset sample) {
+    const raster::SampleOffset centre = {x * kSubpixel + raster::kPixelCentre.x,
+                                         y * kSubpixel + raster::kPixelCentre.y};
+    // The weights of what was clipped are rounded: there the exact edges decide.
+    const auto inside = [&](int k) {
+        return (t.a[k] * centre.x + t.b[k] * centre.y) + t.c[k] >= t.least[k];
+    };
+    const bool covered =
+        t.clipped ? covers(in, t.id, centre.x, centre.y) : inside(0) && inside(1) && inside(2);
+    return covered ? centre
+                   : raster::SampleOffset{x * kSubpixel + sample.x, y * kSubpixel + sample.y};
 }
 
 BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& material) {
@@ -128,7 +101,8 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()) {}
+    : spans_(std::make_unique<Spans>()), primitives_(std::make_unique<Primitives>()),
+      block_(std::make_unique<Block>()), share_(std::make_unique<Share[]>(kLanes)) {}
 Gatherer::~Gatherer() = default;
 
 void Gatherer::set_shadow(const TileShadow* shadow) {
@@ -161,13 +135,12 @@ void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherIn
         const auto here = id.begin() + static_cast<std::ptrdiff_t>(s);
         // Counted at its first sample in the pixel.
         if (*here == raster::kNoPrimitive || std::find(id.begin(), here, *here) != here) continue;
-        const auto [material, lit] = look_of(*in.mesh, *here);
         unsigned mask = 0;
         for (std::size_t other = s; other < samples; ++other)
             mask |= static_cast<unsigned>(id[other] == *here) << other;
         const raster::SampleOffset& at = tile.pattern()[s];
-        fragments_.push_back({*here, material, pixel, 1, static_cast<std::uint8_t>(s), lit, 0,
-                              static_cast<std::uint16_t>(shared_.size()), share_of(*here),
+        fragments_.push_back({*here, look_of(*in.mesh, *here), pixel, static_cast<std::uint8_t>(s),
+                              0, static_cast<std::uint16_t>(shared_.size()), share_of(*here),
                               static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)});
     }
     shared_.push_back(pixel);
@@ -186,10 +159,9 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     seen.clear();
     float background = 0;
     const auto add = [&](std::uint32_t id, int sample, float depth, float weight, unsigned mask) {
-        const auto [material, lit] = look_of(*in.mesh, id);
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(sample)];
         seen.push_back({depth,
-                        {id, material, pixel, 1, static_cast<std::uint8_t>(sample), lit, 0,
+                        {id, look_of(*in.mesh, id), pixel, static_cast<std::uint8_t>(sample), 0,
                          static_cast<std::uint16_t>(shared_.size()), weight,
                          static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)}});
     };
@@ -235,6 +207,8 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
         const std::uint64_t layered =
             blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
         found.shared |= layered;
+        const std::uint32_t* ids = tile.ids(0).data() + static_cast<std::size_t>(row * kTileSize);
+        const std::uint64_t stop = found.ends | found.shared >> 1;
         for (int x = part.x0 - area.x0; x < width;) {
             if ((found.shared >> x & 1) != 0) {
                 if ((layered >> x & 1) != 0)
@@ -245,42 +219,40 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
                 continue;
             }
             // The last pixel before another id, before a shared pixel, or of the tile.
-            const std::uint64_t stop = found.ends | found.shared >> 1;
             const int last = std::min(x + std::countr_zero(stop >> x), width - 1);
-            const std::uint32_t id = tile.id(area.x0 + x, area.y0 + row);
-            if (id != raster::kNoPrimitive) {
-                const auto [material, lit] = look_of(*in.mesh, id);
-                fragments_.push_back({id, material, static_cast<std::uint16_t>(row * kTileSize + x),
-                                      static_cast<std::uint8_t>(last - x + 1), 0, lit, 0, kOwn, 1,
-                                      0, 0, 0});
-            }
+            if (const std::uint32_t id = ids[x]; id != raster::kNoPrimitive)
+                spans_->add(*in.mesh, id, row * kTileSize + x, last - x + 1);
             x = last + 1;
         }
     }
 }
 
 void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
-    for (int y = area_.y0; y < area_.y1; ++y)
+    std::uint32_t id = raster::kNoPrimitive; // of a run of pixels of its own
+    int first = 0, count = 0;
+    const auto end_run = [&] {
+        if (count > 0) spans_->add(*in.mesh, id, first, count);
+        count = 0;
+    };
+    for (int y = area_.y0; y < area_.y1; ++y, end_run())
         for (int x = area_.x0; x < area_.x1; ++x) {
             const auto found = tile.fragments(x, y);
+            const bool own = !found.empty() && found[0].share == 1.0F; // then it is the only one
+            if (!own || found[0].id != id) end_run();
             if (found.empty()) continue;
-            const bool own = found[0].share == 1.0F; // then it is the only one
             const std::uint16_t pixel = pixel_number(x, y);
+            if (own) {
+                id = found[0].id;
+                if (count++ == 0) first = pixel;
+                continue;
+            }
             float shown = 0;
             for (const raster::AreaFragment& f : found) {
-                const auto [material, lit] = look_of(*in.mesh, f.id);
-                Fragment* last = fragments_.empty() ? nullptr : &fragments_.back();
-                if (own && last != nullptr && last->id == f.id && last->shared == kOwn &&
-                    last->pixel + last->count == pixel && x > area_.x0) {
-                    ++last->count; // a run goes on, in its row
-                    continue;
-                }
-                fragments_.push_back({f.id, material, pixel, 1, 0, lit, 0,
-                                      own ? kOwn : static_cast<std::uint16_t>(shared_.size()),
-                                      f.share, 0, byte_of(f.x), byte_of(f.y)});
+                fragments_.push_back({f.id, look_of(*in.mesh, f.id), pixel, 0, 0,
+                                      static_cast<std::uint16_t>(shared_.size()), f.share, 0,
+                                      byte_of(f.x), byte_of(f.y)});
                 shown += f.share;
             }
-            if (own) continue;
             shared_.push_back(pixel);
             through_.push_back(shown > 1 - 0x1p-20F ? 0.0F : 1 - shown);
         }
@@ -288,56 +260,59 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
 
 void Gatherer::sort_fragments() {
     // One material a block; the order inside a material stays that of the pixels.
-    const auto key = [](const Fragment& f) { return std::tuple(f.lit, f.material, f.rank); };
+    const auto key = [](const Fragment& f) {
+        return std::tuple(f.look.lit, f.look.material, f.rank);
+    };
     const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
     if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
         std::stable_sort(fragments_.begin(), fragments_.end(),
                          [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
 }
 
-// Lanes for `count` pixels of the fragment, `skip` pixels from its first.
-void Gatherer::add_run(const GatherInput& in, const Fragment& f, int skip, int count) {
+// Whatever is added next looks like this.
+void Gatherer::begin_look(const GatherInput& in, const Look& look, image::Image& picture) {
     Block& b = *block_;
-    const int x = area_.x0 + f.pixel % kTileSize + skip;
-    const int y = area_.y0 + f.pixel / kTileSize;
-    const Primitive& primitive = primitives_->get(in, f.id);
-    Run& run = b.run[b.runs++];
-    // What covers all samples covers the centre, which lies among them.
-    run = run_at_centre(primitive, b.count, x, y);
-    if (f.shared != kOwn) run = run_at(in, primitive, b.count, x, y, {f.at_x, f.at_y});
-    run.count = count;
-    if (primitive.across >= 0) cut_run();
+    if (look_ == look) return;
+    finish_block(in, picture);
+    look_ = look;
+    b.lit = look.lit;
+    b.material = &in.material(look.material);
+    const auto surface = b.lit ? surface_of(*b.material) : scene::Surface::matt;
+    b.model = in.frame->reflection[static_cast<std::size_t>(surface)];
+    bind_maps(b, in);
 }
 
-// The last run of a row may begin in one piece of its triangle and end in the other.
-void Gatherer::cut_run() {
+const Primitive& Gatherer::primitive(const GatherInput& in, std::uint32_t id,
+                                     image::Image& picture) {
+    if (primitives_->full()) {
+        finish_block(in, picture);
+        primitives_->clear();
+    }
+    return primitives_->get(in, id);
+}
+
+// The next pixels of pixel_.
+void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
     Block& b = *block_;
-    const Run whole = b.run[--b.runs];
-    const auto piece = [&](int pixel) {
-        return &Primitives::at(*whole.primitive, whole.x + pixel * kSubpixel, whole.y);
-    };
-    // The last pixel of the piece that has the first one. Slivers are asked at every pixel.
-    const auto last = [&](int first) {
-        int same = first, other = whole.count;
-        if (whole.primitive->across == Primitive::kFolded)
-            other = std::min(other, first + 1);
-        else if (piece(first) == piece(other - 1))
-            same = other - 1;
-        while (other - same > 1) {
-            const int middle = same + (other - same) / 2;
-            (piece(middle) == piece(first) ? same : other) = middle;
-        }
-        return same;
-    };
-    for (int first = 0; first < whole.count;) {
-        const int end = last(first) + 1;
-        Run& run = b.run[b.runs++];
-        run = whole;
-        run.primitive = piece(first);
-        run.first += first;
-        run.x += first * kSubpixel;
-        run.count = end - first;
-        first = end;
+    for (int k = 0; k < count; ++k, ++b.count) {
+        const int pixel = pixel_[static_cast<std::size_t>(b.count)];
+        const Vec3 colour = unlit_colour(in, *b.material, id, area_.x0 + pixel % kTileSize,
+                                         area_.y0 + pixel / kTileSize);
+        for (int c = 0; c < 3; ++c)
+            b.albedo[c][b.count] = colour[c];
+    }
+}
+
+// The next pixels of pixel_, which are the primitive's own: what covers all samples covers the
+// centre, which lies among them.
+void Gatherer::add_lit(const Primitive& primitive, int count) {
+    Block& b = *block_;
+    if (primitive.across < 0) return add_lanes(b, primitive, count); // finish_block places them
+    for (int k = 0; k < count; ++k) {
+        const int pixel = pixel_[static_cast<std::size_t>(b.count)];
+        const std::int32_t x = (area_.x0 + pixel % kTileSize) * kSubpixel + raster::kPixelCentre.x;
+        const std::int32_t y = (area_.y0 + pixel / kTileSize) * kSubpixel + raster::kPixelCentre.y;
+        add_lane(b, Primitives::at(primitive, x, y), x, y);
     }
 }
 
@@ -345,16 +320,16 @@ void Gatherer::cut_run() {
 const float* Gatherer::lane_offsets(const GatherInput& in) {
     if (!in.output.dither) return nullptr;
     offsets_.resize(kRoom);
-    for (const Piece& piece : pieces_)
-        for (int k = 0; k < piece.count; ++k)
-            offsets_[static_cast<std::size_t>(piece.lane + k)] = offset_at(piece.pixel + k);
+    for (std::size_t lane = 0; lane < static_cast<std::size_t>(block_->count); ++lane)
+        offsets_[lane] = offset_at(pixel_[lane]);
     return offsets_.data();
 }
 
 void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     if (b.count == 0) return;
-    if (b.lit) place_lanes(b, *in.frame, in.rays);
+    if (b.lit && own_ > 0) place_at_centres(b, pixel_.data(), own_, area_.x0, area_.y0);
+    if (b.lit && in.frame->attributes.ray) set_rays(b, in.rays);
     check_rays(b, *in.frame);
     for (const Stage* stage : in.stages) {
         stage->run(b, *in.frame);
@@ -372,24 +347,25 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         put_mixtures();
     else
         put_pixels(code.data(), picture);
-    pieces_.clear();
-    b.count = b.runs = 0;
+    own_ = b.count = b.runs = 0;
 }
 
 // The pixels that a fragment fills as codes; the others add up.
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
-    for (const Piece& piece : pieces_) {
-        if (piece.shared == kOwn) {
-            const int x = area_.x0 + piece.pixel % kTileSize;
-            const int y = area_.y0 + piece.pixel / kTileSize;
-            std::memcpy(static_cast<void*>(&picture.at(x, y)), code + piece.lane,
-                        static_cast<std::size_t>(piece.count) * sizeof(std::uint32_t));
-            continue;
-        }
-        sums_.red[piece.shared] += b.colour[0][piece.lane] * piece.weight;
-        sums_.green[piece.shared] += b.colour[1][piece.lane] * piece.weight;
-        sums_.blue[piece.shared] += b.colour[2][piece.lane] * piece.weight;
+    image::Rgba8* const corner = &picture.at(area_.x0, area_.y0);
+    const auto width = static_cast<unsigned>(picture.width());
+    const unsigned own = static_cast<unsigned>(own_);
+    for (unsigned lane = 0; lane < own; ++lane) {
+        const auto pixel = static_cast<unsigned>(pixel_[lane]);
+        std::memcpy(static_cast<void*>(corner + (pixel / kTileSize * width + pixel % kTileSize)),
+                    code + lane, sizeof *code);
+    }
+    for (int lane = own_; lane < b.count; ++lane) {
+        const auto& [shared, samples, weight] = share_[static_cast<std::size_t>(lane)];
+        sums_.red[shared] += b.colour[0][lane] * weight;
+        sums_.green[shared] += b.colour[1][lane] * weight;
+        sums_.blue[shared] += b.colour[2][lane] * weight;
     }
 }
 
@@ -397,23 +373,21 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
 void Gatherer::put_mixtures() {
     if (sink_.filter == nullptr) return keep_linear(*sink_.own);
     const Block& b = *block_;
-    for (const Piece& piece : pieces_) {
-        if (piece.shared == kOwn) {
-            for (int k = 0; k < piece.count; ++k)
-                sink_.own->at(area_.x0 + piece.pixel % kTileSize + k,
-                              area_.y0 + piece.pixel / kTileSize) = {
-                    b.colour[0][piece.lane + k], b.colour[1][piece.lane + k],
-                    b.colour[2][piece.lane + k], 1.0F};
-            continue;
-        }
+    for (int lane = 0; lane < own_; ++lane) {
+        const int pixel = pixel_[static_cast<std::size_t>(lane)];
+        sink_.own->at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize) = {
+            b.colour[0][lane], b.colour[1][lane], b.colour[2][lane], 1.0F};
+    }
+    for (int lane = own_; lane < b.count; ++lane) {
+        const auto& [shared, samples, weight] = share_[static_cast<std::size_t>(lane)];
         // 1 where it is opaque.
-        const float each = piece.weight * static_cast<float>(samples_) /
-                           static_cast<float>(std::popcount(piece.samples));
+        const float each =
+            weight * static_cast<float>(samples_) / static_cast<float>(std::popcount(samples));
         for (std::size_t cell = 0; cell < kCells; ++cell) {
-            const float share = sink_.filter->share(cell, piece.samples) * each;
-            std::array<float, 4>& part = parts_[piece.shared][cell];
+            const float share = sink_.filter->share(cell, samples) * each;
+            std::array<float, 4>& part = parts_[shared][cell];
             for (std::size_t c = 0; c < 3; ++c)
-                part[c] += b.colour[c][piece.lane] * share;
+                part[c] += b.colour[c][lane] * share;
             part[3] += share;
         }
     }
@@ -421,14 +395,14 @@ void Gatherer::put_mixtures() {
 
 // Adds the block's lanes; pixels that fragments share are summed in the order of their blocks.
 void Gatherer::keep_linear(LinearPicture& linear) const {
-    for (const Piece& piece : pieces_) {
-        for (int k = 0; k < piece.count; ++k) {
-            std::array<float, 4>& pixel = linear.at(area_.x0 + piece.pixel % kTileSize + k,
-                                                    area_.y0 + piece.pixel / kTileSize);
-            for (std::size_t c = 0; c < 3; ++c)
-                pixel[c] += block_->colour[c][piece.lane + k] * piece.weight;
-            pixel[3] += piece.weight;
-        }
+    for (int lane = 0; lane < block_->count; ++lane) {
+        const int pixel = pixel_[static_cast<std::size_t>(lane)];
+        const float weight = lane < own_ ? 1 : share_[static_cast<std::size_t>(lane)].weight;
+        std::array<float, 4>& sum =
+            linear.at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize);
+        for (std::size_t c = 0; c < 3; ++c)
+            sum[c] += block_->colour[c][lane] * weight;
+        sum[3] += weight;
     }
 }
 
@@ -460,43 +434,77 @@ void Gatherer::keep_parts() {
     all.insert(all.end(), parts_.begin(), parts_.end());
 }
 
-// The last run goes on where the one before it ends: fragments of neighbouring pixels come one by
-// one where they blend.
-void Gatherer::join_runs() {
-    Block& b = *block_;
-    if (b.runs > 1 && continues(b.run[b.runs - 2], b.run[b.runs - 1]))
-        b.run[--b.runs - 1].count += 1;
+void Gatherer::begin(const image::Rect& area, int samples, const BlendedPixels* blended) {
+    area_ = area;
+    samples_ = samples;
+    block_->blended = blended;
+    spans_->clear();
+    fragments_.clear();
+    shared_.clear();
+    through_.clear();
 }
 
 std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
                               image::Image& picture, const BlendedPixels* blended) {
-    area_ = tile.area();
-    samples_ = tile.samples();
-    fragments_.clear();
-    shared_.clear();
-    through_.clear();
+    begin(tile.area(), tile.samples(), blended);
     collect(tile, in, blended);
-    block_->blended = blended;
-    return shade_fragments(in, picture, blended != nullptr);
+    return shade_collected(in, picture);
 }
 
 std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
                               image::Image& picture) {
-    area_ = tile.area();
-    samples_ = 1;
-    fragments_.clear();
-    shared_.clear();
-    through_.clear();
+    begin(tile.area(), 1, nullptr);
     collect(tile, in);
-    block_->blended = nullptr;
-    return shade_fragments(in, picture, false);
+    return shade_collected(in, picture);
 }
 
-std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture,
-                                        bool blended) {
+std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
+    Block& b = *block_;
+    spans_->arrange();
+    const std::int32_t* pixel = spans_->pixels();
+    for (const Spans::Group& group : spans_->groups()) {
+        begin_look(in, group.look, picture);
+        const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
+        for (int rest = group.count; rest > 0;) {
+            if (b.count == kLanes) finish_block(in, picture);
+            const int count = std::min(rest, kLanes - b.count);
+            std::copy_n(pixel, count, pixel_.data() + b.count);
+            if (of != nullptr)
+                add_lit(*of, count);
+            else
+                add_unlit(in, group.id, count);
+            own_ = b.count;
+            pixel += count;
+            rest -= count;
+        }
+    }
+    return static_cast<std::uint64_t>(pixel - spans_->pixels());
+}
+
+std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture) {
+    Block& b = *block_;
+    sort_fragments();
+    for (const Fragment& f : fragments_) {
+        begin_look(in, f.look, picture);
+        if (b.count == kLanes) finish_block(in, picture);
+        const Primitive* of = b.lit ? &primitive(in, f.id, picture) : nullptr; // may end the block
+        const auto lane = static_cast<std::size_t>(b.count);
+        pixel_[lane] = f.pixel;
+        share_[lane] = {f.shared, f.samples, f.weight};
+        if (of != nullptr) {
+            const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
+                                               area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
+            add_lane(b, Primitives::at(*of, x, y), x, y);
+        } else {
+            add_unlit(in, f.id, 1);
+        }
+    }
+    return fragments_.size();
+}
+
+std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
-    sort_fragments();
     if (sink_.filter != nullptr)
         parts_.assign(shared_.size(), {});
     else
@@ -509,43 +517,9 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
     }
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
-    std::uint64_t lanes = 0;
-    for (std::size_t i = 0; i < fragments_.size(); ++i) {
-        const Fragment& f = fragments_[i];
-        if (i == 0 || f.lit != fragments_[i - 1].lit || f.material != fragments_[i - 1].material) {
-            finish_block(in, picture);
-            b.lit = f.lit;
-            b.material = &in.material(f.material);
-            const auto surface = f.lit ? surface_of(*b.material) : scene::Surface::matt;
-            b.model = in.frame->reflection[static_cast<std::size_t>(surface)];
-            bind_maps(b, in);
-        }
-        for (int done = 0; done < f.count;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            if (primitives_->full()) {
-                finish_block(in, picture);
-                primitives_->clear();
-            }
-            const int count = std::min(f.count - done, kLanes - b.count);
-            if (f.lit) {
-                add_run(in, f, done, count);
-                if (blended && count == 1) join_runs();
-            } else {
-                for (int k = 0; k < count; ++k) {
-                    const int x = area_.x0 + f.pixel % kTileSize + done + k;
-                    const int y = area_.y0 + f.pixel / kTileSize;
-                    const Vec3 colour = unlit_colour(in, *b.material, f.id, x, y);
-                    for (int c = 0; c < 3; ++c)
-                        b.albedo[c][b.count + k] = colour[c];
-                }
-            }
-            pieces_.push_back({b.count, count, static_cast<std::uint16_t>(f.pixel + done), f.shared,
-                               f.weight, f.samples});
-            b.count += count;
-            done += count;
-        }
-        lanes += f.count;
-    }
+    look_.reset();
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += shade_fragments(in, picture);
     finish_block(in, picture);
     if (sink_.filter != nullptr)
         keep_parts();

@@ -14,10 +14,12 @@
 #include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
+#include "shade/spans.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 #include "shade/wide_filter.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -66,10 +68,10 @@ struct GatherInput {
 // A map of a material, ready to be read: it has a texture.
 BoundMap bound_map(const GatherInput& input, Map map, const scene::Material& material);
 
-// One lane for a triangle in a pixel: at the centre where the triangle covers it, else at a sample
-// that it covers; place_lanes has the last word.
-Run run_at(const GatherInput& input, const Primitive& primitive, int lane, int x, int y,
-           raster::SampleOffset sample);
+// Where a triangle is shaded in a pixel, 1/256 pixel of the picture: at the centre where it covers
+// it, else at a sample that it covers.
+raster::SampleOffset place_in_pixel(const GatherInput& input, const Primitive& primitive, int x,
+                                    int y, raster::SampleOffset sample);
 
 // Where mixtures go, in the blend space, when a filter has yet to make pixels of them.
 struct MixtureSink {
@@ -108,10 +110,14 @@ private:
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
-    std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture, bool blended);
-    void add_run(const GatherInput& input, const Fragment& fragment, int skip, int count);
-    void cut_run();
-    void join_runs();
+    void begin(const image::Rect& area, int samples, const BlendedPixels* blended);
+    std::uint64_t shade_collected(const GatherInput& input, image::Image& picture);
+    std::uint64_t shade_spans(const GatherInput& input, image::Image& picture);
+    std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);
+    void begin_look(const GatherInput& input, const Look& look, image::Image& picture);
+    const Primitive& primitive(const GatherInput& input, std::uint32_t id, image::Image& picture);
+    void add_unlit(const GatherInput& input, std::uint32_t id, int count);
+    void add_lit(const Primitive& primitive, int count);
     void finish_block(const GatherInput& input, image::Image& picture);
     void put_pixels(const std::uint32_t* code, image::Image& picture);
     void put_mixtures();
@@ -125,14 +131,19 @@ private:
     image::Rect area_; // of the tile
     int samples_ = 1;  // of a pixel of it
     MixtureSink sink_;
+    std::unique_ptr<Spans> spans_; // pixels of one primitive; those of several are fragments
     std::vector<Fragment> fragments_;
     struct Seen; // a fragment of one pixel
     std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
     std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
-    struct Piece;                          // lanes of a block that one fragment fills
-    std::vector<Piece> pieces_;
+    std::optional<Look> look_;             // of the block
+    // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.
+    struct Share;
+    int own_ = 0;
+    std::array<std::int32_t, kRoom> pixel_{}; // of each lane, in the tile
+    std::unique_ptr<Share[]> share_;
     PixelSums sums_;               // of the pixels in shared_
     std::vector<WideParts> parts_; // of the same
     std::vector<std::uint16_t> shared_;

@@ -1,34 +1,30 @@
 #include "shade/place_lanes.h"
 
+#include "raster/coverage.h"
+#include "raster/sample_pattern.h"
+
 #define SIMD_FILE "shade/place_lanes.cpp"
 #include "simd/for_each_target.h"
 
 SIMD_BEGIN(scanout::shade)
 
-// 1 where the triangle covers the point, else 0.
-HWY_INLINE F32x8 covers(const Primitive& t, I32x8 x, I32x8 y) {
-    const F64x8 px = to_f64(x), py = to_f64(y);
-    const auto inside = [&](int k) {
-        const F64x8 weight = (F64x8(t.a[k]) * px + F64x8(t.b[k]) * py) + F64x8(t.c[k]);
-        return weight >= F64x8(t.least[k]);
-    };
-    return to_f32(select(inside(0) & inside(1) & inside(2), F64x8(1.0), F64x8(0.0)));
+void place(Block& b, const std::int32_t* pixel, int count, int x0, int y0) {
+    constexpr int kRowBits = 6;
+    static_assert(raster::kTileSize == 1 << kRowBits);
+    const I32 left = x0, top = y0, lanes = count;
+    for (int i = 0; i < count; i += kLanes) {
+        const I32 at = load<I32>(pixel + i);
+        const I32 row = shift_right<kRowBits>(at);
+        const I32 column = at - shift_left<kRowBits>(row);
+        const I32 x = shift_left<raster::kSubpixelBits>(left + column) + raster::kPixelCentre.x;
+        const I32 y = shift_left<raster::kSubpixelBits>(top + row) + raster::kPixelCentre.y;
+        const auto live = iota<I32>(i) < lanes; // those behind have their places
+        store(select(live, x, load<I32>(b.x + i)), b.x + i);
+        store(select(live, y, load<I32>(b.y + i)), b.y + i);
+    }
 }
 
-void place(Block& b, const FrameState& frame, const Rays& rays) {
-    for (const Run* run = b.run; run != b.run + b.runs; ++run) {
-        for (int k = 0; k < run->count; k += kLanesX8) {
-            I32x8 x = I32x8(run->x) + shift_left<8>(iota<I32x8>(k)), y = run->y;
-            if ((run->dx | run->dy) != 0) {
-                const auto centre = covers(*run->primitive, x, y) > F32x8(0.5F);
-                x = select(centre, x, x + I32x8(run->dx));
-                y = select(centre, y, y + I32x8(run->dy));
-            }
-            store(x, b.x + run->first + k);
-            store(y, b.y + run->first + k);
-        }
-    }
-    if (!frame.attributes.ray) return;
+void cast(Block& b, const Rays& rays) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = to_f32(load<I32>(b.x + i)) * F32(1.0F / 256);
         const F32 y = to_f32(load<I32>(b.y + i)) * F32(1.0F / 256);
@@ -43,9 +39,14 @@ SIMD_END
 namespace scanout::shade {
 
 SIMD_REGISTER(place);
+SIMD_REGISTER(cast);
 
-void place_lanes(Block& block, const FrameState& frame, const Rays& rays) {
-    SIMD_CALL(place)(block, frame, rays);
+void place_at_centres(Block& block, const std::int32_t* pixel, int count, int x0, int y0) {
+    SIMD_CALL(place)(block, pixel, count, x0, y0);
+}
+
+void set_rays(Block& block, const Rays& rays) {
+    SIMD_CALL(cast)(block, rays);
 }
 
 } // namespace scanout::shade

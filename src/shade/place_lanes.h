@@ -1,5 +1,4 @@
-// Where a block's lanes are sampled: at the pixel's centre where the triangle covers it, else at
-// its first visible sample.
+// Where a block's lanes lie in the picture, and the rays from the eye through them.
 #pragma once
 
 #include "shade/stage.h"
@@ -11,7 +10,11 @@ struct Rays {
     float scale_x = 0, offset_x = 0, scale_y = 0, offset_y = 0;
 };
 
-// Fills x and y from the block's runs, and the rays if the frame reads them.
-void place_lanes(Block& block, const FrameState& frame, const Rays& rays);
+// x and y of the first `count` lanes: the centres of these pixels, by their numbers in the tile
+// whose corner is (x0, y0).
+void place_at_centres(Block& block, const std::int32_t* pixel, int count, int x0, int y0);
+
+// The rays, of x and y.
+void set_rays(Block& block, const Rays& rays);
 
 } // namespace scanout::shade

@@ -56,9 +56,17 @@ public:
         for (std::size_t k = 0; k < 3; ++k) {
             if (wanted.position || wanted.corners) put(p_.position, k, position(v[k]));
             if (in_.frame->corner_normals) put(p_.normal, k, normal(v[k]));
-            for (int c = 0; c < 3; ++c) {
-                if (own_normals) p_.normal[c][k] = mesh.normal[v[k]][c] * side;
-                if (wanted.colour) p_.colour[c][k] = mesh.colour[v[k]][c];
+            if (own_normals) {
+                const Vec3& n = mesh.normal[v[k]];
+                p_.normal[0][k] = n.x * side;
+                p_.normal[1][k] = n.y * side;
+                p_.normal[2][k] = n.z * side;
+            }
+            if (wanted.colour) {
+                const Vec3& colour = mesh.colour[v[k]];
+                p_.colour[0][k] = colour.x;
+                p_.colour[1][k] = colour.y;
+                p_.colour[2][k] = colour.z;
             }
             if (wanted.uv) {
                 p_.uv[0][k] = mesh.uv[v[k]].x;
@@ -141,6 +149,7 @@ Winding set_exact(Primitive& p, Corners& v, const std::array<raster::ScreenVerte
     CHECK(t); // what is visible has an area
     const raster::Edges edges = raster::edges_of(t->triangle);
     const Corners in_file_order = v;
+#pragma GCC unroll 3
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t from = t->order.vertex[k];
         v[k] = in_file_order[from];
@@ -224,17 +233,24 @@ float between(double from, double to, double share) {
         std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
 }
 
-Gatherer::Primitives::Primitives() : slot_(kSlots) {
-    pool_.reserve(kRoom);
-}
+Gatherer::Primitives::Primitives() : pool_(kRoom), slot_(kSlots) {}
 
 void Gatherer::Primitives::clear() {
-    pool_.clear();
+    used_ = 0;
+}
+
+Primitive& Gatherer::Primitives::next(std::uint32_t triangle, bool clipped) {
+    Primitive& p = pool_[used_++];
+    p.id = triangle;
+    p.clipped = clipped;
+    p.across = -1;
+    p.step = 0;
+    return p;
 }
 
 const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t triangle) {
     CHECK(!full());
-    const std::size_t slot = pool_.size();
+    const std::size_t slot = used_;
     slot_[triangle % kSlots] = static_cast<std::uint16_t>(slot);
     const std::uint32_t* index = in.mesh->index.data() + std::size_t{triangle} * 3;
     Corners v = {index[0], index[1], index[2]};
@@ -245,15 +261,13 @@ const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t 
         add_pieces(in, triangle, v);
         return pool_[slot];
     }
-    Primitive& p = pool_.emplace_back();
-    p.id = triangle;
-    p.across = -1;
+    Primitive& p = next(triangle, false);
     const Winding winds = set_exact(p, v, corner, in.transform->perspective);
     const bool behind = winds.clockwise != in.mirrored; // of the order that now holds
     Vertices attributes(p, in, v, {behind, behind != winds.reordered});
     attributes.set(v);
     attributes.set_places(v);
-    p.step = in.frame->steps == nullptr ? std::int8_t{0} : step_for(p, *in.frame->steps);
+    if (in.frame->steps != nullptr) p.step = step_for(p, *in.frame->steps);
     check_primitive(p, in.frame->attributes);
     return p;
 }
@@ -263,19 +277,16 @@ void Gatherer::Primitives::add_pieces(const GatherInput& in, std::uint32_t trian
     const raster::Pieces pieces = in.geometry->pieces(triangle);
     CHECK(pieces.count > 0); // what is visible has an area
     for (const raster::Piece& piece : pieces) {
-        Primitive& p = pool_.emplace_back();
-        p.id = triangle;
-        p.clipped = true;
-        p.across = -1;
+        Primitive& p = next(triangle, true);
+        p.whole = false;
         set_piece(p, corner, in, piece);
         check_primitive(p, in.frame->attributes);
     }
     if (pieces.count < 2) return;
     const auto& [one, two] = pieces.piece;
-    (pool_.end() - 2)->across =
-        one.clockwise != two.clockwise
-            ? Primitive::kFolded
-            : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));
+    pool_[used_ - 2].across = one.clockwise != two.clockwise
+                                  ? Primitive::kFolded
+                                  : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));
 }
 
 } // namespace scanout::shade

@@ -15,12 +15,11 @@ public:
     // Ids mean another frame's triangles now.
     void clear();
     // No room for another triangle: what points to the present ones must be done first.
-    bool full() const { return pool_.size() + 1 >= pool_.capacity(); }
+    bool full() const { return used_ + 1 >= pool_.size(); }
     // The triangle, or what is drawn first of it.
     const Primitive& get(const GatherInput& input, std::uint32_t triangle) {
         const std::uint16_t slot = slot_[triangle % kSlots];
-        return slot < pool_.size() && pool_[slot].id == triangle ? pool_[slot]
-                                                                 : add(input, triangle);
+        return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add(input, triangle);
     }
     // What of a triangle covers a sample that shows it (1/256 pixel).
     static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y);
@@ -30,7 +29,9 @@ private:
     void add_pieces(const GatherInput& input, std::uint32_t triangle,
                     const std::array<std::uint32_t, 3>& corner);
     static constexpr std::size_t kRoom = 512, kSlots = 1024;
-    std::vector<Primitive> pool_;
+    Primitive& next(std::uint32_t triangle, bool clipped);
+    std::vector<Primitive> pool_; // in use: the first `used_`
+    std::size_t used_ = 0;
     std::vector<std::uint16_t> slot_; // by id modulo kSlots: place in the pool
 };
 

@@ -95,21 +95,11 @@ struct Primitive {
     float object[3][3];   // place in object space
 };
 
-// Consecutive lanes of one triangle, whose pixels lie side by side.
+// Consecutive lanes of one triangle, in whatever pixels.
 struct Run {
     const Primitive* primitive;
-    int first, count;    // lanes
-    std::int32_t x, y;   // centre of the first pixel, 1/256 pixel
-    std::int32_t dx, dy; // from the centre to the sample that is used where the triangle does
-                         // not cover the centre; 0 when it always does
+    int first, count; // lanes
 };
-
-// Does a run of one lane stand right behind a run, so that it may become its next lane?
-inline bool continues(const Run& run, const Run& next) {
-    return run.primitive == next.primitive && run.first + run.count == next.first &&
-           run.y == next.y && run.x + 256 * run.count == next.x && run.dx == next.dx &&
-           run.dy == next.dy;
-}
 
 // Where a material keeps each, and how its texels are read.
 struct MapSlot {
@@ -151,11 +141,11 @@ struct Block {
     BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
-    // Set by the gatherer.
+    // Set by the gatherer. x, y: the sample that stands for the lane's pixel, 1/256 pixel: at the
+    // centre if the triangle covers it, else where it shows.
     int runs = 0;
     Run run[kLanes];
-    alignas(64) std::int32_t x[kRoom],
-        y[kRoom]; // the sample that stands for the pixel, 1/256 pixel
+    alignas(64) std::int32_t x[kRoom], y[kRoom];
     alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
     // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
     const float (*eye)[kRoom] = nullptr;
@@ -193,6 +183,21 @@ struct Block {
     alignas(64) float albedo[3][kRoom];
     alignas(64) float colour[3][kRoom];
 };
+
+// The next `count` lanes are of a primitive; whoever adds them sets their x and y.
+inline void add_lanes(Block& b, const Primitive& primitive, int count) {
+    if (b.runs > 0 && b.run[b.runs - 1].primitive == &primitive)
+        b.run[b.runs - 1].count += count;
+    else
+        b.run[b.runs++] = {&primitive, b.count, count};
+    b.count += count;
+}
+// The next lane, at a sample (1/256 pixel).
+inline void add_lane(Block& b, const Primitive& primitive, std::int32_t x, std::int32_t y) {
+    b.x[b.count] = x;
+    b.y[b.count] = y;
+    add_lanes(b, primitive, 1);
+}
 
 struct Filter;
 struct StepLimits;

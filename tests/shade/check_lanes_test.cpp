@@ -181,9 +181,9 @@ TEST_F(ShadeLanesDeathTest, ADeadLaneMayHoldAnything) {
 
 TEST_F(ShadeLanesDeathTest, ARayThatIsNotFiniteEndsTheProgramAfterPlaceLanes) {
     rays_.offset_x = kInf;
-    EXPECT_DEATH(shade(), "ray x of lane 0 is inf after place_lanes");
+    EXPECT_DEATH(shade(), "ray x of lane 0 is inf after set_rays");
     rays_ = {0.01F, 0, kNaN, 0};
-    EXPECT_DEATH(shade(), "ray y of lane 0 is -?nan after place_lanes");
+    EXPECT_DEATH(shade(), "ray y of lane 0 is -?nan after set_rays");
     frame_.attributes.ray = false; // nobody reads them
     stages_[3] = &stage("reflection", "lambert");
     shade();
@@ -234,7 +234,7 @@ TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
     const auto run = [&](const Primitive& p) {
         block->count = 11;
         block->runs = 1;
-        block->run[0] = {&p, 0, 11, 128, 128, 0, 0};
+        block->run[0] = {&p, 0, 11};
         std::fill(block->x, block->x + kRoom, 0);
         std::fill(block->y, block->y + kRoom, 0);
         perspective.run(*block, frame_);
@@ -262,7 +262,7 @@ TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
     const auto place = [&](int count) {
         block->count = count;
         block->runs = 1;
-        block->run[0] = {&p, 0, count, 0, 0, 0, 0};
+        block->run[0] = {&p, 0, count};
         for (int i = 0; i < kRoom; ++i)
             block->x[i] = i * 256;
         perspective.run(*block, frame_);

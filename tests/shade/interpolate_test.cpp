@@ -64,7 +64,7 @@ protected:
                     t.colour[c][k] = data.colour[vertex][c];
                 }
             }
-            block->run[i] = {&t, i, 1, 0, 0, 0, 0};
+            block->run[i] = {&t, i, 1};
         }
         frame.attributes = {
             .normal = true, .uv = true, .colour = true, .maps = bit_of(kDiffuseMap)};

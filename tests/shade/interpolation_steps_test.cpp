@@ -61,13 +61,7 @@ public:
             b.map[kDiffuseMap].texture = &texture_;
             b.runs = 0;
             for (int first = 0; first < b.count; first += piece)
-                b.run[b.runs++] = {&t,
-                                   first,
-                                   std::min(piece, b.count - first),
-                                   (x + done + first) * 256 + 128,
-                                   y * 256 + 128,
-                                   0,
-                                   0};
+                b.run[b.runs++] = {&t, first, std::min(piece, b.count - first)};
             for (int i = 0; i < kRoom; ++i) {
                 b.x[i] = (x + done + i) * 256 + 128;
                 b.y[i] = y * 256 + 128;

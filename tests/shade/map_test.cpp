@@ -36,7 +36,7 @@ struct Mapped {
             primitive[i].facing[c] = plane[c];
             block->normal[c][i] = normal[c];
         }
-        block->run[i] = {&primitive[i], i, 1, 0, 0, 0, 0};
+        block->run[i] = {&primitive[i], i, 1};
     }
     void slopes(int i, float u_x, float v_x, float u_y, float v_y) {
         block->u_x[i] = u_x;

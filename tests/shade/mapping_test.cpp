@@ -94,7 +94,7 @@ struct Mapped {
             }
             block->x[i] = static_cast<std::int32_t>(px);
             block->y[i] = static_cast<std::int32_t>(py);
-            block->run[i] = {&t.primitive, i, 1, 0, 0, 0, 0};
+            block->run[i] = {&t.primitive, i, 1};
         }
         block->count = block->runs = kUsed;
         frame.attributes.uv = frame.attributes.footprint = frame.attributes.object = true;

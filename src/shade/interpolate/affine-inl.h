@@ -71,38 +71,44 @@ HWY_INLINE Span span_of(const Primitive& t, double y) {
     return span;
 }
 
+// Lanes of pixels side by side.
+struct Row {
+    const Primitive* primitive;
+    int first, count;
+    std::int32_t x, y; // the first pixel's centre, 1/256 pixel
+};
+
 template <int kStep>
-HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& want,
-                              const Run& run) {
+HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& want, const Row& row) {
     constexpr std::int32_t kUnits = kStep * 256;
-    const Primitive& t = *run.primitive;
-    const double y = run.y;
+    const Primitive& t = *row.primitive;
+    const double y = row.y;
     const Span span = span_of(t, y);
     const auto place = [&](std::int32_t x) HWY_ATTR {
         const double at = x;
         return anchor_at(t, at < span.from ? span.from : at > span.to ? span.to : at, y);
     };
-    std::int32_t left = (run.x >= 0 ? run.x / kUnits : -((kUnits - 1 - run.x) / kUnits)) * kUnits;
+    std::int32_t left = (row.x >= 0 ? row.x / kUnits : -((kUnits - 1 - row.x) / kUnits)) * kUnits;
     Anchor from = place(left);
-    for (int lane = 0; lane < run.count;) {
+    for (int lane = 0; lane < row.count;) {
         const Anchor to = place(left + kUnits);
         // The pixels whose centres lie before the next place.
-        const int end = (left + kUnits - 1 - run.x) / 256 + 1;
-        const int last = end < run.count ? end : run.count;
+        const int end = (left + kUnits - 1 - row.x) / 256 + 1;
+        const int last = end < row.count ? end : row.count;
         const double length = to.x - from.x;
         const double inverse = length > 0 ? 1.0 / length : 0.0;
         for (int i = lane; i < last; i += kLanesX8) {
-            const int at = run.first + i;
-            const Live live{at, run.count - i};
+            const int at = row.first + i;
+            const Live live{at, row.count - i};
             const I32x8 place_x = load<I32x8>(b.x + at), place_y = load<I32x8>(b.y + at);
             const F64x8 x = to_f64(place_x);
             const F32x8 share = to_f32((x - F64x8(from.x)) * F64x8(inverse));
             Weights w{F32x8(from.one) + share * F32x8(to.one - from.one),
                       F32x8(from.two) + share * F32x8(to.two - from.two), live};
-            if ((run.dx | run.dy) != 0) {
-                // A sample beside the centre, as edge pixels have, lies in a row of its own.
-                const auto centre = place_x == I32x8(run.x) + shift_left<8>(iota<I32x8>(i)) &
-                                    place_y == I32x8(run.y);
+            // A sample beside the centre, as edge pixels have, lies in a row of its own.
+            const auto centre =
+                place_x == I32x8(row.x) + shift_left<8>(iota<I32x8>(i)) & place_y == I32x8(row.y);
+            if (!all(centre)) {
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
@@ -111,6 +117,21 @@ HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& w
         lane = last;
         left += kUnits;
         from = to;
+    }
+}
+
+template <int kStep>
+HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& want,
+                              const Run& run) {
+    const int end = run.first + run.count;
+    for (int first = run.first; first < end;) {
+        const std::int32_t x = b.x[first] >> 8, y = b.y[first] >> 8;
+        int next = first + 1;
+        while (next < end && b.y[next] >> 8 == y && b.x[next] >> 8 == x + (next - first))
+            ++next;
+        stepped_row<kStep>(b, frame, want,
+                           {run.primitive, first, next - first, x * 256 + 128, y * 256 + 128});
+        first = next;
     }
 }
 

@@ -177,7 +177,7 @@ HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
                          const ShadowMap& m = shadow.maps.data()[face];
                          const MapPlane plane = plane_in(m, facing);
                          for (int i = run.first; i < end; i += kLanesX8) {
-                             Mask<F32x8::Tag> inside;
+                             auto inside = F32x8(0.0F) < F32x8(0.0F);
                              const Receiver r = receiver(m, plane, b, i, inside);
                              const F32x8 before = load<F32x8>(left + i);
                              inside = inside & (before < F32x8(0.0F));

@@ -1,0 +1,53 @@
+#include "shade/spans.h"
+
+#include "raster/coverage.h"
+#include "shade/stage.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scanout::shade {
+
+Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
+    const std::size_t triangles = mesh.triangles(), lines = mesh.lines();
+    if (id < triangles) return {mesh.material[id], true};
+    const std::size_t line = id - triangles;
+    return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
+}
+
+Spans::Spans()
+    : span_(std::size_t{raster::kTileSize} * raster::kTileSize), pixels_(span_.size() + kRoom) {
+    groups_.reserve(span_.size());
+}
+
+void Spans::clear() {
+    spans_ = 0;
+    groups_.clear();
+    one_look_ = true;
+}
+
+void Spans::add_group(const geom::Mesh& mesh, std::uint32_t id, std::uint16_t span, int count) {
+    group_of_[id % kSlots] = static_cast<std::uint16_t>(groups_.size());
+    const Look look = look_of(mesh, id);
+    if (!groups_.empty() && look != groups_.back().look) one_look_ = false;
+    groups_.push_back({id, look, span, span, static_cast<std::uint16_t>(count)});
+}
+
+void Spans::arrange() {
+    if (!one_look_)
+        std::stable_sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
+            return std::tuple(a.look.lit, a.look.material) <
+                   std::tuple(b.look.lit, b.look.material);
+        });
+    std::int32_t* to = pixels_.data();
+    for (const Group& group : groups_)
+        for (std::uint16_t i = group.first; i != kNone; i = span_[i].next) {
+            const Span span = span_[i];
+            for (int k = 0; k < span.count; k += 4) // most are no longer
+                for (int lane = k; lane < k + 4; ++lane)
+                    to[lane] = span.pixel + lane;
+            to += span.count;
+        }
+}
+
+} // namespace scanout::shade

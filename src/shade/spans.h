@@ -1,0 +1,71 @@
+// The pixels of a tile that one primitive fills alone, gathered by primitive: each is set up once a
+// tile, and its pixels fill registers of lanes whatever rows they lie in.
+#pragma once
+
+#include "geom/mesh.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::shade {
+
+// How a primitive is drawn.
+struct Look {
+    std::int32_t material; // index, -1: the default material
+    bool lit;              // lines and points are not
+    friend bool operator==(const Look&, const Look&) = default;
+};
+Look look_of(const geom::Mesh& mesh, std::uint32_t id);
+
+class Spans {
+public:
+    // Pixels of one primitive. It may have several groups, where many share the table below.
+    struct Group {
+        std::uint32_t id;
+        Look look;
+        std::uint16_t first, last; // spans
+        std::uint16_t count;       // pixels
+    };
+
+    Spans();
+    void clear();
+    // Pixels of a row side by side; `pixel` is the first, by its number in the tile. Each pixel of
+    // the tile once at most.
+    void add(const geom::Mesh& mesh, std::uint32_t id, int pixel, int count) {
+        const auto at = static_cast<std::uint16_t>(spans_);
+        span_[spans_++] = {static_cast<std::uint16_t>(pixel), kNone,
+                           static_cast<std::uint16_t>(count)};
+        const std::uint16_t of = group_of_[id % kSlots];
+        if (of >= groups_.size() || groups_[of].id != id) return add_group(mesh, id, at, count);
+        Group& group = groups_[of];
+        span_[group.last].next = at;
+        group.last = at;
+        group.count = static_cast<std::uint16_t>(group.count + count);
+    }
+    // Groups that look alike stand together, and pixels() in the groups' order. add() may not
+    // follow.
+    void arrange();
+    std::span<const Group> groups() const { return groups_; }
+    // Their numbers. Kernels may read a register beyond the last.
+    const std::int32_t* pixels() const { return pixels_.data(); }
+
+private:
+    static constexpr std::size_t kSlots = 1024;
+    static constexpr std::uint16_t kNone = 0xffff;
+    struct Span {
+        std::uint16_t pixel, next; // of the same group, or kNone
+        std::uint16_t count;
+    };
+    void add_group(const geom::Mesh& mesh, std::uint32_t id, std::uint16_t span, int count);
+
+    std::vector<Span> span_;
+    std::size_t spans_ = 0;
+    std::vector<Group> groups_;
+    std::array<std::uint16_t, kSlots> group_of_{}; // by id modulo kSlots: the last group there
+    bool one_look_ = true;
+    std::vector<std::int32_t> pixels_;
+};
+
+} // namespace scanout::shade
