@@ -20,7 +20,7 @@ struct Walks {
     double lowest[3][kRoom], highest[3][kRoom];
     double share[3][kRoom], per_x[kRoom], per_y[kRoom];      // DepthPlane
     std::int32_t x0[kRoom], y0[kRoom], x1[kRoom], y1[kRoom]; // pixels of the tile that it may touch
-    std::uint32_t live, flat;                                // bit i: triangle i
+    std::uint32_t live, flat, small; // bit i: triangle i; small: it touches four blocks at most
 };
 
 struct Corner {
@@ -110,7 +110,7 @@ HWY_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Cor
 
 // Every operation on coordinates is exact: the rest is the plane of depth.
 HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent, Walks& w) {
-    w.live = w.flat = 0;
+    w.live = w.flat = w.small = 0;
     for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
         Corner v[3];
         SIMD_UNROLL
@@ -140,22 +140,64 @@ HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent, Walks
         const MaskX8 touches = (load<I32x8>(w.x0 + i) < load<I32x8>(w.x1 + i)) &
                                (load<I32x8>(w.y0 + i) < load<I32x8>(w.y1 + i));
         w.live |= (bits(some) & bits(touches)) << i;
+        const auto blocks = [&](const std::int32_t* from, const std::int32_t* to) HWY_ATTR {
+            return shift_right<3>(load<I32x8>(to + i) + 7) - shift_right<3>(load<I32x8>(from + i));
+        };
+        w.small |= bits(blocks(w.x0, w.x1) * blocks(w.y0, w.y1) <= I32x8(4)) << i;
     }
 }
 
-// A block's rows at the samples of one place in the pattern.
-struct Rows {
-    std::int32_t first[3];           // floor((E + bias) / 256) at the block's first pixel
-    std::int32_t per_x[3], per_y[3]; // 0 where the edge holds for the whole block
-    float sample_x, sample_y;        // pixels, from a pixel's corner
-    float base, rest, per_pixel_x, per_pixel_y;                  // flat depth
-    double edge[3], edge_per_x[3], edge_per_y[3], edge_share[3]; // E itself; the other path
+template <bool kUsual>
+HWY_INLINE void show_row(const VisibleRule& rule, MaskX8 inside, F32x8 z, std::uint32_t primitive,
+                         float* depth, std::uint32_t* id, I32x8& drawn) {
+    if constexpr (kUsual)
+        show(inside, z, primitive, depth, id, drawn);
+    else
+        show_by(rule, inside, z, primitive, depth, id, drawn);
+}
+
+constexpr int kRegisters = BlockWalk::kSide / kLanesX8; // of a row of a block
+
+// What walks in lanes read of Walks: of several triangles, or of one in all lanes.
+struct WalkLanes {
+    F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
+    I32x8 y0, y1;
+};
+template <class Read>
+HWY_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
+    WalkLanes lanes;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        lanes.a[k] = read(w.a[k]);
+        lanes.b[k] = read(w.b[k]);
+        lanes.c[k] = read(w.c[k]);
+        lanes.bias[k] = read(w.bias[k]);
+        lanes.lowest[k] = read(w.lowest[k]);
+        lanes.highest[k] = read(w.highest[k]);
+        lanes.share[k] = read(w.share[k]);
+    }
+    lanes.per_x = read(w.per_x);
+    lanes.per_y = read(w.per_y);
+    return lanes;
+}
+
+// Blocks of flat triangles, one a lane, at the samples of one place in the pattern.
+struct Blocks {
+    // floor((E + bias) / 256) at the first pixel of row `begin`, and its steps: 0 where the edge
+    // holds for the whole block.
+    std::int32_t first[3][kLanesX8], per_x[3][kLanesX8], per_y[3][kLanesX8];
+    std::int32_t begin[kLanesX8], end[kLanesX8]; // rows
+    std::int32_t place[kLanesX8];                // of the first pixel, in a plane of the tile
+    // Depth at the block's corner: base + rest; its steps a pixel.
+    float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
 };
 
-template <bool kFlat, bool kUsual>
-HWY_INLINE void draw_rows(const VisibleRule& rule, const Rows& rows, std::uint32_t primitive,
-                          int begin, int end, float* depth, std::uint32_t* id, I32x8& drawn) {
-    constexpr int kRegisters = BlockWalk::kSide / kLanesX8;
+template <bool kUsual>
+HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
+                          std::uint32_t primitive, float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const float sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
     I32x8 edge[3][kRegisters], down[3];
     F32x8 across[kRegisters];
     SIMD_UNROLL
@@ -163,37 +205,23 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Rows& rows, std::uint32
         const I32x8 column = iota<I32x8>(r * kLanesX8);
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            edge[k][r] =
-                I32x8(rows.first[k] + rows.per_y[k] * begin) + I32x8(rows.per_x[k]) * column;
-        across[r] = (to_f32(column) + F32x8(rows.sample_x)) * F32x8(rows.per_pixel_x);
+            edge[k][r] = I32x8(b.first[k][lane]) + I32x8(b.per_x[k][lane]) * column;
+        across[r] = (to_f32(column) + sample_x) * per_pixel_x;
     }
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        down[k] = I32x8(rows.per_y[k]);
+        down[k] = I32x8(b.per_y[k][lane]);
+    const int begin = b.begin[lane], end = b.end[lane];
     float* depth_row = depth + begin * kTileSize;
     std::uint32_t* id_row = id + begin * kTileSize;
     for (int y = begin; y < end; ++y, depth_row += kTileSize, id_row += kTileSize) {
-        const float down_here = (static_cast<float>(y) + rows.sample_y) * rows.per_pixel_y;
+        const F32x8 down_here = (static_cast<float>(y) + sample_y) * b.per_pixel_y[lane];
         SIMD_UNROLL
         for (int r = 0; r < kRegisters; ++r) {
-            const int x = r * kLanesX8;
             const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32x8(0);
-            F32x8 z;
-            if constexpr (kFlat) {
-                z = F32x8(rows.base) + (F32x8(rows.rest) + (across[r] + F32x8(down_here)));
-            } else {
-                const F64x8 at = to_f64(iota<I32x8>(x));
-                const auto term = [&](int k) {
-                    const double start = rows.edge[k] + rows.edge_per_y[k] * y;
-                    return (F64x8(start) + at * F64x8(rows.edge_per_x[k])) *
-                           F64x8(rows.edge_share[k]);
-                };
-                z = to_f32((term(0) + term(1)) + term(2));
-            }
-            if constexpr (kUsual)
-                show(inside, z, primitive, depth_row + x, id_row + x, drawn);
-            else
-                show_by(rule, inside, z, primitive, depth_row + x, id_row + x, drawn);
+            const F32x8 z = base + (rest + (across[r] + down_here));
+            show_row<kUsual>(rule, inside, z, primitive, depth_row + r * kLanesX8,
+                             id_row + r * kLanesX8, drawn);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
@@ -201,67 +229,151 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Rows& rows, std::uint32
     }
 }
 
-template <bool kFlat, bool kUsual>
-HWY_INLINE void draw_block(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id, int bx,
+// Their edges at a place in the pattern. Saturates at 2^29 (BlockWalk).
+HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
+                            const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
+                            I32x8 begin, Blocks& out) {
+    const F64x8 most = 0x1p29, zero = 0.0, x = double(at.x), y = double(at.y);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const F64x8 e = corner[k] + (w.a[k] * x + w.b[k] * y);
+        const F64x8 pixels = (e + w.bias[k]) * F64x8(1.0 / kSubpixel);
+        const F64x8 near = minimum(maximum(pixels, -most), most);
+        const F64x8 cut = to_f64(to_i32(near)); // towards zero
+        const F64x8 floor = cut - select(cut > near, F64x8(1.0), zero);
+        const I32x8 per_y = to_i32(select(whole[k], zero, w.b[k]));
+        store(to_i32(select(whole[k], zero, floor)) + per_y * begin, out.first[k]);
+        store(to_i32(select(whole[k], zero, w.a[k])), out.per_x[k]);
+        store(per_y, out.per_y[k]);
+    }
+}
+
+// Draws the blocks (x, y) of the tile, those of `live` lanes. id_of: lane -> primitive.
+template <bool kUsual, class IdOf>
+HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y,
+                          std::uint32_t live, const IdOf& id_of, I32x8& drawn) {
+    constexpr int kSideBits = 3;
+    static_assert(BlockWalk::kSide == 1 << kSideBits);
+    const I32x8 left = shift_left<kSideBits>(x), top = shift_left<kSideBits>(y);
+    const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(left + I32x8(tile.area.x0)));
+    const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(top + I32x8(tile.area.y0)));
+    const F64x8 zero = 0.0;
+    F64x8 corner[3];
+    Double<F32x8::Tag>::DoubleMask whole[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        corner[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
+        live &= bits(corner[k] + w.highest[k] >= zero);
+        whole[k] = corner[k] + w.lowest[k] >= zero;
+    }
+    if (live == 0) return;
+    Blocks b;
+    const F64x8 z = (corner[0] * w.share[0] + corner[1] * w.share[1]) + corner[2] * w.share[2];
+    const F32x8 base = to_f32(z);
+    store(base, b.base);
+    store(to_f32(z - to_f64(base)), b.rest);
+    store(to_f32(w.per_x), b.per_pixel_x);
+    store(to_f32(w.per_y), b.per_pixel_y);
+    const I32x8 begin = maximum(w.y0 - top, 0);
+    store(begin, b.begin);
+    store(minimum(w.y1 - top, BlockWalk::kSide), b.end);
+    store(top * I32x8(kTileSize) + left, b.place);
+    std::size_t plane = 0;
+    for (const SampleOffset* at = tile.pattern.data();
+         at != tile.pattern.data() + tile.pattern.size();
+         ++at, plane += std::size_t{kTileSize} * kTileSize) {
+        set_up_rows(w, corner, whole, *at, begin, b);
+        for (std::uint32_t rest = live; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
+            draw_rows<kUsual>(tile.rule, b, lane, *at, id_of(lane), tile.depth + first,
+                              tile.id + first, drawn);
+        }
+    }
+}
+
+// Blocks are few: those of all triangles side by side, one after the other.
+template <bool kUsual>
+HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
+                           const SnappedTriangle* t, I32x8& drawn) {
+    WalkLanes lanes =
+        walk_lanes(w, [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); });
+    lanes.y0 = load<I32x8>(w.y0 + i);
+    lanes.y1 = load<I32x8>(w.y1 + i);
+    const I32x8 x0 = shift_right<3>(load<I32x8>(w.x0 + i));
+    const I32x8 x1 = shift_right<3>(load<I32x8>(w.x1 + i) + 7);
+    const I32x8 y1 = shift_right<3>(lanes.y1 + 7);
+    const auto id_of = [&](int lane) { return t[i + lane].id; };
+    I32x8 x = x0, y = shift_right<3>(lanes.y0);
+    while (live != 0) {
+        draw_flat<kUsual>(tile, lanes, x, y, live, id_of, drawn);
+        x = x + 1;
+        const MaskX8 next = x >= x1;
+        x = select(next, x0, x);
+        y = select(next, y + 1, y);
+        live &= bits(y < y1);
+    }
+}
+
+// Blocks are many: those of a row side by side.
+template <bool kUsual>
+HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id,
+                           I32x8& drawn) {
+    WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
+    lanes.y0 = w.y0[i];
+    lanes.y1 = w.y1[i];
+    const auto id_of = [&](int) { return id; };
+    const int x1 = (w.x1[i] + 7) / 8, y1 = (w.y1[i] + 7) / 8;
+    for (int y = w.y0[i] / 8; y < y1; ++y)
+        for (int x = w.x0[i] / 8; x < x1; x += kLanesX8) {
+            const int blocks = x1 - x < kLanesX8 ? x1 - x : kLanesX8;
+            draw_flat<kUsual>(tile, lanes, iota<I32x8>(x), y, (1U << blocks) - 1, id_of, drawn);
+        }
+}
+
+// A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
+template <bool kUsual>
+HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id, int bx,
                            int by, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
     const double x = (tile.area.x0 + bx * kSide) * kSubpixel;
     const double y = (tile.area.y0 + by * kSide) * kSubpixel;
     double corner[3];
-    bool whole[3];
-    SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         corner[k] = (w.a[k][i] * x + w.b[k][i] * y) + w.c[k][i];
         if (corner[k] + w.highest[k][i] < 0) return;
-        whole[k] = corner[k] + w.lowest[k][i] >= 0;
-    }
-    Rows rows;
-    if constexpr (kFlat) {
-        const double z =
-            (corner[0] * w.share[0][i] + corner[1] * w.share[1][i]) + corner[2] * w.share[2][i];
-        rows.base = static_cast<float>(z);
-        rows.rest = static_cast<float>(z - static_cast<double>(rows.base));
-        rows.per_pixel_x = static_cast<float>(w.per_x[i]);
-        rows.per_pixel_y = static_cast<float>(w.per_y[i]);
     }
     const std::size_t plane = std::size_t{kTileSize} * kTileSize;
-    const std::size_t first =
-        static_cast<std::size_t>(by) * kSide * kTileSize + static_cast<std::size_t>(bx) * kSide;
-    const int row0 = w.y0[i] - by * kSide, row1 = w.y1[i] - by * kSide;
+    const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
+    const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
     for (std::size_t s = 0; s < tile.pattern.size(); ++s) {
         const SampleOffset at = tile.pattern.data()[s];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            const double a = w.a[k][i], b = w.b[k][i];
-            const double e = corner[k] + (a * at.x + b * at.y);
-            constexpr std::int64_t kMost = std::int64_t{1} << 29;
-            const std::int64_t floor = static_cast<std::int64_t>(e + w.bias[k][i]) >> kSubpixelBits;
-            const std::int64_t capped = floor < -kMost ? -kMost : (floor > kMost ? kMost : floor);
-            rows.first[k] = whole[k] ? 0 : static_cast<std::int32_t>(capped);
-            rows.per_x[k] = whole[k] ? 0 : static_cast<std::int32_t>(a);
-            rows.per_y[k] = whole[k] ? 0 : static_cast<std::int32_t>(b);
-            if constexpr (!kFlat) {
-                rows.edge[k] = e;
-                rows.edge_per_x[k] = a * kSubpixel;
-                rows.edge_per_y[k] = b * kSubpixel;
-                rows.edge_share[k] = w.share[k][i];
+        for (int row = begin; row < end; ++row)
+            for (int column = 0; column < kSide; column += kLanesX8) {
+                const F64x8 pixel = to_f64(iota<I32x8>(column));
+                F64x8 e[3];
+                const auto edge = [&](int k) HWY_ATTR {
+                    const double a = w.a[k][i], b = w.b[k][i];
+                    const double start =
+                        (corner[k] + (a * at.x + b * at.y)) + b * kSubpixel * (row - by * kSide);
+                    return F64x8(start) + pixel * F64x8(a * kSubpixel);
+                };
+                SIMD_UNROLL
+                for (int k = 0; k < 3; ++k)
+                    e[k] = edge(k);
+                const auto term = [&](int k) HWY_ATTR { return e[k] * F64x8(w.share[k][i]); };
+                const F32x8 z = to_f32((term(0) + term(1)) + term(2));
+                const auto covers = [&](int k) HWY_ATTR {
+                    return e[k] + F64x8(w.bias[k][i]) >= F64x8(0.0);
+                };
+                const auto inside =
+                    select(covers(0) & covers(1) & covers(2), F64x8(1.0), F64x8(0.0));
+                const std::size_t first = s * plane + static_cast<std::size_t>(row * kTileSize) +
+                                          static_cast<std::size_t>(bx * kSide + column);
+                show_row<kUsual>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id, tile.depth + first,
+                                 tile.id + first, drawn);
             }
-        }
-        rows.sample_x = static_cast<float>(at.x) / kSubpixel;
-        rows.sample_y = static_cast<float>(at.y) / kSubpixel;
-        draw_rows<kFlat, kUsual>(tile.rule, rows, id, row0 > 0 ? row0 : 0,
-                                 row1 < kSide ? row1 : kSide, tile.depth + s * plane + first,
-                                 tile.id + s * plane + first, drawn);
     }
-}
-
-template <bool kFlat, bool kUsual>
-HWY_INLINE void draw_blocks(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id,
-                            I32x8& drawn) {
-    constexpr int kSide = BlockWalk::kSide;
-    for (int by = w.y0[i] / kSide; by * kSide < w.y1[i]; ++by)
-        for (int bx = w.x0[i] / kSide; bx * kSide < w.x1[i]; ++bx)
-            draw_block<kFlat, kUsual>(tile, w, i, id, bx, by, drawn);
 }
 
 // The vertices of at most kRoom triangles; what is missing has no area.
@@ -279,17 +391,25 @@ HWY_INLINE void load_vertices(const SnappedTriangle* t, int count, Walks& w) {
 template <bool kUsual>
 HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
                          const SnappedTriangle* t, int count) {
+    constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32x8 drawn = 0;
     Walks w;
     for (int begin = 0; begin < count; begin += Walks::kRoom) {
         load_vertices(t + begin, count - begin, w);
         set_up(tile, extent, w);
-        for (std::uint32_t live = w.live; live != 0; live &= live - 1) {
-            const int i = __builtin_ctz(live);
-            if ((w.flat >> i & 1) != 0)
-                draw_blocks<true, kUsual>(tile, w, i, t[begin + i].id, drawn);
-            else
-                draw_blocks<false, kUsual>(tile, w, i, t[begin + i].id, drawn);
+        const std::uint32_t small = w.live & w.flat & w.small;
+        for (int i = 0; i < Walks::kRoom; i += kLanesX8)
+            draw_small<kUsual>(tile, w, i, small >> i & kRegister, t + begin, drawn);
+        for (std::uint32_t rest = w.live & ~small; rest != 0; rest &= rest - 1) {
+            const int i = __builtin_ctz(rest);
+            const std::uint32_t id = t[begin + i].id;
+            if ((w.flat >> i & 1) != 0) {
+                draw_large<kUsual>(tile, w, i, id, drawn);
+                continue;
+            }
+            for (int by = w.y0[i] / 8; by * 8 < w.y1[i]; ++by)
+                for (int bx = w.x0[i] / 8; bx * 8 < w.x1[i]; ++bx)
+                    draw_steep<kUsual>(tile, w, i, id, bx, by, drawn);
         }
     }
     return any(!(drawn == I32x8(0)));
