@@ -140,7 +140,17 @@ bool Layers::find(const Task& task, const image::Rect& part) {
         for (std::uint64_t bits = pixels_.rows[static_cast<std::size_t>(row)]; bits != 0;
              bits &= bits - 1)
             weigh(task, row * kTileSize + std::countr_zero(bits));
+    note_list();
     return true;
+}
+
+// By what the list holds, not by the room that earlier tiles made: the same on every worker.
+void Layers::note_list() {
+    const BlendList& list = pixels_.list;
+    const auto of = [](const auto& held) { return held.size() * sizeof(decltype(*held.data())); };
+    longest_list_ =
+        std::max(longest_list_, of(list.fragments) + of(list.depth) + of(pixels_.of_pixel) +
+                                    of(pixels_.through) + of(alpha_));
 }
 
 bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {

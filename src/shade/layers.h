@@ -49,9 +49,11 @@ public:
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
                         image::Image& picture);
 
-    void begin_frame() { found_ = 0; }
+    void begin_frame() { found_ = longest_list_ = 0; }
     std::uint64_t fragments() const { return found_; } // blended ones since then
-    std::size_t bytes() const;                         // held
+    // Of the longest list since then: fragments with their depths and weights.
+    std::size_t list_bytes() const { return longest_list_; }
+    std::size_t bytes() const; // held
 
 private:
     struct Task; // the arguments of one tile
@@ -67,6 +69,7 @@ private:
     bool find(const Task& task, const image::Rect& part, std::uint32_t triangle);
     void sort_by_pixel();
     void weigh(const Task& task, int pixel);
+    void note_list();
 
     raster::Probe probe_;
     raster::VisibilityTile ground_;
@@ -77,6 +80,7 @@ private:
     BlendedPixels pixels_;
     std::vector<std::uint32_t> at_sample_;
     std::uint64_t found_ = 0;
+    std::size_t longest_list_ = 0;
 };
 
 } // namespace scanout::shade
