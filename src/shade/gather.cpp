@@ -3,6 +3,7 @@
 #include "image/dither.h"
 #include "shade/check_lanes.h"
 #include "shade/corner_light.h"
+#include "shade/gather_types.h"
 #include "shade/layers.h"
 #include "shade/primitives.h"
 #include "shade/tile_runs.h"
@@ -20,55 +21,16 @@ namespace scanout::shade {
 using raster::kSubpixel;
 using raster::kTileSize;
 
-// One primitive in pixels of a row side by side.
-struct Gatherer::Fragment {
-    std::uint32_t id;
-    std::int32_t material;   // index, -1: the default material
-    std::uint16_t pixel;     // the first, in the tile
-    std::uint8_t count;      // pixels
-    std::uint8_t sample;     // the first that shows it
-    bool lit;                // lines and points are not
-    std::uint8_t rank;       // of a pixel with blended fragments: 0 is shaded first
-    std::uint16_t shared;    // place in the list of shared pixels, or kOwn
-    float weight;            // its share of a shared pixel
-    std::uint16_t samples;   // of a shared pixel: bit s says that it shows at sample s
-    std::uint8_t at_x, at_y; // a place that shows it, from the pixel's corner, 1/256 pixel
-};
-
 struct Gatherer::Seen {
     float depth; // at the first sample that shows it
     Fragment fragment;
 };
 
-struct Gatherer::Piece {
-    int lane, count; // of the block
-    std::uint16_t pixel, shared;
-    float weight;
-    std::uint16_t samples;
-};
-
 namespace {
-
-std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]
-    return static_cast<std::uint8_t>(offset);
-}
-
-constexpr std::uint16_t kOwn = 0xffff; // all samples show this fragment, and nothing else
 
 const scene::Material& default_material() {
     static const scene::Material material;
     return material;
-}
-
-struct Look {
-    std::int32_t material;
-    bool lit;
-};
-Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
-    const std::size_t triangles = mesh.triangles(), lines = mesh.lines();
-    if (id < triangles) return {mesh.material[id], true};
-    const std::size_t line = id - triangles;
-    return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
 }
 
 // The maps of the block's material that some stage of the frame reads; alpha is known by now.
@@ -237,7 +199,9 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
         found.shared |= layered;
         for (int x = part.x0 - area.x0; x < width;) {
             if ((found.shared >> x & 1) != 0) {
-                if ((layered >> x & 1) != 0)
+                if ((layered >> x & 1) != 0 && blended->composed != nullptr)
+                    collect_composed(tile, in, *blended, area.x0 + x, area.y0 + row);
+                else if ((layered >> x & 1) != 0)
                     collect_blended(tile, in, *blended, area.x0 + x, area.y0 + row);
                 else
                     collect_shared(tile, in, area.x0 + x, area.y0 + row);
@@ -360,7 +324,12 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         stage->run(b, *in.frame);
         check_lanes(b, *in.frame, *stage);
     }
-    if (in.linear != nullptr) keep_linear(*in.linear);
+    const bool composes = b.blended != nullptr && b.blended->composed != nullptr;
+    if (composes) split_pieces();
+    if (in.linear != nullptr) {
+        keep_linear(*in.linear);
+        if (composes) keep_layers(ComposedLayers::Of::linear, 1);
+    }
     std::array<std::uint32_t, kRoom> code;
     const bool mixtures = sink_.own != nullptr;
     if (!mixtures || in.output.blend_space->enter != nullptr)
@@ -368,6 +337,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
             {b.colour[0], b.colour[1], b.colour[2], nullptr, lane_offsets(in)}, b.count,
             code.data());
     if (in.output.blend_space->enter != nullptr) in.output.blend_space->enter(b, code.data());
+    if (composes) keep_layers(ComposedLayers::Of::mixture, in.output.blend_space->white);
     if (mixtures)
         put_mixtures();
     else
@@ -547,6 +517,7 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
         lanes += f.count;
     }
     finish_block(in, picture);
+    if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
     else if (!shared_.empty() && sink_.own == nullptr)
