@@ -118,7 +118,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     TRY(const PictureFormat format, check(settings));
     TRY_VOID(check_files(settings));
     TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
-    const frame::SceneFacts facts = frame::facts(model.scene);
+    const frame::SceneFacts facts = frame::facts(model.scene, settings.frame.shadow_plane);
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads);
     RunReport report;

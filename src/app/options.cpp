@@ -116,6 +116,19 @@ Result<void> read_effect(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_shadow_plane(Settings& s, std::string_view text) {
+    s.frame.shadow_plane.reset();
+    if (text == "ground") return {};
+    const auto numbers = parse_list(text, 4, 4);
+    if (!numbers)
+        return fail(Exit::usage, "wants ground or four numbers NX,NY,NZ,D, not '{}'", text);
+    const std::vector<double>& n = *numbers;
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+        return fail(Exit::usage, "the plane's normal NX,NY,NZ must not be 0,0,0: '{}'", text);
+    s.frame.shadow_plane = {DVec3(n[0], n[1], n[2]), n[3]};
+    return {};
+}
+
 Result<void> read_light(Settings& s, std::string_view text) {
     TRY_VOID(add_light(s.frame.lights, !s.light_given, text));
     s.light_given = true;
@@ -243,6 +256,10 @@ const std::array kOptions = std::to_array<Option>({
     {"shadow-filter", 0, "N", "", "3", 1, frame::kMostShadowFilter, Group::picture, kDraw,
      Integer([](Settings& s) -> int& { return s.frame.shadow_filter; }),
      "texels a side that map_pcf asks"},
+    {"shadow-plane", 0, "NX,NY,NZ,D", "", "ground", 0, 0, Group::picture, kDraw,
+     Parsed(read_shadow_plane),
+     "the plane NX x + NY y + NZ z = D, in the file's coordinates, on whose triangles --shadow "
+     "projected falls; ground: the largest flat side of the model's box"},
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
      "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "
      "ambient:POWER, "

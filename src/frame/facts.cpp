@@ -1,6 +1,9 @@
 #include "frame/facts.h"
 
+#include "base/check.h"
 #include "frame/map_facts.h"
+#include "math/bits.h"
+#include "math/transcendental.h"
 
 #include <algorithm>
 #include <array>
@@ -62,11 +65,13 @@ private:
 
 namespace {
 
-constexpr float kFlat = 0x1p-16F; // bounding radii: so far off is still in the plane
+constexpr double kFlat = 0x1p-16; // bounding radii: so far off is still in the plane
 
-bool lies_in(const geom::Mesh& mesh, std::size_t triangle, int axis, float at) {
-    for (std::size_t k = 0; k < 3; ++k)
-        if (std::abs(mesh.position[mesh.index[triangle * 3 + k]][axis] - at) > kFlat) return false;
+bool lies_in(const geom::Mesh& mesh, std::size_t triangle, const Ground& ground) {
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DVec3 at(mesh.position[mesh.index[triangle * 3 + k]]);
+        if (!(std::abs(dot3(ground.normal, at) - ground.offset) <= kFlat)) return false;
+    }
     return true;
 }
 
@@ -85,18 +90,19 @@ Ground ground(const geom::Mesh& mesh) {
     std::array<std::int64_t, 6> area{}; // whole numbers: no order of triangles changes the sum
     for (std::size_t k = 0; k < 6; ++k) {
         const int axis = std::array{1, 2, 0}[k % 3];
-        sides[k] = {axis, k > 2, k > 2 ? high[axis] : low[axis], 0};
+        sides[k].normal[axis] = 1;
+        sides[k].offset = k > 2 ? high[axis] : low[axis];
     }
     const DVec3 size = DVec3(high) - DVec3(low);
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0)) return {};
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
         for (std::size_t k = 0; k < 6; ++k) {
-            if (!lies_in(mesh, i, sides[k].axis, sides[k].at)) continue;
+            if (!lies_in(mesh, i, sides[k])) continue;
             const DVec3 a(mesh.position[mesh.index[i * 3]]),
                 b(mesh.position[mesh.index[i * 3 + 1]]), c(mesh.position[mesh.index[i * 3 + 2]]);
             const double share =
-                std::abs(cross3((b - a) / extent, (c - a) / extent)[sides[k].axis]);
+                std::abs(dot3(cross3((b - a) / extent, (c - a) / extent), sides[k].normal));
             area[k] += static_cast<std::int64_t>(share * 0x1p30); // at most 1: 2^32 triangles fit
             ++sides[k].triangles;
         }
@@ -105,14 +111,31 @@ Ground ground(const geom::Mesh& mesh) {
     return *best > 0 ? sides[static_cast<std::size_t>(best - area.begin())] : Ground();
 }
 
+Ground ground(const geom::Mesh& mesh, const FilePlane& plane) {
+    const DVec3& n = plane.normal;
+    const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+    CHECK(largest > 0);
+    const DVec3 shorter = n / largest; // squares of any normal are numbers
+    const double length = sqrt(dot3(shorter, shorter));
+    Ground asked;
+    asked.normal = shorter / length;
+    // From the model's centre, and in units of the mesh.
+    asked.offset =
+        scale(plane.offset / largest / length - dot3(asked.normal, mesh.centre), -mesh.exponent);
+    asked.asked = true;
+    for (std::size_t i = 0; i < mesh.triangles(); ++i)
+        asked.triangles += lies_in(mesh, i, asked) ? 1 : 0;
+    return asked;
+}
+
 std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground) {
     std::vector<std::uint8_t> in(mesh.triangles(), 0);
     for (std::size_t i = 0; i < in.size() && ground.triangles > 0; ++i)
-        in[i] = lies_in(mesh, i, ground.axis, ground.at) ? 1 : 0;
+        in[i] = lies_in(mesh, i, ground) ? 1 : 0;
     return in;
 }
 
-SceneFacts facts(const scene::Scene& scene) {
+SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane) {
     SceneFacts facts;
     const geom::Mesh& mesh = scene.mesh;
     facts.triangles = mesh.triangles();
@@ -120,7 +143,7 @@ SceneFacts facts(const scene::Scene& scene) {
     facts.points = mesh.points();
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
-    facts.ground = ground(mesh);
+    facts.ground = shadow_plane ? ground(mesh, *shadow_plane) : ground(mesh);
     facts.textured_surfaces = textured_surfaces(scene);
     const Census census(scene);
     facts.textured_triangles = census.count(

@@ -5,6 +5,7 @@
 #include "frame/alpha_facts.h"
 #include "frame/mesh_sides.h"
 #include "frame/minification.h"
+#include "frame/options.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -19,16 +20,18 @@ namespace scanout::frame {
 // Materials by index. Primitives without a material count as one of their own, the last.
 using MaterialSet = std::vector<bool>;
 
-// The side of the model's box, along the file's axes, that holds the largest flat area: the floor
-// of most scenes, whichever axis is up. Mesh coordinates.
+// On what projected shadows fall: the points of mesh coordinates with normal . p = offset.
 struct Ground {
-    int axis = 0;
-    bool high = false; // the greatest coordinate, else the least
-    float at = 0;
-    std::size_t triangles = 0; // that lie in it; 0: there is none
+    DVec3 normal{0}; // unit
+    double offset = 0;
+    std::size_t triangles = 0; // that lie in it; 0: there is nothing to see a shadow on
+    bool asked = false;        // by the user
     friend bool operator==(const Ground&, const Ground&) = default;
 };
+// The side of the model's box, along the file's axes, that holds the largest flat area: the floor
+// of most scenes, whichever axis is up.
 Ground ground(const geom::Mesh& mesh);
+Ground ground(const geom::Mesh& mesh, const FilePlane& plane);
 // By triangle: 1 where it lies in the ground.
 std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground);
 
@@ -53,6 +56,7 @@ struct SceneFacts {
     // call for them. `explain` counts the pixels that show one of these.
     std::map<std::string, MaterialSet, std::less<>> materials_of;
 };
-SceneFacts facts(const scene::Scene& scene);
+// shadow_plane: what the user wants as the ground, in place of the one that is found.
+SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane = {});
 
 } // namespace scanout::frame

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,12 @@
 namespace scanout::frame {
 
 enum class Cull : std::uint8_t { none, back, front };
+
+// The points of the file's space with normal . p = offset. The normal is not 0, of any length.
+struct FilePlane {
+    DVec3 normal{0};
+    double offset = 0;
+};
 
 struct FrameOptions {
     int width = 1280, height = 720;
@@ -29,8 +36,9 @@ struct FrameOptions {
     std::string reflection = "auto";
     std::string shading = "auto";
     std::string shadow = "auto";
-    int shadow_size = 1024; // texels a side of a shadow map
-    int shadow_filter = 3;  // texels a side that a filtered shadow asks
+    int shadow_size = 1024;                // texels a side of a shadow map
+    int shadow_filter = 3;                 // texels a side that a filtered shadow asks
+    std::optional<FilePlane> shadow_plane; // on which projected shadows fall; else on the ground
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
     std::string transparency = "auto";
     std::string blend = "auto";      // over

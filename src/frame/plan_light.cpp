@@ -130,6 +130,8 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : casting == 0       ? "no light that reaches anything casts shadows"
         : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
                                            shading.card.name)
+        : !floor && facts.ground.asked
+            ? "no triangle lies in the plane of --shadow-plane, to project shadows onto"
         : !floor
             ? "no triangle lies flat on a side of the model's box, to project shadows onto"
             : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);

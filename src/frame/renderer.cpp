@@ -279,6 +279,7 @@ void Renderer::State::count_work() {
         if (worker.layers == nullptr) continue;
         stats.fragments_blended += worker.layers->fragments();
         stats.layer_bytes += worker.layers->bytes();
+        stats.blend_list_bytes = std::max(stats.blend_list_bytes, worker.layers->list_bytes());
     }
 }
 

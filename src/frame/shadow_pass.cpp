@@ -12,12 +12,10 @@ namespace {
 using raster::VisibilityTile;
 
 ViewPlane in_view(const Ground& ground, const scene::View& view) {
-    DVec3 axis(0), point(0);
-    axis[ground.axis] = ground.high ? -1 : 1; // to the inside
-    point[ground.axis] = ground.at;
     ViewPlane plane;
-    plane.normal = normalized(view.normal * axis);
-    plane.offset = -dot3(plane.normal, view.linear * point + view.translation);
+    plane.normal = normalized(view.normal * ground.normal);
+    const DVec3 point = view.linear * (ground.normal * ground.offset) + view.translation;
+    plane.offset = -dot3(plane.normal, point);
     return plane;
 }
 

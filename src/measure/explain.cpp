@@ -47,8 +47,9 @@ class Explainer {
 public:
     Explainer(const scene::Scene& scene, const scene::View& view,
               const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
-        : scene_(scene), view_(view), options_(options), facts_(frame::facts(scene)), how_(how),
-          renderer_(jobs), other_renderer_(jobs) {}
+        : scene_(scene), view_(view), options_(options),
+          facts_(frame::facts(scene, options.shadow_plane)), how_(how), renderer_(jobs),
+          other_renderer_(jobs) {}
 
     Result<Explanation> run() {
         TRY(plan_, frame::plan(options_, facts_, view_));
@@ -60,9 +61,10 @@ public:
         TRY_VOID(count_pixels(result));
         TRY(result.special, special_rows());
         frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
-        // How many maps and polygons there are depends on the view.
-        if (const std::uint64_t held = renderer_.stats().shadow_bytes; held > 0)
-            bytes["shadow"] = held;
+        // How many maps, polygons and blended fragments there are depends on the view.
+        const frame::FrameStats& stats = renderer_.stats();
+        if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
+        if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
         for (const frame::Decision& decision : plan_.decisions) {
             if (how_.progress)
                 how_.progress(static_cast<double>(result.rows.size()) /

@@ -3,6 +3,7 @@
 #include "image/dither.h"
 #include "shade/check_lanes.h"
 #include "shade/corner_light.h"
+#include "shade/gather_types.h"
 #include "shade/layers.h"
 #include "shade/primitives.h"
 #include "shade/tile_runs.h"
@@ -20,36 +21,12 @@ namespace scanout::shade {
 using raster::kSubpixel;
 using raster::kTileSize;
 
-// One primitive in a pixel that it shares with others, or that it does not fill.
-struct Gatherer::Fragment {
-    std::uint32_t id;
-    Look look;
-    std::uint16_t pixel;     // in the tile
-    std::uint8_t sample;     // the first that shows it
-    std::uint8_t rank;       // of a pixel with blended fragments: 0 is shaded first
-    std::uint16_t shared;    // place in the list of shared pixels
-    float weight;            // its share of the pixel
-    std::uint16_t samples;   // bit s says that it shows at sample s
-    std::uint8_t at_x, at_y; // a place that shows it, from the pixel's corner, 1/256 pixel
-};
-
 struct Gatherer::Seen {
     float depth; // at the first sample that shows it
     Fragment fragment;
 };
 
-// Of a pixel that several fragments share, or that one does not fill.
-struct Gatherer::Share {
-    std::uint16_t shared;  // place in the list of such pixels
-    std::uint16_t samples; // of the fragment
-    float weight;
-};
-
 namespace {
-
-std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]
-    return static_cast<std::uint8_t>(offset);
-}
 
 const scene::Material& default_material() {
     static const scene::Material material;
@@ -211,7 +188,9 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
         const std::uint64_t stop = found.ends | found.shared >> 1;
         for (int x = part.x0 - area.x0; x < width;) {
             if ((found.shared >> x & 1) != 0) {
-                if ((layered >> x & 1) != 0)
+                if ((layered >> x & 1) != 0 && blended->composed != nullptr)
+                    collect_composed(tile, in, *blended, area.x0 + x, area.y0 + row);
+                else if ((layered >> x & 1) != 0)
                     collect_blended(tile, in, *blended, area.x0 + x, area.y0 + row);
                 else
                     collect_shared(tile, in, area.x0 + x, area.y0 + row);
@@ -335,7 +314,11 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         stage->run(b, *in.frame);
         check_lanes(b, *in.frame, *stage);
     }
-    if (in.linear != nullptr) keep_linear(*in.linear);
+    const bool composes = b.blended != nullptr && b.blended->composed != nullptr;
+    if (in.linear != nullptr) {
+        keep_linear(*in.linear);
+        if (composes) keep_layers(ComposedLayers::Of::linear, 1);
+    }
     std::array<std::uint32_t, kRoom> code;
     const bool mixtures = sink_.own != nullptr;
     if (!mixtures || in.output.blend_space->enter != nullptr)
@@ -343,6 +326,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
             {b.colour[0], b.colour[1], b.colour[2], nullptr, lane_offsets(in)}, b.count,
             code.data());
     if (in.output.blend_space->enter != nullptr) in.output.blend_space->enter(b, code.data());
+    if (composes) keep_layers(ComposedLayers::Of::mixture, in.output.blend_space->white);
     if (mixtures)
         put_mixtures();
     else
@@ -362,7 +346,7 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
                     code + lane, sizeof *code);
     }
     for (int lane = own_; lane < b.count; ++lane) {
-        const auto& [shared, samples, weight] = share_[static_cast<std::size_t>(lane)];
+        const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
         sums_.red[shared] += b.colour[0][lane] * weight;
         sums_.green[shared] += b.colour[1][lane] * weight;
         sums_.blue[shared] += b.colour[2][lane] * weight;
@@ -379,7 +363,7 @@ void Gatherer::put_mixtures() {
             b.colour[0][lane], b.colour[1][lane], b.colour[2][lane], 1.0F};
     }
     for (int lane = own_; lane < b.count; ++lane) {
-        const auto& [shared, samples, weight] = share_[static_cast<std::size_t>(lane)];
+        const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
         // 1 where it is opaque.
         const float each =
             weight * static_cast<float>(samples_) / static_cast<float>(std::popcount(samples));
@@ -490,7 +474,7 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
         const Primitive* of = b.lit ? &primitive(in, f.id, picture) : nullptr; // may end the block
         const auto lane = static_cast<std::size_t>(b.count);
         pixel_[lane] = f.pixel;
-        share_[lane] = {f.shared, f.samples, f.weight};
+        share_[lane] = {f.shared, f.samples, f.weight, f.layer};
         if (of != nullptr) {
             const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
                                                area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
@@ -521,6 +505,7 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     std::uint64_t lanes = shade_spans(in, picture);
     lanes += shade_fragments(in, picture);
     finish_block(in, picture);
+    if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
     else if (!shared_.empty() && sink_.own == nullptr)

@@ -9,6 +9,7 @@
 #include "raster/geometry.h"
 #include "raster/tile.h"
 #include "scene/view.h"
+#include "shade/composed_layers.h"
 #include "shade/linear_picture.h"
 #include "shade/mip_chain.h"
 #include "shade/output.h"
@@ -107,6 +108,8 @@ private:
                  const BlendedPixels* blended);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
+    void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
+                          const BlendedPixels& blended, int x, int y);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
@@ -121,6 +124,11 @@ private:
     void finish_block(const GatherInput& input, image::Image& picture);
     void put_pixels(const std::uint32_t* code, image::Image& picture);
     void put_mixtures();
+    // Of pixels whose layers' colours decide (gather_composed.cpp).
+    void keep_layers(ComposedLayers::Of of, float white);
+    void put_composed(const GatherInput& input);
+    void put_composed(const ComposedLayers::Pixel& pixel, ComposedLayers::Of of,
+                      const GatherInput& input);
     void keep_linear(LinearPicture& linear) const;
     std::uint16_t pixel_number(int x, int y) const;
     float offset_at(int pixel) const;

@@ -41,7 +41,7 @@ std::size_t Layers::bytes() const {
     return sizeof *this + probe_.bytes() + ground_.bytes() + of(alpha_) + of(triangles_) +
            of(candidates_) + of(pixels_.list.fragments) + of(pixels_.list.depth) +
            of(pixels_.of_pixel) + of(pixels_.start) + of(pixels_.through) + of(pixels_.slot) +
-           of(at_sample_);
+           of(at_sample_) + (composed_ != nullptr ? composed_->bytes() : 0);
 }
 
 void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& in,
@@ -102,6 +102,9 @@ std::uint64_t Layers::shade(const raster::Geometry& geometry, int tile, const Ga
     if (in.layers->blended->sort_triangles != nullptr)
         in.layers->blended->sort_triangles(triangles_, in);
     probe_.reset(visibility);
+    if (in.layers->blend->compose != nullptr && composed_ == nullptr)
+        composed_ = std::make_unique<ComposedLayers>();
+    pixels_.composed = composed_.get();
     return shade_part({geometry, in, visibility, gatherer, picture}, visibility.area());
 }
 
@@ -136,11 +139,25 @@ bool Layers::find(const Task& task, const image::Rect& part) {
     for (std::size_t i = 0; i < list.fragments.size(); ++i)
         list.fragments[i].alpha = alpha_[i];
     sort_by_pixel();
+    if (composed_ != nullptr) composed_->begin();
+    const auto place = composed_ != nullptr ? &Layers::arrange : &Layers::weigh;
     for (int row = 0; row < kTileSize; ++row)
         for (std::uint64_t bits = pixels_.rows[static_cast<std::size_t>(row)]; bits != 0;
              bits &= bits - 1)
-            weigh(task, row * kTileSize + std::countr_zero(bits));
+            (this->*place)(task, row * kTileSize + std::countr_zero(bits));
+    if (composed_ != nullptr) composed_->begin_pixels(list.fragments.size());
+    note_list();
     return true;
+}
+
+// By what the list holds, not by the room that earlier tiles made: the same on every worker.
+void Layers::note_list() {
+    const BlendList& list = pixels_.list;
+    const auto of = [](const auto& held) { return held.size() * sizeof(decltype(*held.data())); };
+    longest_list_ =
+        std::max(longest_list_, of(list.fragments) + of(list.depth) + of(pixels_.of_pixel) +
+                                    of(pixels_.through) + of(alpha_) +
+                                    (composed_ != nullptr ? composed_->list_bytes() : 0));
 }
 
 bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {
@@ -211,6 +228,22 @@ void Layers::weigh(const Task& task, int pixel) {
             if (through <= 0) break;
         }
         pixels_.through.push_back(through);
+    }
+}
+
+// All that lets something through: whatever the colours in front, it may be seen.
+void Layers::arrange(const Task& task, int pixel) {
+    const auto sort_sample = task.in.layers->blended->sort_sample;
+    auto& fragments = pixels_.list.fragments;
+    for (const std::uint32_t f : pixels_.fragments(pixel))
+        if (fragments[f].alpha != 0) fragments[f].shown = fragments[f].mask;
+    for (int s = 0; s < pixels_.samples; ++s) {
+        at_sample_.clear();
+        for (const std::uint32_t f : pixels_.fragments(pixel))
+            if ((fragments[f].shown >> s & 1) != 0) at_sample_.push_back(f);
+        if (sort_sample != nullptr) sort_sample(at_sample_, pixels_.list, s);
+        const std::uint32_t place = composed_->add_sample(at_sample_);
+        if (s == 0) pixels_.slot[static_cast<std::size_t>(pixel)] = place;
     }
 }
 

@@ -2,16 +2,19 @@
 // lies behind. Blending is a sum: a fragment's weight is its alpha times what all fragments before
 // it let through, at every sample; then it is shaded once, like any other, and added by its weight.
 // Nothing that is hidden is shaded, and a pixel whose fragments all have alpha 1 or 0 is what it
-// would be without blending, to the bit.
+// would be without blending, to the bit. Modes in which a fragment's colour says what it lets
+// through have no weights: see shade/composed_layers.h.
 #pragma once
 
 #include "raster/probe.h"
 #include "shade/alpha_lanes.h"
+#include "shade/composed_layers.h"
 #include "shade/gather.h"
 #include "shade/transparency.h"
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace scanout::shade {
@@ -27,6 +30,9 @@ struct BlendedPixels {
     // What reaches the opaque surface of each sample, of pixels that have some, from `slot` on.
     std::vector<float> through;
     std::vector<std::uint32_t> slot; // of a pixel of the tile
+    // Where the fragments' colours decide, and not their weights: their order. Then nothing is in
+    // `through`, and slots are places of its samples.
+    ComposedLayers* composed = nullptr;
 
     std::span<const std::uint32_t> fragments(int pixel) const {
         const auto p = static_cast<std::size_t>(pixel);
@@ -49,9 +55,14 @@ public:
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
                         image::Image& picture);
 
-    void begin_frame() { found_ = 0; }
+    void begin_frame() {
+        found_ = longest_list_ = 0;
+        composed_.reset();
+    }
     std::uint64_t fragments() const { return found_; } // blended ones since then
-    std::size_t bytes() const;                         // held
+    // Of the longest list since then: fragments with their depths and weights.
+    std::size_t list_bytes() const { return longest_list_; }
+    std::size_t bytes() const; // held
 
 private:
     struct Task; // the arguments of one tile
@@ -67,6 +78,8 @@ private:
     bool find(const Task& task, const image::Rect& part, std::uint32_t triangle);
     void sort_by_pixel();
     void weigh(const Task& task, int pixel);
+    void arrange(const Task& task, int pixel);
+    void note_list();
 
     raster::Probe probe_;
     raster::VisibilityTile ground_;
@@ -75,8 +88,10 @@ private:
     std::vector<std::uint32_t> triangles_;
     std::vector<Candidate> candidates_;
     BlendedPixels pixels_;
+    std::unique_ptr<ComposedLayers> composed_; // while a blend mode wants it
     std::vector<std::uint32_t> at_sample_;
     std::uint64_t found_ = 0;
+    std::size_t longest_list_ = 0;
 };
 
 } // namespace scanout::shade

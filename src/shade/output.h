@@ -33,6 +33,7 @@ struct BlendSpace {
     void (*enter)(Block& block, const std::uint32_t* code);
     // Of the mixture; null: the frame's encoding.
     const Encoding* encoding;
+    float white = 1; // what is mixed of white
 };
 
 namespace encode {

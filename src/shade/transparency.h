@@ -51,7 +51,8 @@ struct Transparency {
     bool cuts;
 };
 
-// How a fragment meets what lies behind it.
+// How a fragment meets what lies behind it: by shares that its alpha alone decides (meet), or by
+// its colour (compose); the other is null.
 struct Blend {
     Technique card;
     struct Shares {
@@ -60,6 +61,10 @@ struct Blend {
     };
     // through: what the fragments before it left.
     Shares (*meet)(float alpha, float through);
+    // One channel of a sample with the fragment in front: times the alpha there is then, as
+    // `behind` is times that of what lies behind. The fragment's colour is undiluted, in [0, 1];
+    // 1 is white of the blend space. Alpha itself goes as with `over`. Alpha 0 changes nothing.
+    float (*compose)(float behind, float behind_alpha, float colour, float alpha) = nullptr;
 };
 
 // In the order of techniques.h.

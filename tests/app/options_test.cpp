@@ -49,6 +49,25 @@ TEST(Options, TheDefaultOfEachIsWhatAnUntouchedRunUses) {
     EXPECT_GT(held, 15);
 }
 
+TEST(Options, ThePlaneOfProjectedShadowsIsTheGroundOrFourNumbers) {
+    EXPECT_FALSE(parse({"render", "a.obj", "-o", "a.png"})->frame.shadow_plane);
+    const auto plane = parse({"render", "a.obj", "-o", "a.png", "--shadow-plane", "0,-2.5,1e3,+4"})
+                           ->frame.shadow_plane;
+    ASSERT_TRUE(plane);
+    EXPECT_EQ(plane->normal, DVec3(0, -2.5, 1e3));
+    EXPECT_EQ(plane->offset, 4);
+    EXPECT_FALSE(parse({"render", "a.obj", "-o", "a.png", "--shadow-plane", "0,1,0,4",
+                        "--shadow-plane", "ground"})
+                     ->frame.shadow_plane);
+    for (const char* text :
+         {"", "floor", "0,1,0", "0,1,0,0,0", "0,1,0,x", "nan,1,0,0", "0,inf,0,0"})
+        EXPECT_NE(error_of({"render", "a.obj", "--shadow-plane", text}).find("NX,NY,NZ,D"),
+                  std::string::npos)
+            << text;
+    EXPECT_NE(error_of({"render", "a.obj", "--shadow-plane", "0,0,0,1"}).find("must not be 0,0,0"),
+              std::string::npos);
+}
+
 TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
     for (const Command command :
          {Command::view, Command::render, Command::compare, Command::list}) {

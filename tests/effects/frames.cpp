@@ -133,7 +133,7 @@ Result<Subject> load(std::vector<std::string> arguments) {
     TRY(s.scene, io::load(s.settings.arguments.at(0), {}, warnings));
     TRY(s.view, scene::make_view(s.scene.mesh, s.settings.model, {}, s.settings.camera, {},
                                  s.settings.frame.width, s.settings.frame.height));
-    s.facts = frame::facts(s.scene);
+    s.facts = frame::facts(s.scene, s.settings.frame.shadow_plane);
     if (!simd::choose_target(s.settings.target))
         return fail(Exit::usage, "--target {}: not here", s.settings.target);
     return s;

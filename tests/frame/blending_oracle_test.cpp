@@ -79,6 +79,16 @@ struct Sheets {
         if (a == 1 || mode == "auto" || mode == "over") {
             c.linear = layer * a + c.linear * (1 - a);
             c.alpha = a + c.alpha * (1 - a);
+        } else if (mode == "multiply" || mode == "screen") {
+            // W3C Compositing and Blending, section 5: Cs = (1 - ab) Cs + ab B(Cb, Cs), then over.
+            const DVec3 b = c.alpha > 0 ? c.linear / c.alpha : DVec3(0);
+            for (int k = 0; k < 3; ++k) {
+                const double mixed =
+                    mode == "multiply" ? b[k] * layer[k] : b[k] + layer[k] - b[k] * layer[k];
+                const double source = (1 - c.alpha) * layer[k] + c.alpha * mixed;
+                c.linear[k] = a * source + (1 - a) * c.linear[k];
+            }
+            c.alpha = a + c.alpha * (1 - a);
         } else {
             c.linear += layer * (mode == "add" ? a : -a);
         }
@@ -106,7 +116,8 @@ Sheets random_sheets(Random& random, int samples, int count) {
 }
 
 class BlendingModes : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(All, BlendingModes, testing::Values("none", "over", "add", "subtract"),
+INSTANTIATE_TEST_SUITE_P(All, BlendingModes,
+                         testing::Values("none", "over", "add", "subtract", "multiply", "screen"),
                          [](const auto& tested) { return std::string(tested.param); });
 
 TEST_P(BlendingModes, AreWithinHalfACodeOfTheOracleInEveryPixel) {

@@ -210,6 +210,9 @@ TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
     EXPECT_THAT(techniques(plan_of(facts, options)), testing::Contains("shadow attached"));
     options.shadow = "projected"; // there is no floor
     EXPECT_THAT(shadow(), StartsWith("shadow off: no triangle lies flat"));
+    facts.ground.asked = true;
+    EXPECT_THAT(shadow(),
+                StartsWith("shadow off: no triangle lies in the plane of --shadow-plane"));
     facts.ground.triangles = 2;
     EXPECT_THAT(shadow(), StartsWith("shadow projected: 1 light casts"));
     options.effects = {{"shadow", false}};
@@ -334,15 +337,39 @@ TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
             }
             test::add_quad(mesh, floor, {0, 0, 1});
             const Ground found = ground(mesh);
-            EXPECT_EQ(found.axis, up);
-            EXPECT_EQ(found.high, side > 0);
-            EXPECT_EQ(found.at, side * 0.4F);
+            DVec3 axis(0);
+            axis[up] = 1;
+            EXPECT_EQ(found.normal, axis);
+            EXPECT_EQ(found.offset, double{side * 0.4F});
             EXPECT_EQ(found.triangles, 2U);
+            EXPECT_FALSE(found.asked);
             std::vector<std::uint8_t> in(mesh.triangles(), 0);
             in[in.size() - 1] = in[in.size() - 2] = 1;
             EXPECT_EQ(in_ground(mesh, found), in);
         }
     }
+}
+
+TEST(Facts, TheUsersGroundIsThePlaneOfTheFileAtAnyLengthOfItsNormal) {
+    geom::Mesh mesh = test::empty_mesh();
+    mesh.centre = {100, 20, -3}; // and a unit of the mesh is four of the file
+    mesh.exponent = 2;
+    // z = 1/2 - y / 2 in the mesh: in the file 2 (z + 3) = 4 - (y - 20).
+    test::add_quad(mesh, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0.4F, 0.9F});
+    test::add_square(mesh, 1, 0);
+    const std::vector<std::uint8_t> leaning = {1, 1, 0, 0};
+    for (const double length : {1.0, -3.0, 1e-200, 1e200}) {
+        const Ground found = ground(mesh, {DVec3(0, 1, 2) * length, 18 * length});
+        EXPECT_TRUE(found.asked);
+        EXPECT_EQ(found.triangles, 2U) << length;
+        EXPECT_NEAR(dot3(found.normal, found.normal), 1, 1e-12);
+        EXPECT_EQ(in_ground(mesh, found), leaning) << length;
+        EXPECT_EQ(ground(mesh, {DVec3(0, 1, 2) * length, 18.01 * length}).triangles, 0U);
+    }
+    scene::Scene scene;
+    scene.mesh = mesh;
+    EXPECT_TRUE(facts(scene, FilePlane{{0, 1, 2}, 18}).ground.asked);
+    EXPECT_EQ(facts(scene).ground, ground(mesh));
 }
 
 scene::Light sun(const DVec3& towards, float colour) {

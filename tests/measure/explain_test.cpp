@@ -152,6 +152,29 @@ TEST(Explain, CountsTheBytesOfWhatRunsAndNoneOfWhatDoesNot) {
     EXPECT_EQ(row(explained(unused), "texture").bytes, row(e, "texture").bytes);
 }
 
+TEST(Explain, CountsTheListsOfWhatIsBlendedAndTheSameOnAnyThreads) {
+    // One pane before the whole picture: a fragment a pixel, in the longest list 64 x 64 of them.
+    Shot s = test::shot("pane", 100, 100);
+    s.scene.materials = {test::plain(Vec3(0.5F))};
+    s.scene.materials[0].opacity = 0.5F;
+    test::add_quad(s.scene.mesh, {{{-9, -9, 0}, {9, -9, 0}, {9, 9, 0}, {-9, 9, 0}}}, {0, 0, 1}, 0);
+    s.camera.projection = scene::Projection::orthographic;
+    const Explanation one = explained(s);
+    EXPECT_GT(row(one, "blending").bytes, 64U * 64 * (sizeof(shade::BlendFragment) + 4));
+    EXPECT_LT(row(one, "blending").bytes, 2 * 64U * 64 * (sizeof(shade::BlendFragment) + 4));
+    for (int threads = 1; threads <= 3; ++threads) {
+        frame::FrameStats stats;
+        test::draw(s, {.threads = threads, .stats = &stats});
+        EXPECT_EQ(stats.blend_list_bytes, row(one, "blending").bytes) << threads;
+    }
+    // Twice as many panes, twice as many fragments with their depths.
+    const std::uint64_t before = row(one, "blending").bytes;
+    test::add_quad(s.scene.mesh, {{{-9, -9, 1}, {9, -9, 1}, {9, 9, 1}, {-9, 9, 1}}}, {0, 0, 1}, 0);
+    EXPECT_GT(row(explained(s), "blending").bytes, before * 9 / 5);
+    s.scene.materials[0].opacity = 1;
+    EXPECT_EQ(row(explained(s), "blending").bytes, 0U);
+}
+
 TEST(Explain, APlainSceneHasNothingSpecial) {
     EXPECT_EQ(explained(test::solids("plain")).special, 0);
     EXPECT_EQ(explained(stripes()).special, 3);

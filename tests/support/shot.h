@@ -32,7 +32,8 @@ struct DrawOptions {
 };
 
 inline image::Image draw(const Shot& shot, const scene::View& view, const DrawOptions& options) {
-    const auto plan = frame::plan(shot.options, frame::facts(shot.scene), view);
+    const auto plan =
+        frame::plan(shot.options, frame::facts(shot.scene, shot.options.shadow_plane), view);
     if (!plan) ADD_FAILURE() << shot.name << ": " << plan.error().what;
     if (!plan) return {};
     Jobs jobs(options.threads);

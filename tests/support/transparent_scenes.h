@@ -88,7 +88,7 @@ inline std::vector<Shot> transparent_shots() {
     shots.push_back(holed_cube("map_opacity"));
     for (const char* name : {"cut_out", "sorted", "exact"})
         shots.push_back(panes(std::string("transparency_") + name, name));
-    for (const char* name : {"none", "over", "add", "subtract"}) {
+    for (const char* name : {"none", "over", "add", "subtract", "multiply", "screen"}) {
         shots.push_back(panes(std::string("blend_") + name, "exact"));
         shots.back().options.blend = name;
         shots.back().options.background = {150, 150, 150, 255};

@@ -54,7 +54,8 @@ constinit const BlendSpace encoded{{.axis = "blend_space",
                                    [](Block& block, const std::uint32_t* code) {
                                        SIMD_CALL(enter_codes)(block, code);
                                    },
-                                   &kMeanOfCodes};
+                                   &kMeanOfCodes,
+                                   255};
 
 } // namespace scanout::shade::blend_space
 #endif
