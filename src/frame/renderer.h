@@ -26,6 +26,7 @@ struct FrameStats {
     std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
     std::size_t layer_bytes = 0;         // held for what is not opaque
     std::uint64_t shadow_bytes = 0;      // that the pass of the shadows holds
+    std::uint64_t stencil_bytes = 0;     // held; 0 where nothing is marked
     std::uint64_t mipmap_bytes = 0;      // held; 0 where no texture is minified
 };
 

@@ -140,6 +140,9 @@ bool Layers::find(const Task& task, const image::Rect& part) {
         for (std::uint64_t bits = pixels_.rows[static_cast<std::size_t>(row)]; bits != 0;
              bits &= bits - 1)
             weigh(task, row * kTileSize + std::countr_zero(bits));
+    if (noted_ == nullptr) return true;
+    for (const BlendFragment& f : list.fragments)
+        if (f.shown != 0) (*noted_)[f.pixel / kTileSize] |= std::uint64_t{1} << f.pixel % kTileSize;
     return true;
 }
 

@@ -49,6 +49,11 @@ public:
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
                         image::Image& picture);
 
+    // Bit x of row y, from the tile's corner: some of what was shaded since blends there.
+    using Pixels = std::array<std::uint64_t, raster::kTileSize>;
+    // Also notes the pixels there, of the tiles that follow; null: nowhere.
+    void note_pixels(Pixels* pixels) { noted_ = pixels; }
+
     void begin_frame() { found_ = 0; }
     std::uint64_t fragments() const { return found_; } // blended ones since then
     std::size_t bytes() const;                         // held
@@ -77,6 +82,7 @@ private:
     BlendedPixels pixels_;
     std::vector<std::uint32_t> at_sample_;
     std::uint64_t found_ = 0;
+    Pixels* noted_ = nullptr;
 };
 
 } // namespace scanout::shade
