@@ -396,7 +396,7 @@ inline std::vector<Shot> golden_shots() {
     for (const Shot& s : transparent_shots())
         shots.push_back(s);
     for (const char* name : {"none", "outline", "overdraw"}) {
-        shots.push_back(holed_cube("stencil_" + std::string(name)));
+        shots.push_back(panes("stencil_" + std::string(name), "exact"));
         shots.back().camera.azimuth_degrees = 20;
         shots.back().options.stencil = name;
     }
