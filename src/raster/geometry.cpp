@@ -306,7 +306,8 @@ void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) cons
     }
     const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
     std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end()); // pieces
+    triangles.erase(std::unique(triangles.begin(), triangles.end()),
+                    triangles.end()); // two pieces of one
     std::sort(segments.begin(), segments.end(), by_id);
     std::sort(points.begin(), points.end(), by_id);
 

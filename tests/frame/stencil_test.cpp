@@ -99,6 +99,27 @@ TEST(Overdraw, IsTheNumberOfTrianglesThatCoverThePixelsCentreExactly) {
     }
 }
 
+// The near plane cuts some into two pieces, and these count as one.
+TEST(Overdraw, IsTheSumOfTrianglesDrawnAlone) {
+    Shot s = soup("around the eye", 80, 6, 2);
+    const std::vector<int> counts = counts_in(s);
+    std::vector<int> expected(counts.size(), 0);
+    const geom::Mesh all = s.scene.mesh;
+    for (std::size_t i = 0; i < all.triangles(); ++i) {
+        for (std::size_t k = 0; k < 3; ++k)
+            s.scene.mesh.index[k] = all.index[i * 3 + k];
+        s.scene.mesh.index.resize(3);
+        s.scene.mesh.material = {all.material[i]};
+        s.scene.mesh.face.resize(1);
+        frame::Visibility alone;
+        draw(s, {.visibility = &alone});
+        for (std::size_t pixel = 0; pixel < alone.id.size(); ++pixel)
+            expected[pixel] += alone.id[pixel] != raster::kNoPrimitive;
+    }
+    EXPECT_EQ(counts, expected);
+    EXPECT_GT(*std::max_element(counts.begin(), counts.end()), 2);
+}
+
 // The scale of the card; and beyond its end.
 TEST(Overdraw, OfStackedSquaresHasTheColoursOfTheScale) {
     const std::pair<int, image::Rgba8> scale[] = {
@@ -199,8 +220,11 @@ TEST(Overdraw, ShadesNothingAndStillKnowsWhatIsSeen) {
     EXPECT_EQ(counted.depth, usual.depth);
     EXPECT_EQ(stats.lanes_shaded, 0U);
     EXPECT_EQ(stats.shadow_bytes, 0U);
+    s.options.samples = 4;
     const auto plan = frame::plan(s.options, frame::facts(s.scene));
     ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->options.samples, 1);
+    EXPECT_EQ(plan->aa->samples, 1);
     ASSERT_EQ(plan->techniques.size(), 2U);
     EXPECT_EQ(plan->techniques[0]->name, "overdraw");
     EXPECT_EQ(plan->techniques[1]->name, "low_pass");
