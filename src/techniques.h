@@ -21,6 +21,7 @@
 #define SCANOUT_DEPTH_TEST(X)                                                                      \
     X(equal) X(always) X(never) X(less) X(less_equal) X(greater_equal) X(greater)
 #define SCANOUT_BLEND(X) X(none) X(over) X(add) X(subtract) X(multiply) X(screen)
+#define SCANOUT_STENCIL(X) X(none) X(outline) X(overdraw)
 #define SCANOUT_TRANSPARENCY(X) X(cut_out) X(sorted) X(exact)
 #define SCANOUT_AA(X)                                                                              \
     X(none)                                                                                        \

@@ -224,6 +224,10 @@ const std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.frame.depth_test; }),
      "which of several surfaces that are not blended is seen (`list techniques`); auto: greater, "
      "the nearest"},
+    {"stencil", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
+     Text([](Settings& s) -> std::string& { return s.frame.stencil; }),
+     "mark pixels: draw a line round the model, or show how many surfaces lie over each other "
+     "(`list techniques`); auto: none"},
     {"alpha-cut", 0, "ALPHA", "", "0.5", 0, 1, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
      "cut-out surfaces show where their alpha is at least this"},

@@ -38,6 +38,8 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
     for (const shade::MipUse& use : plan.mips)
         add("mipmaps",
             shade::mip_chain_bytes(scene.textures[static_cast<std::size_t>(use.texture)].image));
+    if (plan.stencil != nullptr)
+        add("stencil", StencilBuffer(plan.options.width, plan.options.height).bytes());
     return bytes;
 }
 

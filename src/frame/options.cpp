@@ -15,6 +15,7 @@ bool ask(FrameOptions& o, std::string_view axis, std::string_view technique) {
                                                               {"shadow", &o.shadow},
                                                               {"transparency", &o.transparency},
                                                               {"blend", &o.blend},
+                                                              {"stencil", &o.stencil},
                                                               {"depth", &o.depth},
                                                               {"depth_test", &o.depth_test},
                                                               {"aa", &o.aa},

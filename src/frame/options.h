@@ -44,6 +44,7 @@ struct FrameOptions {
     std::string blend = "auto";      // over
     std::string depth = "auto";      // reversed
     std::string depth_test = "auto"; // greater
+    std::string stencil = "auto";    // none
     double alpha_cut = 0.5;          // least alpha that a cut-out surface shows
     int most_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
     std::string aa = "auto";      // then `samples` says it

@@ -92,6 +92,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(plan_transparency(planner, plan, facts));
     plan_casters(plan, facts);
     TRY_VOID(plan_merging(planner, plan));
+    TRY_VOID(plan_stencil(planner, plan, facts));
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, planner, plan));
     TRY_VOID(plan_output(options, planner, plan));
@@ -100,6 +101,8 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));
+    if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering)
+        plan_counts(plan);
     return plan;
 }
 

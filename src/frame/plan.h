@@ -6,6 +6,7 @@
 #include "frame/anti_aliasing.h"
 #include "frame/facts.h"
 #include "frame/options.h"
+#include "frame/stencil.h"
 #include "image/convolution.h"
 #include "shade/output.h"
 #include "shade/stage.h"
@@ -70,7 +71,8 @@ struct FramePlan {
     const image::Convolution* convolution = nullptr; // of the finished picture; null: none
     float exposure = 1;                              // what light is multiplied by
     TransparencyPlan transparency;
-    raster::VisibleRule visible; // which of several surfaces is seen
+    const Stencil* stencil = nullptr; // null: there is no buffer of marks either
+    raster::VisibleRule visible;      // which of several surfaces is seen
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // Where light is not evaluated at pixels: the light stages that run over vertices or faces.

@@ -53,6 +53,10 @@ Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& 
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
 // Which surfaces are seen, and how they are mixed: choices of the user's.
 Result<void> plan_merging(Planner& planner, FramePlan& plan);
+// Marks in a buffer of their own. Where they are all that is shown, the second takes everything
+// else out of a plan that is whole.
+Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+void plan_counts(FramePlan& plan);
 // Is there light above 1, and what becomes of it? Highlights alone do not count: MTL means them to
 // burn out, and a curve would dim all else for their sake.
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,

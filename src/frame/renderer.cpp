@@ -3,6 +3,7 @@
 #include "base/stopwatch.h"
 #include "frame/lights.h"
 #include "frame/shadow_pass.h"
+#include "frame/stencil_marks.h"
 #include "frame/step_limits.h"
 #include "raster/geometry.h"
 #include "shade/gather.h"
@@ -76,6 +77,19 @@ void clear(const image::Rect& area, const image::Rgba8& background, image::Image
         std::copy(first.begin(), first.end(), row(y).begin());
 }
 
+// What is drawn, after the geometry and the shadows.
+struct FrameInput {
+    const scene::Scene& scene;
+    const scene::View& view;
+    const FramePlan& plan;
+    const raster::ScreenTransform& transform;
+    const FrameLights& lights;
+    ShadowPass* shadows; // null: none
+    Visibility* visibility;
+    shade::LinearPicture* linear;
+    int tile_size;
+};
+
 struct Frame {
     const scene::Scene& scene;
     const FramePlan& plan;
@@ -97,10 +111,14 @@ struct Renderer::State {
     shade::WidePicture wide; // of filters that reach into neighbours
 
     void draw_tile(const Frame& frame, int tile, Worker& worker);
+    void draw_marked_tile(const Frame& frame, int tile, Worker& worker);
+    void draw_frame(const FrameInput& input);
+    void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
     void prepare_workers(bool layered, bool areas);
     void count_work();
-    std::unique_ptr<ShadowPass> shadows; // while a plan runs them
+    std::unique_ptr<ShadowPass> shadows;  // while a plan runs them
+    std::unique_ptr<StencilBuffer> marks; // likewise
     FrameStats stats;
 };
 
@@ -273,6 +291,20 @@ void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
         shade_samples(geometry, tile, f.in, worker, back_buffer);
 }
 
+// The same, and marks what it shows.
+void Renderer::State::draw_marked_tile(const Frame& f, int tile, Worker& worker) {
+    shade::Layers::Pixels blended{};
+    if (worker.layers != nullptr) worker.layers->note_pixels(&blended);
+    draw_tile(f, tile, worker);
+    if (worker.layers != nullptr) worker.layers->note_pixels(nullptr);
+    if (geometry.is_empty(tile)) return;
+    if (f.plan.aa->exact)
+        mark_shown(worker.areas, *marks);
+    else
+        mark_shown(worker.visibility, worker.layers != nullptr ? &blended : nullptr,
+                   f.plan.aa->scale, *marks);
+}
+
 void Renderer::State::count_work() {
     for (const Worker& worker : workers) {
         stats.lanes_shaded += worker.lanes;
@@ -312,6 +344,60 @@ void Renderer::State::filter_tiles(const Frame& f) {
     });
 }
 
+void Renderer::State::draw_frame(const FrameInput& input) {
+    const FramePlan& plan = input.plan;
+    const AntiAliasing& aa = *plan.aa;
+    shade::FrameState frame = frame_state(input.view, plan, input.lights);
+    if (input.shadows != nullptr) frame.shadows = input.shadows->lights().data();
+    std::optional<shade::StepLimits> steps;
+    if (plan.stages.front()->card.name == "adaptive") {
+        steps = step_limits(input.scene, plan);
+        frame.steps = &*steps;
+    }
+    shade::GatherInput in =
+        gather_input(input.scene, input.view, plan, geometry, input.transform, frame, mips);
+    in.linear = input.linear;
+    const bool layered = !plan.transparency.layers.empty();
+    const shade::LayerInput layers = layered ? layer_input(plan, frame) : shade::LayerInput();
+    if (layered) in.layers = &layers;
+    prepare_workers(layered, aa.exact);
+    std::optional<shade::WideFilter> filter;
+    if (aa.weight != nullptr) {
+        filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
+        wide.reset(plan.options.width * aa.scale, plan.options.height * aa.scale, input.tile_size,
+                   geometry.tiles_across(), geometry.tiles());
+    }
+    const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
+                  input.visibility, input.shadows};
+    jobs.for_each(geometry.tiles(), [&](int tile, int number) {
+        Worker& worker = workers[static_cast<std::size_t>(number)];
+        if (marks == nullptr)
+            draw_tile(f, tile, worker);
+        else
+            draw_marked_tile(f, tile, worker);
+    });
+    if (filter)
+        filter_tiles(f);
+    else if (wide.tiles_across > 0)
+        wide = {};
+}
+
+// Nothing is shaded, and what is seen is found for those who ask alone.
+void Renderer::State::count_frame(const FrameInput& input) {
+    prepare_workers(false, false);
+    wide = {};
+    std::fill(back_buffer.pixels().begin(), back_buffer.pixels().end(),
+              input.plan.options.background);
+    count_covering(jobs, geometry, *marks);
+    if (input.visibility == nullptr) return;
+    jobs.for_each(geometry.tiles(), [&](int tile, int number) {
+        raster::VisibilityTile& visible = workers[static_cast<std::size_t>(number)].visibility;
+        visible.reset(geometry.tile_area(tile), 1, input.plan.visible);
+        geometry.draw(tile, visible);
+        keep(visible, *input.visibility);
+    });
+}
+
 const image::Image& Renderer::render(const scene::Scene& scene, const scene::View& view,
                                      const FramePlan& plan, Visibility* visibility, int tile_size,
                                      shade::LinearPicture* linear) {
@@ -333,34 +419,17 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         shadow_pass(s.shadows, {s.jobs, scene, view, plan, s.mips}, transform, tile_size, lights);
     const double geometry_ms = total.milliseconds();
 
-    shade::FrameState frame = frame_state(view, plan, lights);
-    if (shadows != nullptr) frame.shadows = shadows->lights().data();
-    std::optional<shade::StepLimits> steps;
-    if (plan.stages.front()->card.name == "adaptive") {
-        steps = step_limits(scene, plan);
-        frame.steps = &*steps;
-    }
-    shade::GatherInput in = gather_input(scene, view, plan, s.geometry, transform, frame, s.mips);
-    if (linear != nullptr) *linear = shade::LinearPicture(width, height);
-    in.linear = linear;
-    const bool layered = !plan.transparency.layers.empty();
-    const shade::LayerInput layers = layered ? layer_input(plan, frame) : shade::LayerInput();
-    if (layered) in.layers = &layers;
-    s.prepare_workers(layered, aa.exact);
     if (visibility != nullptr) *visibility = nothing_seen(width, height, aa.samples);
-    std::optional<shade::WideFilter> filter;
-    if (aa.weight != nullptr) {
-        filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
-        s.wide.reset(width, height, tile_size, s.geometry.tiles_across(), s.geometry.tiles());
-    }
-    const Frame f{scene, plan, in, filter ? &*filter : nullptr, visibility, shadows};
-    s.jobs.for_each(s.geometry.tiles(), [&](int tile, int number) {
-        s.draw_tile(f, tile, s.workers[static_cast<std::size_t>(number)]);
-    });
-    if (filter)
-        s.filter_tiles(f);
-    else if (s.wide.tiles_across > 0)
-        s.wide = {};
+    if (linear != nullptr) *linear = shade::LinearPicture(width, height);
+    s.marks.reset();
+    if (plan.stencil != nullptr) s.marks = std::make_unique<StencilBuffer>(o.width, o.height);
+    const FrameInput input{scene,   view,       plan,   transform, lights,
+                           shadows, visibility, linear, tile_size};
+    if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering)
+        s.count_frame(input);
+    else
+        s.draw_frame(input);
+    if (plan.stencil != nullptr) show_marks(s.jobs, *plan.stencil, *s.marks, s.back_buffer);
     if (plan.convolution != nullptr) s.back_buffer = plan.convolution->run(s.back_buffer);
     s.stats = {};
     s.stats.total_ms = total.milliseconds();
@@ -373,6 +442,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.stats.shadow_bytes = shadows->bytes();
     }
     s.count_work();
+    s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
     return s.back_buffer;
 }

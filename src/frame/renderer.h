@@ -28,8 +28,9 @@ struct FrameStats {
     // Of that, the longest list of blended fragments that a part of a tile needed: as many bytes
     // for every worker that meets such a part. No thread and no tile's order changes it.
     std::size_t blend_list_bytes = 0;
-    std::uint64_t shadow_bytes = 0; // that the pass of the shadows holds
-    std::uint64_t mipmap_bytes = 0; // held; 0 where no texture is minified
+    std::uint64_t shadow_bytes = 0;  // that the pass of the shadows holds
+    std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
+    std::uint64_t mipmap_bytes = 0;  // held; 0 where no texture is minified
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every

@@ -1,6 +1,7 @@
 #include "frame/techniques.h"
 
 #include "frame/anti_aliasing.h"
+#include "frame/stencil.h"
 #include "image/convolution.h"
 #include "image/dither.h"
 #include "raster/visible_rule.h"
@@ -29,6 +30,8 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&test->card);
         for (const shade::Blend* blend : shade::blends())
             found.push_back(&blend->card);
+        for (const Stencil* stencil : stencils())
+            found.push_back(&stencil->card);
         for (const shade::Transparency* transparency : shade::transparencies())
             found.push_back(&transparency->card);
         for (const AntiAliasing* aa : anti_aliasings())

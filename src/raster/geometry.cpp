@@ -289,6 +289,43 @@ image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) cons
     return drawn;
 }
 
+void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const {
+    const auto at = static_cast<std::size_t>(tile);
+    std::vector<std::uint32_t> triangles;
+    std::vector<Segment> segments;
+    std::vector<Point> points;
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[at];
+        triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
+        for (const std::uint32_t i : bin.pieces)
+            triangles.push_back(batch.pieces[i].id);
+        for (const std::uint32_t i : bin.segments)
+            segments.push_back(batch.segments[i]);
+        for (const std::uint32_t i : bin.points)
+            points.push_back(batch.points[i]);
+    }
+    const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()),
+                    triangles.end()); // two pieces of one
+    std::sort(segments.begin(), segments.end(), by_id);
+    std::sort(points.begin(), points.end(), by_id);
+
+    const image::Rect& area = out.area();
+    for (const std::uint32_t triangle : triangles)
+        drawn(triangle, draw_one(triangle, out));
+    const auto draw_all = [&](const auto& primitives) {
+        for (const auto& primitive : primitives) {
+            out.draw(primitive);
+            const image::Rect box = pixel_bounds(primitive, area.x1, area.y1);
+            drawn(primitive.id,
+                  {std::max(box.x0, area.x0), std::max(box.y0, area.y0), box.x1, box.y1});
+        }
+    };
+    draw_all(segments);
+    draw_all(points);
+}
+
 std::uint64_t Geometry::triangles_drawn() const {
     std::uint64_t drawn = 0;
     for (const Batch& batch : batches_)

@@ -14,6 +14,7 @@
 #include "raster/tile.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -53,6 +54,10 @@ public:
     image::Rect draw_one(std::uint32_t triangle, VisibilityTile& out) const;
     // The triangles among that.
     void draw(int tile, AreaTile& out) const;
+    // Draws what is opaque, one primitive after the other, lines and points without a ground; calls
+    // drawn(id, pixels that it may have changed) after each that shows.
+    using Drawn = std::function<void(std::uint32_t, const image::Rect&)>;
+    void draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const;
 
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.

@@ -147,6 +147,9 @@ bool Layers::find(const Task& task, const image::Rect& part) {
             (this->*place)(task, row * kTileSize + std::countr_zero(bits));
     if (composed_ != nullptr) composed_->begin_pixels(list.fragments.size());
     note_list();
+    if (noted_ == nullptr) return true;
+    for (const BlendFragment& f : list.fragments)
+        if (f.shown != 0) (*noted_)[f.pixel / kTileSize] |= std::uint64_t{1} << f.pixel % kTileSize;
     return true;
 }
 

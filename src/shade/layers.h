@@ -55,6 +55,11 @@ public:
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
                         image::Image& picture);
 
+    // Bit x of row y, from the tile's corner: some of what was shaded since blends there.
+    using Pixels = std::array<std::uint64_t, raster::kTileSize>;
+    // Also notes the pixels there, of the tiles that follow; null: nowhere.
+    void note_pixels(Pixels* pixels) { noted_ = pixels; }
+
     void begin_frame() {
         found_ = longest_list_ = 0;
         composed_.reset();
@@ -92,6 +97,7 @@ private:
     std::vector<std::uint32_t> at_sample_;
     std::uint64_t found_ = 0;
     std::size_t longest_list_ = 0;
+    Pixels* noted_ = nullptr;
 };
 
 } // namespace scanout::shade

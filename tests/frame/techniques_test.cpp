@@ -23,6 +23,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
         {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
         {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
+        {"stencil", {SCANOUT_STENCIL(SCANOUT_NAME)}},
         {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
         {"aa", {SCANOUT_AA(SCANOUT_NAME)}},

@@ -77,6 +77,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
         {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
         {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
+        {"stencil", {SCANOUT_STENCIL(SCANOUT_NAME)}},
         {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
         {"convolution", {SCANOUT_CONVOLUTION(SCANOUT_NAME)}},
         {"tone", {SCANOUT_TONE(SCANOUT_NAME)}},

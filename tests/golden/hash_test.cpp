@@ -36,6 +36,7 @@ std::vector<Shot> hashed_shots() {
                 (samples > 1 || s.options.aa == "none" || s.options.aa.starts_with("samples")))
                 continue;
             if (s.options.blend_space != "auto" && samples == 1) continue; // nothing is mixed
+            if (s.options.stencil == "overdraw" && samples > 1) continue;  // counts at centres
             if (s.name == "lines_and_points" && samples > 1) continue; // whole pixels: no change
             s.name += "_x" + std::to_string(s.options.samples);
             shots.push_back(s);

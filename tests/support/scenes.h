@@ -395,6 +395,11 @@ inline std::vector<Shot> golden_shots() {
         shots.push_back(s);
     for (const Shot& s : transparent_shots())
         shots.push_back(s);
+    for (const char* name : {"none", "outline", "overdraw"}) {
+        shots.push_back(panes("stencil_" + std::string(name), "exact"));
+        shots.back().camera.azimuth_degrees = 20;
+        shots.back().options.stencil = name;
+    }
     add_output_shots(shots);
     add_anti_aliasing_shots(shots);
     add_interpolation_shots(shots);

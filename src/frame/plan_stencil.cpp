@@ -1,0 +1,48 @@
+// Whether the frame marks pixels, and what is left of a frame whose picture is the marks.
+#include "base/check.h"
+#include "frame/planner.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::frame {
+
+Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    TRY(const std::string name, choose("stencil", plan.options.stencil, "none"));
+    const Stencil* found = find_stencil(name);
+    CHECK(found != nullptr);
+    const std::string all = fmt::format("{} triangles, {} lines and {} points", facts.triangles,
+                                        facts.lines, facts.points);
+    std::string because = "nobody asked for an outline or for counts";
+    if (found->marks == Stencil::Marks::shown)
+        because = fmt::format("{} pixels round what is shown of {}", kOutlineWidth, all);
+    else if (found->marks == Stencil::Marks::covering)
+        because = fmt::format("counts what lies over each pixel of {}", all);
+    planner.choice("stencil", name, plan.options.stencil, std::move(because));
+    if (found->marks == Stencil::Marks::nothing) return {};
+    plan.stencil = found;
+    plan.techniques.push_back(&found->card);
+    return {};
+}
+
+void plan_counts(FramePlan& plan) {
+    FramePlan counts;
+    counts.options = plan.options;
+    counts.options.samples = 1;
+    counts.aa = find_anti_aliasing("none");
+    counts.stencil = plan.stencil;
+    counts.techniques = {&plan.stencil->card};
+    counts.convolution = plan.convolution;
+    if (plan.convolution != nullptr) counts.techniques.push_back(&plan.convolution->card);
+    counts.decisions = std::move(plan.decisions);
+    for (Decision& d : counts.decisions) {
+        if (d.effect == "stencil" || d.effect == "cull" || d.effect == "convolution") continue;
+        d.technique = "off";
+        d.because = "the picture shows counts, at pixels' centres: no colour is found";
+        d.needed = d.forced = false;
+    }
+    plan = std::move(counts);
+}
+
+} // namespace scanout::frame

@@ -1,0 +1,60 @@
+// The stencil buffer: a byte a pixel in which a frame marks what it draws, apart from colour and
+// depth, and what is made of the marks [C 1.6]: the techniques of axis `stencil`. The buffer lives
+// only while a plan wants it. Shadow volumes count at samples, in counts of their own
+// (shade/shadow_count.h).
+#pragma once
+
+#include "base/technique.h"
+#include "image/image.h"
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace scanout::frame {
+
+class StencilBuffer {
+public:
+    // All pixels are 0.
+    StencilBuffer(int width, int height)
+        : width_(width),
+          mark_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
+
+    int width() const { return width_; }
+    int height() const { return static_cast<int>(mark_.size()) / width_; }
+    std::uint64_t bytes() const { return mark_.size(); }
+    std::span<std::uint8_t> row(int y) {
+        return std::span(mark_).subspan(start(y), static_cast<std::size_t>(width_));
+    }
+    std::span<const std::uint8_t> row(int y) const {
+        return std::span(mark_).subspan(start(y), static_cast<std::size_t>(width_));
+    }
+
+private:
+    std::size_t start(int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
+    }
+    int width_;
+    std::vector<std::uint8_t> mark_;
+};
+
+struct Stencil {
+    enum class Marks : std::uint8_t {
+        nothing,
+        shown,   // 1 where a pixel shows something of the model, at whatever sample
+        covering // how many primitives lie over the pixel's centre, 255 at most
+    };
+    Technique card;
+    Marks marks = Marks::nothing;
+    // Draws a row of the picture by its marks and its neighbours'.
+    void (*show)(const StencilBuffer& marks, int y, image::Image& picture) = nullptr;
+};
+
+inline constexpr int kOutlineWidth = 2; // pixels
+
+// In the order of techniques.h; null where there is no such name.
+std::span<const Stencil* const> stencils();
+const Stencil* find_stencil(std::string_view name);
+
+} // namespace scanout::frame

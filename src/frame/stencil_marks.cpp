@@ -1,0 +1,64 @@
+#include "frame/stencil_marks.h"
+
+#include <algorithm>
+
+namespace scanout::frame {
+
+void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended, int scale,
+                StencilBuffer& out) {
+    const image::Rect& area = tile.area();
+    for (int y = area.y0; y < area.y1; ++y) {
+        const auto row = out.row(y / scale);
+        const auto in_tile = static_cast<std::size_t>(y - area.y0);
+        const std::uint64_t bits = blended == nullptr ? 0 : (*blended)[in_tile];
+        for (int x = area.x0; x < area.x1; ++x) {
+            bool shown = (bits >> (x - area.x0) & 1) != 0;
+            for (int s = 0; s < tile.samples(); ++s)
+                shown = shown || tile.id(x, y, s) != raster::kNoPrimitive;
+            if (shown) row[static_cast<std::size_t>(x / scale)] = 1;
+        }
+    }
+}
+
+void mark_shown(raster::AreaTile& tile, StencilBuffer& out) {
+    const image::Rect& area = tile.area();
+    for (int y = area.y0; y < area.y1; ++y)
+        for (int x = area.x0; x < area.x1; ++x)
+            if (!tile.fragments(x, y).empty()) out.row(y)[static_cast<std::size_t>(x)] = 1;
+}
+
+// Whatever comes later, in the order of ids, shows: after each, the pixels that have its id are
+// those that it covers. The coverage is that of the picture itself, to the sample.
+static void count_tile(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
+                       StencilBuffer& out) {
+    scratch.reset(geometry.tile_area(tile), 1, {.test = raster::DepthTest::always});
+    geometry.draw_each(tile, scratch, [&](std::uint32_t id, const image::Rect& box) {
+        for (int y = box.y0; y < box.y1; ++y) {
+            const auto row = out.row(y);
+            for (int x = box.x0; x < box.x1; ++x) {
+                std::uint8_t& count = row[static_cast<std::size_t>(x)];
+                if (scratch.id(x, y) == id && count < 255) ++count;
+            }
+        }
+    });
+}
+
+void count_covering(Jobs& jobs, const raster::Geometry& geometry, StencilBuffer& out) {
+    std::vector<raster::VisibilityTile> scratch(static_cast<std::size_t>(jobs.threads()));
+    jobs.for_each(geometry.tiles(), [&](int tile, int worker) {
+        if (!geometry.is_empty(tile))
+            count_tile(geometry, tile, scratch[static_cast<std::size_t>(worker)], out);
+    });
+}
+
+void show_marks(Jobs& jobs, const Stencil& stencil, const StencilBuffer& marks,
+                image::Image& picture) {
+    constexpr int kRows = 16;
+    jobs.for_each((marks.height() + kRows - 1) / kRows, [&](int band, int) {
+        const int end = std::min((band + 1) * kRows, marks.height());
+        for (int y = band * kRows; y < end; ++y)
+            stencil.show(marks, y, picture);
+    });
+}
+
+} // namespace scanout::frame
