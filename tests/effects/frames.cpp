@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -30,9 +31,10 @@ namespace {
 std::size_t held_bytes = 0;
 
 // Blocks of powers of two, kept by their size when they come back: what taking one costs does not
-// depend on what was given back before, as it does with malloc. For one thread.
+// depend on what was given back before, as it does with malloc. All of one size stand at the same
+// place in a page, on which the way that the C library copies depends. For one thread.
 constexpr std::size_t kHead = 64; // keeps every alignment that is asked for here
-constexpr std::size_t kChunk = std::size_t{1} << 24;
+constexpr std::size_t kChunk = std::size_t{1} << 24, kPage = 4096;
 std::array<std::byte*, 48> given_back{};
 std::byte *chunk = nullptr, *chunk_end = nullptr;
 
@@ -41,9 +43,12 @@ std::byte* block_of(std::size_t bytes, std::size_t power) {
         std::memcpy(&given_back[power], block + kHead, sizeof block);
         return block;
     }
-    if (static_cast<std::size_t>(chunk_end - chunk) < bytes) {
+    const std::size_t place = std::min(bytes, kPage);
+    if (chunk != nullptr) chunk += -std::bit_cast<std::uintptr_t>(chunk) & (place - 1);
+    if (chunk == nullptr || chunk > chunk_end ||
+        static_cast<std::size_t>(chunk_end - chunk) < bytes) {
         const std::size_t room = std::max(bytes, kChunk);
-        chunk = static_cast<std::byte*>(std::aligned_alloc(kHead, room));
+        chunk = static_cast<std::byte*>(std::aligned_alloc(kPage, room));
         if (chunk == nullptr) throw std::bad_alloc();
         chunk_end = chunk + room;
     }
