@@ -213,6 +213,7 @@ stage_guests() {
 
 # Each fault of tests/faults put into a copy of the sources: the tests that it names must fail.
 stage_faults() {
+    use_cache
     local status=0
     mkdir -p build/faults
     python3 -B tests/faults/faults.py build/faults | tee build/faults/faults.log || status=$?
