@@ -98,30 +98,34 @@ float Gatherer::offset_at(int pixel) const {
 
 void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
                               int y) {
-    std::array<std::uint32_t, 16> id{};
-    const auto samples = static_cast<std::size_t>(tile.samples());
-    for (std::size_t s = 0; s < samples; ++s)
-        id[s] = tile.id(x, y, static_cast<int>(s));
+    const int samples = tile.samples();
     const std::uint16_t pixel = pixel_number(x, y);
-    const auto end = id.begin() + static_cast<std::ptrdiff_t>(samples);
+    const std::uint32_t* ids = tile.ids(0).data() + pixel;
+    std::array<std::uint32_t, 16> id;
+    for (int s = 0; s < samples; ++s)
+        id[static_cast<std::size_t>(s)] = ids[static_cast<std::size_t>(s) * tile.kPlane];
     const float share = 1.0F / static_cast<float>(samples);
-    const auto share_of = [&](std::uint32_t primitive) {
-        return static_cast<float>(std::count(id.begin(), end, primitive)) * share;
-    };
-    for (std::size_t s = 0; s < samples; ++s) {
-        const auto here = id.begin() + static_cast<std::ptrdiff_t>(s);
-        // Counted at its first sample in the pixel.
-        if (*here == raster::kNoPrimitive || std::find(id.begin(), here, *here) != here) continue;
-        unsigned mask = 0;
-        for (std::size_t other = s; other < samples; ++other)
-            mask |= static_cast<unsigned>(id[other] == *here) << other;
-        const raster::SampleOffset& at = tile.pattern()[s];
-        fragments_.push_back({*here, look_of(*in.mesh, *here), pixel, static_cast<std::uint8_t>(s),
-                              0, static_cast<std::uint16_t>(shared_.size()), share_of(*here),
+    float background = 0;
+    // From sample to sample that shows what none before it has shown.
+    for (unsigned rest = (1U << samples) - 1, mask; rest != 0; rest &= ~mask) {
+        const int first = std::countr_zero(rest);
+        const std::uint32_t here = id[static_cast<std::size_t>(first)];
+        mask = 0;
+        for (int s = first; s < samples; ++s)
+            mask |= static_cast<unsigned>(id[static_cast<std::size_t>(s)] == here) << s;
+        const float weight = static_cast<float>(std::popcount(mask)) * share;
+        if (here == raster::kNoPrimitive) {
+            background = weight;
+            continue;
+        }
+        const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
+        fragments_.push_back({here, look_of(*in.mesh, here), pixel,
+                              static_cast<std::uint8_t>(first), 0,
+                              static_cast<std::uint16_t>(shared_.size()), weight,
                               static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)});
     }
     shared_.push_back(pixel);
-    through_.push_back(share_of(raster::kNoPrimitive));
+    through_.push_back(background);
 }
 
 // The surfaces of a pixel that has blended fragments, opaque ones among them, with their weights:
@@ -251,7 +255,6 @@ void Gatherer::sort_fragments() {
 // Whatever is added next looks like this.
 void Gatherer::begin_look(const GatherInput& in, const Look& look, image::Image& picture) {
     Block& b = *block_;
-    if (look_ == look) return;
     finish_block(in, picture);
     look_ = look;
     b.lit = look.lit;
@@ -447,7 +450,7 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
     spans_->arrange();
     const std::int32_t* pixel = spans_->pixels();
     for (const Spans::Group& group : spans_->groups()) {
-        begin_look(in, group.look, picture);
+        if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
         for (int rest = group.count; rest > 0;) {
             if (b.count == kLanes) finish_block(in, picture);
@@ -469,7 +472,7 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
     Block& b = *block_;
     sort_fragments();
     for (const Fragment& f : fragments_) {
-        begin_look(in, f.look, picture);
+        if (look_ != f.look) begin_look(in, f.look, picture);
         if (b.count == kLanes) finish_block(in, picture);
         const Primitive* of = b.lit ? &primitive(in, f.id, picture) : nullptr; // may end the block
         const auto lane = static_cast<std::size_t>(b.count);

@@ -17,7 +17,7 @@ import time
 import xml.etree.ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-COPIED = ("CMakeLists.txt", "CMakePresets.json", "cmake", "src", "platform", "tests", "models")
+COPIED = ("CMakeLists.txt", "CMakePresets.json", "cmake", "src", "platform", "tests", "bench", "models")
 CORES = str(len(os.sched_getaffinity(0)))
 
 
