@@ -46,9 +46,12 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
         const Decision* row = plan.decision(name);
         if (row != nullptr && !row->choice) continue;
-        if (row != nullptr)
-            return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{0} NAME", name,
-                        on ? "on" : "off");
+        if (row != nullptr) {
+            std::string option = name;
+            std::replace(option.begin(), option.end(), '_', '-');
+            return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{2} NAME", name,
+                        on ? "on" : "off", option);
+        }
         std::string known;
         for (const Decision& d : plan.decisions)
             if (!d.choice) known += " " + d.effect;

@@ -111,10 +111,9 @@ private:
     void load_normal_maps(scene::Material& material, const std::string& library_path);
     void load_map(scene::TextureMap& map, std::string_view keyword,
                   const std::string& library_path);
-    std::int32_t texture(const std::string& name, std::string_view keyword,
+    std::int32_t texture(const std::string& name, const std::string& where,
                          const std::string& library_path);
-    std::int32_t load_texture(const std::string& path, std::string_view keyword,
-                              const std::string& library_path);
+    std::int32_t load_texture(const std::string& path, const std::string& where);
     void texture_fault(const std::string& name, std::string line);
 
     const ObjFile& obj_;
@@ -255,40 +254,40 @@ void MaterialLoader::name_what_is_not_drawn() {
 
 void MaterialLoader::load_map(scene::TextureMap& map, std::string_view keyword,
                               const std::string& library_path) {
-    if (map.given()) map.texture = texture(map.path, keyword, library_path);
+    if (map.given())
+        map.texture = texture(map.path, fmt::format("{}:{}: {}", library_path, map.line, keyword),
+                              library_path);
 }
 
-std::int32_t MaterialLoader::texture(const std::string& name, std::string_view keyword,
+// where: file:line: keyword.
+std::int32_t MaterialLoader::texture(const std::string& name, const std::string& where,
                                      const std::string& library_path) {
     const std::string folder = folder_of(library_path);
     const auto [known, is_new] = textures_.try_emplace(folder + '\n' + name, -1);
     if (!is_new) return known->second;
     if (textures_.size() > 2 * kMostTextures) {
         warnings_.add("textures", fmt::format("{}: more than {} textures; the rest is drawn plain",
-                                              library_path, kMostTextures));
+                                              where, kMostTextures));
         return -1;
     }
     const auto path = finder_.find_anywhere(folder, folder_, name);
     if (!path) {
-        texture_fault(name, fmt::format("{}: texture '{}' is not there; drawn plain", library_path,
-                                        shown(name)));
+        texture_fault(name, fmt::format("{}: '{}' is not there; drawn plain", where, shown(name)));
         return -1;
     }
     const std::string real = canonical(*path);
     const auto [loaded, first] = textures_.try_emplace(real, -1);
-    if (first) loaded->second = load_texture(*path, keyword, library_path);
+    if (first) loaded->second = load_texture(*path, where);
     return textures_[folder + '\n' + name] = textures_[real];
 }
 
-std::int32_t MaterialLoader::load_texture(const std::string& path, std::string_view keyword,
-                                          const std::string& library_path) {
+std::int32_t MaterialLoader::load_texture(const std::string& path, const std::string& where) {
     image::DecodeLimits limits;
     limits.max_pixels = std::min(
         limits.max_pixels, static_cast<std::int64_t>(texture_bytes_left_ / sizeof(image::Rgba8)));
     auto picture = image::load(path, limits);
     if (!picture) {
-        texture_fault(path, fmt::format("{}: {}: {}; drawn plain", library_path, keyword,
-                                        picture.error().what));
+        texture_fault(path, fmt::format("{}: {}; drawn plain", where, picture.error().what));
         return -1;
     }
     const std::uint64_t bytes = picture->pixels().size_bytes();

@@ -51,6 +51,8 @@ constexpr std::array<std::string_view, 12> kNotKept = {"Kt",      "Ps",      "Pc
                                                        "aniso",   "anisor",  "map_Ps",    "map_aat",
                                                        "map_RMA", "map_ORM", "sharpness", "Km"};
 
+constexpr double kMost = 1e6; // of colours, exponents and options
+
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
 }
@@ -70,7 +72,8 @@ private:
     void finish_material();
 
     std::optional<double> number();
-    void colour(Vec3& colour);
+    void colour(std::string_view name, Vec3& colour);
+    double between(std::string_view name, double value, double least, double most);
     bool map_option(Cursor& at, TextureMap& map) const;
     bool map_options(Cursor& at, TextureMap& map) const;
     void map_file(TextureMap& map);
@@ -131,17 +134,17 @@ void MtlReader::statement() {
 bool MtlReader::colour_statement(std::string_view key) {
     if (key == "kd") {
         has_diffuse_ = true;
-        colour(now_->diffuse);
+        colour("Kd", now_->diffuse);
     } else if (key == "ka") {
-        colour(now_->ambient);
+        colour("Ka", now_->ambient);
     } else if (key == "ks") {
         has_specular_ = true;
-        colour(now_->specular);
+        colour("Ks", now_->specular);
     } else if (key == "ke") {
         has_emission_ = true;
-        colour(now_->emission);
+        colour("Ke", now_->emission);
     } else if (key == "tf") {
-        colour(now_->transmission);
+        colour("Tf", now_->transmission);
     } else {
         return false;
     }
@@ -149,24 +152,27 @@ bool MtlReader::colour_statement(std::string_view key) {
 }
 
 bool MtlReader::number_statement(std::string_view key) {
+    const auto within = [&](std::string_view name, double least, double most) {
+        const auto n = number();
+        return n ? std::optional(between(name, *n, least, most)) : std::nullopt;
+    };
     if (key == "ns") {
-        if (const auto n = number()) now_->shininess = clamped(*n, 0, 1e6);
+        if (const auto n = within("Ns", 0, kMost)) now_->shininess = static_cast<float>(*n);
     } else if (key == "pr") {
-        if (const auto n = number()) now_->roughness = clamped(*n, 0, 1);
+        if (const auto n = within("Pr", 0, 1)) now_->roughness = static_cast<float>(*n);
     } else if (key == "pm") {
-        if (const auto n = number()) now_->metalness = clamped(*n, 0, 1);
+        if (const auto n = within("Pm", 0, 1)) now_->metalness = static_cast<float>(*n);
     } else if (key == "ni") {
-        if (const auto n = number()) now_->refraction = clamped(*n, 0, 1e6);
+        if (const auto n = within("Ni", 0, kMost)) now_->refraction = static_cast<float>(*n);
     } else if (key == "illum") {
-        if (const auto n = number())
-            now_->illumination = static_cast<int>(std::clamp(*n, 0.0, 10.0));
+        if (const auto n = within("illum", 0, 10)) now_->illumination = static_cast<int>(*n);
     } else if (key == "d") {
         at_.skip_blanks();
         const Cursor before = at_;
         if (at_.word() != "-halo") at_ = before; // opacity by angle: its number is read as plain
-        if (const auto n = number()) dissolve_ = std::clamp(*n, 0.0, 1.0);
+        if (const auto n = within("d", 0, 1)) dissolve_ = *n;
     } else if (key == "tr") {
-        if (const auto n = number()) transparency_ = std::clamp(*n, 0.0, 1.0);
+        if (const auto n = within("Tr", 0, 1)) transparency_ = *n;
     } else {
         return false;
     }
@@ -178,6 +184,7 @@ bool MtlReader::map_statement(std::string_view key) {
         if (key != known.keyword) continue;
         TextureMap map;
         map_file(map);
+        map.line = at_.line;
         if (map.path.empty())
             warn("MTL map", fmt::format("{} names no file", known.name));
         else
@@ -247,8 +254,18 @@ std::optional<double> MtlReader::number() {
     return std::nullopt;
 }
 
+// What a material cannot have becomes the nearest that it can, in one line a name, and counted.
+double MtlReader::between(std::string_view name, double value, double least, double most) {
+    const double taken = std::clamp(value, least, most);
+    if (taken != value)
+        warn(fmt::format("MTL {}", name),
+             fmt::format("{} is {}, which is not between {} and {}; {} is taken", name, value,
+                         least, most, taken));
+    return taken;
+}
+
 // "r g b", or "r" alone for grey. Spectral curves and CIE XYZ are not read: the default stays.
-void MtlReader::colour(Vec3& colour) {
+void MtlReader::colour(std::string_view name, Vec3& colour) {
     at_.skip_blanks();
     const std::string_view word = Cursor(at_).word();
     if (word == "spectral" || word == "xyz")
@@ -265,7 +282,8 @@ void MtlReader::colour(Vec3& colour) {
         g = *given_g;
         b = *given_b;
     }
-    colour = Vec3(clamped(*r, 0, 1e6), clamped(g, 0, 1e6), clamped(b, 0, 1e6));
+    for (int c = 0; c < 3; ++c)
+        colour[c] = static_cast<float>(between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMost));
 }
 
 // One "-option arguments" at the cursor. False, and the cursor stays, when there is none.
@@ -281,7 +299,7 @@ bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
         ahead.skip_blanks();
         double n = 0;
         if (ahead.number(n) != NumberFault::none) return false;
-        value = clamped(n, -1e6, 1e6);
+        value = clamped(n, -kMost, kMost);
         at = ahead;
         return true;
     };

@@ -16,6 +16,7 @@ namespace scanout::scene {
 struct TextureMap {
     std::int32_t texture = -1; // index into Scene::textures; -1: the file could not be read
     std::string path;          // as the file names it
+    std::size_t line = 0;      // where it does
     bool blend_u = true, blend_v = true, clamp = false, colour_correction = false;
     float boost = 0, base = 0, gain = 1, bump_multiplier = 1;
     Vec3 offset{0}, scale{1}, turbulence{0};

@@ -196,7 +196,7 @@ TEST(Textures, EachThatFailsIsOneLineAndItsMaterialIsPlain) {
     for (const scene::Material& m : l.materials.materials)
         EXPECT_EQ(m.map_diffuse.texture, -1);
     EXPECT_EQ(l.warnings.lines().size(), 4u) << all_lines(l.warnings);
-    EXPECT_TRUE(warned(l.warnings, {"m.mtl: texture 'gone.png' is not there"}));
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl:2: map_Kd: 'gone.png' is not there"}));
     EXPECT_TRUE(warned(l.warnings, {"zero: is not a regular file"}));
     EXPECT_EQ(all_lines(l.warnings).find("secret"), std::string::npos);
 }
@@ -232,7 +232,7 @@ TEST(Textures, AnOpacityMapIsReadByItsAlphaWhereThatSaysSomething) {
     EXPECT_EQ(m[2].map_opacity.channel, 'g');
     EXPECT_EQ(m[3].map_opacity.texture, -1);
     EXPECT_EQ(l.materials.textures.size(), 2u);
-    EXPECT_TRUE(warned(l.warnings, {"m.mtl: texture 'gone.png' is not there"}));
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl:8: map_d: 'gone.png' is not there"}));
 }
 
 TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
@@ -259,7 +259,7 @@ TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
     EXPECT_EQ(m[2].map_bump.texture, -1);
     EXPECT_EQ(m[2].emission, Vec3(0)) << "a colour that only the map gives is gone with it";
     EXPECT_EQ(all_lines(l.warnings),
-              folder.path("m.mtl") + ": texture 'gone.png' is not there; drawn plain\n");
+              folder.path("m.mtl") + ":20: map_Ke: 'gone.png' is not there; drawn plain\n");
 }
 
 TEST(Textures, AMapBumpOfNormalsIsANormalMap) {

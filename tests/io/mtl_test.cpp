@@ -47,6 +47,21 @@ TEST(Mtl, ReadsEveryValue) {
     EXPECT_THAT(r.materials[0].not_drawn, testing::IsEmpty());
 }
 
+TEST(Mtl, WhatNoMaterialCanHaveIsNamedAndCounted) {
+    const Read r = read_one("Ns 1e30\nNs 2e30\nKd -1 2 1e30\nd 7\nd 1\nPm -3");
+    EXPECT_EQ(r.first().shininess, 1e6F);
+    EXPECT_EQ(r.first().metalness, 0.0F);
+    for (const char* line :
+         {"x.mtl:2: Ns is 1e+30, which is not between 0 and 1000000; 1000000 is taken",
+          "x.mtl:4: Kd is -1, which is not between 0 and 1000000; 0 is taken",
+          "x.mtl:5: d is 7, which is not between 0 and 1; 1 is taken",
+          "x.mtl:7: Pm is -3, which is not between 0 and 1; 0 is taken"})
+        EXPECT_TRUE(warned(r.warnings, {line})) << line << '\n' << all_lines(r.warnings);
+    EXPECT_EQ(r.warnings.count("MTL Ns"), 2u);
+    EXPECT_EQ(r.warnings.count("MTL Kd"), 2u) << "a channel each";
+    EXPECT_EQ(r.warnings.count("MTL d"), 1u);
+}
+
 TEST(Mtl, NamesMayHoldBlanksAndEndWithTabs) {
     const Read r = read("newmtl\ta b  c\t\t\r\nKd 1 0 0\r\n newmtl d\rKd 0 1 0");
     ASSERT_EQ(r.materials.size(), 2u);
