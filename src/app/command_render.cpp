@@ -73,8 +73,9 @@ public:
             scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
                              settings_.frame.width, settings_.frame.height));
         TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
-        if (settings_.verbose && index == 0)
-            for (const frame::Decision& decision : plan.decisions)
+        for (const frame::Decision& decision : plan.decisions)
+            if (index == 0 && (settings_.verbose ||
+                               (!settings_.quiet && asked_in_vain(settings_.frame, decision))))
                 say(to_string(decision));
         const image::Image* picture = nullptr;
         for (int repeat = 0; repeat < settings_.frames; ++repeat) {

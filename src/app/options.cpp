@@ -269,7 +269,9 @@ const std::array kOptions = std::to_array<Option>({
      "ambient:POWER, "
      "directional:X,Y,Z (where it comes from), point:X,Y,Z, spot:X,Y,Z:to=X,Y,Z:cone=INNER,OUTER "
      "in the file's coordinates, camera:X,Y,Z (fixed to the camera); each may go on with "
-     ":colour= :power= :size= :shape=sphere|square :shadow=on|off :frame=world|camera :name=",
+     ":colour= :power= :size= (radius in the file's unit; of a directional light in degrees, up to "
+     "80) "
+     ":shape=sphere|square :shadow=on|off :frame=world|camera :name=",
      false, true},
     {"convolution", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.convolution; }),

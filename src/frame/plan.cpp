@@ -69,6 +69,11 @@ const Decision* FramePlan::decision(std::string_view effect) const {
     return found == decisions.end() ? nullptr : &*found;
 }
 
+bool asked_in_vain(const FrameOptions& options, const Decision& d) {
+    if (d.choice || d.needed) return false;
+    return d.forced ? d.on() : d.effect == "shadow" && options.shadow != "auto";
+}
+
 std::string to_string(const Decision& d) {
     return fmt::format("{} {}: {}{}", d.effect, d.technique, d.because,
                        d.forced ? " (forced)" : "");

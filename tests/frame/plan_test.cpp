@@ -138,6 +138,29 @@ TEST(Plan, AnAxisIsNoEffect) {
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().what, HasSubstr("say --shading NAME"));
+    options.effects = {{"depth_test", true}};
+    EXPECT_THAT(plan(options, facts).error().what, HasSubstr("say --depth-test NAME"));
+}
+
+TEST(Plan, KnowsWhatIsAskedOfItInVain) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    const auto in_vain = [&](const FrameOptions& options) {
+        std::vector<std::string> names;
+        for (const Decision& d : plan_of(facts, options).decisions)
+            if (asked_in_vain(options, d)) names.push_back(d.effect);
+        return names;
+    };
+    FrameOptions options;
+    EXPECT_THAT(in_vain(options), testing::IsEmpty());
+    options.effects = {{"point_light", true}, {"spot_light", false}};
+    options.shadow = "volume"; // nothing casts
+    EXPECT_THAT(in_vain(options), testing::UnorderedElementsAre("point_light", "shadow"));
+    options.lights = {test::light_of(scene::LightKind::point, 1)};
+    options.lights.back().casts = true;
+    EXPECT_THAT(in_vain(options), testing::IsEmpty());
+    options.shading = "flat";
+    EXPECT_THAT(in_vain(options), testing::ElementsAre("shadow"));
 }
 
 TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {

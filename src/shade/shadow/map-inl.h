@@ -18,15 +18,21 @@
 
 SIMD_BEGIN(scanout::shade::shadow)
 
-// Steeper planes count as this steep: 4096 units along the light's ray for one across it. They get
-// 1/4096 of the light, less than half a code.
+// Steeper planes count as this steep: 4096 units along the light's ray for one across it.
 constexpr double kSteepest = 0x1p12;
+
+// The plane of a face that the light meets edge-on soon passes whatever stands before the light.
+// So beyond the face itself it comes nearer to the light by no more than this, for one unit across
+// the ray: the surface goes on there in faces that lean less or bend away. On a ball of 250 texels
+// that is more than it rises anywhere but in the last texel of its lit side.
+constexpr float kBeyond = 16;
 
 // A triangle's plane in a map.
 struct MapPlane {
     float per_x, per_y;     // depth a texel
     float bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
     float error;            // of a position, view units
+    float nearest;          // depth of the triangle's vertices: the greatest
 };
 
 // fmax and fabs are functions of other targets.
@@ -59,13 +65,28 @@ HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     } else {
         to_depth = -m.depth_scale / larger(n[2], length / kSteepest);
     }
+    double nearest = 0;
+    for (int k = 0; k < 3; ++k) {
+        double depth = 0;
+        for (int c = 0; c < 3; ++c)
+            depth += double{m.turn[2][c]} * facing.corner[k][c];
+        depth += m.move[2];
+        if (m.perspective)
+            depth = depth < 0 ? m.depth_scale / -depth : 0x1p100; // beside the light, or behind it
+        else
+            depth = depth * m.depth_scale + m.depth_offset;
+        nearest = larger(nearest, depth);
+    }
     const double per_x = n[0] * to_depth / m.scale_x, per_y = -(n[1] * to_depth) / m.scale_y;
     // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
     const double slope = size_of(per_x) + size_of(per_y);
     const double texels = larger(m.scale_x, m.scale_y) * error * (m.perspective ? 2.5 : 1.0);
-    return {static_cast<float>(per_x), static_cast<float>(per_y),
+    return {static_cast<float>(per_x),
+            static_cast<float>(per_y),
             static_cast<float>(slope * 0x1p-6 + (m.perspective ? 0.0 : m.depth_scale * error)),
-            static_cast<float>(slope * texels), static_cast<float>(error)};
+            static_cast<float>(slope * texels),
+            static_cast<float>(error),
+            static_cast<float>(nearest)};
 }
 
 // Where two faces meet in a hollow edge, texels beside the receiver show the other face, which
@@ -75,10 +96,17 @@ HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
 // than that lets light under its foot, at most 1.5 texels (HARD-CASES 42).
 constexpr float kRise = 3;
 
+// Where the light grazes a face, the next one, which leans towards it by an angle, rises above the
+// face's plane by that angle times the slope's square: so much more hides nothing there, up to what
+// kBeyond allows. For six degrees.
+constexpr float kFold = 0.1F;
+
 struct Receiver {
     F32x8 x, y; // texels
     F32x8 depth, per_x, per_y, bias;
     F32x8 rise_x, rise_y; // depth that hides nothing, a texel aside
+    F32x8 nearest;        // of its triangle
+    F32x8 fold;           // rises more that hide nothing
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
@@ -113,6 +141,9 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
     const F32x8 rise = F32x8(kRise) * (m.perspective ? depth : F32x8(m.depth_scale));
     r.rise_x = rise * F32x8(1.0F / m.scale_x);
     r.rise_y = rise * F32x8(1.0F / m.scale_y);
+    r.nearest = F32x8(plane.nearest) + r.bias;
+    const F32x8 slope_x = r.per_x / r.rise_x, slope_y = r.per_y / r.rise_y; // of kRise
+    r.fold = (slope_x * slope_x + slope_y * slope_y) * F32x8(kFold * kRise);
     return r;
 }
 
@@ -130,8 +161,11 @@ HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, I32x8 tx, I32x8 ty
     const I32x8 last = m.size - 1, zero = 0;
     const I32x8 column = minimum(maximum(tx, zero), last), row = minimum(maximum(ty, zero), last);
     const F32x8 dx = (to_f32(tx) + F32x8(0.5F)) - r.x, dy = (to_f32(ty) + F32x8(0.5F)) - r.y;
-    const F32x8 own = ((r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias) +
-                      (r.rise_x * abs(dx) + r.rise_y * abs(dy));
+    const F32x8 rise = r.rise_x * abs(dx) + r.rise_y * abs(dy);
+    const F32x8 plane = (r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias;
+    const F32x8 own = minimum(plane + rise * r.fold,
+                              maximum(r.nearest, r.depth) + rise * F32x8(kBeyond / kRise)) +
+                      rise;
     return {gather(m.depth, row * I32x8(m.size) + column), maximum(own, F32x8(0.0F))};
 }
 // 1 where something stands between the texel's part of the receiver's plane and the light.
