@@ -45,13 +45,31 @@ Cells cells(const EffectRow& row) {
     return c;
 }
 
+using Shown = std::array<bool, kHeads.size()>; // columns
+
 // Names to the left, numbers to the right; the last column as it is.
 std::string line_of(const Cells& c, const std::array<std::size_t, kHeads.size()>& width,
-                    bool times) {
+                    const Shown& shown) {
     std::string line = fmt::format("{:<{}}  {:<{}}", c[0], width[0], c[1], width[1]);
     for (std::size_t i = 2; i + 1 < c.size(); ++i)
-        if (i != kTimeColumn || times) line += fmt::format("  {:>{}}", c[i], width[i]);
+        if (shown[i]) line += fmt::format("  {:>{}}", c[i], width[i]);
     return line + "  " + c.back();
+}
+
+// The heads, and a line for each of these rows.
+std::vector<std::string> table_of(const std::vector<const EffectRow*>& rows, const Shown& shown) {
+    std::vector<Cells> table = {{}};
+    std::copy(kHeads.begin(), kHeads.end(), table.front().begin());
+    for (const EffectRow* row : rows)
+        table.push_back(cells(*row));
+    std::array<std::size_t, kHeads.size()> width{};
+    for (const Cells& c : table)
+        for (std::size_t i = 0; i < c.size(); ++i)
+            width[i] = std::max(width[i], c[i].size());
+    std::vector<std::string> lines;
+    for (const Cells& c : table)
+        lines.push_back(line_of(c, width, shown));
+    return lines;
 }
 
 // What the columns do not say by themselves: what proves that a row that is off may be off.
@@ -89,18 +107,44 @@ std::vector<std::string> explain_table(const LoadedModel& model, const Explanati
     if (e.milliseconds) lines.back() += fmt::format("  {:.2f} ms", *e.milliseconds);
     if (e.special == 0)
         lines.emplace_back("nothing special is called for: plain surfaces in their own colour");
-    std::vector<Cells> table = {{}};
-    std::copy(kHeads.begin(), kHeads.end(), table.front().begin());
+    std::vector<const EffectRow*> rows;
     for (const EffectRow& row : e.rows)
-        table.push_back(cells(row));
-    std::array<std::size_t, kHeads.size()> width{};
-    for (const Cells& c : table)
-        for (std::size_t i = 0; i < c.size(); ++i)
-            width[i] = std::max(width[i], c[i].size());
-    for (const Cells& c : table)
-        lines.push_back(line_of(c, width, e.milliseconds.has_value()));
+        rows.push_back(&row);
+    Shown shown;
+    shown.fill(true);
+    shown[kTimeColumn] = e.milliseconds.has_value();
+    const std::vector<std::string> table = table_of(rows, shown);
+    lines.insert(lines.end(), table.begin(), table.end());
     if (const std::string proof = verdict(e); !proof.empty()) lines.push_back(proof);
     return lines;
+}
+
+std::vector<std::string> screen_table(const Explanation& e, std::size_t measured,
+                                      std::size_t letters, std::size_t lines) {
+    std::vector<const EffectRow*> rows;
+    for (const EffectRow& row : e.rows)
+        rows.push_back(&row);
+    constexpr std::size_t kOthers = 2; // the heads, and the line at the end
+    std::size_t left_out = 0;
+    for (std::size_t i = rows.size(); i-- > 0 && rows.size() + kOthers > lines;) {
+        if (rows[i]->decision.on()) continue;
+        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
+        ++left_out;
+    }
+    constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
+    Shown shown;
+    shown.fill(true);
+    if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels
+    std::vector<std::string> table = table_of(rows, shown);
+    std::string last = measured < e.rows.size()
+                           ? fmt::format("measured {} of {}", measured, e.rows.size())
+                           : verdict(e);
+    if (left_out > 0)
+        last += fmt::format("{}{} that are off: not shown", last.empty() ? "" : "; ", left_out);
+    table.push_back(std::move(last));
+    for (std::string& line : table)
+        if (line.size() > letters) line.resize(letters);
+    return table;
 }
 
 std::vector<std::string> plan_lines(const frame::FramePlan& plan, std::size_t letters) {

@@ -17,8 +17,13 @@ std::string because(const measure::EffectRow& row);
 std::vector<std::string> explain_table(const LoadedModel& model,
                                        const measure::Explanation& explanation);
 
-// The plan alone, for the viewer: an effect a line. Lines are cut to `letters`; what each
-// effect costs and changes takes many frames to find out and is left to the command.
+// The same on a screen of so many letters and lines, for the viewer: `measured` rows have their
+// figures. Lines are cut; where they are too many, effects that are off are only counted, and a
+// narrow screen shows fewer columns.
+std::vector<std::string> screen_table(const measure::Explanation& explanation, std::size_t measured,
+                                      std::size_t letters, std::size_t lines);
+
+// The plan alone: an effect a line. What each effect costs and changes takes many frames.
 std::vector<std::string> plan_lines(const frame::FramePlan& plan, std::size_t letters);
 
 } // namespace scanout::app

@@ -80,6 +80,13 @@ std::size_t letters_across(int width, int height) {
         std::max(1, (width - 2 * kMargin * scale) / (kGlyphWidth * scale)));
 }
 
+std::size_t lines_down(int width, int height) {
+    const int scale = text_scale(width, height);
+    const int message = (kGlyphHeight + 2 * kMargin) * scale;
+    return static_cast<std::size_t>(
+        std::max(1, (height - message - 2 * kMargin * scale) / (kGlyphHeight * scale)));
+}
+
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
     // The help sheet says how everything stands, and takes the room.

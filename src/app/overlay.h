@@ -27,6 +27,8 @@ std::vector<std::string> broken_into_lines(const std::string& text, std::size_t 
 
 // How many letters stand side by side in a picture of this size.
 std::size_t letters_across(int width, int height);
+// How many lines of text stand above the message's.
+std::size_t lines_down(int width, int height);
 
 void draw_overlay(image::Image& picture, const Overlay& overlay);
 

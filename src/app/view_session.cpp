@@ -71,6 +71,7 @@ Result<void> ViewSession::run() {
         TRY_VOID(advance(now));
         if (quit_) break;
         TRY_VOID(draw_if_due(now));
+        TRY_VOID(explain_a_row());
         TRY_VOID(wait());
     }
     return outcome();
@@ -259,7 +260,8 @@ Result<void> ViewSession::load(bool again) {
         load_model(path, [this](double share) { return report_progress(share); });
     if (quit_) return {};
     ++generation_;
-    clock_.stop(); // the time that loading took does not turn the model
+    explainer_.reset(); // of a model that is going
+    clock_.stop();      // the time that loading took does not turn the model
     if (!model) {
         const bool hopeless = settings_.arguments.size() == 1 && !again;
         if (hopeless) return tl::unexpected(model.error());
@@ -335,9 +337,13 @@ Overlay ViewSession::overlay() const {
     if (message_.empty() && model_) overlay.message = viewer_.light_line(model_->scene.mesh);
     if (!error_.empty())
         overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
-    if (state.explain && model_)
-        if (const auto now = plan())
-            overlay.explain = plan_lines(*now, letters_across(display.width, display.height));
+    const std::size_t letters = letters_across(display.width, display.height);
+    if (explains_this())
+        overlay.explain =
+            screen_table(explainer_->so_far(), rows_, letters,
+                         lines_down(display.width, display.height) - (state.info ? 4 : 0) - 1);
+    else if (state.explain && model_)
+        if (const auto now = plan()) overlay.explain = plan_lines(*now, letters);
     if (!state.info) return overlay;
     const std::string& path = settings_.arguments[static_cast<std::size_t>(state.file)];
     overlay.info.push_back(fmt::format("{}  ({} of {})", path.substr(path.rfind('/') + 1),
@@ -352,15 +358,54 @@ Overlay ViewSession::overlay() const {
     return overlay;
 }
 
-// Of the model on show, as it stands now.
-Result<frame::FramePlan> ViewSession::plan() const {
+frame::FrameOptions ViewSession::options() const {
     frame::FrameOptions options = settings_.frame;
     options.width = background_.width();
     options.height = background_.height();
     options.cull = viewer_.state().look.cull;
     options.lights = viewer_.lights(model_->scene.mesh);
+    return options;
+}
+
+// Of the model on show, as it stands now.
+Result<frame::FramePlan> ViewSession::plan() const {
     const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    return frame::plan(options, facts_, view ? *view : scene::View());
+    return frame::plan(options(), facts_, view ? *view : scene::View());
+}
+
+// What the explainer knows is true of what should be seen.
+bool ViewSession::explains_this() const {
+    Look look = viewer_.state().look;
+    look.turntable = false;
+    return explainer_ != nullptr && model_ && viewer_.state().explain &&
+           explained_generation_ == generation_ && explained_look_ == look;
+}
+
+// The plan is on the screen, its figures are not all there, and nothing else is to be done.
+bool ViewSession::wants_row() const {
+    return viewer_.state().explain && model_ && in_view_ && !steady_ && !lost_ &&
+           parts_.display.ready() && !next_step() && !wants_frame() &&
+           (!explains_this() || !explainer_->finished());
+}
+
+// Switches one effect, so that keys are heard in between.
+Result<void> ViewSession::explain_a_row() {
+    if (!viewer_.state().explain) explainer_.reset();
+    if (!wants_row()) return {};
+    if (explains_this()) {
+        explainer_->step();
+        ++rows_;
+        return {};
+    }
+    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
+    measure::ExplainOptions how;
+    how.seconds_a_row = 0.05;
+    TRY(explainer_, measure::Explainer::create(model_->scene, facts_, view, options(), parts_.jobs,
+                                               how));
+    rows_ = 0;
+    explained_look_ = shown_.look;
+    explained_generation_ = generation_;
+    return {};
 }
 
 Result<void> ViewSession::render() {
@@ -428,7 +473,8 @@ Result<void> ViewSession::draw_if_due(Time now) {
 // set, and only input, a flip or a signal ends the sleep.
 Result<void> ViewSession::wait() {
     const bool ready = parts_.display.ready();
-    if (ready && !lost_ && !wants_frame()) log_.settled();
+    const bool row = wants_row();
+    if (ready && !lost_ && !wants_frame() && !row) log_.settled();
     std::optional<Time> wake;
     const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
@@ -445,7 +491,9 @@ Result<void> ViewSession::wait() {
 
     std::array<epoll_event, 4> events{};
     const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()),
-                                   ready || lost_ ? -1 : kFlipTimeoutMs);
+                                   row              ? 0
+                                   : ready || lost_ ? -1
+                                                    : kFlipTimeoutMs);
     if (count < 0 && errno != EINTR)
         return fail(Exit::internal, "epoll_wait: {}", std::strerror(errno));
     for (int i = 0; i < count; ++i) {

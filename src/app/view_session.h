@@ -13,6 +13,7 @@
 #include "app/virtual_clock.h"
 #include "base/fd.h"
 #include "frame/renderer.h"
+#include "measure/explain.h"
 #include "port/display.h"
 #include "port/input.h"
 
@@ -84,7 +85,11 @@ private:
     Overlay overlay() const;
     bool wants_frame() const { return repaint_ || frame_file_ || !(wanted() == shown_); }
     Result<void> draw(const Shown& wanted);
+    frame::FrameOptions options() const;
     Result<frame::FramePlan> plan() const;
+    bool wants_row() const;
+    Result<void> explain_a_row();
+    bool explains_this() const;
     Result<void> render();
     Result<void> present();
     Result<void> draw_if_due(Time now);
@@ -117,6 +122,13 @@ private:
     image::Image background_;
     const image::Image* picture_ = nullptr;
     bool in_view_ = true; // the picture shows some of the model
+
+    // What each effect costs and changes, found out while nothing else happens, for what is shown.
+    std::unique_ptr<measure::Explainer> explainer_;
+    std::size_t rows_ = 0; // measured
+    Look explained_look_;
+    int explained_generation_ = -1;
+
     bool lost_ = false, repaint_ = true, quit_ = false;
     Time due_{}, last_draw_{}, load_start_{};
     double frames_per_second_ = 0;

@@ -42,152 +42,148 @@ Change change_between(const image::Image& reference, const image::Image& other) 
             same ? 0.0 : double{image::mean_flip(reference, other)}};
 }
 
-// The frame that is explained, and the means to draw others of the same view.
-class Explainer {
-public:
-    Explainer(const scene::Scene& scene, const scene::View& view,
-              const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
-        : scene_(scene), view_(view), options_(options),
-          facts_(frame::facts(scene, options.shadow_plane)), how_(how), renderer_(jobs),
-          other_renderer_(jobs) {}
+} // namespace
 
-    Result<Explanation> run() {
-        TRY(plan_, frame::plan(options_, facts_, view_));
-        picture_ = renderer_.render(scene_, view_, plan_);
-        Explanation result;
-        result.width = options_.width;
-        result.height = options_.height;
-        result.techniques = plan_.techniques;
-        TRY_VOID(count_pixels(result));
-        TRY(result.special, special_rows());
-        frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
-        // How many maps, polygons and blended fragments there are depends on the view.
-        const frame::FrameStats& stats = renderer_.stats();
-        if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
-        if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
-        for (const frame::Decision& decision : plan_.decisions) {
-            if (how_.progress)
-                how_.progress(static_cast<double>(result.rows.size()) /
-                              static_cast<double>(plan_.decisions.size()));
-            EffectRow row;
-            row.decision = decision;
-            if (const auto share = shares_.find(decision.effect); share != shares_.end())
-                row.pixel_share = share->second;
-            if (const auto held = bytes.find(decision.effect); held != bytes.end())
-                row.bytes = held->second;
-            switch_it(row);
-            result.rows.push_back(std::move(row));
-        }
-        if (how_.times) result.milliseconds = median(own_times_);
-        return result;
+Explainer::Explainer(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+                     const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
+    : scene_(scene), view_(view), options_(options), facts_(std::move(facts)), how_(how),
+      renderer_(jobs), other_renderer_(jobs) {}
+
+Result<std::unique_ptr<Explainer>>
+Explainer::create(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+                  const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how) {
+    std::unique_ptr<Explainer> made(
+        new Explainer(scene, std::move(facts), view, options, jobs, how));
+    TRY_VOID(made->begin());
+    return made;
+}
+
+Result<void> Explainer::begin() {
+    TRY(plan_, frame::plan(options_, facts_, view_));
+    picture_ = renderer_.render(scene_, view_, plan_);
+    so_far_.width = options_.width;
+    so_far_.height = options_.height;
+    so_far_.techniques = plan_.techniques;
+    TRY_VOID(count_pixels());
+    TRY(so_far_.special, special_rows());
+    frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
+    // How many maps, polygons and blended fragments there are depends on the view.
+    const frame::FrameStats& stats = renderer_.stats();
+    if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
+    if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
+    for (const frame::Decision& decision : plan_.decisions) {
+        EffectRow row;
+        row.decision = decision;
+        if (const auto share = shares_.find(decision.effect); share != shares_.end())
+            row.pixel_share = share->second;
+        if (const auto held = bytes.find(decision.effect); held != bytes.end())
+            row.bytes = held->second;
+        so_far_.rows.push_back(std::move(row));
     }
+    return {};
+}
 
-private:
-    // Pixels by what their nearest surface calls for. Nothing that acts on materials runs for it:
-    // what is transparent or cut out counts as what it covers.
-    Result<void> count_pixels(Explanation& result) {
-        frame::FrameOptions bare = options_;
-        bare.samples = 1;
-        for (const auto& [effect, materials] : facts_.materials_of)
-            if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
-        TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));
-        frame::Visibility visible;
-        other_renderer_.render(scene_, view_, plan, &visible);
-        const std::size_t none = scene_.materials.size();
-        std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
-        std::int64_t covered = 0;
-        for (const std::uint32_t id : visible.id) {
-            if (id == raster::kNoPrimitive) continue;
-            ++covered;
-            ++shown[material_of(scene_.mesh, id, none)];
-        }
-        const double pixels = static_cast<double>(options_.width) * options_.height;
-        result.covered_share = static_cast<double>(covered) / pixels;
-        for (const auto& [effect, materials] : facts_.materials_of) {
-            std::int64_t calling = 0;
-            for (std::size_t i = 0; i <= none; ++i)
-                calling += materials[i] ? shown[i] : 0;
-            shares_[effect] = static_cast<double>(calling) / pixels;
-        }
-        return {};
+// Pixels by what their nearest surface calls for. Nothing that acts on materials runs for it: what
+// is transparent or cut out counts as what it covers.
+Result<void> Explainer::count_pixels() {
+    frame::FrameOptions bare = options_;
+    bare.samples = 1;
+    for (const auto& [effect, materials] : facts_.materials_of)
+        if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
+    TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));
+    frame::Visibility visible;
+    other_renderer_.render(scene_, view_, plan, &visible);
+    const std::size_t none = scene_.materials.size();
+    std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
+    std::int64_t covered = 0;
+    for (const std::uint32_t id : visible.id) {
+        if (id == raster::kNoPrimitive) continue;
+        ++covered;
+        ++shown[material_of(scene_.mesh, id, none)];
     }
-
-    // What a grey triangle under the default lights gets is nothing special.
-    Result<int> special_rows() const {
-        frame::SceneFacts grey;
-        grey.triangles = 1;
-        TRY(const frame::FramePlan plain, frame::plan({}, grey));
-        int special = 0;
-        for (const frame::Decision& decision : plan_.decisions) {
-            const frame::Decision* same = plain.decision(decision.effect);
-            if (decision.choice) continue; // something always runs there
-            special += decision.on() && (same == nullptr || !same->on()) ? 1 : 0;
-        }
-        return special;
+    const double pixels = static_cast<double>(options_.width) * options_.height;
+    so_far_.covered_share = static_cast<double>(covered) / pixels;
+    for (const auto& [effect, materials] : facts_.materials_of) {
+        std::int64_t calling = 0;
+        for (std::size_t i = 0; i <= none; ++i)
+            calling += materials[i] ? shown[i] : 0;
+        shares_[effect] = static_cast<double>(calling) / pixels;
     }
+    return {};
+}
 
-    // The options with a row the other way round; nothing where there is no other way.
-    std::optional<frame::FrameOptions> switched(EffectRow& row) const {
-        frame::FrameOptions options = options_;
-        const frame::Decision& d = row.decision;
-        if (!d.choice) {
-            options.effects[d.effect] = !d.on();
-            return options;
-        }
-        const std::string_view cheapest = cheapest_on(d.effect);
-        if (!d.on() || cheapest.empty() || d.technique == cheapest ||
-            !frame::ask(options, d.effect, cheapest))
-            return std::nullopt;
-        row.cheapest = cheapest;
+// What a grey triangle under the default lights gets is nothing special.
+Result<int> Explainer::special_rows() const {
+    frame::SceneFacts grey;
+    grey.triangles = 1;
+    TRY(const frame::FramePlan plain, frame::plan({}, grey));
+    int special = 0;
+    for (const frame::Decision& decision : plan_.decisions) {
+        const frame::Decision* same = plain.decision(decision.effect);
+        if (decision.choice) continue; // something always runs there
+        special += decision.on() && (same == nullptr || !same->on()) ? 1 : 0;
+    }
+    return special;
+}
+
+// The options with a row the other way round; nothing where there is no other way.
+std::optional<frame::FrameOptions> Explainer::switched(EffectRow& row) const {
+    frame::FrameOptions options = options_;
+    const frame::Decision& d = row.decision;
+    if (!d.choice) {
+        options.effects[d.effect] = !d.on();
         return options;
     }
+    const std::string_view cheapest = cheapest_on(d.effect);
+    if (!d.on() || cheapest.empty() || d.technique == cheapest ||
+        !frame::ask(options, d.effect, cheapest))
+        return std::nullopt;
+    row.cheapest = cheapest;
+    return options;
+}
 
-    // Draws the frame with the row the other way round.
-    void switch_it(EffectRow& row) {
-        const bool on = row.decision.on();
-        const auto options = switched(row);
-        if (!options) return;
-        const auto other = frame::plan(*options, facts_, view_);
-        if (!other) {
-            row.refusal = other.error().what;
-            return;
-        }
-        row.change = change_between(picture_, other_renderer_.render(scene_, view_, *other));
-        if (!how_.times) return;
-        // In turn: what else the machine does meets both alike. The first frame of each made room.
-        std::vector<double> differences;
-        const Stopwatch watch;
-        while (
-            differences.size() < kFewestPairs ||
-            (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
-            renderer_.render(scene_, view_, plan_);
-            other_renderer_.render(scene_, view_, *other);
-            const double own = renderer_.stats().total_ms;
-            const double others = other_renderer_.stats().total_ms;
-            own_times_.push_back(own);
-            differences.push_back(on ? own - others : others - own);
-        }
-        row.milliseconds = median(differences);
+void Explainer::step() {
+    EffectRow& row = so_far_.rows[measured_++];
+    const bool on = row.decision.on();
+    const auto options = switched(row);
+    if (!options) return;
+    const auto other = frame::plan(*options, facts_, view_);
+    if (!other) {
+        row.refusal = other.error().what;
+        return;
     }
-
-    const scene::Scene& scene_;
-    const scene::View& view_;
-    const frame::FrameOptions& options_;
-    const frame::SceneFacts facts_;
-    const ExplainOptions& how_;
-    frame::Renderer renderer_, other_renderer_;
-    frame::FramePlan plan_;
-    image::Image picture_;
-    std::map<std::string, double, std::less<>> shares_;
-    std::vector<double> own_times_;
-};
-
-} // namespace
+    row.change = change_between(picture_, other_renderer_.render(scene_, view_, *other));
+    if (!how_.times) return;
+    // In turn: what else the machine does meets both alike. The first frame of each made room.
+    std::vector<double> differences;
+    const Stopwatch watch;
+    while (differences.size() < kFewestPairs ||
+           (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
+        renderer_.render(scene_, view_, plan_);
+        other_renderer_.render(scene_, view_, *other);
+        const double own = renderer_.stats().total_ms;
+        const double others = other_renderer_.stats().total_ms;
+        own_times_.push_back(own);
+        differences.push_back(on ? own - others : others - own);
+    }
+    row.milliseconds = median(differences);
+    so_far_.milliseconds = median(own_times_);
+}
 
 Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
                             const frame::FrameOptions& options, Jobs& jobs,
                             const ExplainOptions& how) {
-    return Explainer(scene, view, options, jobs, how).run();
+    TRY(const std::unique_ptr<Explainer> explainer,
+        Explainer::create(scene, frame::facts(scene, options.shadow_plane), view, options, jobs,
+                          how));
+    std::size_t done = 0;
+    for (; !explainer->finished(); ++done) {
+        if (how.progress)
+            how.progress(static_cast<double>(done) /
+                         static_cast<double>(explainer->so_far().rows.size()));
+        explainer->step();
+    }
+    return explainer->so_far();
 }
 
 } // namespace scanout::measure

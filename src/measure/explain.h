@@ -13,6 +13,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,5 +65,40 @@ struct ExplainOptions {
 Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
                             const frame::FrameOptions& options, Jobs& jobs,
                             const ExplainOptions& how = {});
+
+// The same row by row, for whoever has other things to do in between.
+class Explainer {
+public:
+    // The scene outlives it. Fails like frame::plan.
+    static Result<std::unique_ptr<Explainer>>
+    create(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+           const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how = {});
+    bool finished() const { return measured_ == so_far_.rows.size(); }
+    // Switches the next row's effect; draws some frames.
+    void step();
+    // All rows; those that step() has not come to yet have neither change nor milliseconds.
+    const Explanation& so_far() const { return so_far_; }
+
+private:
+    Explainer(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+              const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how);
+    Result<void> begin();
+    Result<void> count_pixels();
+    Result<int> special_rows() const;
+    std::optional<frame::FrameOptions> switched(EffectRow& row) const;
+
+    const scene::Scene& scene_;
+    scene::View view_;
+    frame::FrameOptions options_;
+    frame::SceneFacts facts_;
+    ExplainOptions how_;
+    frame::Renderer renderer_, other_renderer_;
+    frame::FramePlan plan_;
+    image::Image picture_;
+    std::map<std::string, double, std::less<>> shares_;
+    std::vector<double> own_times_;
+    Explanation so_far_;
+    std::size_t measured_ = 0; // rows
+};
 
 } // namespace scanout::measure

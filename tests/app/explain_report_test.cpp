@@ -90,6 +90,28 @@ TEST(ExplainTable, SaysWhatWasForcedAndWhatCannotBeSwitched) {
     EXPECT_THAT(to_json(x.model, x.e), HasSubstr("\"refused\": \"it cannot be\""));
 }
 
+TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
+    measure::Explanation e;
+    for (int i = 0; i < 10; ++i)
+        e.rows.push_back(row("effect" + std::to_string(i), i < 3 ? "on" : "off", "a fact"));
+    e.rows[0].change = measure::Change{120, 37, 0.0125};
+    e.rows[0].milliseconds = 1.25;
+    e.rows[0].bytes = 4096;
+    const auto all = screen_table(e, 1, 200, 40);
+    ASSERT_EQ(all.size(), 12U) << "heads, rows, and how far it is";
+    for (const char* part : {"effect0", "1.25", "4096 B", "37", "0.0125", "120", "a fact"})
+        EXPECT_THAT(all[1], HasSubstr(part));
+    EXPECT_EQ(all.back(), "measured 1 of 10");
+    EXPECT_THAT(screen_table(e, 10, 200, 40).back(), HasSubstr("pixels"));
+
+    const auto low = screen_table(e, 1, 60, 7);
+    ASSERT_EQ(low.size(), 7U);
+    EXPECT_THAT(low, Each(testing::SizeIs(testing::Le(60U))));
+    EXPECT_THAT(low[3], HasSubstr("effect2")) << "what is on stays";
+    EXPECT_THAT(low.back(), HasSubstr("5 that are off"));
+    EXPECT_THAT(low[1], Not(HasSubstr("0.0125"))) << "a narrow screen has no room for all columns";
+}
+
 TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
     frame::FramePlan plan;
     plan.decisions = {row("texture", "bilinear", "a fact").decision,

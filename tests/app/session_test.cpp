@@ -129,10 +129,11 @@ TEST_F(Session, NothingIsDrawnWhenNothingChangesAndTheProcessSleeps) {
     EXPECT_LT(cpu_seconds() - before, 0.5) << "1.5 s of waiting";
 }
 
-// HARD-CASES Z5, with the plan on the picture: it is text like any other and costs nothing to keep.
+// HARD-CASES Z5, with the plan on the picture: once its figures are there, a frame a row, it is text
+// like any other and costs nothing to keep.
 TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfTheProcessor) {
     port::HeadlessDisplay display = make_display();
-    TimedInput timed({{100ms, {press(XKB_KEY_x)}}, {900ms, {}}, {10s, {quit()}}});
+    TimedInput timed({{100ms, {press(XKB_KEY_x)}}, {6s, {}}, {10s, {quit()}}});
     struct Looking final : port::Input { // at processor time and frames, each time it is asked
         Looking(TimedInput& t, port::HeadlessDisplay& d) : timed(t), display(d) {}
         int event_fd() const override { return timed.event_fd(); }
@@ -148,8 +149,8 @@ TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfThe
     auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
     ASSERT_TRUE((*session)->run());
     ASSERT_EQ(input.seen.size(), 3U) << "nothing else wakes it up";
-    EXPECT_EQ(input.seen[1].second, 2U) << "the first frame, and the plan";
-    EXPECT_EQ(input.seen[2].second, 2U);
+    EXPECT_GT(input.seen[1].second, 20U) << "the first frame, the plan, and its rows' figures";
+    EXPECT_EQ(input.seen[2].second, input.seen[1].second);
     EXPECT_LT(input.seen[2].first - input.seen[1].first, 0.010);
 }
 
