@@ -53,9 +53,14 @@ def svg(title, x_name, y_name, lines):
                    f'<text x="{LEFT - 6}" y="{y.at(tick) + 4:.1f}" text-anchor="end">{label(tick)}</text>')
     out.append(f'<text x="{(LEFT + WIDTH - RIGHT) / 2}" y="{HEIGHT - 10}" text-anchor="middle">{x_name}</text>'
                f'<text x="{LEFT - 6}" y="{TOP - 8}" text-anchor="end">{y_name}</text>')
+    labels = []
     for colour, (name, line) in zip(COLOURS, lines.items()):
         places = [(x.at(a), y.at(b)) for a, b in line]
         out.append(f'<polyline points="{" ".join(f"{a:.1f},{b:.1f}" for a, b in places)}" fill="none" stroke="{colour}" stroke-width="2"/>')
         out += [f'<circle cx="{a:.1f}" cy="{b:.1f}" r="3" fill="{colour}"/>' for a, b in places]
-        out.append(f'<text x="{places[-1][0] + 8:.1f}" y="{places[-1][1] + 4:.1f}" fill="{colour}">{name}</text>')
+        at = places[-1][1] + 4
+        while any(abs(at - other) < 14 for other in labels): # else one would lie over the other
+            at += 14
+        labels.append(at)
+        out.append(f'<text x="{places[-1][0] + 8:.1f}" y="{at:.1f}" fill="{colour}">{name}</text>')
     return "\n".join(out) + "\n</svg>\n"
