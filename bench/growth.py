@@ -139,8 +139,8 @@ Pixels, {grouped(pixels[0][2]['triangles'])} triangles:
 
 ![Time of a frame against pixels](growth/pixels.svg)
 
-Threads, {grouped(threads[0][1]['triangles'])} triangles at 1920x1080. Other work takes wall time, so after each frame the same threads do sums that touch no
-memory: how much faster these get is what the machine had to give.
+Threads, {grouped(threads[0][1]['triangles'])} triangles at 1920x1080. Other work takes wall time, so after each frame the same threads do sums that take as
+long on one: how much faster these get is what the machine had to give.
 
 {threads_table(threads)}
 

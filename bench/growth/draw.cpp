@@ -1,8 +1,9 @@
 // bench_draw MODEL WIDTHxHEIGHT THREADS SECONDS: loads a model as scanout does, turns it before the
 // camera, and prints as JSON what loading and a frame took: milliseconds that the process ran,
-// milliseconds of wall time, and its peak memory. After each frame the same threads do sums that
-// touch no memory: how much faster these get with more threads is what the machine has to give
-// while other work runs. bench/growth.py runs this once for every figure.
+// milliseconds of wall time, and its peak memory. After each frame the same threads do as much
+// work that is sums alone: how much faster these get with more threads is what the machine has to
+// give while other work runs. bench/growth.py runs this once for every figure.
+#include "base/check.h"
 #include "base/jobs.h"
 #include "base/stopwatch.h"
 #include "frame/plan.h"
@@ -11,7 +12,7 @@
 #include "measure/median.h"
 #include "simd/targets.h"
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -46,24 +47,28 @@ struct Asked {
 constexpr std::size_t kLeastFrames = 5;
 constexpr int kTurn = 36; // frames of a full turn: triangles are not always seen from one side
 
+constexpr double kSumsPart = 0.035; // about; milliseconds
+
 struct Times {
     std::vector<double> cpu, wall, sums;
 };
 
-// About 10 ms on one thread.
-double sums_milliseconds(Jobs& jobs) {
-    static std::array<std::uint64_t, 64> sink;
+// Wall time of each of `parts` like sums, on all threads.
+double sums_milliseconds(Jobs& jobs, int parts) {
+    std::vector<std::uint64_t> found(static_cast<std::size_t>(parts));
     const Stopwatch watch;
-    jobs.for_each(static_cast<int>(sink.size()), [](int index, int) {
+    jobs.for_each(parts, [&](int index, int) {
         std::uint64_t x = static_cast<std::uint64_t>(index) + 1;
-        for (int i = 0; i < 100'000; ++i) { // xorshift
+        for (int i = 0; i < 20'000; ++i) { // xorshift
             x ^= x << 13;
             x ^= x >> 7;
             x ^= x << 17;
         }
-        sink[static_cast<std::size_t>(index)] = x;
+        found[static_cast<std::size_t>(index)] = x;
     });
-    return watch.milliseconds();
+    const double took = watch.milliseconds();
+    CHECK(std::count(found.begin(), found.end(), std::uint64_t{0}) == 0); // so that they are found
+    return took / parts;
 }
 
 Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
@@ -74,6 +79,7 @@ Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
     options.width = asked.width;
     options.height = asked.height;
     Times times;
+    int parts = 1;
     const Stopwatch all;
     for (int number = 0;
          times.cpu.size() < kLeastFrames || all.milliseconds() < asked.seconds * 1e3; ++number) {
@@ -85,10 +91,13 @@ Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
             scene::make_view(scene.mesh, {}, pose, {}, {}, asked.width, asked.height));
         TRY(const frame::FramePlan plan, frame::plan(options, facts, view));
         renderer.render(scene, view, plan);
-        if (number == 0) continue; // it makes the buffers
+        if (number == 0) { // it makes the buffers, and says how many sums take as long
+            parts = std::max(1, static_cast<int>((process_milliseconds() - before) / kSumsPart));
+            continue;
+        }
         times.cpu.push_back(process_milliseconds() - before);
         times.wall.push_back(watch.milliseconds());
-        times.sums.push_back(sums_milliseconds(jobs));
+        times.sums.push_back(sums_milliseconds(jobs, parts));
     }
     return times;
 }
@@ -102,7 +111,7 @@ Result<void> run(const Asked& asked) {
     TRY(const Times times, draw(scene, asked));
     fmt::print("{{\"triangles\": {}, \"target\": \"{}\", \"load_ms\": {:.3f}, \"load_cpu_ms\": "
                "{:.3f}, \"load_mb\": {:.1f}, \"frames\": {}, \"cpu_ms\": {:.4f}, \"wall_ms\": "
-               "{:.4f}, \"sums_ms\": {:.4f}, \"peak_mb\": {:.1f}}}\n",
+               "{:.4f}, \"sums_ms\": {:.6f}, \"peak_mb\": {:.1f}}}\n",
                scene.mesh.triangles(), simd::chosen_target(), load_wall, load_cpu, load_peak,
                times.cpu.size(), measure::median(times.cpu), measure::median(times.wall),
                measure::median(times.sums), peak_megabytes());
