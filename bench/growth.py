@@ -121,6 +121,11 @@ def threads_table(rows):
                    f"{r['peak_mb']:.0f}") for (n, r), (frame, sums) in zip(rows, faster)])
 
 
+def starved(rows):
+    share = rows[0][1]["cpu_ms"] / rows[0][1]["wall_ms"]
+    return f" One thread ran {100 * share:.0f} % of\nthe time: these figures say little, and want a machine with less to do." if share < 0.5 else ""
+
+
 def page(growth, triangles, pixels, threads):
     left_out = f" Larger ones than {grouped(triangles[-1]['triangles'])} did not fit." if len(triangles) < len(TRIANGLES) else ""
     loads = growth.loads
@@ -140,7 +145,7 @@ Pixels, {grouped(pixels[0][2]['triangles'])} triangles:
 ![Time of a frame against pixels](growth/pixels.svg)
 
 Threads, {grouped(threads[0][1]['triangles'])} triangles at 1920x1080. Other work takes wall time, so after each frame the same threads do sums that take as
-long on one: how much faster these get is what the machine had to give.
+long on one: how much faster these get is what the machine had to give.{starved(threads)}
 
 {threads_table(threads)}
 
