@@ -1,0 +1,60 @@
+// Whole frames at 1920x1080 on one thread, plan included, as a viewer draws while the model turns:
+// the meshes and shadings of bench_peers, without the peer.
+#include "base/jobs.h"
+#include "bench/peers/load.h"
+#include "bench/peers/ours.h"
+
+#include <string>
+
+#include <benchmark/benchmark.h>
+
+namespace {
+
+using namespace scanout;
+using bench::Load;
+using bench::Shading;
+
+constexpr int kWidth = 1920, kHeight = 1080, kTurn = 36; // frames of a full turn
+
+void frame_of(benchmark::State& state, const Load& load) {
+    const auto scene = bench::scene_of(load);
+    if (!scene) return state.SkipWithError(scene.error().what.c_str());
+    Jobs jobs(1);
+    bench::Ours ours(jobs, *scene, load, kWidth, kHeight);
+    int number = 0;
+    const auto draw = [&]() -> Result<void> {
+        TRY(const scene::View view,
+            bench::view_of(load, *scene, number++ % kTurn, kTurn, kWidth, kHeight));
+        return ours.draw(view);
+    };
+    auto drawn = draw(); // makes the buffers and mipmaps
+    for (auto _ : state) {
+        if (drawn) drawn = draw();
+        benchmark::ClobberMemory();
+    }
+    if (!drawn) return state.SkipWithError(drawn.error().what.c_str());
+    const auto rate = benchmark::Counter::kIsIterationInvariantRate;
+    state.counters["triangles"] =
+        benchmark::Counter(static_cast<double>(scene->mesh.triangles()), rate);
+    state.counters["pixels"] = benchmark::Counter(double{kWidth} * kHeight, rate);
+}
+
+const bool kRegistered = [] {
+    const struct {
+        const char* name;
+        Shading shading;
+        int samples;
+    } kinds[] = {{"depth", Shading::depth, 1},
+                 {"blinn_phong", Shading::blinn_phong, 1},
+                 {"textured", Shading::textured, 1},
+                 {"shadow_map", Shading::shadowed, 1},
+                 {"4_samples", Shading::blinn_phong, 4}};
+    for (const char* mesh : {"teapot", "building", "knot:100000"})
+        for (const auto& kind : kinds)
+            benchmark::RegisterBenchmark((std::string(mesh) + "/" + kind.name).c_str(), frame_of,
+                                         Load{kind.name, mesh, kind.shading, kind.samples, 0, 0})
+                ->Unit(benchmark::kMillisecond);
+    return true;
+}();
+
+} // namespace
