@@ -400,8 +400,9 @@ Result<void> ViewSession::explain_a_row() {
     TRY(const scene::View view, viewer_.view(model_->scene.mesh));
     measure::ExplainOptions how;
     how.seconds_a_row = 0.05;
-    TRY(explainer_, measure::Explainer::create(model_->scene, facts_, view, options(), parts_.jobs,
-                                               how));
+    how.fewest_pairs = 1; // keys wait for a row
+    TRY(explainer_,
+        measure::Explainer::create(model_->scene, facts_, view, options(), parts_.jobs, how));
     rows_ = 0;
     explained_look_ = shown_.look;
     explained_generation_ = generation_;

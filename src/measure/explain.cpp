@@ -13,7 +13,7 @@
 namespace scanout::measure {
 namespace {
 
-constexpr std::size_t kFewestPairs = 3, kMostPairs = 25;
+constexpr std::size_t kMostPairs = 25;
 
 // The material that a primitive has, as an index into frame::MaterialSet.
 std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t none) {
@@ -157,7 +157,7 @@ void Explainer::step() {
     // In turn: what else the machine does meets both alike. The first frame of each made room.
     std::vector<double> differences;
     const Stopwatch watch;
-    while (differences.size() < kFewestPairs ||
+    while (differences.size() < how_.fewest_pairs ||
            (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
         renderer_.render(scene_, view_, plan_);
         other_renderer_.render(scene_, view_, *other);

@@ -57,7 +57,8 @@ struct Explanation {
 
 struct ExplainOptions {
     bool times = true;
-    double seconds_a_row = 0.25; // of measuring time, about; never fewer than 3 pairs
+    double seconds_a_row = 0.25; // of measuring time, about
+    std::size_t fewest_pairs = 3;
     std::function<void(double share)> progress;
 };
 
