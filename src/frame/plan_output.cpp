@@ -10,6 +10,13 @@
 #include <fmt/format.h>
 
 namespace scanout::frame {
+namespace {
+
+// Brighter than white: so much above 1 that the row's two decimals say it. Up to here the light
+// that is cut off is less than a code of 8 bits.
+constexpr double kBright = 1.005;
+
+} // namespace
 
 Result<void> plan_merging(Planner& planner, FramePlan& plan) {
     const FrameOptions& o = plan.options;
@@ -52,7 +59,7 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     plan.exposure = static_cast<float>(exposed ? exp2(options.exposure) : 1.0);
     const double brightest =
         double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
-    const bool bright = brightest > 1 && facts.triangles > 0;
+    const bool bright = brightest > kBright && facts.triangles > 0;
     TRY(const std::string tone, choose("tone", options.tone, bright ? "filmic" : "clamp"));
     planner.choice("tone", tone, options.tone,
                    fmt::format("diffuse light is at most {:.2f}{}", brightest,

@@ -402,6 +402,23 @@ scene::Light sun(const DVec3& towards, float colour) {
     return light;
 }
 
+// "diffuse light is at most 1.00" and the curve would contradict each other.
+TEST(Plan, TakesTheCurveOnlyWhereTheFigureItPrintsIsAbove1) {
+    SceneFacts facts;
+    facts.triangles = 1;
+    facts.brightest = 1;
+    for (int step = 0; step <= 200; ++step) {
+        FrameOptions options;
+        scene::Light around;
+        around.kind = scene::LightKind::ambient;
+        around.power = 0.24 + step * 1e-4;
+        options.lights = {sun({0, 1, 0}, 0.75F), around}; // together 0.99 to 1.01
+        const Decision tone = *plan_of(facts, options).decision("tone");
+        const bool above = tone.because.find("at most 1.01") != std::string::npos;
+        EXPECT_EQ(tone.technique, above ? "filmic" : "clamp") << tone.because;
+    }
+}
+
 TEST(Plan, ClampsUnlessSurfacesGetBrighterThanWhite) {
     SceneFacts facts;
     facts.triangles = facts.specular_triangles = 5;
