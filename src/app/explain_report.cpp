@@ -92,6 +92,9 @@ std::string because(const EffectRow& row) {
     std::string text = row.decision.because;
     if (row.pixel_share && (row.decision.on() || *row.pixel_share > 0))
         text += fmt::format(", {:.1f} % of pixels", *row.pixel_share * 100);
+    if (const auto& away = row.faces_away)
+        text += fmt::format("; {} of {} triangles face away, in {} pixel{}", away->triangles,
+                            away->of, away->pixels, away->pixels == 1 ? "" : "s");
     if (row.decision.forced) text += " (forced)";
     if (!row.cheapest.empty()) text += "; compared with " + row.cheapest;
     if (!row.refusal.empty()) text += "; " + row.refusal;

@@ -91,7 +91,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     planner.stage("interpolate", steps);
 
     TRY_VOID(plan_texture(planner, plan, facts));
-    TRY_VOID(plan_light(planner, plan, facts));
+    TRY_VOID(plan_light(planner, plan, facts, view));
     plan_maps(planner, plan, facts);
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,

@@ -3,11 +3,14 @@
 #include "frame/planner.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace scanout::frame {
 namespace {
+
+constexpr const char* kNothingLit = "nothing is lit: there are no triangles";
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
@@ -25,7 +28,7 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
         const bool lit = facts.triangles > 0;
         const std::string because = shining.empty()
                                         ? fmt::format("there is no {} light", name_of(kind))
-                                    : !lit ? "nothing is lit: there are no triangles"
+                                    : !lit ? kNothingLit
                                            : fmt::format("{} light{}: {}", shining.size(),
                                                          shining.size() == 1 ? "" : "s", names);
         const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
@@ -73,38 +76,47 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
+// Why backs may be seen, or why not; of meshes whose normals lean to no back.
+std::pair<bool, std::string> backs(const SceneFacts& facts, Cull cull, const scene::View& view) {
+    const MeshSides& sides = facts.sides;
+    if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
+    if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
+    if (!sides.closed_boxes.empty() && !sides.outward)
+        return {true, "what is closed of the mesh is wound inside out"};
+    switch (backs_in_view(sides, view)) {
+    case Backs::of_open_parts:
+        return {true, facts.alpha.see_through_triangles() > 0
+                          ? fmt::format("backs show through {} of {} triangles that are not opaque",
+                                        facts.alpha.see_through_triangles(), facts.triangles)
+                          : "the mesh has open edges: backs can be seen"};
+    case Backs::from_inside:
+        return {true, "the eye may be inside of a closed part, and see its backs"};
+    case Backs::none:
+        break;
+    }
+    return {false, sides.open > 0
+                       ? fmt::format("{} of {} triangles have open edges or let light through: all "
+                                     "show their fronts",
+                                     sides.open, facts.triangles)
+                       : "the mesh is closed and its normals point outwards: no back can be seen"};
+}
+
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
 // the one that the eye sees.
-void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const MeshSides& sides = facts.sides;
-    const Cull cull = plan.options.cull;
-    bool needed = facts.triangles > 0;
-    std::string because;
-    if (!needed) {
-        because = "nothing is lit: there are no triangles";
-    } else if (sides.leaning > 0) {
-        because = fmt::format("{} of {} triangles have a normal that leans to their back",
-                              sides.leaning, facts.triangles);
-    } else if (cull == Cull::front) {
-        because = "backs alone are drawn (--cull front)";
-    } else if (cull == Cull::back) {
-        needed = false;
-        because = "backs are left out (--cull back)";
-    } else if (facts.alpha.see_through_triangles() > 0) {
-        because = fmt::format("backs show through {} of {} triangles that are not opaque",
-                              facts.alpha.see_through_triangles(), facts.triangles);
-    } else if (!sides.closed) {
-        because = "the mesh has open edges: backs can be seen";
-    } else if (!sides.outward) {
-        because = "the mesh is closed, but wound inside out";
-    } else {
-        needed = false;
-        because = "the mesh is closed and its normals point outwards: no back can be seen";
-    }
+void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                const scene::View& view) {
+    const std::size_t leaning = facts.sides.leaning;
+    auto [needed, because] =
+        facts.triangles == 0 ? std::pair(false, std::string(kNothingLit))
+        : leaning > 0
+            ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
+                                          "their back",
+                                          leaning, facts.triangles))
+            : backs(facts, plan.options.cull, view);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
-    plan.sides = needed && !on       ? shade::Sides::file
-                 : sides.leaning > 0 ? shade::Sides::eye
-                                     : shade::Sides::face;
+    plan.sides = needed && !on ? shade::Sides::file
+                 : leaning > 0 ? shade::Sides::eye
+                               : shade::Sides::face;
 }
 
 // Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
@@ -126,7 +138,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     const bool floor = name != "projected" || facts.ground.triangles > 0;
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     std::string because =
-        facts.triangles == 0 ? "nothing is lit: there are no triangles"
+        facts.triangles == 0 ? kNothingLit
         : casting == 0       ? "no light that reaches anything casts shadows"
         : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
                                            shading.card.name)
@@ -154,18 +166,19 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
 
 } // namespace
 
-Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                        const scene::View& view) {
     const std::string& asked = plan.options.shading;
     TRY(const std::string name, choose("shading", asked, "per_pixel"));
     const shade::Stage* shading = shade::find_stage("shading", name);
     CHECK(shading != nullptr);
     plan_lights(planner, plan, facts, *shading);
-    plan_sides(planner, plan, facts);
+    plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, *shading));
     planner.choice("shading", facts.triangles > 0 ? name : "off", asked,
                    facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
-                                       : "nothing is lit: there are no triangles",
+                                       : kNothingLit,
                    facts.triangles > 0);
     planner.stage("shading", name);
     plan.corner_normals = name == "gouraud" || name == "per_pixel_raw";

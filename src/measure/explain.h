@@ -29,12 +29,19 @@ struct Change {
     friend bool operator==(const Change&, const Change&) = default;
 };
 
+// What turns its back to the eye.
+struct FacesAway {
+    std::size_t triangles = 0, of = 0; // whatever hides them
+    std::int64_t pixels = 0;           // whose nearest surface is one of them
+};
+
 struct EffectRow {
     frame::Decision decision;
     // The share of the picture's pixels whose nearest surface calls for the effect, 0 to 1; nothing
     // where that is not a matter of the material.
     std::optional<double> pixel_share;
-    std::uint64_t bytes = 0; // that the effect holds
+    std::optional<FacesAway> faces_away; // of two_sided where it is on
+    std::uint64_t bytes = 0;             // that the effect holds
     // When it is switched the other way, or, on an axis that has no "off", to its cheapest
     // technique; or why it cannot be. Nothing where the cheapest one runs.
     std::optional<Change> change;
@@ -97,6 +104,7 @@ private:
     frame::FramePlan plan_;
     image::Image picture_;
     std::map<std::string, double, std::less<>> shares_;
+    FacesAway faces_away_;
     std::vector<double> own_times_;
     Explanation so_far_;
     std::size_t measured_ = 0; // rows
