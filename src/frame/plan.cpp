@@ -46,12 +46,9 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
         const Decision* row = plan.decision(name);
         if (row != nullptr && !row->choice) continue;
-        if (row != nullptr) {
-            std::string option = name;
-            std::replace(option.begin(), option.end(), '_', '-');
+        if (row != nullptr)
             return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{2} NAME", name,
-                        on ? "on" : "off", option);
-        }
+                        on ? "on" : "off", option_of(name));
         std::string known;
         for (const Decision& d : plan.decisions)
             if (!d.choice) known += " " + d.effect;
@@ -67,11 +64,6 @@ const Decision* FramePlan::decision(std::string_view effect) const {
     const auto found = std::find_if(decisions.begin(), decisions.end(),
                                     [&](const Decision& d) { return d.effect == effect; });
     return found == decisions.end() ? nullptr : &*found;
-}
-
-bool asked_in_vain(const FrameOptions& options, const Decision& d) {
-    if (d.choice || d.needed) return false;
-    return d.forced ? d.on() : d.effect == "shadow" && options.shadow != "auto";
 }
 
 std::string to_string(const Decision& d) {

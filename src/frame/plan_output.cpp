@@ -104,11 +104,13 @@ Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan
 }
 
 Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan) {
-    const bool mixed = plan.aa->card.name != "none";
+    const bool smooth = plan.aa->card.name != "none";
+    const bool mixed = smooth || plan.transparency.blended != nullptr;
     TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
     planner.choice("blend_space", space, options.blend_space,
-                   mixed ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
-                         : "one sample a pixel: nothing is mixed");
+                   smooth  ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
+                   : mixed ? "what is blended is mixed in it"
+                           : "one sample a pixel: nothing is mixed");
     TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
     planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
     plan.output.blend_space = shade::find_blend_space(space);
