@@ -76,6 +76,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
+    if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
     planner.choice("interpolate", steps, options.interpolate,
