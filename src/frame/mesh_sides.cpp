@@ -72,6 +72,8 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
+constexpr double kFlat = 0x1p-20; // so far off is still in the plane
+
 struct Triangle {
     const Vec3 &a, &b, &c;
     DVec3 ab, ac, n; // edges and their product
@@ -132,6 +134,20 @@ void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<P
     sides.closed = sides.open == 0 && !mesh.index.empty();
 }
 
+bool is_flat(const std::vector<Plane>& planes) {
+    return planes.size() == 1 ||
+           (planes.size() == 2 && dot3(planes[0].normal, planes[1].normal) < -1 + kFlat * kFlat &&
+            std::abs(planes[0].offset + planes[1].offset) < kFlat);
+}
+
+bool is_convex(const geom::Mesh& mesh, const std::vector<Plane>& planes) {
+    return std::none_of(mesh.index.begin(), mesh.index.end(), [&](std::uint32_t v) {
+        const DVec4 at(DVec3(mesh.position[v]), 1);
+        return std::any_of(planes.begin(), planes.end(),
+                           [&](const Plane& plane) { return height(at, plane) > kFlat; });
+    });
+}
+
 // How far from the eye the near plane's corners are, in mesh coordinates, at most.
 double near_reach(const scene::View& view) {
     double least = 0;
@@ -153,11 +169,14 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
     Parts parts(number.size());
     parts.join_places(number);
     MeshSides sides;
+    PlaneSet planes;
     for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
         const std::uint32_t* v = &mesh.index[i];
         parts.join(v[0], v[1]);
         parts.join(v[0], v[2]);
-        sides.leaning += Triangle(mesh, v).leans(mesh, v) ? 1 : 0;
+        const Triangle t(mesh, v);
+        sides.leaning += t.leans(mesh, v) ? 1 : 0;
+        planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
     }
     std::vector<Part> of(number.size());
     for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
@@ -169,6 +188,9 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
     for (std::size_t t = 0; t < lets_through.size(); ++t)
         if (lets_through[t]) of[parts.root(mesh.index[3 * t])].open = 1;
     place(sides, mesh, parts, of);
+    sides.flat = is_flat(planes.planes());
+    sides.convex =
+        sides.closed && sides.outward && !planes.too_many() && is_convex(mesh, planes.planes());
     return sides;
 }
 

@@ -26,6 +26,9 @@ struct MeshSides {
     // Triangles with a normal that does not lie clearly on the side from which they wind counter-
     // clockwise; those without an area, too.
     std::size_t leaning = 0;
+    // No triangle throws a shadow on another: all lie in one plane, or the mesh is closed, wound
+    // outwards, and nothing of it rises above any of its (few) planes.
+    bool flat = false, convex = false;
     std::size_t open = 0;          // triangles of the other parts
     PlaneSet open_planes;          // in which those lie: before all of them no back is seen
     std::vector<Box> closed_boxes; // of the closed parts; the last of all that come after it, too

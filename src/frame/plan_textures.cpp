@@ -158,13 +158,15 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
 }
 
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const bool pixels = !plan.attributes.corners, coordinates = has_coordinates(plan, facts);
+    const bool directed = has_directed_light(plan);
+    const bool pixels = !plan.attributes.corners && directed,
+               coordinates = has_coordinates(plan, facts);
     const Decision* highlight = plan.decision("highlight");
     const bool shiny = highlight != nullptr && highlight->on() && pixels;
     const shade::Stage* mirrors =
         plan.reflection[static_cast<std::size_t>(scene::Surface::physical)];
     const bool physical = shiny && mirrors != nullptr && mirrors->card.name == "ggx";
-    const char* const unlit = "light is not evaluated at pixels";
+    const char* const unlit = directed ? "light is not evaluated at pixels" : kNoDirection;
     const char* const matt = pixels ? "no highlight is drawn" : unlit;
     const char* const dull = pixels ? "no physical material reflects as one" : unlit;
     const struct {

@@ -39,6 +39,9 @@ private:
 
 // map_Kd, or what is computed in its place.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Some light comes from a side. Ambient light alone is the same however a surface is turned.
+bool has_directed_light(const FramePlan& plan); // after plan_light
+inline constexpr const char* kNoDirection = "no light comes from a side: normals do not matter";
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                         const scene::View& view);

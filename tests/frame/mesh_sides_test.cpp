@@ -145,6 +145,55 @@ TEST(MeshSides, FromInsideBacksAreSeen) {
     EXPECT_EQ(backs_in_view(sides, near), Backs::from_inside);
 }
 
+TEST(MeshSides, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_square(mesh, 0.5F);
+    EXPECT_TRUE(mesh_sides(mesh).flat);
+    test::add_quad(mesh, {{{1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}}, {0, 0, -1});
+    EXPECT_TRUE(mesh_sides(mesh).flat) << "a sheet of two sides";
+    test::add_square(mesh, 0.25F, 0.1F);
+    EXPECT_FALSE(mesh_sides(mesh).flat);
+    geom::Mesh cube = empty_mesh();
+    test::add_cube(cube, 0.25F);
+    EXPECT_TRUE(mesh_sides(cube).convex);
+    EXPECT_FALSE(mesh_sides(cube).flat);
+    geom::Mesh open = cube; // its inside is dark
+    open.index.resize(open.index.size() - 6);
+    EXPECT_FALSE(mesh_sides(open).convex);
+    test::add_cube(cube, 0.1F);
+    for (std::size_t i = 24; i < cube.position.size(); ++i)
+        cube.position[i].x += 0.5F;
+    EXPECT_FALSE(mesh_sides(cube).convex) << "one shades the other";
+    EXPECT_FALSE(mesh_sides(sphere()).convex) << "not known: too many planes";
+}
+
+// And no bit of the picture has one: volumes, which are exact, against none.
+TEST(MeshSides, AConvexModelHasNoShadowsAndNoShadowPass) {
+    test::Random random(3);
+    for (int round = 0; round < 20; ++round) {
+        test::Shot s = test::shot("cube");
+        s.scene.materials = {test::plain(Vec3(0.7F))};
+        test::add_cube(s.scene.mesh, 0.5F, 0);
+        s.camera.azimuth_degrees = random.in(0, 360);
+        s.camera.elevation_degrees = random.in(-80, 80);
+        scene::Light lamp = test::light_of(scene::LightKind::directional, 0.9);
+        lamp.casts = true;
+        lamp.towards = random.in_cube(1);
+        s.options.lights = {lamp, test::light_of(scene::LightKind::ambient, 0.1)};
+        s.options.shadow = "volume";
+        FrameStats stats;
+        const image::Image without = test::draw(s, {.stats = &stats});
+        EXPECT_EQ(stats.shadow_bytes, 0U);
+        // A speck behind the cube makes it a model of two parts: now the volumes are drawn.
+        const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 64, 64);
+        test::add_quad(s.scene.mesh,
+                       {{{0, 0, 0}, {0.001F, 0, 0}, {0.001F, 0.001F, 0}, {0, 0.001F, 0}}},
+                       {0, 0, 1}, 0);
+        EXPECT_EQ(test::draw(s, *view, {.stats = &stats}), without) << round;
+        EXPECT_GT(stats.shadow_bytes, 0U);
+    }
+}
+
 // Whatever the plan says shows no back shows none: counted from the ids that are seen.
 TEST(MeshSides, WhereNoBackCanBeSeenNoneIs) {
     int none = 0, some = 0;

@@ -65,6 +65,34 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     EXPECT_FALSE(plan_of(wires).attributes.uv);
 }
 
+// Unlit vertex colours call for no normals, nor does any material in ambient light alone.
+TEST(Plan, WithoutLightFromASideNothingIsDoneAboutNormals) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    facts.vertex_colours = facts.uv = true;
+    facts.sides.leaning = facts.specular_triangles = 5;
+    facts.mapped_triangles.fill(5);
+    facts.readable_maps = ~shade::MapBits{0};
+    FrameOptions options;
+    for (const char* shading : {"auto", "per_pixel_raw"}) {
+        options.shading = shading;
+        options.lights = scene::default_lights();
+        EXPECT_TRUE(plan_of(facts, options).attributes.normal);
+        for (const bool ambient : {true, false}) {
+            options.lights.clear();
+            if (ambient) options.lights = {test::light_of(scene::LightKind::ambient, 0.8)};
+            const FramePlan unlit = plan_of(facts, options);
+            EXPECT_FALSE(unlit.attributes.normal);
+            EXPECT_FALSE(unlit.attributes.ray);
+            EXPECT_FALSE(unlit.corner_normals);
+            EXPECT_TRUE(unlit.attributes.colour);
+            for (const char* effect :
+                 {"highlight", "two_sided", "normal_map", "bump_map", "specular_map", "gloss_map"})
+                EXPECT_FALSE(unlit.decision(effect)->on()) << effect;
+        }
+    }
+}
+
 TEST(Plan, NothingTexturedRunsNoTextureStageWhateverIsAsked) {
     SceneFacts facts;
     facts.triangles = 10;
