@@ -41,7 +41,7 @@ std::string info_text(State s) {
     return on_off(s.info);
 }
 std::string explain_text(State s) {
-    return on_off(s.explain);
+    return on_off(s.explain > 0);
 }
 
 // clang-format off

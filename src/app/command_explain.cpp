@@ -28,7 +28,7 @@ Result<void> check(const Settings& s) {
 
 Result<Exit> run_explain(const Settings& settings) {
     TRY_VOID(check(settings));
-    TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
+    TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
     TRY(const scene::View view,
         scene::make_view(model.scene.mesh, settings.model, {}, settings.camera, {},
                          settings.frame.width, settings.frame.height));
@@ -47,6 +47,9 @@ Result<Exit> run_explain(const Settings& settings) {
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));
     if (shown) say_over("");
+    print_warnings(explanation.in_vain, settings);
+    model.warnings.insert(model.warnings.end(), explanation.in_vain.begin(),
+                          explanation.in_vain.end());
     if (settings.json != "-")
         for (const std::string& line : explain_table(model, explanation))
             say(line, stdout);

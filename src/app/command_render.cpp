@@ -7,6 +7,7 @@
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
+#include "frame/in_vain.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 
@@ -73,10 +74,7 @@ public:
             scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
                              settings_.frame.width, settings_.frame.height));
         TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
-        for (const frame::Decision& decision : plan.decisions)
-            if (index == 0 && (settings_.verbose ||
-                               (!settings_.quiet && asked_in_vain(settings_.frame, decision))))
-                say(to_string(decision));
+        if (index == 0) tell(plan, report);
         const image::Image* picture = nullptr;
         for (int repeat = 0; repeat < settings_.frames; ++repeat) {
             picture = &renderer_.render(scene_, view, plan);
@@ -90,6 +88,15 @@ public:
     }
 
 private:
+    void tell(const frame::FramePlan& plan, RunReport& report) const {
+        if (settings_.verbose)
+            for (const frame::Decision& decision : plan.decisions)
+                say(to_string(decision));
+        const std::vector<std::string> in_vain = frame::asked_in_vain(plan);
+        print_warnings(in_vain, settings_);
+        report.warnings.insert(report.warnings.end(), in_vain.begin(), in_vain.end());
+    }
+
     Result<void> write(const image::Image& picture, int index, RunReport& report) {
         const Stopwatch watch;
         const bool raw = format_ == PictureFormat::raw;

@@ -1,5 +1,7 @@
 #include "app/explain_report.h"
 
+#include "app/overlay.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,12 +58,12 @@ std::string line_of(const Cells& c, const std::array<std::size_t, kHeads.size()>
     return line + "  " + c.back();
 }
 
-// The heads, and a line for each of these rows.
-std::vector<std::string> table_of(const std::vector<const EffectRow*>& rows, const Shown& shown) {
+// The heads, and a line for each row.
+std::vector<std::string> table_of(const std::vector<EffectRow>& rows, const Shown& shown) {
     std::vector<Cells> table = {{}};
     std::copy(kHeads.begin(), kHeads.end(), table.front().begin());
-    for (const EffectRow* row : rows)
-        table.push_back(cells(*row));
+    for (const EffectRow& row : rows)
+        table.push_back(cells(row));
     std::array<std::size_t, kHeads.size()> width{};
     for (const Cells& c : table)
         for (std::size_t i = 0; i < c.size(); ++i)
@@ -92,6 +94,9 @@ std::string because(const EffectRow& row) {
     std::string text = row.decision.because;
     if (row.pixel_share && (row.decision.on() || *row.pixel_share > 0))
         text += fmt::format(", {:.1f} % of pixels", *row.pixel_share * 100);
+    if (const auto& away = row.faces_away)
+        text += fmt::format("; {} of {} triangles face away, in {} pixel{}", away->triangles,
+                            away->of, away->pixels, away->pixels == 1 ? "" : "s");
     if (row.decision.forced) text += " (forced)";
     if (!row.cheapest.empty()) text += "; compared with " + row.cheapest;
     if (!row.refusal.empty()) text += "; " + row.refusal;
@@ -107,61 +112,98 @@ std::vector<std::string> explain_table(const LoadedModel& model, const Explanati
     if (e.milliseconds) lines.back() += fmt::format("  {:.2f} ms", *e.milliseconds);
     if (e.special == 0)
         lines.emplace_back("nothing special is called for: plain surfaces in their own colour");
-    std::vector<const EffectRow*> rows;
-    for (const EffectRow& row : e.rows)
-        rows.push_back(&row);
     Shown shown;
     shown.fill(true);
     shown[kTimeColumn] = e.milliseconds.has_value();
-    const std::vector<std::string> table = table_of(rows, shown);
+    const std::vector<std::string> table = table_of(e.rows, shown);
     lines.insert(lines.end(), table.begin(), table.end());
     if (const std::string proof = verdict(e); !proof.empty()) lines.push_back(proof);
     return lines;
 }
 
-std::vector<std::string> screen_table(const Explanation& e, std::size_t measured,
-                                      std::size_t letters, std::size_t lines) {
-    std::vector<const EffectRow*> rows;
-    for (const EffectRow& row : e.rows)
-        rows.push_back(&row);
-    constexpr std::size_t kOthers = 2; // the heads, and the line at the end
-    std::size_t left_out = 0;
-    for (std::size_t i = rows.size(); i-- > 0 && rows.size() + kOthers > lines;) {
-        if (rows[i]->decision.on()) continue;
-        rows.erase(rows.begin() + static_cast<std::ptrdiff_t>(i));
-        ++left_out;
+namespace {
+
+// Lines that stay together on a page.
+using Entry = std::vector<std::string>;
+
+// A row whose text from the letter `reason` on may be broken: beside its figures where there is
+// room for some words in a line, else under them.
+Entry entry_of(const std::string& row, std::size_t reason, std::size_t letters) {
+    constexpr std::size_t kLeast = 40, kIndent = 4;
+    if (row.size() <= letters) return {row};
+    const bool beside = reason + kLeast <= letters;
+    const std::size_t left = beside ? reason : kIndent;
+    Entry entry;
+    if (!beside) entry.push_back(row.substr(0, row.find_last_not_of(' ', reason - 1) + 1));
+    for (const std::string& part :
+         broken_into_lines(row.substr(reason), letters > left ? letters - left : 1)) {
+        const std::string start =
+            beside && entry.empty() ? row.substr(0, reason) : std::string(left, ' ');
+        entry.push_back(start + part);
     }
+    return entry;
+}
+
+// As many entries a page as fit between the head and the last lines.
+ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, std::string last,
+                   std::size_t letters, std::size_t lines, std::size_t page) {
+    const std::size_t room = std::max<std::size_t>(lines, 4) - 3;
+    std::vector<std::vector<std::string>> pages(1);
+    for (const Entry& entry : entries) {
+        if (!pages.back().empty() && pages.back().size() + entry.size() > room)
+            pages.emplace_back();
+        pages.back().insert(pages.back().end(), entry.begin(), entry.end());
+        pages.back().resize(std::min(pages.back().size(), room));
+    }
+    const std::size_t shown = std::clamp<std::size_t>(page, 1, pages.size());
+    ScreenPage result{{head}, pages.size()};
+    result.lines.insert(result.lines.end(), pages[shown - 1].begin(), pages[shown - 1].end());
+    result.lines.push_back(std::move(last));
+    if (pages.size() > 1)
+        result.lines.push_back(fmt::format("page {} of {}: {}", shown, pages.size(),
+                                           shown < pages.size() ? "X goes on" : "X closes"));
+    for (std::string& line : result.lines)
+        if (line.size() > letters) line.resize(letters);
+    return result;
+}
+
+} // namespace
+
+ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t letters,
+                        std::size_t lines, std::size_t page) {
     constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
     Shown shown;
     shown.fill(true);
     if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels
-    std::vector<std::string> table = table_of(rows, shown);
-    std::string last = measured < e.rows.size()
-                           ? fmt::format("measured {} of {}", measured, e.rows.size())
-                           : verdict(e);
-    if (left_out > 0)
-        last += fmt::format("{}{} that are off: not shown", last.empty() ? "" : "; ", left_out);
-    table.push_back(std::move(last));
-    for (std::string& line : table)
-        if (line.size() > letters) line.resize(letters);
-    return table;
+    const std::vector<std::string> table = table_of(e.rows, shown);
+    const std::size_t reason = table.front().rfind(kHeads.back());
+    std::vector<Entry> entries;
+    for (std::size_t i = 1; i < table.size(); ++i)
+        entries.push_back(entry_of(table[i], reason, letters));
+    return page_of(table.front(), entries,
+                   measured < e.rows.size()
+                       ? fmt::format("measured {} of {}", measured, e.rows.size())
+                       : verdict(e),
+                   letters, lines, page);
 }
 
-std::vector<std::string> plan_lines(const frame::FramePlan& plan, std::size_t letters) {
+ScreenPage plan_lines(const frame::FramePlan& plan, std::size_t letters, std::size_t lines,
+                      std::size_t page) {
     std::size_t effect = 0, runs = 0;
     for (const frame::Decision& d : plan.decisions) {
         effect = std::max(effect, d.effect.size());
         runs = std::max(runs, d.technique.size());
     }
-    std::vector<std::string> lines;
-    for (const frame::Decision& d : plan.decisions) {
-        lines.push_back(fmt::format("{:<{}}  {:<{}}  {}{}", d.effect, effect, d.technique, runs,
-                                    d.because, d.forced ? " (forced)" : ""));
-    }
-    lines.emplace_back("costs and changes: scanout explain");
-    for (std::string& line : lines)
-        if (line.size() > letters) line.resize(letters);
-    return lines;
+    const auto line = [&](std::string_view what, std::string_view how, std::string_view why) {
+        return fmt::format("{:<{}}  {:<{}}  {}", what, effect, how, runs, why);
+    };
+    std::vector<Entry> entries;
+    for (const frame::Decision& d : plan.decisions)
+        entries.push_back(
+            entry_of(line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")),
+                     effect + runs + 4, letters));
+    return page_of(line(kHeads[0], kHeads[1], kHeads.back()), entries,
+                   "costs and changes: when the picture stands still", letters, lines, page);
 }
 
 } // namespace scanout::app

@@ -17,13 +17,19 @@ std::string because(const measure::EffectRow& row);
 std::vector<std::string> explain_table(const LoadedModel& model,
                                        const measure::Explanation& explanation);
 
-// The same on a screen of so many letters and lines, for the viewer: `measured` rows have their
-// figures. Lines are cut; where they are too many, effects that are off are only counted, and a
-// narrow screen shows fewer columns.
-std::vector<std::string> screen_table(const measure::Explanation& explanation, std::size_t measured,
-                                      std::size_t letters, std::size_t lines);
+struct ScreenPage {
+    std::vector<std::string> lines;
+    std::size_t pages = 1; // that there are
+};
 
-// The plan alone: an effect a line. What each effect costs and changes takes many frames.
-std::vector<std::string> plan_lines(const frame::FramePlan& plan, std::size_t letters);
+// The same on a screen of so many letters and lines, for the viewer: `measured` rows have their
+// figures. Reasons are broken into lines, what is too much goes to further pages (from 1 on), and a
+// narrow screen shows fewer columns.
+ScreenPage screen_table(const measure::Explanation& explanation, std::size_t measured,
+                        std::size_t letters, std::size_t lines, std::size_t page);
+
+// The plan alone: what each effect costs and changes takes many frames.
+ScreenPage plan_lines(const frame::FramePlan& plan, std::size_t letters, std::size_t lines,
+                      std::size_t page);
 
 } // namespace scanout::app

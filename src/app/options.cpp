@@ -259,7 +259,7 @@ const std::array kOptions = std::to_array<Option>({
      "texels a side of a shadow map; a point light inside the model has six of half that"},
     {"shadow-filter", 0, "N", "", "3", 1, frame::kMostShadowFilter, Group::picture, kDraw,
      Integer([](Settings& s) -> int& { return s.frame.shadow_filter; }),
-     "texels a side that map_pcf asks"},
+     "texels a side that map_pcf asks, and map_soft where its penumbra is narrower"},
     {"shadow-plane", 0, "NX,NY,NZ,D", "", "ground", 0, 0, Group::picture, kDraw,
      Parsed(read_shadow_plane),
      "the plane NX x + NY y + NZ z = D, in the file's coordinates, on whose triangles --shadow "

@@ -66,8 +66,11 @@ Json effect_json(const measure::EffectRow& row) {
                             {"mean_flip", row.change->mean_flip}};
     } else {
         json["switched"] = nullptr;
-        json["refused"] = row.refusal;
+        if (!row.refusal.empty()) json["refused"] = row.refusal;
     }
+    if (const auto& away = row.faces_away)
+        json["faces_away"] = {
+            {"triangles", away->triangles}, {"of", away->of}, {"pixels", away->pixels}};
     if (!row.cheapest.empty()) json["compared_with"] = row.cheapest;
     if (row.milliseconds) json["ms"] = rounded(*row.milliseconds);
     return json;

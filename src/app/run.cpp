@@ -4,10 +4,12 @@
 #include "base/float_environment.h"
 #include "base/memory.h"
 
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <system_error>
 
 namespace scanout::app {
 namespace {
@@ -49,6 +51,10 @@ Exit run(int argc, char** argv) {
         result = parse_and_run({argv + 1, argv + argc}, start_bytes);
     } catch (const std::bad_alloc&) {
         result = fail(Exit::internal, "out of memory; a smaller --size or model needs less");
+    } catch (const std::system_error& error) { // of fmt::print, where the buffer is full
+        const bool output = error.code().value() == EPIPE || error.code().value() == ENOSPC;
+        result = output ? fail(Exit::unreadable, "standard output: {}", error.what())
+                        : fail(Exit::internal, "{}; this is a mistake in scanout", error.what());
     } catch (const std::exception& error) {
         result = fail(Exit::internal, "{}; this is a mistake in scanout", error.what());
     }

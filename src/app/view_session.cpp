@@ -4,6 +4,7 @@
 #include "app/message.h"
 #include "app/picture.h"
 #include "base/check.h"
+#include "frame/in_vain.h"
 
 #include <algorithm>
 #include <array>
@@ -196,6 +197,8 @@ Result<void> ViewSession::take(const Action& action) {
     if (!parts_.script) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
     message_.clear();
+    if (action.id == ActionId::toggle_explain)
+        viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
     switch (viewer_.apply(action, model_ ? &model_->scene.mesh : nullptr)) {
     case Effect::none:
         break;
@@ -282,6 +285,7 @@ Result<void> ViewSession::load(bool again) {
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
+    print_warnings(frame::asked_in_vain(plan), settings_);
     return {};
 }
 
@@ -337,13 +341,7 @@ Overlay ViewSession::overlay() const {
     if (message_.empty() && model_) overlay.message = viewer_.light_line(model_->scene.mesh);
     if (!error_.empty())
         overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
-    const std::size_t letters = letters_across(display.width, display.height);
-    if (explains_this())
-        overlay.explain =
-            screen_table(explainer_->so_far(), rows_, letters,
-                         lines_down(display.width, display.height) - (state.info ? 4 : 0) - 1);
-    else if (state.explain && model_)
-        if (const auto now = plan()) overlay.explain = plan_lines(*now, letters);
+    if (state.explain > 0) overlay.explain = explain_page().lines;
     if (!state.info) return overlay;
     const std::string& path = settings_.arguments[static_cast<std::size_t>(state.file)];
     overlay.info.push_back(fmt::format("{}  ({} of {})", path.substr(path.rfind('/') + 1),
@@ -356,6 +354,20 @@ Overlay ViewSession::overlay() const {
         "{}  up {}  cull {}  {} mode", name_of(state.look.projection), name_of(state.look.up),
         name_of(state.look.cull), state.camera_mode ? "camera" : "model"));
     return overlay;
+}
+
+// The page of the plan that is open, or the first.
+ScreenPage ViewSession::explain_page() const {
+    const ViewerState& state = viewer_.state();
+    const port::DisplayInfo& display = parts_.display.info();
+    const std::size_t letters = letters_across(display.width, display.height);
+    const std::size_t others = state.info ? 5 : 1; // lines
+    const std::size_t all = lines_down(display.width, display.height);
+    const std::size_t lines = all > others ? all - others : 1;
+    const auto page = static_cast<std::size_t>(state.explain);
+    if (explains_this()) return screen_table(explainer_->so_far(), rows_, letters, lines, page);
+    const auto now = model_ ? plan() : fail(Exit::internal, "no model");
+    return now ? plan_lines(*now, letters, lines, page) : ScreenPage();
 }
 
 frame::FrameOptions ViewSession::options() const {
@@ -377,20 +389,20 @@ Result<frame::FramePlan> ViewSession::plan() const {
 bool ViewSession::explains_this() const {
     Look look = viewer_.state().look;
     look.turntable = false;
-    return explainer_ != nullptr && model_ && viewer_.state().explain &&
+    return explainer_ != nullptr && model_ && viewer_.state().explain > 0 &&
            explained_generation_ == generation_ && explained_look_ == look;
 }
 
 // The plan is on the screen, its figures are not all there, and nothing else is to be done.
 bool ViewSession::wants_row() const {
-    return viewer_.state().explain && model_ && in_view_ && !steady_ && !lost_ &&
+    return viewer_.state().explain > 0 && model_ && in_view_ && !steady_ && !lost_ &&
            parts_.display.ready() && !next_step() && !wants_frame() &&
            (!explains_this() || !explainer_->finished());
 }
 
 // Switches one effect, so that keys are heard in between.
 Result<void> ViewSession::explain_a_row() {
-    if (!viewer_.state().explain) explainer_.reset();
+    if (viewer_.state().explain == 0) explainer_.reset();
     if (!wants_row()) return {};
     if (explains_this()) {
         explainer_->step();

@@ -5,6 +5,7 @@
 
 #include "app/bindings.h"
 #include "app/composer.h"
+#include "app/explain_report.h"
 #include "app/frame_log.h"
 #include "app/model_file.h"
 #include "app/overlay.h"
@@ -83,6 +84,7 @@ private:
     };
     Shown wanted() const;
     Overlay overlay() const;
+    ScreenPage explain_page() const;
     bool wants_frame() const { return repaint_ || frame_file_ || !(wanted() == shown_); }
     Result<void> draw(const Shown& wanted);
     frame::FrameOptions options() const;

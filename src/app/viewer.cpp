@@ -79,7 +79,7 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
         state_.info = !state_.info;
         return Effect::none;
     case ActionId::toggle_explain:
-        state_.explain = !state_.explain;
+        state_.explain = state_.explain < explain_pages_ ? state_.explain + 1 : 0;
         return Effect::none;
     case ActionId::toggle_help:
         state_.help = !state_.help;
@@ -88,11 +88,14 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
         next_light();
         return Effect::none;
     case ActionId::close:
-        if (!state_.help && !moves_light()) return Effect::quit;
         if (state_.help)
             state_.help = false;
-        else
+        else if (moves_light())
             state_.light = -1;
+        else if (state_.explain > 0)
+            state_.explain = 0;
+        else
+            return Effect::quit;
         return Effect::none;
     case ActionId::undo:
         undo();

@@ -32,6 +32,9 @@ public:
     // `mesh` is the model on show, null while there is none: then nothing can be dragged by pixels.
     Effect apply(const Action& action, const geom::Mesh* mesh);
 
+    // How many pages the plan on the display has, one at least: X goes through them.
+    void set_explain_pages(int pages) { explain_pages_ = pages; }
+
     // Steps of the virtual clock pass: the turntable turns, the pointer hides.
     void advance_to(std::int64_t step);
     // True when steps change something: the clock has to run. next_step(): the first that does.
@@ -72,6 +75,7 @@ private:
     scene::CameraOptions camera_;
     std::vector<scene::Light> lights_;
     int width_, height_, files_;
+    int explain_pages_ = 1;
     Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;
     std::int64_t step_ = 0;

@@ -35,7 +35,8 @@ struct PointerState {
 struct ViewerState {
     Look look;
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
-    bool help = false, info = false, explain = false;
+    bool help = false, info = false;
+    int explain = 0; // the page of the plan that is open, from 1; 0: none
     int file = 0;
     int light = -1; // the one that keys and mouse move; -1: none, they move model or camera
     PointerState pointer;

@@ -135,6 +135,15 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
     return in;
 }
 
+static std::vector<bool> lets_through(const geom::Mesh& mesh, const AlphaFacts& alpha) {
+    if (alpha.see_through_triangles() == 0) return {};
+    std::vector<bool> of(mesh.triangles());
+    for (std::size_t t = 0; t < of.size(); ++t)
+        of[t] =
+            alpha.of_material[static_cast<std::size_t>(mesh.material[t] + 1)] != AlphaClass::opaque;
+    return of;
+}
+
 SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane) {
     SceneFacts facts;
     const geom::Mesh& mesh = scene.mesh;
@@ -153,8 +162,8 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     });
     facts.physical_triangles = census.count(
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
-    facts.sides = mesh_sides(mesh);
     facts.alpha = alpha_facts(scene);
+    facts.sides = mesh_sides(mesh, lets_through(mesh, facts.alpha));
     const auto materials = [&](auto... classes) {
         MaterialSet set(scene.materials.size() + 1, false);
         for (std::size_t i = 0; i < scene.materials.size(); ++i)

@@ -1,8 +1,12 @@
 #include "frame/mesh_sides.h"
 
+#include "math/transcendental.h"
+
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace scanout::frame {
 namespace {
@@ -14,9 +18,13 @@ std::uint64_t mixed(std::uint64_t x) {
     x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
     return x ^ (x >> 31);
 }
+// What a CAD program writes of one corner is 0 in one triangle and 2e-18 in the next.
 std::uint64_t number_of(const Vec3& p) {
-    const auto bits = [](float x) { return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0F)}; };
-    return mixed((bits(p.x) << 32 | bits(p.y)) * 0x9e3779b97f4a7c15U + bits(p.z));
+    const auto whole = [](float x) {
+        return static_cast<std::uint64_t>(
+            static_cast<std::int64_t>(std::floor(double{x} * 0x1p22 + 0.5)));
+    };
+    return mixed(mixed(mixed(whole(p.x)) + whole(p.y)) + whole(p.z));
 }
 
 // Counts for an edge in one direction and against it in the other. A sum of 0 over all edges by
@@ -27,35 +35,196 @@ std::uint64_t edge(std::uint64_t from, std::uint64_t to) {
     return from < to ? both : 0 - both;
 }
 
-} // namespace
+// Which vertices hang together: a forest in which each points towards the root of its part.
+class Parts {
+public:
+    explicit Parts(std::size_t vertices) : parent_(vertices) {
+        for (std::size_t i = 0; i < vertices; ++i)
+            parent_[i] = static_cast<std::uint32_t>(i);
+    }
+    std::uint32_t root(std::uint32_t v) {
+        while (parent_[v] != v)
+            v = parent_[v] = parent_[parent_[v]];
+        return v;
+    }
+    // The lower one becomes the root of both.
+    void join(std::uint32_t a, std::uint32_t b) {
+        a = root(a);
+        b = root(b);
+        parent_[std::max(a, b)] = std::min(a, b);
+    }
+    // Those at one place: the first is found again by its number.
+    void join_places(const std::vector<std::uint64_t>& number) {
+        constexpr std::uint32_t kFree = ~std::uint32_t{0};
+        std::vector<std::uint32_t> table(std::bit_ceil(2 * number.size() + 1), kFree);
+        for (std::uint32_t v = 0; v < number.size(); ++v) {
+            std::size_t at = number[v] & (table.size() - 1);
+            while (table[at] != kFree && number[table[at]] != number[v])
+                at = (at + 1) & (table.size() - 1);
+            if (table[at] == kFree)
+                table[at] = v;
+            else
+                join(table[at], v);
+        }
+    }
 
-MeshSides mesh_sides(const geom::Mesh& mesh) {
-    std::vector<std::uint64_t> number(mesh.position.size());
-    for (std::size_t i = 0; i < number.size(); ++i)
-        number[i] = number_of(mesh.position[i]);
-    MeshSides sides;
-    std::uint64_t open = 0;
-    double volume = 0; // only its sign counts
-    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
-        const std::uint32_t* v = &mesh.index[i];
-        const Vec3 &a = mesh.position[v[0]], &b = mesh.position[v[1]], &c = mesh.position[v[2]];
-        open += edge(number[v[0]], number[v[1]]) + edge(number[v[1]], number[v[2]]) +
-                edge(number[v[2]], number[v[0]]);
-        const DVec3 ab = DVec3(b) - DVec3(a), ac = DVec3(c) - DVec3(a), n = cross3(ab, ac);
-        volume += dot3(DVec3(a), n);
-        // Unit normals mixed in any shares lean to no side where none of the three does, with room
-        // for the rounding of floats, and of the face's own normal where it is a sliver.
+private:
+    std::vector<std::uint32_t> parent_;
+};
+
+constexpr double kFlat = 0x1p-20; // so far off is still in the plane
+
+struct Triangle {
+    const Vec3 &a, &b, &c;
+    DVec3 ab, ac, n; // edges and their product
+
+    Triangle(const geom::Mesh& mesh, const std::uint32_t* v)
+        : a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]),
+          ab(DVec3(b) - DVec3(a)), ac(DVec3(c) - DVec3(a)), n(cross3(ab, ac)) {}
+
+    // Unit normals mixed in any shares lean to no side where none of the three does, with room for
+    // the rounding of floats, and of the face's own normal where it is a sliver.
+    bool leans(const geom::Mesh& mesh, const std::uint32_t* v) const {
         const double room = dot3(n, n) * 0x1p-24 + dot3(ab, ab) * dot3(ac, ac) * 0x1p-80;
         for (int k = 0; k < 3; ++k) {
             const double lean = dot3(DVec3(mesh.normal[v[k]]), n);
-            if (lean > 0 && lean * lean > room) continue;
-            ++sides.leaning;
-            break;
+            if (!(lean > 0 && lean * lean > room)) return true;
         }
+        return false;
     }
-    sides.closed = open == 0 && !mesh.index.empty();
+};
+
+void include(Box& box, const DVec3& low, const DVec3& high) {
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], low[axis]);
+        box.high[axis] = std::max(box.high[axis], high[axis]);
+    }
+}
+
+// By part: at the vertex that is its root.
+struct Part {
+    std::uint64_t open = 0; // sum of its edges; 0: closed
+    bool used = false;
+    std::uint32_t box = 0;
+};
+
+// Where the parts are: the planes of open ones, the boxes of closed ones.
+void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<Part>& of) {
+    double volume = 0; // only its sign counts
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        const Triangle t(mesh, v);
+        Part& part = of[parts.root(v[0])];
+        if (part.open != 0) {
+            ++sides.open;
+            sides.open_planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+            continue;
+        }
+        volume += dot3(DVec3(t.a), t.n);
+        if (!part.used) {
+            if (sides.closed_boxes.size() < MeshSides::kMostBoxes)
+                sides.closed_boxes.push_back({DVec3(t.a), DVec3(t.a)});
+            part.box = static_cast<std::uint32_t>(sides.closed_boxes.size() - 1);
+            part.used = true;
+        }
+        for (const Vec3* corner : {&t.a, &t.b, &t.c})
+            include(sides.closed_boxes[part.box], DVec3(*corner), DVec3(*corner));
+    }
     sides.outward = volume > 0;
+    sides.closed = sides.open == 0 && !mesh.index.empty();
+}
+
+bool is_flat(const std::vector<Plane>& planes) {
+    return planes.size() == 1 ||
+           (planes.size() == 2 && dot3(planes[0].normal, planes[1].normal) < -1 + kFlat * kFlat &&
+            std::abs(planes[0].offset + planes[1].offset) < kFlat);
+}
+
+bool is_convex(const geom::Mesh& mesh, const std::vector<Plane>& planes) {
+    return std::none_of(mesh.index.begin(), mesh.index.end(), [&](std::uint32_t v) {
+        const DVec4 at(DVec3(mesh.position[v]), 1);
+        return std::any_of(planes.begin(), planes.end(),
+                           [&](const Plane& plane) { return height(at, plane) > kFlat; });
+    });
+}
+
+// How far from the eye the near plane's corners are, in mesh coordinates, at most.
+double near_reach(const scene::View& view) {
+    double least = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double square = dot3(view.linear[axis], view.linear[axis]);
+        least = axis == 0 ? square : std::min(least, square);
+    }
+    const double corner =
+        1 + view.half_width * view.half_width + view.half_height * view.half_height;
+    return view.near_distance * sqrt(corner / least);
+}
+
+} // namespace
+
+MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_through) {
+    std::vector<std::uint64_t> number(mesh.position.size());
+    for (std::size_t i = 0; i < number.size(); ++i)
+        number[i] = number_of(mesh.position[i]);
+    Parts parts(number.size());
+    parts.join_places(number);
+    MeshSides sides;
+    PlaneSet planes;
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        parts.join(v[0], v[1]);
+        parts.join(v[0], v[2]);
+        const Triangle t(mesh, v);
+        sides.leaning += t.leans(mesh, v) ? 1 : 0;
+        planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+    }
+    std::vector<Part> of(number.size());
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        of[parts.root(v[0])].open += edge(number[v[0]], number[v[1]]) +
+                                     edge(number[v[1]], number[v[2]]) +
+                                     edge(number[v[2]], number[v[0]]);
+    }
+    for (std::size_t t = 0; t < lets_through.size(); ++t)
+        if (lets_through[t]) of[parts.root(mesh.index[3 * t])].open = 1;
+    place(sides, mesh, parts, of);
+    sides.flat = is_flat(planes.planes());
+    sides.convex =
+        sides.closed && sides.outward && !planes.too_many() && is_convex(mesh, planes.planes());
     return sides;
+}
+
+Backs backs_in_view(const MeshSides& sides, const scene::View& view) {
+    const bool known = view.projection == scene::Projection::orthographic || view.near_distance > 0;
+    const std::optional<DVec4> eye = known ? eye_of(view) : std::nullopt;
+    if (!eye) return sides.open > 0 ? Backs::of_open_parts : Backs::none;
+    const DVec3 at(*eye);
+    const auto& planes = sides.open_planes.planes();
+    const bool shown = sides.open_planes.too_many() ||
+                       std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
+                           return height(*eye, plane) < -0x1p-40;
+                       });
+    if (shown) return Backs::of_open_parts;
+    if (eye->w == 0) return Backs::none; // from so far away that all is outside
+    const double reach = near_reach(view);
+    for (const Box& box : sides.closed_boxes) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside =
+                inside && at[axis] > box.low[axis] - reach && at[axis] < box.high[axis] + reach;
+        if (inside) return Backs::from_inside;
+    }
+    return Backs::none;
+}
+
+std::vector<bool> turned_away(const geom::Mesh& mesh, const scene::View& view) {
+    const std::optional<DVec4> eye = eye_of(view);
+    std::vector<bool> away(mesh.triangles());
+    for (std::size_t i = 0; eye && i < away.size(); ++i) {
+        const Triangle t(mesh, &mesh.index[3 * i]);
+        away[i] = dot3(t.n, DVec3(*eye)) - eye->w * dot3(t.n, DVec3(t.a)) < 0;
+    }
+    return away;
 }
 
 } // namespace scanout::frame

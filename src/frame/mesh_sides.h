@@ -1,22 +1,47 @@
-// Can the back of a face be seen? Facts about a mesh's winding and normals, in one pass over its
-// triangles.
+// Can the back of a face be seen? Facts about a mesh's winding and normals, gathered once from its
+// triangles, and what they say of a view, without drawing it.
 #pragma once
 
+#include "frame/planes.h"
 #include "geom/mesh.h"
+#include "scene/view.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace scanout::frame {
 
+struct Box {
+    DVec3 low{0}, high{0};
+};
+
+// A part is what hangs together by vertices at one place; places within 2^-22 of each other are
+// one. It is closed where every edge is used as often in one direction as in the other, and nothing
+// lets light through: from outside, the backs of its faces lie behind their fronts.
 struct MeshSides {
-    // Every edge is used as often in one direction as in the other, by position: from outside, the
-    // backs of its faces lie behind their fronts.
-    bool closed = false;
-    bool outward = false; // its volume is positive: it is not wound inside out
+    static constexpr std::size_t kMostBoxes = 64;
+
+    bool closed = false;  // all parts are
+    bool outward = false; // the volume of the closed parts is positive: not wound inside out
     // Triangles with a normal that does not lie clearly on the side from which they wind counter-
     // clockwise; those without an area, too.
     std::size_t leaning = 0;
+    // No triangle throws a shadow on another: all lie in one plane, or the mesh is closed, wound
+    // outwards, and nothing of it rises above any of its (few) planes.
+    bool flat = false, convex = false;
+    std::size_t open = 0;          // triangles of the other parts
+    PlaneSet open_planes;          // in which those lie: before all of them no back is seen
+    std::vector<Box> closed_boxes; // of the closed parts; the last of all that come after it, too
 };
-MeshSides mesh_sides(const geom::Mesh& mesh);
+// lets_through: for each triangle; empty where none does.
+MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_through = {});
+
+// What of a mesh may show its back in a view. That other triangles hide it all is not known before
+// they are drawn.
+enum class Backs : std::uint8_t { none, of_open_parts, from_inside };
+// A view without a near plane, as of a plan that knows none, is anywhere.
+Backs backs_in_view(const MeshSides& sides, const scene::View& view);
+// Of each triangle: it turns its back to the eye, whatever hides it.
+std::vector<bool> turned_away(const geom::Mesh& mesh, const scene::View& view);
 
 } // namespace scanout::frame

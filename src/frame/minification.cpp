@@ -38,6 +38,7 @@ double texels_per_unit(const std::array<Corner, 3>& c) {
 
 void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool first) {
     surface.texels_per_unit = std::max(surface.texels_per_unit, texels_per_unit(triangle));
+    surface.planes.add(triangle[0].position, triangle[1].position, triangle[2].position);
     if (first) surface.box_min = surface.box_max = triangle[0].position;
     for (const Corner& corner : triangle)
         for (int axis = 0; axis < 3; ++axis) {
@@ -86,26 +87,33 @@ std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
     return found;
 }
 
-double texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width, int height,
-                        bool mapped) {
+Minification texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width,
+                              int height, bool mapped) {
     // The model is scaled along its axes, then turned: the columns' lengths are the scales.
     double least_scale = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const double scale = scanout::sqrt(dot3(view.linear[axis], view.linear[axis]));
         least_scale = axis == 0 ? scale : std::min(least_scale, scale);
     }
-    double farthest = 0;
+    double deepest = 0, farthest = 0; // along the view, and from the eye
     for (int corner = 0; corner < 8; ++corner) {
         const DVec3 p((corner & 1) != 0 ? s.box_max.x : s.box_min.x,
                       (corner & 2) != 0 ? s.box_max.y : s.box_min.y,
                       (corner & 4) != 0 ? s.box_max.z : s.box_min.z);
-        farthest = std::max(farthest, -(view.linear * p + view.translation).z);
+        const DVec3 at = view.linear * p + view.translation;
+        deepest = std::max(deepest, -at.z);
+        farthest = std::max(farthest, scanout::sqrt(dot3(at, at)));
     }
     const double pixel = std::max(2 * view.half_width / width, 2 * view.half_height / height);
     const bool perspective = view.projection == scene::Projection::perspective;
-    const double span = perspective ? pixel * farthest : pixel;
+    const double span = perspective ? pixel * deepest : pixel;
     const double texels = mapped ? s.texels_per_unit_mapped : s.texels_per_unit;
-    return span > 0 ? texels * span / least_scale : 0; // scale 0: infinitely many
+    if (!(span > 0)) return {};
+    double steepest = s.planes.too_many() ? kMostSlant : 1;
+    for (const Plane& plane : s.planes.planes())
+        steepest = std::max(steepest, slant(plane, view, farthest));
+    const double facing = texels * span / least_scale; // scale 0: infinitely many
+    return {facing, facing * std::min(steepest, kMostSlant)};
 }
 
 } // namespace scanout::frame

@@ -2,6 +2,7 @@
 // Told without drawing, from bounds that are gathered once.
 #pragma once
 
+#include "frame/planes.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 #include "shade/mip_chain.h"
@@ -19,17 +20,24 @@ struct TexturedSurface {
     // At most, in any direction; normalised object units. By the model's uv, and by a mapping.
     double texels_per_unit = 0, texels_per_unit_mapped = 0;
     DVec3 box_min{0}, box_max{0}; // of the triangles
+    PlaneSet planes{};            // in which they lie
 };
 // One for each map that a triangle's material has and that could be read.
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene);
 
-// How many texels a pixel spans where the surface lies farthest away, if it faces the eye there;
-// 0 where all of it lies behind the eye. mapped: its uv are not the model's.
-double texels_per_pixel(const TexturedSurface& surface, const scene::View& view, int width,
-                        int height, bool mapped = false);
+// At most, in texels that a pixel spans.
+struct Minification {
+    double facing = 0;  // where the surface lies farthest away, if it faces the eye there
+    double slanted = 0; // and as it stands
+};
 
-// Slanted surfaces span more. Every curved one has a rim where it is infinitely many, a pixel wide
-// or less: what counts is a surface at up to 75 degrees, which spans this many times more.
+// Curved surfaces have a rim where a pixel spans infinitely many texels, a pixel wide or less: what
+// counts is a surface at up to 75 degrees, which spans this many times more than one that faces the
+// eye.
 inline constexpr double kMostSlant = 4;
+
+// 0 where all of the surface lies behind the eye. mapped: its uv are not the model's.
+Minification texels_per_pixel(const TexturedSurface& surface, const scene::View& view, int width,
+                              int height, bool mapped = false);
 
 } // namespace scanout::frame

@@ -1,36 +1,58 @@
 #include "frame/options.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scanout::frame {
 
-bool ask(FrameOptions& o, std::string_view axis, std::string_view technique) {
-    const std::pair<std::string_view, std::string*> axes[] = {{"interpolate", &o.interpolate},
-                                                              {"texture", &o.texture},
-                                                              {"wrap", &o.wrap},
-                                                              {"source", &o.source},
-                                                              {"mapping", &o.mapping},
-                                                              {"reflection", &o.reflection},
-                                                              {"shading", &o.shading},
-                                                              {"shadow", &o.shadow},
-                                                              {"transparency", &o.transparency},
-                                                              {"blend", &o.blend},
-                                                              {"stencil", &o.stencil},
-                                                              {"depth", &o.depth},
-                                                              {"depth_test", &o.depth_test},
-                                                              {"aa", &o.aa},
-                                                              {"tone", &o.tone},
-                                                              {"blend_space", &o.blend_space},
-                                                              {"encode", &o.encode},
-                                                              {"dither", &o.dither},
-                                                              {"convolution", &o.convolution}};
-    for (const auto& [name, asked] : axes) {
-        if (name != axis) continue;
-        *asked = technique;
-        if (axis == "aa") o.samples = 1; // another way to ask for the same
-        return true;
-    }
-    return false;
+namespace {
+
+// What is asked for on an axis; null where it has no option. Of const options, a const string.
+template <class Options>
+auto find_axis(Options& o, std::string_view axis) -> decltype(&o.texture) {
+    const std::pair<std::string_view, decltype(&o.texture)> axes[] = {
+        {"interpolate", &o.interpolate},
+        {"texture", &o.texture},
+        {"wrap", &o.wrap},
+        {"source", &o.source},
+        {"mapping", &o.mapping},
+        {"reflection", &o.reflection},
+        {"shading", &o.shading},
+        {"shadow", &o.shadow},
+        {"transparency", &o.transparency},
+        {"blend", &o.blend},
+        {"stencil", &o.stencil},
+        {"depth", &o.depth},
+        {"depth_test", &o.depth_test},
+        {"aa", &o.aa},
+        {"tone", &o.tone},
+        {"blend_space", &o.blend_space},
+        {"encode", &o.encode},
+        {"dither", &o.dither},
+        {"convolution", &o.convolution}};
+    for (const auto& [name, asked] : axes)
+        if (name == axis) return asked;
+    return nullptr;
+}
+
+} // namespace
+
+bool ask(FrameOptions& options, std::string_view axis, std::string_view technique) {
+    std::string* asked = find_axis(options, axis);
+    if (asked == nullptr) return false;
+    *asked = technique;
+    if (axis == "aa") options.samples = 1; // another way to ask for the same
+    return true;
+}
+
+const std::string* asked_for(const FrameOptions& options, std::string_view axis) {
+    return find_axis(options, axis);
+}
+
+std::string option_of(std::string_view axis) {
+    std::string name(axis);
+    std::replace(name.begin(), name.end(), '_', '-');
+    return name;
 }
 
 } // namespace scanout::frame

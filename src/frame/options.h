@@ -60,6 +60,9 @@ struct FrameOptions {
 
 // Asks for a technique on an axis, instead of what stands there; false for an axis without option.
 bool ask(FrameOptions& options, std::string_view axis, std::string_view technique);
+// What is asked for on an axis; null for an axis without option.
+const std::string* asked_for(const FrameOptions& options, std::string_view axis);
+std::string option_of(std::string_view axis); // the command line's name of it, without "--"
 
 inline constexpr int kLeastShadowSize = 64, kMostShadowSize = 8192, kMostShadowFilter = 15;
 inline constexpr int kMaxSide = 16384;

@@ -46,12 +46,9 @@ Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
         const Decision* row = plan.decision(name);
         if (row != nullptr && !row->choice) continue;
-        if (row != nullptr) {
-            std::string option = name;
-            std::replace(option.begin(), option.end(), '_', '-');
+        if (row != nullptr)
             return fail(Exit::usage, "--effect {0}={1}: {0} is no effect; say --{2} NAME", name,
-                        on ? "on" : "off", option);
-        }
+                        on ? "on" : "off", option_of(name));
         std::string known;
         for (const Decision& d : plan.decisions)
             if (!d.choice) known += " " + d.effect;
@@ -69,11 +66,6 @@ const Decision* FramePlan::decision(std::string_view effect) const {
     return found == decisions.end() ? nullptr : &*found;
 }
 
-bool asked_in_vain(const FrameOptions& options, const Decision& d) {
-    if (d.choice || d.needed) return false;
-    return d.forced ? d.on() : d.effect == "shadow" && options.shadow != "auto";
-}
-
 std::string to_string(const Decision& d) {
     return fmt::format("{} {}: {}{}", d.effect, d.technique, d.because,
                        d.forced ? " (forced)" : "");
@@ -84,6 +76,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
+    if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
     planner.choice("interpolate", steps, options.interpolate,
@@ -91,7 +84,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     planner.stage("interpolate", steps);
 
     TRY_VOID(plan_texture(planner, plan, facts));
-    TRY_VOID(plan_light(planner, plan, facts));
+    TRY_VOID(plan_light(planner, plan, facts, view));
     plan_maps(planner, plan, facts);
 
     if (planner.effect("vertex_colours", "on", facts.vertex_colours,

@@ -32,8 +32,6 @@ struct Decision {
     friend bool operator==(const Decision&, const Decision&) = default;
 };
 std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 ..."
-// The user asked for an effect by name, and the scene cannot show it: the decision says why.
-bool asked_in_vain(const FrameOptions& options, const Decision& decision);
 
 // What is not drawn as opaque.
 struct TransparencyPlan {

@@ -3,11 +3,14 @@
 #include "frame/planner.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace scanout::frame {
 namespace {
+
+constexpr const char* kNothingLit = "nothing is lit: there are no triangles";
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
@@ -25,7 +28,7 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
         const bool lit = facts.triangles > 0;
         const std::string because = shining.empty()
                                         ? fmt::format("there is no {} light", name_of(kind))
-                                    : !lit ? "nothing is lit: there are no triangles"
+                                    : !lit ? kNothingLit
                                            : fmt::format("{} light{}: {}", shining.size(),
                                                          shining.size() == 1 ? "" : "s", names);
         const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
@@ -53,10 +56,12 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
         rough == 0 || glossy == physical ? glossy
         : rough == shiny                 ? physical
                                          : glossy + " and " + physical,
-        shiny > 0 && glossy != "lambert",
-        fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0{})", shiny,
-                    facts.triangles,
-                    rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
+        shiny > 0 && glossy != "lambert" && has_directed_light(plan),
+        shiny > 0 && !has_directed_light(plan)
+            ? kNoDirection
+            : fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0{})", shiny,
+                          facts.triangles,
+                          rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
     // Each model that some surface has, once; lines and points go the way of the matt ones.
     const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
         const shade::Stage*& model = plan.reflection[static_cast<std::size_t>(surface)];
@@ -73,44 +78,61 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
+// Why backs may be seen, or why not; of meshes whose normals lean to no back.
+std::pair<bool, std::string> backs(const SceneFacts& facts, Cull cull, const scene::View& view) {
+    const MeshSides& sides = facts.sides;
+    if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
+    if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
+    if (!sides.closed_boxes.empty() && !sides.outward)
+        return {true, "what is closed of the mesh is wound inside out"};
+    switch (backs_in_view(sides, view)) {
+    case Backs::of_open_parts:
+        return {true, facts.alpha.see_through_triangles() > 0
+                          ? fmt::format("backs show through {} of {} triangles that are not opaque",
+                                        facts.alpha.see_through_triangles(), facts.triangles)
+                          : "the mesh has open edges: backs can be seen"};
+    case Backs::from_inside:
+        return {true, "the eye may be inside of a closed part, and see its backs"};
+    case Backs::none:
+        break;
+    }
+    return {false, sides.open > 0
+                       ? fmt::format("{} of {} triangles have open edges or let light through: all "
+                                     "show their fronts",
+                                     sides.open, facts.triangles)
+                       : "the mesh is closed and its normals point outwards: no back can be seen"};
+}
+
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
 // the one that the eye sees.
-void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const MeshSides& sides = facts.sides;
-    const Cull cull = plan.options.cull;
-    bool needed = facts.triangles > 0;
-    std::string because;
-    if (!needed) {
-        because = "nothing is lit: there are no triangles";
-    } else if (sides.leaning > 0) {
-        because = fmt::format("{} of {} triangles have a normal that leans to their back",
-                              sides.leaning, facts.triangles);
-    } else if (cull == Cull::front) {
-        because = "backs alone are drawn (--cull front)";
-    } else if (cull == Cull::back) {
-        needed = false;
-        because = "backs are left out (--cull back)";
-    } else if (facts.alpha.see_through_triangles() > 0) {
-        because = fmt::format("backs show through {} of {} triangles that are not opaque",
-                              facts.alpha.see_through_triangles(), facts.triangles);
-    } else if (!sides.closed) {
-        because = "the mesh has open edges: backs can be seen";
-    } else if (!sides.outward) {
-        because = "the mesh is closed, but wound inside out";
-    } else {
-        needed = false;
-        because = "the mesh is closed and its normals point outwards: no back can be seen";
-    }
+void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                const scene::View& view) {
+    const std::size_t leaning = facts.sides.leaning;
+    auto [needed, because] =
+        facts.triangles == 0        ? std::pair(false, std::string(kNothingLit))
+        : !has_directed_light(plan) ? std::pair(false, std::string(kNoDirection))
+        : leaning > 0
+            ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
+                                          "their back",
+                                          leaning, facts.triangles))
+            : backs(facts, plan.options.cull, view);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
-    plan.sides = needed && !on       ? shade::Sides::file
-                 : sides.leaning > 0 ? shade::Sides::eye
-                                     : shade::Sides::face;
+    plan.sides = needed && !on ? shade::Sides::file
+                 : leaning > 0 ? shade::Sides::eye
+                               : shade::Sides::face;
+}
+
+// From inside, a convex model's near side stands between the lights and its far side.
+bool shadows_itself(const SceneFacts& facts, Cull cull, const scene::View& view) {
+    const MeshSides& sides = facts.sides;
+    if (sides.flat) return false;
+    return !sides.convex || cull == Cull::front || backs_in_view(sides, view) != Backs::none;
 }
 
 // Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
 // a point are sharp, and the filtered map is the cheapest that shows no steps.
 Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                          const shade::Stage& shading) {
+                          const scene::View& view, const shade::Stage& shading) {
     std::string names;
     int casting = 0, sized = 0;
     bool directional = false;
@@ -124,10 +146,12 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     TRY(const std::string name,
         choose("shadow", plan.options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
     const bool floor = name != "projected" || facts.ground.triangles > 0;
+    const bool falls = name == "attached" || shadows_itself(facts, plan.options.cull, view);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     std::string because =
-        facts.triangles == 0 ? "nothing is lit: there are no triangles"
+        facts.triangles == 0 ? kNothingLit
         : casting == 0       ? "no light that reaches anything casts shadows"
+        : !falls             ? "the model is flat or convex: it throws none on itself"
         : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
                                            shading.card.name)
         : !floor && facts.ground.asked
@@ -135,7 +159,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : !floor
             ? "no triangle lies flat on a side of the model's box, to project shadows onto"
             : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
-    const bool possible = casting > 0 && facts.triangles > 0 && floor && at_pixels;
+    const bool possible = casting > 0 && facts.triangles > 0 && falls && floor && at_pixels;
     if (possible && sized > 0) because += fmt::format("; {} with a size", sized);
     if (possible && facts.alpha.blended_triangles > 0)
         because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
@@ -154,21 +178,33 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
 
 } // namespace
 
-Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+bool has_directed_light(const FramePlan& plan) {
+    return std::any_of(plan.lights.begin(), plan.lights.end(), [](const scene::Light& light) {
+        return light.kind != scene::LightKind::ambient;
+    });
+}
+
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                        const scene::View& view) {
     const std::string& asked = plan.options.shading;
     TRY(const std::string name, choose("shading", asked, "per_pixel"));
     const shade::Stage* shading = shade::find_stage("shading", name);
     CHECK(shading != nullptr);
     plan_lights(planner, plan, facts, *shading);
-    plan_sides(planner, plan, facts);
+    plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
-    TRY_VOID(plan_shadows(planner, plan, facts, *shading));
+    TRY_VOID(plan_shadows(planner, plan, facts, view, *shading));
+    const bool directed = has_directed_light(plan);
     planner.choice("shading", facts.triangles > 0 ? name : "off", asked,
-                   facts.triangles > 0 ? fmt::format("{} triangles are lit", facts.triangles)
-                                       : "nothing is lit: there are no triangles",
+                   facts.triangles == 0 ? kNothingLit
+                   : !directed          ? kNoDirection
+                                        : fmt::format("{} triangles are lit", facts.triangles),
                    facts.triangles > 0);
     planner.stage("shading", name);
-    plan.corner_normals = name == "gouraud" || name == "per_pixel_raw";
+    // Nothing reads them, unless highlights are forced on.
+    const bool normals = directed || plan.decision("highlight")->on() || shading->needs.corners;
+    plan.attributes.normal = plan.attributes.normal && normals;
+    plan.corner_normals = normals && (name == "gouraud" || name == "per_pixel_raw");
     return {};
 }
 

@@ -10,6 +10,13 @@
 #include <fmt/format.h>
 
 namespace scanout::frame {
+namespace {
+
+// Brighter than white: so much above 1 that the row's two decimals say it. Up to here the light
+// that is cut off is less than a code of 8 bits.
+constexpr double kBright = 1.005;
+
+} // namespace
 
 Result<void> plan_merging(Planner& planner, FramePlan& plan) {
     const FrameOptions& o = plan.options;
@@ -52,7 +59,7 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     plan.exposure = static_cast<float>(exposed ? exp2(options.exposure) : 1.0);
     const double brightest =
         double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
-    const bool bright = brightest > 1 && facts.triangles > 0;
+    const bool bright = brightest > kBright && facts.triangles > 0;
     TRY(const std::string tone, choose("tone", options.tone, bright ? "filmic" : "clamp"));
     planner.choice("tone", tone, options.tone,
                    fmt::format("diffuse light is at most {:.2f}{}", brightest,
@@ -97,11 +104,13 @@ Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan
 }
 
 Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan) {
-    const bool mixed = plan.aa->card.name != "none";
+    const bool smooth = plan.aa->card.name != "none";
+    const bool mixed = smooth || plan.transparency.blended != nullptr;
     TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
     planner.choice("blend_space", space, options.blend_space,
-                   mixed ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
-                         : "one sample a pixel: nothing is mixed");
+                   smooth  ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
+                   : mixed ? "what is blended is mixed in it"
+                           : "one sample a pixel: nothing is mixed");
     TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
     planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
     plan.output.blend_space = shade::find_blend_space(space);

@@ -38,15 +38,15 @@ Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& fa
     CHECK(filter != nullptr);
     const bool automatic = options.texture == "auto";
     const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
-    double most = 0; // texels a pixel
+    Minification most;
     for (const TexturedSurface& surface : facts.textured_surfaces) {
         if (!is_read(surface, plan)) continue;
-        const double texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
-                                               options.height * plan.aa->scale, plan.mapped);
-        most = std::max(most, texels);
+        const Minification texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
+                                                     options.height * plan.aa->scale, plan.mapped);
+        most = {std::max(most.facing, texels.facing), std::max(most.slanted, texels.slanted)};
         // A filter that the user names is drawn as it is; else what is not minified has no
         // mipmaps, though its rim may show a few texels a pixel.
-        if (automatic && texels * kMostSlant <= 1) continue;
+        if (automatic && texels.slanted <= 1) continue;
         if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
             plan.mips.push_back(surface.texture);
     }
@@ -54,7 +54,7 @@ Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& fa
         "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
         colour || alpha
             ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
-                          most, most * kMostSlant)
+                          most.facing, most.slanted)
             : "no texture is read");
     if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
     if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
@@ -158,13 +158,15 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
 }
 
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const bool pixels = !plan.attributes.corners, coordinates = has_coordinates(plan, facts);
+    const bool directed = has_directed_light(plan);
+    const bool pixels = !plan.attributes.corners && directed,
+               coordinates = has_coordinates(plan, facts);
     const Decision* highlight = plan.decision("highlight");
     const bool shiny = highlight != nullptr && highlight->on() && pixels;
     const shade::Stage* mirrors =
         plan.reflection[static_cast<std::size_t>(scene::Surface::physical)];
     const bool physical = shiny && mirrors != nullptr && mirrors->card.name == "ggx";
-    const char* const unlit = "light is not evaluated at pixels";
+    const char* const unlit = directed ? "light is not evaluated at pixels" : kNoDirection;
     const char* const matt = pixels ? "no highlight is drawn" : unlit;
     const char* const dull = pixels ? "no physical material reflects as one" : unlit;
     const struct {

@@ -6,17 +6,6 @@
 #include <algorithm>
 
 namespace scanout::frame {
-namespace {
-
-// The command line's name of an axis.
-std::string option_of(std::string_view axis) {
-    std::string name(axis);
-    std::replace(name.begin(), name.end(), '_', '-');
-    return name;
-}
-
-} // namespace
-
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);

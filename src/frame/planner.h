@@ -39,8 +39,12 @@ private:
 
 // map_Kd, or what is computed in its place.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Some light comes from a side. Ambient light alone is the same however a surface is turned.
+bool has_directed_light(const FramePlan& plan); // after plan_light
+inline constexpr const char* kNoDirection = "no light comes from a side: normals do not matter";
 // Lights, sides, reflection, and how often they are evaluated.
-Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                        const scene::View& view);
 // The other maps, and light of the surfaces' own; after the light and the highlights are decided.
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.

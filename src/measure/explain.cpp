@@ -2,6 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "frame/bytes.h"
+#include "frame/in_vain.h"
 #include "frame/techniques.h"
 #include "image/compare.h"
 #include "image/flip.h"
@@ -64,6 +65,7 @@ Result<void> Explainer::begin() {
     so_far_.width = options_.width;
     so_far_.height = options_.height;
     so_far_.techniques = plan_.techniques;
+    so_far_.in_vain = frame::asked_in_vain(plan_);
     TRY_VOID(count_pixels());
     TRY(so_far_.special, special_rows());
     frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
@@ -76,6 +78,7 @@ Result<void> Explainer::begin() {
         row.decision = decision;
         if (const auto share = shares_.find(decision.effect); share != shares_.end())
             row.pixel_share = share->second;
+        if (decision.effect == "two_sided" && decision.on()) row.faces_away = faces_away_;
         if (const auto held = bytes.find(decision.effect); held != bytes.end())
             row.bytes = held->second;
         so_far_.rows.push_back(std::move(row));
@@ -96,9 +99,13 @@ Result<void> Explainer::count_pixels() {
     const std::size_t none = scene_.materials.size();
     std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
     std::int64_t covered = 0;
+    const std::vector<bool> away = frame::turned_away(scene_.mesh, view_);
+    faces_away_ = {static_cast<std::size_t>(std::count(away.begin(), away.end(), true)),
+                   away.size(), 0};
     for (const std::uint32_t id : visible.id) {
         if (id == raster::kNoPrimitive) continue;
         ++covered;
+        faces_away_.pixels += id < away.size() && away[id] ? 1 : 0;
         ++shown[material_of(scene_.mesh, id, none)];
     }
     const double pixels = static_cast<double>(options_.width) * options_.height;
@@ -115,7 +122,7 @@ Result<void> Explainer::count_pixels() {
 // What a grey triangle under the default lights gets is nothing special.
 Result<int> Explainer::special_rows() const {
     frame::SceneFacts grey;
-    grey.triangles = 1;
+    grey.triangles = grey.sides.open = 1; // it may show its back
     TRY(const frame::FramePlan plain, frame::plan({}, grey));
     int special = 0;
     for (const frame::Decision& decision : plan_.decisions) {

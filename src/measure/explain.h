@@ -29,12 +29,19 @@ struct Change {
     friend bool operator==(const Change&, const Change&) = default;
 };
 
+// What turns its back to the eye.
+struct FacesAway {
+    std::size_t triangles = 0, of = 0; // whatever hides them
+    std::int64_t pixels = 0;           // whose nearest surface is one of them
+};
+
 struct EffectRow {
     frame::Decision decision;
     // The share of the picture's pixels whose nearest surface calls for the effect, 0 to 1; nothing
     // where that is not a matter of the material.
     std::optional<double> pixel_share;
-    std::uint64_t bytes = 0; // that the effect holds
+    std::optional<FacesAway> faces_away; // of two_sided where it is on
+    std::uint64_t bytes = 0;             // that the effect holds
     // When it is switched the other way, or, on an axis that has no "off", to its cheapest
     // technique; or why it cannot be. Nothing where the cheapest one runs.
     std::optional<Change> change;
@@ -50,7 +57,8 @@ struct Explanation {
     double covered_share = 0;  // of the pixels, whose centre shows something
     // The rows that are on and would not be for a grey triangle: none means a plain scene.
     int special = 0;
-    std::vector<EffectRow> rows; // as in the plan
+    std::vector<EffectRow> rows;      // as in the plan
+    std::vector<std::string> in_vain; // what is asked for and cannot be shown, a line each
     std::vector<const Technique*> techniques;
     std::optional<double> milliseconds; // of the frame as it is, median
 };
@@ -97,6 +105,7 @@ private:
     frame::FramePlan plan_;
     image::Image picture_;
     std::map<std::string, double, std::less<>> shares_;
+    FacesAway faces_away_;
     std::vector<double> own_times_;
     Explanation so_far_;
     std::size_t measured_ = 0; // rows

@@ -44,7 +44,7 @@ struct Material {
 };
 
 // Ns 0, or no Ns at all, would put a highlight everywhere: exporters that write it beside a bright
-// Ks (MeshLab does) mean none.
+// Ks (MeshLab does) mean none. Between 0 and 1 it fades (shade/reflection/highlight-inl.h).
 inline bool has_highlight(const Material& m) {
     return m.shininess > 0 && (m.specular.x > 0 || m.specular.y > 0 || m.specular.z > 0);
 }

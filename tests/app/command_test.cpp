@@ -52,6 +52,17 @@ protected:
     std::string model = folder.write("model.obj", kTetrahedron);
 };
 
+TEST_F(Program, AnOutputThatTakesNoMoreIsNoMistakeOfTheProgram) {
+    for (const char* what : {"options", "techniques --json"}) {
+        const Outcome outcome =
+            run(std::string("list ") + what + " >/dev/full 2>\"$d\"stderr </dev/null #");
+        EXPECT_EQ(outcome.code, 3) << what;
+        const std::string err = folder.read("stderr");
+        EXPECT_EQ(err.find("mistake"), std::string::npos) << err;
+        EXPECT_NE(err.find("No space left"), std::string::npos) << err;
+    }
+}
+
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_NE(run("--help").out.find("scanout render"), std::string::npos);
     EXPECT_NE(run("--version").out.find("scanout "), std::string::npos);

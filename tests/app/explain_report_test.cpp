@@ -1,6 +1,8 @@
 #include "app/explain_report.h"
 #include "app/report.h"
 
+#include <sstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,31 +99,68 @@ TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
     e.rows[0].change = measure::Change{120, 37, 0.0125};
     e.rows[0].milliseconds = 1.25;
     e.rows[0].bytes = 4096;
-    const auto all = screen_table(e, 1, 200, 40);
+    const auto all = screen_table(e, 1, 200, 40, 1).lines;
     ASSERT_EQ(all.size(), 12U) << "heads, rows, and how far it is";
     for (const char* part : {"effect0", "1.25", "4096 B", "37", "0.0125", "120", "a fact"})
         EXPECT_THAT(all[1], HasSubstr(part));
     EXPECT_EQ(all.back(), "measured 1 of 10");
-    EXPECT_THAT(screen_table(e, 10, 200, 40).back(), HasSubstr("pixels"));
+    EXPECT_THAT(screen_table(e, 10, 200, 40, 1).lines.back(), HasSubstr("pixels"));
 
-    const auto low = screen_table(e, 1, 60, 7);
-    ASSERT_EQ(low.size(), 7U);
-    EXPECT_THAT(low, Each(testing::SizeIs(testing::Le(60U))));
-    EXPECT_THAT(low[3], HasSubstr("effect2")) << "what is on stays";
-    EXPECT_THAT(low.back(), HasSubstr("5 that are off"));
-    EXPECT_THAT(low[1], Not(HasSubstr("0.0125"))) << "a narrow screen has no room for all columns";
+    const auto low = screen_table(e, 1, 60, 8, 1);
+    EXPECT_EQ(low.pages, 2U) << "five rows a page";
+    ASSERT_EQ(low.lines.size(), 8U);
+    EXPECT_THAT(low.lines[5], HasSubstr("effect4"));
+    EXPECT_EQ(low.lines[6], "measured 1 of 10");
+    EXPECT_EQ(low.lines.back(), "page 1 of 2: X goes on");
+    EXPECT_THAT(low.lines[1], Not(HasSubstr("0.0125"))) << "no room for all columns";
+    EXPECT_THAT(screen_table(e, 1, 60, 8, 2).lines[1], HasSubstr("effect5"));
+    EXPECT_EQ(screen_table(e, 1, 60, 8, 9).lines, screen_table(e, 1, 60, 8, 2).lines);
+}
+
+// Whatever the screen, on its pages every word of every reason can be read, in order.
+TEST(ScreenTable, LosesNoWordOfAReason) {
+    measure::Explanation e;
+    for (int i = 0; i < 25; ++i) {
+        std::string reason;
+        for (int k = 0; k < i; ++k)
+            reason += "w" + std::to_string(i) + "." + std::to_string(k) + " ";
+        e.rows.push_back(row("effect" + std::to_string(i), i % 2 == 0 ? "blinn_phong" : "off",
+                             reason + "end" + std::to_string(i)));
+    }
+    for (const std::size_t letters : {50U, 78U, 105U, 158U, 300U})
+        for (const std::size_t lines : {12U, 34U, 60U}) {
+            std::string text;
+            const std::size_t pages = screen_table(e, 25, letters, lines, 1).pages;
+            for (std::size_t page = 1; page <= pages; ++page) {
+                const auto shown = screen_table(e, 25, letters, lines, page);
+                EXPECT_LE(shown.lines.size(), lines);
+                EXPECT_THAT(shown.lines, Each(testing::SizeIs(testing::Le(letters))));
+                for (const std::string& line : shown.lines)
+                    text += line + " ";
+            }
+            std::size_t at = 0;
+            for (const measure::EffectRow& r : e.rows) {
+                std::istringstream words(r.decision.effect + " " + r.decision.because);
+                for (std::string word; words >> word;) {
+                    at = text.find(word, at);
+                    ASSERT_NE(at, std::string::npos) << word << " on " << letters;
+                    at += word.size();
+                }
+            }
+        }
 }
 
 TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
     frame::FramePlan plan;
     plan.decisions = {row("texture", "bilinear", "a fact").decision,
                       row("fog", "off", "none").decision};
-    const auto lines = plan_lines(plan, 40);
-    ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0], "texture  bilinear  a fact");
-    EXPECT_EQ(lines[1], "fog      off       none");
-    EXPECT_THAT(lines[2], HasSubstr("scanout explain"));
-    EXPECT_THAT(plan_lines(plan, 5), Each(testing::SizeIs(5)));
+    const auto lines = plan_lines(plan, 60, 9, 1).lines;
+    ASSERT_EQ(lines.size(), 4U);
+    EXPECT_EQ(lines[0], "effect   runs      because");
+    EXPECT_EQ(lines[1], "texture  bilinear  a fact");
+    EXPECT_EQ(lines[2], "fog      off       none");
+    EXPECT_THAT(lines[3], HasSubstr("stands still"));
+    EXPECT_THAT(plan_lines(plan, 5, 9, 1).lines, Each(testing::SizeIs(testing::Le(5U))));
 }
 
 } // namespace

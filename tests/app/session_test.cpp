@@ -6,6 +6,7 @@
 
 #include <chrono>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
 #include <sys/timerfd.h>
@@ -157,10 +158,33 @@ TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfThe
 TEST_F(Session, XLaysThePlanOnThePictureAndTakesItAway) {
     const std::string open = folder.file("open.png"), closed = folder.file("closed.png");
     port::HeadlessDisplay display = make_display();
-    ASSERT_TRUE(play(
-        "toggle_explain\nframe " + open + "\n+1 toggle_explain\nframe " + closed + "\n", display));
+    ASSERT_TRUE(
+        play("toggle_explain\nframe " + open + "\n+1 close\nframe " + closed + "\n", display));
     EXPECT_EQ(*image::load(closed), rendered({}));
     EXPECT_NE(*image::load(open), rendered({}));
+}
+
+TEST_F(Session, XTurnsThePagesOfThePlanAndThenTakesItAway) {
+    port::HeadlessDisplay display =
+        std::move(*port::HeadlessDisplay::create(640, 480, image::PixelFormat{}));
+    std::string script;
+    for (int press = 0; press < 6; ++press)
+        script += fmt::format("+0 toggle_explain\n+1 frame {}\n",
+                              folder.file(std::to_string(press) + ".png"));
+    ASSERT_TRUE(
+        play(script + "+0 toggle_explain\n+0 close\n+1 frame " + folder.file("none.png") + "\n",
+             display));
+    const image::Image none = *image::load(folder.file("none.png"));
+    std::vector<image::Image> pages;
+    int press = 0;
+    for (; press < 6; ++press) {
+        pages.push_back(*image::load(folder.file(std::to_string(press) + ".png")));
+        if (pages.back() == none) break;
+        for (int earlier = 0; earlier < press; ++earlier)
+            EXPECT_NE(pages[static_cast<std::size_t>(earlier)], pages.back());
+    }
+    EXPECT_GE(press, 2) << "the reasons are more than a page";
+    EXPECT_LT(press, 6) << "the last page is followed by none";
 }
 
 TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {

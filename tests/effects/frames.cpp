@@ -125,7 +125,7 @@ struct Subject {
         frame::FrameOptions options = settings.frame;
         for (const auto& [effect, on] : forced)
             options.effects[effect] = on;
-        return frame::plan(options, facts);
+        return frame::plan(options, facts, view);
     }
 };
 

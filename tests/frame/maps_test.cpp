@@ -65,6 +65,21 @@ TEST(MaterialMaps, LeavingOneOutChangesThePicture) {
     }
 }
 
+TEST(MaterialMaps, BlackInMapNsShinesNowhereMoreThanWhite) {
+    const auto of_texel = [](std::uint8_t code) {
+        image::Image texel(1, 1);
+        texel.at(0, 0) = {code, code, code, 255};
+        return draw(mapped_sphere("gloss", &Material::map_shininess, {"texel", texel}));
+    };
+    Shot matt = mapped_sphere("matt", &Material::map_shininess, checkers());
+    matt.options.effects = {{"highlight", false}};
+    EXPECT_EQ(of_texel(0), draw(matt)) << "black is as no highlight at all";
+    // 1/255 of Ns 20 is below 1: what is left of the highlight has faded.
+    const image::Image faded = of_texel(1);
+    EXPECT_LE(image::compare(faded, draw(matt)).max_difference, 30);
+    EXPECT_NE(faded, draw(matt));
+}
+
 // Physical materials have a roughness of their own: the maps of a highlight are not theirs.
 TEST(MaterialMaps, OfAHighlightDoNotTouchPhysicalMaterials) {
     Shot s = mapped_sphere("physical", &Material::map_specular, checkers());

@@ -2,6 +2,7 @@
 #include "frame/mesh_sides.h"
 #include "support/scenes.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scanout::frame {
@@ -78,6 +79,150 @@ TEST(MeshSides, ATriangleWithoutAnAreaHasNoSide) {
     EXPECT_EQ(mesh_sides(mesh).leaning, 1U); // the first
     mesh.normal.back() = {1, 0, 0};          // along the face: no clear side
     EXPECT_EQ(mesh_sides(mesh).leaning, 2U);
+}
+
+// Programs that draw parts write 0 for a corner here and 2e-18 there.
+TEST(MeshSides, PlacesARoundingApartAreOne) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_cube(mesh, 0.25F);
+    for (std::size_t i = 0; i < mesh.position.size(); i += 3)
+        mesh.position[i] += Vec3(2e-18F, -3e-8F, 3e-8F);
+    EXPECT_TRUE(mesh_sides(mesh).closed);
+    mesh.position[0].x += 1e-6F;
+    EXPECT_FALSE(mesh_sides(mesh).closed);
+}
+
+scene::View view_of(const geom::Mesh& mesh, double azimuth, double elevation, double distance = 3) {
+    scene::CameraOptions camera;
+    camera.azimuth_degrees = azimuth;
+    camera.elevation_degrees = elevation;
+    camera.distance = distance;
+    const auto view = scene::make_view(mesh, {}, {}, camera, {}, 64, 64);
+    EXPECT_TRUE(view);
+    return *view;
+}
+
+TEST(MeshSides, AFlatPartShowsItsBackFromBehindAlone) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_square(mesh, 0.5F); // looks to +z
+    test::add_cube(mesh, 0.25F);  // closed, and in two places: its backs are never seen
+    const MeshSides sides = mesh_sides(mesh);
+    EXPECT_FALSE(sides.closed);
+    EXPECT_EQ(sides.open, 2U);
+    EXPECT_EQ(sides.open_planes.planes().size(), 1U);
+    for (int azimuth = 0; azimuth < 360; azimuth += 20)
+        for (const int elevation : {-60, 0, 45}) {
+            const bool front = azimuth < 90 || azimuth > 270;
+            EXPECT_EQ(backs_in_view(sides, view_of(mesh, azimuth, elevation)),
+                      front ? Backs::none : Backs::of_open_parts)
+                << azimuth << " " << elevation;
+        }
+    EXPECT_EQ(backs_in_view(sides, scene::View()), Backs::of_open_parts) << "no view is known";
+}
+
+TEST(MeshSides, WhatLetsLightThroughIsNotClosed) {
+    const geom::Mesh mesh = sphere();
+    std::vector<bool> glass(mesh.triangles(), false);
+    glass[7] = true;
+    const MeshSides sides = mesh_sides(mesh, glass);
+    EXPECT_FALSE(sides.closed);
+    EXPECT_EQ(sides.open, mesh.triangles());
+    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 0, 0)), Backs::of_open_parts);
+    EXPECT_EQ(backs_in_view(mesh_sides(mesh), view_of(mesh, 0, 0)), Backs::none);
+}
+
+TEST(MeshSides, FromInsideBacksAreSeen) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_cube(mesh, 0.25F);
+    const MeshSides sides = mesh_sides(mesh);
+    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 30, 20, 0.1)), Backs::from_inside);
+    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 30, 20, 2)), Backs::none);
+    // Outside by less than the near plane cuts away.
+    scene::View near = view_of(mesh, 0, 0);
+    near.translation = {0, 0, -near.linear[2].z * 0.251};
+    EXPECT_EQ(backs_in_view(sides, near), Backs::none);
+    near.near_distance = 0.01;
+    EXPECT_EQ(backs_in_view(sides, near), Backs::from_inside);
+}
+
+TEST(MeshSides, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_square(mesh, 0.5F);
+    EXPECT_TRUE(mesh_sides(mesh).flat);
+    test::add_quad(mesh, {{{1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}}, {0, 0, -1});
+    EXPECT_TRUE(mesh_sides(mesh).flat) << "a sheet of two sides";
+    test::add_square(mesh, 0.25F, 0.1F);
+    EXPECT_FALSE(mesh_sides(mesh).flat);
+    geom::Mesh cube = empty_mesh();
+    test::add_cube(cube, 0.25F);
+    EXPECT_TRUE(mesh_sides(cube).convex);
+    EXPECT_FALSE(mesh_sides(cube).flat);
+    geom::Mesh open = cube; // its inside is dark
+    open.index.resize(open.index.size() - 6);
+    EXPECT_FALSE(mesh_sides(open).convex);
+    test::add_cube(cube, 0.1F);
+    for (std::size_t i = 24; i < cube.position.size(); ++i)
+        cube.position[i].x += 0.5F;
+    EXPECT_FALSE(mesh_sides(cube).convex) << "one shades the other";
+    EXPECT_FALSE(mesh_sides(sphere()).convex) << "not known: too many planes";
+}
+
+// And no bit of the picture has one: volumes, which are exact, against none.
+TEST(MeshSides, AConvexModelHasNoShadowsAndNoShadowPass) {
+    test::Random random(3);
+    for (int round = 0; round < 20; ++round) {
+        test::Shot s = test::shot("cube");
+        s.scene.materials = {test::plain(Vec3(0.7F))};
+        test::add_cube(s.scene.mesh, 0.5F, 0);
+        s.camera.azimuth_degrees = random.in(0, 360);
+        s.camera.elevation_degrees = random.in(-80, 80);
+        scene::Light lamp = test::light_of(scene::LightKind::directional, 0.9);
+        lamp.casts = true;
+        lamp.towards = random.in_cube(1);
+        s.options.lights = {lamp, test::light_of(scene::LightKind::ambient, 0.1)};
+        s.options.shadow = "volume";
+        FrameStats stats;
+        const image::Image without = test::draw(s, {.stats = &stats});
+        EXPECT_EQ(stats.shadow_bytes, 0U);
+        // A speck behind the cube makes it a model of two parts: now the volumes are drawn.
+        const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 64, 64);
+        test::add_quad(s.scene.mesh,
+                       {{{0, 0, 0}, {0.001F, 0, 0}, {0.001F, 0.001F, 0}, {0, 0.001F, 0}}},
+                       {0, 0, 1}, 0);
+        EXPECT_EQ(test::draw(s, *view, {.stats = &stats}), without) << round;
+        EXPECT_GT(stats.shadow_bytes, 0U);
+    }
+}
+
+// Whatever the plan says shows no back shows none: counted from the ids that are seen.
+TEST(MeshSides, WhereNoBackCanBeSeenNoneIs) {
+    int none = 0, some = 0;
+    for (test::Shot s : test::golden_shots()) {
+        s.options.aa = "auto";
+        s.options.samples = 1;
+        s.options.stencil = "auto";
+        s.options.depth = s.options.depth_test = "auto";
+        s.options.cull = Cull::none;
+        const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
+                                           s.options.width, s.options.height);
+        ASSERT_TRUE(view);
+        const auto plan = frame::plan(s.options, facts(s.scene), *view);
+        ASSERT_TRUE(plan) << plan.error().what;
+        Visibility visible;
+        test::draw(s, {.visibility = &visible});
+        const std::vector<bool> away = turned_away(s.scene.mesh, *view);
+        const auto seen =
+            std::count_if(visible.id.begin(), visible.id.end(),
+                          [&](std::uint32_t id) { return id < away.size() && away[id]; });
+        if (plan->decision("two_sided")->needed) {
+            some += seen > 0 ? 1 : 0;
+            continue;
+        }
+        EXPECT_EQ(seen, 0) << s.name;
+        none += s.scene.mesh.triangles() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(none, 60);
+    EXPECT_GT(some, 2);
 }
 
 } // namespace

@@ -227,5 +227,23 @@ TEST(Shading, LightAtVerticesIsNotCutByTheNearPlane) {
     EXPECT_GT(most - least, 0.1);
 }
 
+// Without light from a side the plan takes what normals are for out of a frame: no bit of it
+// changes, against the same frame with all of it forced on.
+TEST(Shading, InAmbientLightNormalsAndWhatReadsThemChangeNoBit) {
+    int with_normals = 0;
+    for (Shot s : golden_shots()) {
+        if (s.options.stencil == "overdraw" || s.scene.mesh.triangles() == 0) continue;
+        s.options.lights = {light_of(scene::LightKind::ambient, 0.7)};
+        shade::LinearPicture off, on;
+        const image::Image without = draw(s, {.linear = &off});
+        s.options.effects["highlight"] = true;
+        s.options.effects.erase("two_sided");
+        EXPECT_EQ(draw(s, {.linear = &on}), without) << s.name;
+        EXPECT_EQ(on, off) << s.name;
+        ++with_normals;
+    }
+    EXPECT_GT(with_normals, 60);
+}
+
 } // namespace
 } // namespace scanout::test

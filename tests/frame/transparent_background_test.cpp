@@ -37,5 +37,22 @@ TEST(TransparentBackground, LaidOverWhiteIsThePictureOnWhite) {
     }
 }
 
+// Tiles without anything in them are not mixed; what they show must be the same.
+TEST(TransparentBackground, LooksTheSameWhateverTheTiles) {
+    for (const char* aa : {"none", "samples_4", "supersampling_2", "tent", "area"}) {
+        for (const image::Rgba8 background :
+             {image::Rgba8{200, 100, 50, 0}, {200, 100, 50, 1}, {200, 100, 50, 128}}) {
+            Shot s = solids(aa);
+            s.options.aa = aa;
+            s.options.background = background;
+            s.camera.distance = 6; // much of it stays empty
+            const image::Image whole = draw(s, {.tile_size = 64});
+            for (const int tile : {8, 16, 32})
+                EXPECT_EQ(draw(s, {.tile_size = tile}), whole)
+                    << aa << " " << int{background.a} << " " << tile;
+        }
+    }
+}
+
 } // namespace
 } // namespace scanout::test

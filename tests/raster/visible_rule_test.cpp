@@ -198,5 +198,32 @@ TEST(DepthFormats, LoseTheShareOfPairsThatTheTableSays) {
     }
 }
 
+// The near plane cuts at 1/16384 of the distance to the target. What stands behind the target by
+// less than this share of its distance may not be told apart from it.
+TEST(DepthFormats, HaveStepsAroundTheTargetOfTheSharesThatTheirCardsSay) {
+    const auto share = [](const char* name) {
+        const DepthFormatRow& format = *find_depth_format(name);
+        const VisibleRule rule{DepthTest::greater, format.standard, format.steps};
+        const auto kept = [&](double distance) {
+            return rule.kept(static_cast<float>(0x1p-14 / distance));
+        };
+        double worst = 0; // the widest step that touches the target's neighbourhood
+        for (double from = 0.75; from < 1.25;) {
+            double to = from;
+            while (kept(to) == kept(from))
+                to += from * 0x1p-22;
+            worst = std::max(worst, (to - from) / from);
+            from = to;
+            if (to - from < 0x1p-14) from *= 1.01;
+        }
+        return worst;
+    };
+    EXPECT_GT(share("fixed_16"), 0.2);
+    EXPECT_LT(share("fixed_16"), 0.4);
+    EXPECT_NEAR(share("fixed_24"), 0.001, 0.0003);
+    EXPECT_NEAR(share("float_32"), 0.001, 0.0003);
+    EXPECT_LT(share("reversed"), 1e-6);
+}
+
 } // namespace
 } // namespace scanout::raster::test

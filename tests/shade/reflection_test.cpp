@@ -1,6 +1,8 @@
 #include "shade/block.h"
 #include "support/lights.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 #include <string>
@@ -25,9 +27,10 @@ double formula(const Block& b, int i, int channel, std::span<const scene::ViewLi
         }
         colour +=
             static_cast<double>(light.colour[channel]) * b.albedo[channel][i] * std::max(n_l, 0.0);
+        const double ns = static_cast<double>(b.material->shininess);
         if (highlight && h_h > 0 && n_h > 0)
             colour += static_cast<double>(light.colour[channel]) * b.material->specular[channel] *
-                      std::pow(n_h / std::sqrt(h_h), static_cast<double>(b.material->shininess));
+                      std::min(ns, 1.0) * std::pow(n_h / std::sqrt(h_h), std::max(ns, 1.0));
     }
     return colour;
 }
@@ -94,6 +97,37 @@ TEST(Reflection, BlinnPhongIsTheFormula) {
     const double sharp = worst_error("blinn_phong", 1000, false, 3);
     EXPECT_LE(sharp, 1e-4);
     RecordProperty("worst_1000", testing::PrintToString(sharp));
+}
+
+// Of Ns to 0 the limit is Ns 0: no highlight. ggx has mirrors or none.
+TEST(Reflection, AHighlightFadesAsNsGoesTo0AndNothingJumps) {
+    for (const char* model : {"phong", "blinn_phong", "blinn_phong_normalised"}) {
+        Random random(7);
+        const scene::Material none = scanout::test::plain(Vec3(1), Vec3(1), 0);
+        auto base = new_block(none);
+        FrameState frame = identity_frame();
+        frame.lights = scanout::test::key_and_fill();
+        randomise(*base, random);
+        const auto shaded = [&](float ns) {
+            const scene::Material material = scanout::test::plain(Vec3(1), Vec3(1), ns);
+            auto b = new_block(material);
+            *b = *base;
+            b->material = &material;
+            run_stage("reflection", model, *b, frame);
+            std::array<double, std::size_t{3} * kLanes> colours{};
+            for (std::size_t i = 0; i < colours.size(); ++i)
+                colours[i] = double{b->colour[i % 3][i / 3]};
+            return colours;
+        };
+        constexpr float kStep = 0.01F;
+        auto before = shaded(0);
+        for (float ns = kStep * 0.01F; ns < 2; ns += kStep) {
+            const auto now = shaded(ns);
+            for (std::size_t i = 0; i < now.size(); ++i)
+                EXPECT_NEAR(now[i], before[i], 4 * double{kStep}) << model << " " << ns;
+            before = now;
+        }
+    }
 }
 
 TEST(Reflection, WithoutAHighlightBlinnPhongIsLambertToTheBit) {

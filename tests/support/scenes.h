@@ -377,6 +377,13 @@ inline std::vector<Shot> golden_shots() {
     shots.back().options.shadow_filter = 5;
     shots.push_back(shadowed("shadow_map_soft", "map_soft", scene::LightKind::directional, 8));
     shots.push_back(shadowed("shadow_volume", "volume"));
+    for (const char* technique : {"map_pcf", "volume"}) {
+        scene::Light lamp = light_of(scene::LightKind::directional, 0.9);
+        lamp.casts = true;
+        lamp.towards = {0.3, 1.2, -1}; // from behind
+        shots.push_back(
+            shadowed_panes("see_through_" + std::string(technique), technique, lamp, ambient));
+    }
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.
     shots.push_back(near_clip("interpolate_perspective"));
     shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);

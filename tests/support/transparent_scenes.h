@@ -96,4 +96,37 @@ inline std::vector<Shot> transparent_shots() {
     return shots;
 }
 
+// On a floor, from the lamp on: a leaf that is cut out, a ball, and a sheet of glass with a soft
+// leaf on it. The leaf and the ball throw shadows, on the glass, too; what is blended throws none.
+inline Shot shadowed_panes(std::string name, const std::string& shadow, const scene::Light& lamp,
+                           const scene::Light& ambient) {
+    Shot s = shot(std::move(name));
+    s.scene.materials = {plain(Vec3(0.7F)), plain({0.8F, 0.3F, 0.2F}), textured(0),
+                         glass({0.2F, 0.5F, 0.9F}, 0.4F), textured(1)};
+    s.scene.textures = {leaf(false), leaf(true)};
+    geom::Mesh& mesh = s.scene.mesh;
+    add_quad(mesh, {{{-1, -0.5F, 1}, {1, -0.5F, 1}, {1, -0.5F, -1}, {-1, -0.5F, -1}}}, {0, 1, 0},
+             0);
+    const auto upright = [&](float x, float z, float width, float height, int material) {
+        add_quad(mesh,
+                 {{{x, -0.5F, z},
+                   {x + width, -0.5F, z},
+                   {x + width, height - 0.5F, z},
+                   {x, height - 0.5F, z}}},
+                 {0, 0, 1}, material);
+    };
+    upright(-0.9F, -0.6F, 0.8F, 0.8F, 2);
+    add_sphere(mesh, {0.4F, -0.2F, -0.2F}, 0.3F, 24, 12, 1);
+    upright(-0.6F, 0.4F, 1.2F, 0.5F, 3);
+    upright(-0.9F, 0.6F, 0.4F, 0.4F, 4);
+    s.camera.azimuth_degrees = 15;
+    s.camera.elevation_degrees = 30;
+    s.camera.distance = 2.6;
+    s.options.lights = {lamp, ambient};
+    s.options.shadow = shadow;
+    s.options.shadow_size = 256;
+    s.options.texture = "bilinear";
+    return s;
+}
+
 } // namespace scanout::test

@@ -1,5 +1,7 @@
 // Depth in 16 bits: 1 - near / distance in 65535 steps. At a ratio of distances of 1e7 it tells
-// apart less than half of all pairs that lie a hundredth apart, and none a millionth apart.
+// apart less than half of all pairs that lie a hundredth apart, and none a millionth apart. Near is
+// 1/16384 of the distance to the target: a step there is 16384/65535 of it, so that the nearest and
+// the farthest side of a model may fall into one, and the lower id is seen.
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth {
@@ -8,7 +10,8 @@ extern const DepthFormatRow fixed_16;
 constinit const DepthFormatRow fixed_16{
     {.axis = "depth",
      .name = "fixed_16",
-     .blurb = "16 bits, from near to infinitely far: surfaces flicker into each other",
+     .blurb = "16 bits, from near to infinitely far: around the target, steps of a quarter of its "
+              "distance",
      .source = "Catmull 1974, HARD-CASES (0) 5",
      .kind = Kind::rung},
     true,

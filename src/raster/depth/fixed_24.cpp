@@ -8,7 +8,7 @@ extern const DepthFormatRow fixed_24;
 constinit const DepthFormatRow fixed_24{
     {.axis = "depth",
      .name = "fixed_24",
-     .blurb = "24 bits: tells apart what is near, not what is far",
+     .blurb = "24 bits: around the target, steps of a thousandth of its distance",
      .source = "HARD-CASES (0) 5",
      .kind = Kind::rung},
     true,

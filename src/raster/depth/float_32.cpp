@@ -8,7 +8,7 @@ extern const DepthFormatRow float_32;
 constinit const DepthFormatRow float_32{
     {.axis = "depth",
      .name = "float_32",
-     .blurb = "a float that grows with the distance: no better than 24 bits",
+     .blurb = "a float that grows with the distance: no better than 24 bits, steps of a thousandth",
      .source = "HARD-CASES (0) 5",
      .kind = Kind::rung},
     true,

@@ -7,7 +7,8 @@ extern const DepthTestRow equal;
 constinit const DepthTestRow equal{
     {.axis = "depth_test",
      .name = "equal",
-     .blurb = "only what lies exactly as deep as what is kept: on an empty buffer, nothing",
+     .blurb =
+         "only what lies as deep as what is kept: the buffer starts empty, so nothing, as never",
      .source = "[C 1.6]",
      .kind = Kind::model},
     DepthTest::equal};

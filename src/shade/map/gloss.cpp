@@ -10,12 +10,9 @@
 SIMD_BEGIN(scanout::shade::map)
 
 void gloss_run(Block& b) {
-    const F32 own = b.material->shininess, one = 1.0F;
-    // Exponent 0 would shine everywhere: where the map is black, the highlight is as wide as 1
-    // says.
-    const F32 least = minimum(own, one);
+    const F32 own = b.material->shininess, nothing = 0.0F;
     for (int i = 0; i < b.count; i += kLanes)
-        store(maximum(own * scalar_at(b, b.map[kShininessMap], i), least), b.shininess + i);
+        store(maximum(own * scalar_at(b, b.map[kShininessMap], i), nothing), b.shininess + i);
 }
 
 SIMD_END
@@ -26,18 +23,19 @@ namespace scanout::shade::map {
 SIMD_REGISTER(gloss_run);
 
 extern const Stage gloss;
-constinit const Stage gloss{{.axis = "map",
-                             .name = "gloss",
-                             .blurb = "map_Ns: the highlight's exponent times a texture",
-                             .source = "MTL, [A 11.2]",
-                             .kind = Kind::effect},
-                            {.uv = true, .maps = bit_of(kShininessMap)},
-                            [](Block& block, const FrameState& frame) {
-                                const BoundMap& map = block.map[kShininessMap];
-                                if (map.texture == nullptr) return;
-                                frame.filter->sample(block, map, scalar_kind(map));
-                                SIMD_CALL(gloss_run)(block);
-                            }};
+constinit const Stage gloss{
+    {.axis = "map",
+     .name = "gloss",
+     .blurb = "map_Ns: the highlight's exponent times a texture; black is dull",
+     .source = "MTL, [A 11.2]",
+     .kind = Kind::effect},
+    {.uv = true, .maps = bit_of(kShininessMap)},
+    [](Block& block, const FrameState& frame) {
+        const BoundMap& map = block.map[kShininessMap];
+        if (map.texture == nullptr) return;
+        frame.filter->sample(block, map, scalar_kind(map));
+        SIMD_CALL(gloss_run)(block);
+    }};
 
 } // namespace scanout::shade::map
 #endif

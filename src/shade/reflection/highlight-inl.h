@@ -37,29 +37,39 @@ HWY_INLINE Vector normal_at(const Block& b, int lane) {
             load<F32>(b.normal[2] + lane)};
 }
 
-// Ks and Ns of a lane: the material's own, or what its maps made of them.
-HWY_INLINE F32 specular_at(const Block& b, int channel, int lane) {
-    return b.map[kSpecularMap].texture != nullptr ? load<F32>(b.specular[channel] + lane)
-                                                  : F32(b.material->specular[channel]);
-}
-HWY_INLINE F32 shininess_at(const Block& b, int lane) {
+// Ns of a lane: the material's own, or what its map made of it. Exponent 0 would shine on all of a
+// surface, where Ns 0 means no highlight: below 1 the exponent stays 1, and Ks fades with Ns. So
+// nothing jumps, and black in map_Ns never shines more than white.
+HWY_INLINE F32 ns_at(const Block& b, int lane) {
     return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + lane)
                                                    : F32(b.material->shininess);
 }
+HWY_INLINE F32 exponent_at(const Block& b, int lane) {
+    return maximum(ns_at(b, lane), F32(1.0F));
+}
+// Ks of a lane, likewise.
+HWY_INLINE F32 specular_at(const Block& b, int channel, int lane) {
+    const F32 ks = b.map[kSpecularMap].texture != nullptr ? load<F32>(b.specular[channel] + lane)
+                                                          : F32(b.material->specular[channel]);
+    return ks * minimum(ns_at(b, lane), F32(1.0F));
+}
 
-// of_exponent(Ns) for every lane. In double, one by one: the same for the same Ns wherever it comes
-// from.
+// of_exponent(exponent) for every lane. In double, one by one: the same for the same Ns wherever it
+// comes from.
 template <class OfExponent>
 HWY_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kRoom]) {
-    const auto own = static_cast<float>(of_exponent(double{b.material->shininess}));
+    const auto found = [&](float ns) {
+        return static_cast<float>(of_exponent(double{ns < 1 ? 1.0F : ns}));
+    };
+    const float own = found(b.material->shininess);
     for (float& lane : out)
         lane = own;
     if (b.map[kShininessMap].texture == nullptr) return;
     for (int i = 0; i < b.count; ++i)
-        out[i] = static_cast<float>(of_exponent(double{b.shininess[i]}));
+        out[i] = found(b.shininess[i]);
 }
 
-// Ks and Ns of some lanes.
+// Of some lanes.
 struct Gloss {
     F32 ks[3], exponent;
 };
@@ -87,7 +97,7 @@ HWY_NOINLINE void add_highlights(Block& b, const FrameState& frame, const Bright
     }
 }
 
-// Adds light * Ks * bright(normal, eye, light, Ns, lane) to b.colour for every light.
+// Adds light * Ks * bright(normal, eye, light, exponent, lane) to b.colour for every light.
 template <class Bright>
 HWY_INLINE void add_highlights(Block& b, const FrameState& frame, const Bright& bright) {
     const bool mapped =
@@ -95,7 +105,7 @@ HWY_INLINE void add_highlights(Block& b, const FrameState& frame, const Bright& 
     const int step = mapped ? kLanes : b.count;
     for (int i = 0; i < b.count; i += step) {
         const Gloss gloss = {{specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)},
-                             shininess_at(b, i)};
+                             exponent_at(b, i)};
         add_highlights(b, frame, bright, gloss, i, i + step);
     }
 }

@@ -1,0 +1,14 @@
+// What the user asked for and a frame cannot show: one line each, with the reason.
+#pragma once
+
+#include "frame/plan.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::frame {
+
+// Of effects that are forced on, techniques and numbers that nothing in this frame reads.
+std::vector<std::string> asked_in_vain(const FramePlan& plan);
+
+} // namespace scanout::frame

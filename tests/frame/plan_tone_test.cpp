@@ -1,0 +1,121 @@
+// What becomes of light above 1: how bright a scene can get, and the curve that this calls for.
+#include "frame/brightness.h"
+#include "frame/plan.h"
+#include "support/random.h"
+
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scanout::frame {
+namespace {
+
+using testing::HasSubstr;
+
+std::vector<std::string> stages(const FramePlan& plan) {
+    std::vector<std::string> names;
+    for (const shade::Stage* stage : plan.stages)
+        names.push_back(std::string(stage->card.axis) + " " + std::string(stage->card.name));
+    return names;
+}
+
+FramePlan plan_of(const SceneFacts& facts, const FrameOptions& options = {}) {
+    auto result = plan(options, facts);
+    EXPECT_TRUE(result) << result.error().what;
+    return result.value_or(FramePlan());
+}
+
+scene::Light sun(const DVec3& towards, float colour) {
+    scene::Light light;
+    light.towards = towards;
+    light.colour = Vec3(colour);
+    return light;
+}
+
+// "diffuse light is at most 1.00" and the curve would contradict each other.
+TEST(Tone, TakesTheCurveOnlyWhereTheFigureItPrintsIsAbove1) {
+    SceneFacts facts;
+    facts.triangles = 1;
+    facts.brightest = 1;
+    for (int step = 0; step <= 200; ++step) {
+        FrameOptions options;
+        scene::Light around;
+        around.kind = scene::LightKind::ambient;
+        around.power = 0.24 + step * 1e-4;
+        options.lights = {sun({0, 1, 0}, 0.75F), around}; // together 0.99 to 1.01
+        const Decision tone = *plan_of(facts, options).decision("tone");
+        const bool above = tone.because.find("at most 1.01") != std::string::npos;
+        EXPECT_EQ(tone.technique, above ? "filmic" : "clamp") << tone.because;
+    }
+}
+
+TEST(Tone, ClampsUnlessSurfacesGetBrighterThanWhite) {
+    SceneFacts facts;
+    facts.triangles = facts.specular_triangles = 5;
+    facts.brightest = 1;
+    const FramePlan usual = plan_of(facts);
+    EXPECT_EQ(usual.decision("tone")->technique, "clamp");
+    EXPECT_THAT(usual.decision("tone")->because, HasSubstr("at most 0.96"));
+    EXPECT_EQ(usual.exposure, 1);
+    FrameOptions options;
+    options.exposure = 1; // 0.96 becomes 1.93
+    const FramePlan bright = plan_of(facts, options);
+    EXPECT_EQ(bright.decision("tone")->technique, "filmic");
+    EXPECT_THAT(bright.decision("tone")->because, HasSubstr("1.93"));
+    EXPECT_EQ(bright.exposure, 2);
+    EXPECT_EQ(stages(bright).back(), "tone filmic");
+    options.tone = "clamp";
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    options = {};
+    options.exposure = -2;
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    EXPECT_EQ(plan_of(facts, options).decision("tone")->technique, "clamp");
+    options = {};
+    options.lights.push_back(sun({0, 0, 1}, 0.5F));
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone filmic");
+    options.exposure = 21;
+    const auto refused = plan(options, facts);
+    ASSERT_FALSE(refused);
+    EXPECT_THAT(refused.error().what, HasSubstr("--exposure 21"));
+}
+
+TEST(Tone, TheMostLightIsThatOfTheWorstDirection) {
+    EXPECT_EQ(greatest_light({}), 0);
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    ambient.power = 0.25;
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.power = 2;
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{ambient, lamp}), 2.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 0.75F), sun({0, 9, 0}, 1)}), 1.25);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector{sun({1, 0, 0}, 1), sun({-1, 0, 0}, 0.5F)}), 1);
+    EXPECT_DOUBLE_EQ(greatest_light(std::vector(9, sun({1, 0, 0}, 1))), 9);
+    // How the camera's lights stand to the world's is a matter of the view: the worst counts.
+    std::vector<scene::Light> mixed = {sun({1, 0, 0}, 0.75F), sun({0, 1, 0}, 1)};
+    mixed[1].frame = scene::LightFrame::camera;
+    EXPECT_DOUBLE_EQ(greatest_light(mixed), 1.75);
+    // No direction gets more, and one gets as much.
+    test::Random random(1);
+    for (int round = 0; round < 20; ++round) {
+        std::vector<scene::Light> lights;
+        for (int i = 0; i < 4; ++i)
+            lights.push_back(sun(random.in_cube(1), static_cast<float>(random.unit())));
+        const double bound = greatest_light(lights);
+        double most = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const DVec3 d = random.in_cube(1), n = d / std::sqrt(dot3(d, d));
+            double sum = 0;
+            for (const scene::Light& l : lights)
+                sum += double{l.colour.x} * std::max(0.0, dot3(n, l.towards)) /
+                       std::sqrt(dot3(l.towards, l.towards));
+            ASSERT_LE(sum, bound + 1e-6);
+            most = std::max(most, sum);
+        }
+        EXPECT_GT(most, bound * 0.98);
+    }
+}
+
+} // namespace
+} // namespace scanout::frame
