@@ -135,6 +135,14 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
     return in;
 }
 
+static std::optional<std::int32_t> only_material(const geom::Mesh& mesh) {
+    if (mesh.material.empty() || mesh.lines() > 0 || mesh.points() > 0) return std::nullopt;
+    const std::int32_t first = mesh.material.front();
+    const bool all = std::all_of(mesh.material.begin(), mesh.material.end(),
+                                 [&](std::int32_t material) { return material == first; });
+    return all ? std::optional(first) : std::nullopt;
+}
+
 SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane) {
     SceneFacts facts;
     const geom::Mesh& mesh = scene.mesh;
@@ -153,6 +161,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     });
     facts.physical_triangles = census.count(
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
+    facts.only_material = only_material(mesh);
     facts.sides = mesh_sides(mesh);
     facts.alpha = alpha_facts(scene);
     const auto materials = [&](auto... classes) {

@@ -84,6 +84,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(check_numbers(options));
     FramePlan plan;
     plan.options = options;
+    plan.only_material = facts.only_material;
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
     planner.choice("interpolate", steps, options.interpolate,
