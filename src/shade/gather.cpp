@@ -100,37 +100,6 @@ float Gatherer::offset_at(int pixel) const {
                                 static_cast<unsigned>(area_.y0 + pixel / kTileSize));
 }
 
-void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
-                              int y) {
-    const int samples = tile.samples();
-    const std::uint16_t pixel = pixel_number(x, y);
-    const std::uint32_t* ids = tile.ids(0).data() + pixel;
-    std::array<std::uint32_t, 16> id;
-    for (int s = 0; s < samples; ++s)
-        id[static_cast<std::size_t>(s)] = ids[static_cast<std::size_t>(s) * tile.kPlane];
-    const float share = 1.0F / static_cast<float>(samples);
-    float background = 0;
-    // From sample to sample that shows what none before it has shown.
-    for (unsigned rest = (1U << samples) - 1, mask; rest != 0; rest &= ~mask) {
-        const int first = std::countr_zero(rest);
-        const std::uint32_t here = id[static_cast<std::size_t>(first)];
-        mask = 0;
-        for (int s = first; s < samples; ++s)
-            mask |= static_cast<unsigned>(id[static_cast<std::size_t>(s)] == here) << s;
-        const float weight = static_cast<float>(std::popcount(mask)) * share;
-        if (here == raster::kNoPrimitive) {
-            background = weight;
-            continue;
-        }
-        const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
-        fragments_.push_back({here, in.looks.of(here), pixel, static_cast<std::uint8_t>(first), 0,
-                              static_cast<std::uint16_t>(shared_.size()), weight,
-                              static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)});
-    }
-    shared_.push_back(pixel);
-    through_.push_back(background);
-}
-
 // The surfaces of a pixel that has blended fragments, opaque ones among them, with their weights:
 // in the order in which their sum is taken where nothing blends, by the first sample that shows
 // them; then by depth there, and by id.
@@ -247,17 +216,6 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
 // May its lanes set it up, each on its own?
 bool Gatherer::has_own_lanes(const GatherInput& in, std::uint32_t id) const {
     return in.frame->own_triangles && id < in.mesh->triangles() && is_whole(source_, id);
-}
-
-void Gatherer::sort_fragments() {
-    // One material a block; the order inside a material stays that of the pixels.
-    const auto key = [](const Fragment& f) {
-        return std::tuple(f.look.lit, f.look.material, f.rank);
-    };
-    const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
-    if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
-        std::stable_sort(fragments_.begin(), fragments_.end(),
-                         [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
 }
 
 // Whatever is added next looks like this.
@@ -413,34 +371,6 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
     }
 }
 
-void Gatherer::resolve_shared(const GatherInput& in, image::Image& picture) {
-    check_sums(sums_, shared_.size());
-    codes_.resize(shared_.size() + (kRoom - kLanes));
-    std::copy(through_.begin(), through_.end(), sums_.through.begin());
-    if (in.output.dither) {
-        offsets_.resize(shared_.size() + (kRoom - kLanes));
-        for (std::size_t i = 0; i < shared_.size(); ++i)
-            offsets_[i] = offset_at(shared_[i]);
-    }
-    resolve_pixels(sums_, in.output, in.background, in.output.dither ? offsets_.data() : nullptr,
-                   static_cast<int>(shared_.size()), codes_.data());
-    for (std::size_t i = 0; i < shared_.size(); ++i) {
-        const int x = area_.x0 + shared_[i] % kTileSize;
-        const int y = area_.y0 + shared_[i] / kTileSize;
-        std::memcpy(static_cast<void*>(&picture.at(x, y)), &codes_[i], sizeof codes_[i]);
-    }
-}
-
-// The shared pixels' parts go where the filter will look for them, behind those of other parts of
-// the tile.
-void Gatherer::keep_parts() {
-    auto& all = sink_.wide->of_tile[sink_.wide->tile_of(area_.x0, area_.y0)];
-    for (std::size_t i = 0; i < shared_.size(); ++i)
-        sink_.wide->part_at(area_.x0 + shared_[i] % kTileSize, area_.y0 + shared_[i] / kTileSize) =
-            static_cast<std::int32_t>(all.size() + i);
-    all.insert(all.end(), parts_.begin(), parts_.end());
-}
-
 void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
                      const BlendedPixels* blended) {
     if (in.frame->own_triangles) source_ = triangle_source(in);
@@ -516,39 +446,6 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
             i += count;
         }
     }
-}
-
-// The next lane, a fragment's.
-void Gatherer::add_fragment(const GatherInput& in, const Fragment& f, image::Image& picture) {
-    Block& b = *block_;
-    const bool own = has_own_lanes(in, f.id);
-    const Primitive* of = b.lit && !own ? &primitive(in, f.id, picture) : nullptr; // may end it
-    const auto lane = static_cast<std::size_t>(b.count);
-    pixel_[lane] = f.pixel;
-    share_[lane] = {f.shared, f.samples, f.weight, f.layer};
-    if (own) {
-        triangles_->id[lane] = f.id;
-        triangles_->sample_x[lane] = f.at_x - raster::kPixelCentre.x;
-        triangles_->sample_y[lane] = f.at_y - raster::kPixelCentre.y;
-        add_lanes(b, nullptr, 1);
-    } else if (of != nullptr) {
-        const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
-                                           area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
-        add_lane(b, Primitives::at(*of, x, y), x, y);
-    } else {
-        add_unlit(in, f.id, 1);
-    }
-}
-
-std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture) {
-    Block& b = *block_;
-    sort_fragments();
-    for (const Fragment& f : fragments_) {
-        if (look_ != f.look) begin_look(in, f.look, picture);
-        if (b.count == kLanes) finish_block(in, picture);
-        add_fragment(in, f, picture);
-    }
-    return fragments_.size();
 }
 
 std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture) {

@@ -113,6 +113,9 @@ private:
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
                           const BlendedPixels& blended, int x, int y);
+    template <int kSamples>
+    void collect_samples(const raster::VisibilityTile& tile, const GatherInput& input,
+                         std::uint16_t pixel);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
