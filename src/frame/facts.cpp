@@ -144,6 +144,14 @@ static std::vector<bool> lets_through(const geom::Mesh& mesh, const AlphaFacts& 
     return of;
 }
 
+static std::optional<std::int32_t> only_material(const geom::Mesh& mesh) {
+    if (mesh.material.empty() || mesh.lines() > 0 || mesh.points() > 0) return std::nullopt;
+    const std::int32_t first = mesh.material.front();
+    const bool all = std::all_of(mesh.material.begin(), mesh.material.end(),
+                                 [&](std::int32_t material) { return material == first; });
+    return all ? std::optional(first) : std::nullopt;
+}
+
 SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane) {
     SceneFacts facts;
     const geom::Mesh& mesh = scene.mesh;
@@ -162,6 +170,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     });
     facts.physical_triangles = census.count(
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
+    facts.only_material = only_material(mesh);
     facts.alpha = alpha_facts(scene);
     facts.sides = mesh_sides(mesh, lets_through(mesh, facts.alpha));
     const auto materials = [&](auto... classes) {

@@ -11,6 +11,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,9 +38,10 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    std::size_t textured_triangles = 0; // material has a readable map_Kd
-    std::size_t specular_triangles = 0; // material has a highlight
-    std::size_t physical_triangles = 0; // of those: it says roughness or metalness
+    std::size_t textured_triangles = 0;        // material has a readable map_Kd
+    std::size_t specular_triangles = 0;        // material has a highlight
+    std::size_t physical_triangles = 0;        // of those: it says roughness or metalness
+    std::optional<std::int32_t> only_material; // of all primitives, where all are triangles
     MeshSides sides;
     bool uv = false; // some face has texture coordinates
     bool vertex_colours = false;

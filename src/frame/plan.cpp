@@ -77,6 +77,7 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     FramePlan plan;
     plan.options = options;
     if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
+    plan.only_material = facts.only_material;
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
     planner.choice("interpolate", steps, options.interpolate,

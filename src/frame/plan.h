@@ -80,11 +80,12 @@ struct FramePlan {
     bool corner_normals = false;
     shade::Sides sides = shade::Sides::eye;
     ShadowPlan shadow;
-    std::vector<shade::MipUse> mips;       // the textures that have mipmaps in this frame
-    std::optional<shade::Wrap> wrap;       // of all textures; else as each map says
-    const shade::Source* source = nullptr; // what map_Kd is instead of its picture
-    bool mapped = false;                   // u and v are made, not the model's
-    std::vector<Decision> decisions;       // one for each effect and axis, in a fixed order
+    std::optional<std::int32_t> only_material; // of all that is drawn, which is triangles
+    std::vector<shade::MipUse> mips;           // the textures that have mipmaps in this frame
+    std::optional<shade::Wrap> wrap;           // of all textures; else as each map says
+    const shade::Source* source = nullptr;     // what map_Kd is instead of its picture
+    bool mapped = false;                       // u and v are made, not the model's
+    std::vector<Decision> decisions;           // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };

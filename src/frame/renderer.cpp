@@ -146,6 +146,10 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.mapped = plan.mapped;
     lights.describe(frame);
     frame.exposure = plan.exposure;
+    const shade::Attributes& wanted = plan.attributes;
+    frame.own_triangles = plan.stages.front()->card.name == "perspective" && !plan.corner_normals &&
+                          !wanted.corners && !wanted.footprint && !wanted.object &&
+                          plan.shadow.stage == nullptr;
     return frame;
 }
 
@@ -172,6 +176,7 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
                                        const shade::MipChains& mips) {
     shade::GatherInput in;
     in.mesh = &scene.mesh;
+    in.looks = {&scene.mesh, plan.only_material};
     in.geometry = &geometry;
     in.transform = &transform;
     in.view = &view;

@@ -2,6 +2,7 @@
 
 #ifdef SCANOUT_CHECK_LANES
 #include "base/check.h"
+#include "shade/lane_triangles.h"
 
 #include <cmath>
 #include <string>
@@ -74,6 +75,25 @@ void check_primitive(const Primitive& p, const Attributes& wanted) {
             if (wanted.uv && c < 2) check_one(p.uv[c][k], "uv");
             if (wanted.object) check_one(p.object[c][k], "place");
         }
+    }
+}
+
+void check_triangles(const LaneTriangles& t, const Attributes& wanted, int first, int count) {
+    for (int i = first; i < first + count; ++i) {
+        const auto check_one = [&](double value, std::string_view what) {
+            check_value(value, what, "triangle", t.id[i], "set-up");
+        };
+        for (int k = 0; k < 3; ++k) {
+            check_one(t.weight[k][i], "weight");
+            for (int c = 0; c < 3; ++c) {
+                if (wanted.normal) check_one(t.normal[c][k][i], "normal");
+                if (wanted.colour) check_one(t.colour[c][k][i], "colour");
+                if (wanted.position) check_one(t.position[c][k][i], "position");
+                if (wanted.uv && c < 2) check_one(t.uv[c][k][i], "uv");
+            }
+        }
+        for (const auto& component : t.facing)
+            check_one(component[i], "facing");
     }
 }
 

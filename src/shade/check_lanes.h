@@ -16,6 +16,8 @@ namespace scanout::shade {
 inline constexpr bool kCheckLanes = true;
 void check_lights(const FrameState& frame); // all, whether or not they vary
 void check_primitive(const Primitive& primitive, const Attributes& wanted); // set up
+void check_triangles(const LaneTriangles& triangles, const Attributes& wanted, int first,
+                     int count);
 // Of a register whose first lane is that of the block: the live ones.
 void check_before_clamp(const float* lanes, int count, int first);
 void check_rays(const Block& block, const FrameState& frame); // set_rays
@@ -27,6 +29,7 @@ void check_values(std::span<const float> values, std::string_view what, std::str
 inline constexpr bool kCheckLanes = false;
 inline void check_lights(const FrameState&) {}
 inline void check_primitive(const Primitive&, const Attributes&) {}
+inline void check_triangles(const LaneTriangles&, const Attributes&, int, int) {}
 inline void check_before_clamp(const float*, int, int) {}
 inline void check_rays(const Block&, const FrameState&) {}
 inline void check_lanes(const Block&, const FrameState&, const Stage&) {}

@@ -4,6 +4,7 @@
 #include "shade/check_lanes.h"
 #include "shade/corner_light.h"
 #include "shade/gather_types.h"
+#include "shade/lane_triangles.h"
 #include "shade/layers.h"
 #include "shade/primitives.h"
 #include "shade/tile_runs.h"
@@ -78,8 +79,11 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : spans_(std::make_unique<Spans>()), primitives_(std::make_unique<Primitives>()),
-      block_(std::make_unique<Block>()), share_(std::make_unique<Share[]>(kLanes)) {}
+    : spans_(std::make_unique<Spans>()), few_(std::make_unique<FewPixels>()),
+      primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()),
+      triangles_(std::make_unique<LaneTriangles>()), share_(std::make_unique<Share[]>(kLanes)) {
+    block_->triangles = triangles_.get();
+}
 Gatherer::~Gatherer() = default;
 
 void Gatherer::set_shadow(const TileShadow* shadow) {
@@ -96,38 +100,6 @@ float Gatherer::offset_at(int pixel) const {
                                 static_cast<unsigned>(area_.y0 + pixel / kTileSize));
 }
 
-void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
-                              int y) {
-    const int samples = tile.samples();
-    const std::uint16_t pixel = pixel_number(x, y);
-    const std::uint32_t* ids = tile.ids(0).data() + pixel;
-    std::array<std::uint32_t, 16> id;
-    for (int s = 0; s < samples; ++s)
-        id[static_cast<std::size_t>(s)] = ids[static_cast<std::size_t>(s) * tile.kPlane];
-    const float share = 1.0F / static_cast<float>(samples);
-    float background = 0;
-    // From sample to sample that shows what none before it has shown.
-    for (unsigned rest = (1U << samples) - 1, mask; rest != 0; rest &= ~mask) {
-        const int first = std::countr_zero(rest);
-        const std::uint32_t here = id[static_cast<std::size_t>(first)];
-        mask = 0;
-        for (int s = first; s < samples; ++s)
-            mask |= static_cast<unsigned>(id[static_cast<std::size_t>(s)] == here) << s;
-        const float weight = static_cast<float>(std::popcount(mask)) * share;
-        if (here == raster::kNoPrimitive) {
-            background = weight;
-            continue;
-        }
-        const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
-        fragments_.push_back({here, look_of(*in.mesh, here), pixel,
-                              static_cast<std::uint8_t>(first), 0,
-                              static_cast<std::uint16_t>(shared_.size()), weight,
-                              static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)});
-    }
-    shared_.push_back(pixel);
-    through_.push_back(background);
-}
-
 // The surfaces of a pixel that has blended fragments, opaque ones among them, with their weights:
 // in the order in which their sum is taken where nothing blends, by the first sample that shows
 // them; then by depth there, and by id.
@@ -142,7 +114,7 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     const auto add = [&](std::uint32_t id, int sample, float depth, float weight, unsigned mask) {
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(sample)];
         seen.push_back({depth,
-                        {id, look_of(*in.mesh, id), pixel, static_cast<std::uint8_t>(sample), 0,
+                        {id, in.looks.of(id), pixel, static_cast<std::uint8_t>(sample), 0,
                          static_cast<std::uint16_t>(shared_.size()), weight,
                          static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)}});
     };
@@ -204,7 +176,7 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
             // The last pixel before another id, before a shared pixel, or of the tile.
             const int last = std::min(x + std::countr_zero(stop >> x), width - 1);
             if (const std::uint32_t id = ids[x]; id != raster::kNoPrimitive)
-                spans_->add(*in.mesh, id, row * kTileSize + x, last - x + 1);
+                spans_->add(in.looks, id, row * kTileSize + x, last - x + 1);
             x = last + 1;
         }
     }
@@ -214,7 +186,7 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
     std::uint32_t id = raster::kNoPrimitive; // of a run of pixels of its own
     int first = 0, count = 0;
     const auto end_run = [&] {
-        if (count > 0) spans_->add(*in.mesh, id, first, count);
+        if (count > 0) spans_->add(in.looks, id, first, count);
         count = 0;
     };
     for (int y = area_.y0; y < area_.y1; ++y, end_run())
@@ -231,7 +203,7 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
             }
             float shown = 0;
             for (const raster::AreaFragment& f : found) {
-                fragments_.push_back({f.id, look_of(*in.mesh, f.id), pixel, 0, 0,
+                fragments_.push_back({f.id, in.looks.of(f.id), pixel, 0, 0,
                                       static_cast<std::uint16_t>(shared_.size()), f.share, 0,
                                       byte_of(f.x), byte_of(f.y)});
                 shown += f.share;
@@ -241,15 +213,9 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
         }
 }
 
-void Gatherer::sort_fragments() {
-    // One material a block; the order inside a material stays that of the pixels.
-    const auto key = [](const Fragment& f) {
-        return std::tuple(f.look.lit, f.look.material, f.rank);
-    };
-    const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
-    if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
-        std::stable_sort(fragments_.begin(), fragments_.end(),
-                         [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
+// May its lanes set it up, each on its own?
+bool Gatherer::has_own_lanes(const GatherInput& in, std::uint32_t id) const {
+    return in.frame->own_triangles && id < in.mesh->triangles() && is_whole(source_, id);
 }
 
 // Whatever is added next looks like this.
@@ -289,7 +255,7 @@ void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
 // centre, which lies among them.
 void Gatherer::add_lit(const Primitive& primitive, int count) {
     Block& b = *block_;
-    if (primitive.across < 0) return add_lanes(b, primitive, count); // finish_block places them
+    if (primitive.across < 0) return add_lanes(b, &primitive, count); // finish_block places them
     for (int k = 0; k < count; ++k) {
         const int pixel = pixel_[static_cast<std::size_t>(b.count)];
         const std::int32_t x = (area_.x0 + pixel % kTileSize) * kSubpixel + raster::kPixelCentre.x;
@@ -307,10 +273,22 @@ const float* Gatherer::lane_offsets(const GatherInput& in) {
     return offsets_.data();
 }
 
+// Lanes that fill pixels, and those that have triangles of their own, which are set up there.
+void Gatherer::place_block() {
+    Block& b = *block_;
+    place_at_centres(b, pixel_.data(), 0, own_, area_.x0, area_.y0);
+    for (int r = 0; r < b.runs; ++r) {
+        const Run& run = b.run[r];
+        if (run.primitive != nullptr) continue;
+        place_at_centres(b, pixel_.data(), run.first, run.count, area_.x0, area_.y0);
+        set_up_lanes(source_, *triangles_, b, run.first, run.count);
+    }
+}
+
 void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     if (b.count == 0) return;
-    if (b.lit && own_ > 0) place_at_centres(b, pixel_.data(), own_, area_.x0, area_.y0);
+    if (b.lit) place_block();
     if (b.lit && in.frame->attributes.ray) set_rays(b, in.rays);
     check_rays(b, *in.frame);
     for (const Stage* stage : in.stages) {
@@ -393,35 +371,10 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
     }
 }
 
-void Gatherer::resolve_shared(const GatherInput& in, image::Image& picture) {
-    check_sums(sums_, shared_.size());
-    codes_.resize(shared_.size() + (kRoom - kLanes));
-    std::copy(through_.begin(), through_.end(), sums_.through.begin());
-    if (in.output.dither) {
-        offsets_.resize(shared_.size() + (kRoom - kLanes));
-        for (std::size_t i = 0; i < shared_.size(); ++i)
-            offsets_[i] = offset_at(shared_[i]);
-    }
-    resolve_pixels(sums_, in.output, in.background, in.output.dither ? offsets_.data() : nullptr,
-                   static_cast<int>(shared_.size()), codes_.data());
-    for (std::size_t i = 0; i < shared_.size(); ++i) {
-        const int x = area_.x0 + shared_[i] % kTileSize;
-        const int y = area_.y0 + shared_[i] / kTileSize;
-        std::memcpy(static_cast<void*>(&picture.at(x, y)), &codes_[i], sizeof codes_[i]);
-    }
-}
-
-// The shared pixels' parts go where the filter will look for them, behind those of other parts of
-// the tile.
-void Gatherer::keep_parts() {
-    auto& all = sink_.wide->of_tile[sink_.wide->tile_of(area_.x0, area_.y0)];
-    for (std::size_t i = 0; i < shared_.size(); ++i)
-        sink_.wide->part_at(area_.x0 + shared_[i] % kTileSize, area_.y0 + shared_[i] / kTileSize) =
-            static_cast<std::int32_t>(all.size() + i);
-    all.insert(all.end(), parts_.begin(), parts_.end());
-}
-
-void Gatherer::begin(const image::Rect& area, int samples, const BlendedPixels* blended) {
+void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
+                     const BlendedPixels* blended) {
+    if (in.frame->own_triangles) source_ = triangle_source(in);
+    few_->clear();
     area_ = area;
     samples_ = samples;
     block_->blended = blended;
@@ -433,14 +386,14 @@ void Gatherer::begin(const image::Rect& area, int samples, const BlendedPixels* 
 
 std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
                               image::Image& picture, const BlendedPixels* blended) {
-    begin(tile.area(), tile.samples(), blended);
+    begin(in, tile.area(), tile.samples(), blended);
     collect(tile, in, blended);
     return shade_collected(in, picture);
 }
 
 std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
                               image::Image& picture) {
-    begin(tile.area(), 1, nullptr);
+    begin(in, tile.area(), 1, nullptr);
     collect(tile, in);
     return shade_collected(in, picture);
 }
@@ -450,6 +403,11 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
     spans_->arrange();
     const std::int32_t* pixel = spans_->pixels();
     for (const Spans::Group& group : spans_->groups()) {
+        if (group.count <= FewPixels::kMost && has_own_lanes(in, group.id)) {
+            few_->add(group.look.material, group.id, pixel, group.count);
+            pixel += group.count;
+            continue;
+        }
         if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
         for (int rest = group.count; rest > 0;) {
@@ -465,28 +423,29 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
             rest -= count;
         }
     }
+    shade_few(in, picture);
     return static_cast<std::uint64_t>(pixel - spans_->pixels());
 }
 
-std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture) {
+void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
-    sort_fragments();
-    for (const Fragment& f : fragments_) {
-        if (look_ != f.look) begin_look(in, f.look, picture);
-        if (b.count == kLanes) finish_block(in, picture);
-        const Primitive* of = b.lit ? &primitive(in, f.id, picture) : nullptr; // may end the block
-        const auto lane = static_cast<std::size_t>(b.count);
-        pixel_[lane] = f.pixel;
-        share_[lane] = {f.shared, f.samples, f.weight, f.layer};
-        if (of != nullptr) {
-            const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
-                                               area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
-            add_lane(b, Primitives::at(*of, x, y), x, y);
-        } else {
-            add_unlit(in, f.id, 1);
+    few_->arrange();
+    for (const FewPixels::Part& part : few_->parts()) {
+        const Look look = {part.material, true};
+        if (look_ != look) begin_look(in, look, picture);
+        for (std::size_t i = part.first; i < part.end;) {
+            if (b.count == kLanes) finish_block(in, picture);
+            const std::size_t count =
+                std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
+            std::copy_n(few_->pixels() + i, count, pixel_.data() + b.count);
+            std::copy_n(few_->ids() + i, count, triangles_->id + b.count);
+            std::fill_n(triangles_->sample_x + b.count, count, 0); // they cover the centre
+            std::fill_n(triangles_->sample_y + b.count, count, 0);
+            add_lanes(b, nullptr, static_cast<int>(count));
+            own_ = b.count;
+            i += count;
         }
     }
-    return fragments_.size();
 }
 
 std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture) {

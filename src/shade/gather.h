@@ -10,6 +10,8 @@
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/composed_layers.h"
+#include "shade/few_pixels.h"
+#include "shade/lane_triangles.h"
 #include "shade/linear_picture.h"
 #include "shade/mip_chain.h"
 #include "shade/output.h"
@@ -47,6 +49,7 @@ struct BlendedPixels;
 // What shading a tile needs to know of the frame.
 struct GatherInput {
     const geom::Mesh* mesh = nullptr;
+    Looks looks; // of the mesh
     const raster::Geometry* geometry = nullptr;
     const raster::ScreenTransform* transform = nullptr;
     const scene::View* view = nullptr;
@@ -110,13 +113,21 @@ private:
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
                           const BlendedPixels& blended, int x, int y);
+    template <int kSamples>
+    void collect_samples(const raster::VisibilityTile& tile, const GatherInput& input,
+                         std::uint16_t pixel);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
-    void begin(const image::Rect& area, int samples, const BlendedPixels* blended);
+    bool has_own_lanes(const GatherInput& input, std::uint32_t id) const;
+    void begin(const GatherInput& input, const image::Rect& area, int samples,
+               const BlendedPixels* blended);
     std::uint64_t shade_collected(const GatherInput& input, image::Image& picture);
     std::uint64_t shade_spans(const GatherInput& input, image::Image& picture);
+    void shade_few(const GatherInput& input, image::Image& picture);
     std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);
+    void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
+    void place_block();
     void begin_look(const GatherInput& input, const Look& look, image::Image& picture);
     const Primitive& primitive(const GatherInput& input, std::uint32_t id, image::Image& picture);
     void add_unlit(const GatherInput& input, std::uint32_t id, int count);
@@ -139,12 +150,17 @@ private:
     image::Rect area_; // of the tile
     int samples_ = 1;  // of a pixel of it
     MixtureSink sink_;
-    std::unique_ptr<Spans> spans_; // pixels of one primitive; those of several are fragments
+    // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
+    // sets up its own triangle if the frame allows it.
+    std::unique_ptr<Spans> spans_;
+    std::unique_ptr<FewPixels> few_;
+    TriangleSource source_{};
     std::vector<Fragment> fragments_;
     struct Seen; // a fragment of one pixel
     std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
+    std::unique_ptr<LaneTriangles> triangles_;
     std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
     std::optional<Look> look_;             // of the block
     // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.

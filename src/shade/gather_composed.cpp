@@ -17,7 +17,7 @@ void Gatherer::collect_composed(const raster::VisibilityTile& tile, const Gather
     const auto add = [&](std::uint32_t id, unsigned mask, std::uint32_t layer) {
         const int first = std::countr_zero(mask);
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
-        fragments_.push_back({id, look_of(*in.mesh, id), pixel, static_cast<std::uint8_t>(first), 0,
+        fragments_.push_back({id, in.looks.of(id), pixel, static_cast<std::uint8_t>(first), 0,
                               shared, 0, static_cast<std::uint16_t>(mask), byte_of(at.x),
                               byte_of(at.y), layer});
     };

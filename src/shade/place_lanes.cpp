@@ -8,17 +8,17 @@
 
 SIMD_BEGIN(scanout::shade)
 
-void place(Block& b, const std::int32_t* pixel, int count, int x0, int y0) {
+void place(Block& b, const std::int32_t* pixel, int first, int count, int x0, int y0) {
     constexpr int kRowBits = 6;
     static_assert(raster::kTileSize == 1 << kRowBits);
-    const I32 left = x0, top = y0, lanes = count;
-    for (int i = 0; i < count; i += kLanes) {
+    const I32 left = x0, top = y0, end = first + count;
+    for (int i = first; i < first + count; i += kLanes) {
         const I32 at = load<I32>(pixel + i);
         const I32 row = shift_right<kRowBits>(at);
         const I32 column = at - shift_left<kRowBits>(row);
         const I32 x = shift_left<raster::kSubpixelBits>(left + column) + raster::kPixelCentre.x;
         const I32 y = shift_left<raster::kSubpixelBits>(top + row) + raster::kPixelCentre.y;
-        const auto live = iota<I32>(i) < lanes; // those behind have their places
+        const auto live = iota<I32>(i) < end; // those behind have their places
         store(select(live, x, load<I32>(b.x + i)), b.x + i);
         store(select(live, y, load<I32>(b.y + i)), b.y + i);
     }
@@ -41,8 +41,9 @@ namespace scanout::shade {
 SIMD_REGISTER(place);
 SIMD_REGISTER(cast);
 
-void place_at_centres(Block& block, const std::int32_t* pixel, int count, int x0, int y0) {
-    SIMD_CALL(place)(block, pixel, count, x0, y0);
+void place_at_centres(Block& block, const std::int32_t* pixel, int first, int count, int x0,
+                      int y0) {
+    SIMD_CALL(place)(block, pixel, first, count, x0, y0);
 }
 
 void set_rays(Block& block, const Rays& rays) {

@@ -10,9 +10,10 @@ struct Rays {
     float scale_x = 0, offset_x = 0, scale_y = 0, offset_y = 0;
 };
 
-// x and y of the first `count` lanes: the centres of these pixels, by their numbers in the tile
-// whose corner is (x0, y0).
-void place_at_centres(Block& block, const std::int32_t* pixel, int count, int x0, int y0);
+// x and y of lanes first to first + count: the centres of these pixels, pixel[lane] by its number
+// in the tile whose corner is (x0, y0).
+void place_at_centres(Block& block, const std::int32_t* pixel, int first, int count, int x0,
+                      int y0);
 
 // The rays, of x and y.
 void set_rays(Block& block, const Rays& rays);

@@ -8,11 +8,11 @@
 
 namespace scanout::shade {
 
-Look look_of(const geom::Mesh& mesh, std::uint32_t id) {
-    const std::size_t triangles = mesh.triangles(), lines = mesh.lines();
-    if (id < triangles) return {mesh.material[id], true};
+Look Looks::of_mesh(std::uint32_t id) const {
+    const std::size_t triangles = mesh->triangles(), lines = mesh->lines();
+    if (id < triangles) return {mesh->material[id], true};
     const std::size_t line = id - triangles;
-    return {line < lines ? mesh.line_material[line] : mesh.point_material[line - lines], false};
+    return {line < lines ? mesh->line_material[line] : mesh->point_material[line - lines], false};
 }
 
 Spans::Spans()
@@ -26,9 +26,8 @@ void Spans::clear() {
     one_look_ = true;
 }
 
-void Spans::add_group(const geom::Mesh& mesh, std::uint32_t id, std::uint16_t span, int count) {
+void Spans::add_group(const Look& look, std::uint32_t id, std::uint16_t span, int count) {
     group_of_[id % kSlots] = static_cast<std::uint16_t>(groups_.size());
-    const Look look = look_of(mesh, id);
     if (!groups_.empty() && look != groups_.back().look) one_look_ = false;
     groups_.push_back({id, look, span, span, static_cast<std::uint16_t>(count)});
 }

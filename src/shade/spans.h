@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,7 +18,18 @@ struct Look {
     bool lit;              // lines and points are not
     friend bool operator==(const Look&, const Look&) = default;
 };
-Look look_of(const geom::Mesh& mesh, std::uint32_t id);
+// How a mesh's primitives are drawn.
+struct Looks {
+    const geom::Mesh* mesh = nullptr;
+    // Of all primitives, which are triangles then: asking the mesh misses the cache each time.
+    std::optional<std::int32_t> only_material;
+    Look of(std::uint32_t id) const {
+        return only_material ? Look{*only_material, true} : of_mesh(id);
+    }
+
+private:
+    Look of_mesh(std::uint32_t id) const;
+};
 
 class Spans {
 public:
@@ -33,12 +45,13 @@ public:
     void clear();
     // Pixels of a row side by side; `pixel` is the first, by its number in the tile. Each pixel of
     // the tile once at most.
-    void add(const geom::Mesh& mesh, std::uint32_t id, int pixel, int count) {
+    void add(const Looks& looks, std::uint32_t id, int pixel, int count) {
         const auto at = static_cast<std::uint16_t>(spans_);
         span_[spans_++] = {static_cast<std::uint16_t>(pixel), kNone,
                            static_cast<std::uint16_t>(count)};
         const std::uint16_t of = group_of_[id % kSlots];
-        if (of >= groups_.size() || groups_[of].id != id) return add_group(mesh, id, at, count);
+        if (of >= groups_.size() || groups_[of].id != id)
+            return add_group(looks.of(id), id, at, count);
         Group& group = groups_[of];
         span_[group.last].next = at;
         group.last = at;
@@ -58,7 +71,7 @@ private:
         std::uint16_t pixel, next; // of the same group, or kNone
         std::uint16_t count;
     };
-    void add_group(const geom::Mesh& mesh, std::uint32_t id, std::uint16_t span, int count);
+    void add_group(const Look& look, std::uint32_t id, std::uint16_t span, int count);
 
     std::vector<Span> span_;
     std::size_t spans_ = 0;

@@ -97,8 +97,8 @@ struct Primitive {
 
 // Consecutive lanes of one triangle, in whatever pixels.
 struct Run {
-    const Primitive* primitive;
-    int first, count; // lanes
+    const Primitive* primitive; // null: each lane has a triangle of its own (lane_triangles.h)
+    int first, count;           // lanes
 };
 
 // Where a material keeps each, and how its texels are read.
@@ -131,6 +131,7 @@ struct LightLanes {
 struct Stage;
 struct BlendedPixels;
 struct CornerLight;
+struct LaneTriangles;
 struct LightShadow;
 struct TileShadow;
 
@@ -145,6 +146,7 @@ struct Block {
     // centre if the triangle covers it, else where it shows.
     int runs = 0;
     Run run[kLanes];
+    LaneTriangles* triangles = nullptr; // of lanes whose runs have no primitive
     alignas(64) std::int32_t x[kRoom], y[kRoom];
     alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
     // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
@@ -185,18 +187,18 @@ struct Block {
 };
 
 // The next `count` lanes are of a primitive; whoever adds them sets their x and y.
-inline void add_lanes(Block& b, const Primitive& primitive, int count) {
-    if (b.runs > 0 && b.run[b.runs - 1].primitive == &primitive)
+inline void add_lanes(Block& b, const Primitive* primitive, int count) {
+    if (b.runs > 0 && b.run[b.runs - 1].primitive == primitive)
         b.run[b.runs - 1].count += count;
     else
-        b.run[b.runs++] = {&primitive, b.count, count};
+        b.run[b.runs++] = {primitive, b.count, count};
     b.count += count;
 }
 // The next lane, at a sample (1/256 pixel).
 inline void add_lane(Block& b, const Primitive& primitive, std::int32_t x, std::int32_t y) {
     b.x[b.count] = x;
     b.y[b.count] = y;
-    add_lanes(b, primitive, 1);
+    add_lanes(b, &primitive, 1);
 }
 
 struct Filter;
@@ -230,7 +232,9 @@ struct FrameState {
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
     int shadow_filter = 3;                       // texels a side that a filtered shadow asks
     const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
-    float exposure = 1;                          // what light is multiplied by before it is shown
+    // Interpolation is exact and no other stage asks for runs: lanes may have their own triangles.
+    bool own_triangles = false;
+    float exposure = 1; // what light is multiplied by before it is shown
 };
 
 // Some stage of the frame wants the block's u and v.

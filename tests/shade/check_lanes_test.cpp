@@ -81,6 +81,7 @@ protected:
         geometry.draw(0, tile);
         GatherInput in;
         in.mesh = &mesh_;
+        in.looks.mesh = &mesh_;
         in.geometry = &geometry;
         in.transform = &transform;
         in.materials = materials_;

@@ -78,6 +78,10 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
         FrameState frame;
         GatherInput in;
         in.mesh = &mesh;
+        in.looks.mesh = &mesh;
+        in.view = &view;
+        // On both ways from a triangle to lanes.
+        frame.own_triangles = i / 2 % 2 == 0;
         in.geometry = &all.geometry;
         in.transform = &transform;
         in.stages = stages;

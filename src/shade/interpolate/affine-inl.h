@@ -27,7 +27,7 @@ HWY_INLINE void affine_lanes(Block& b, const FrameState& frame, const Wanted& wa
     const F64x8 inverse = 1.0 / whole;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
         const F64x8 x = to_f64(load<I32x8>(b.x + i)), y = to_f64(load<I32x8>(b.y + i));
-        put(b, frame, want, t,
+        put(b, frame, want, OfRun{t},
             {to_f32(area_at(t, 1, x, y) * inverse),
              to_f32(area_at(t, 2, x, y) * inverse),
              {i, run.first + run.count - i}},
@@ -112,7 +112,7 @@ HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& wan
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
-            put(b, frame, want, t, w, at);
+            put(b, frame, want, OfRun{t}, w, at);
         }
         lane = last;
         left += kUnits;

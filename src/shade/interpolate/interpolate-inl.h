@@ -9,10 +9,40 @@
 #define SCANOUT_SHADE_INTERPOLATE_INL_H
 #endif
 
+#include "shade/lane_triangles.h"
+
 #include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
+
+// What vertices carry, mixed at a register of lanes: of one triangle, or of each lane's own.
+struct OfRun {
+    const Primitive& t;
+    HWY_INLINE F32x8 normal(const Weights& w, int c) const { return mix(w, t.normal[c]); }
+    HWY_INLINE F32x8 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
+    HWY_INLINE F32x8 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
+    HWY_INLINE F32x8 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
+    HWY_INLINE F32x8 facing(int c) const { return t.facing[c]; }
+};
+struct OfLanes {
+    const LaneTriangles& t;
+    int lane; // the register's first
+    HWY_INLINE F32x8 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
+        return mix(w, load<F32x8>(vertex[0] + lane), load<F32x8>(vertex[1] + lane),
+                   load<F32x8>(vertex[2] + lane));
+    }
+    HWY_INLINE F32x8 normal(const Weights& w, int c) const {
+        const F32x8 side = load<F32x8>(t.side + lane);
+        const auto& vertex = t.normal[c];
+        return mix(w, load<F32x8>(vertex[0] + lane) * side, load<F32x8>(vertex[1] + lane) * side,
+                   load<F32x8>(vertex[2] + lane) * side);
+    }
+    HWY_INLINE F32x8 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
+    HWY_INLINE F32x8 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
+    HWY_INLINE F32x8 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
+    HWY_INLINE F32x8 facing(int c) const { return load<F32x8>(t.facing[c] + lane); }
+};
 
 // How a frame wants its normals. Asked for every register of lanes: as a template's argument it
 // made six of every rung, on every target, and saved no more than a branch.
@@ -20,9 +50,10 @@ enum class Normals { none, turned, unit, raw };
 
 // In view space. turned: the side that the eye sees is lit, whichever way the file wound it or its
 // normals. raw: as the vertices' unit normals mix, shorter between them.
-HWY_INLINE void normals(Normals wanted, const Primitive& t, const FrameState& frame,
-                        const Weights& w, float* to_x, float* to_y, float* to_z) {
-    F32x8 n[3] = {mix(w, t.normal[0]), mix(w, t.normal[1]), mix(w, t.normal[2])};
+template <class Of>
+HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, const Weights& w,
+                        float* to_x, float* to_y, float* to_z) {
+    F32x8 n[3] = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
     if (wanted == Normals::raw) {
         store(n[0], to_x);
         store(n[1], to_y);
@@ -30,8 +61,7 @@ HWY_INLINE void normals(Normals wanted, const Primitive& t, const FrameState& fr
         return;
     }
     if (wanted == Normals::turned) {
-        const F32x8 side =
-            (n[0] * F32x8(t.facing[0]) + n[1] * F32x8(t.facing[1])) + n[2] * F32x8(t.facing[2]);
+        const F32x8 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
         const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
         SIMD_UNROLL
         for (F32x8& component : n)
@@ -68,20 +98,21 @@ HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
 }
 
 // One register of lanes from lane i on.
-HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const Primitive& t,
+template <class Of>
+HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const Of& of,
                     const Weights& w, int i) {
     if (want.normal != Normals::none)
-        normals(want.normal, t, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
+        normals(want.normal, of, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
     if (want.uv) {
-        store(mix(w, t.uv[0]), b.u + i);
-        store(mix(w, t.uv[1]), b.v + i);
+        store(of.uv(w, 0), b.u + i);
+        store(of.uv(w, 1), b.v + i);
     }
     if (want.position) SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
-        store(mix(w, t.position[c]), b.position[c] + i);
+        store(of.position(w, c), b.position[c] + i);
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
-        const F32x8 own = want.colour ? mix(w, t.colour[c]) : F32x8(1.0F);
+        const F32x8 own = want.colour ? of.colour(w, c) : F32x8(1.0F);
         store(F32x8(want.kd[c]) * own, b.albedo[c] + i);
     }
 }
@@ -91,8 +122,19 @@ HWY_INLINE void perspective_lanes(Block& b, const FrameState& frame, const Wante
                                   const Run& run) {
     const Primitive& t = *run.primitive;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8)
-        put(b, frame, want, t,
+        put(b, frame, want, OfRun{t},
             weights(t, load<I32x8>(b.x + i), load<I32x8>(b.y + i), {i, run.first + run.count - i}),
+            i);
+}
+
+// The same at lanes that have triangles of their own.
+HWY_INLINE void perspective_own(Block& b, const FrameState& frame, const Wanted& want,
+                                const Run& run) {
+    const LaneTriangles& t = *b.triangles;
+    for (int i = run.first; i < run.first + run.count; i += kLanesX8)
+        put(b, frame, want, OfLanes{t, i},
+            weights_of(load<F32x8>(t.weight[0] + i), load<F32x8>(t.weight[1] + i),
+                       load<F32x8>(t.weight[2] + i), {i, run.first + run.count - i}),
             i);
 }
 

@@ -13,7 +13,10 @@ SIMD_BEGIN(scanout::shade::interpolate)
 struct Perspective {
     static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
                                  const Run& run) {
-        perspective_lanes(b, frame, want, run);
+        if (run.primitive == nullptr)
+            perspective_own(b, frame, want, run);
+        else
+            perspective_lanes(b, frame, want, run);
     }
 };
 

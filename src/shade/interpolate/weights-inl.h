@@ -18,10 +18,6 @@ struct Live {
     int first, count;
 };
 
-HWY_INLINE bool is_finite(float f) {
-    return f - f == 0;
-}
-
 // A clamp makes a number of NaN, so that nothing would be seen after it.
 HWY_INLINE void check_clamped([[maybe_unused]] F32x8 f, [[maybe_unused]] const Live& live) {
     if constexpr (kCheckLanes) {
@@ -41,13 +37,15 @@ HWY_INLINE F64x8 area_at(const Primitive& t, int k, F64x8 x, F64x8 y) {
     return (F64x8(t.a[k]) * x + F64x8(t.b[k]) * y) + F64x8(t.c[k]);
 }
 
-// Of vertices' areas that are rounded once.
-HWY_INLINE Weights weights_of(const Primitive& t, F32x8 b0, F32x8 b1, F32x8 b2, const Live& live) {
-    const F32x8 p0 = b0 * F32x8(t.inverse_w[0]);
-    const F32x8 p1 = b1 * F32x8(t.inverse_w[1]);
-    const F32x8 p2 = b2 * F32x8(t.inverse_w[2]);
+// Of areas times 1/w.
+HWY_INLINE Weights weights_of(F32x8 p0, F32x8 p1, F32x8 p2, const Live& live) {
     const F32x8 sum = (p0 + p1) + p2;
     return {p1 / sum, p2 / sum, live};
+}
+// Of vertices' areas that are rounded once.
+HWY_INLINE Weights weights_of(const Primitive& t, F32x8 b0, F32x8 b1, F32x8 b2, const Live& live) {
+    return weights_of(b0 * F32x8(t.inverse_w[0]), b1 * F32x8(t.inverse_w[1]),
+                      b2 * F32x8(t.inverse_w[2]), live);
 }
 
 HWY_INLINE Weights weights(const Primitive& t, F64x8 x, F64x8 y, const Live& live) {
@@ -80,14 +78,18 @@ HWY_INLINE Weights weights(const Primitive& t, I32x8 x, I32x8 y, const Live& liv
     return weights_of(t, area(0), area(1), area(2), live);
 }
 
-HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
-    const F32x8 f0 = vertex[0], f1 = vertex[1], f2 = vertex[2];
-    const F32x8 f = f0 + (w.one * (f1 - f0) + w.two * (f2 - f0));
-    // Differences beyond all floats are what the clamp is for, too.
-    if (kCheckLanes && is_finite(vertex[1] - vertex[0]) && is_finite(vertex[2] - vertex[0]))
-        check_clamped(f, w.live);
+HWY_INLINE F32x8 mix(const Weights& w, F32x8 f0, F32x8 f1, F32x8 f2) {
+    const F32x8 d1 = f1 - f0, d2 = f2 - f0;
+    const F32x8 f = f0 + (w.one * d1 + w.two * d2);
+    if constexpr (kCheckLanes) { // differences beyond all floats are what the clamp is for, too
+        const F32x8 zero = 0.0F;
+        check_clamped(select((d1 - d1 == zero) & (d2 - d2 == zero), f, zero), w.live);
+    }
     const F32x8 low = minimum(minimum(f0, f1), f2), high = maximum(maximum(f0, f1), f2);
     return minimum(maximum(f, low), high);
+}
+HWY_INLINE F32x8 mix(const Weights& w, const float (&vertex)[3]) {
+    return mix(w, vertex[0], vertex[1], vertex[2]);
 }
 
 SIMD_END

@@ -1,0 +1,49 @@
+// The pixels of a tile that are filled by triangles with few of them: a list, one triangle a pixel.
+#pragma once
+
+#include "raster/coverage.h"
+#include "shade/stage.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::shade {
+
+class FewPixels {
+public:
+    static constexpr int kMost = 6; // of a triangle: more are cheaper with one set-up for all
+
+    FewPixels();
+    void clear();
+    // Pixels by their numbers in the tile, each once at most.
+    void add(std::int32_t material, std::uint32_t id, const std::int32_t* pixel, int count) {
+        for (int k = 0; k < count; ++k) {
+            pixel_[size_ + static_cast<std::size_t>(k)] = pixel[k];
+            id_[size_ + static_cast<std::size_t>(k)] = id;
+        }
+        if (parts_.empty() || parts_.back().material != material)
+            parts_.push_back({material, size_, 0});
+        size_ += static_cast<std::size_t>(count);
+        parts_.back().end = size_;
+    }
+
+    // Materials one after the other. add() may not follow.
+    void arrange();
+    struct Part {
+        std::int32_t material;
+        std::size_t first, end;
+    };
+    std::span<const Part> parts() const { return parts_; }
+    const std::int32_t* pixels() const { return pixel_.data(); }
+    const std::uint32_t* ids() const { return id_.data(); }
+
+private:
+    static constexpr std::size_t kPixels = std::size_t{raster::kTileSize} * raster::kTileSize;
+    std::size_t size_ = 0;
+    std::vector<std::int32_t> pixel_;
+    std::vector<std::uint32_t> id_;
+    std::vector<Part> parts_;
+};
+
+} // namespace scanout::shade

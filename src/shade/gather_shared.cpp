@@ -1,0 +1,152 @@
+// The gatherer's part in pixels that several primitives share, or that the background shows
+// through.
+#include "base/check.h"
+#include "shade/check_lanes.h"
+#include "shade/gather_types.h"
+#include "shade/primitives.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+#include <tuple>
+#include <utility>
+
+namespace scanout::shade {
+
+using raster::kTileSize;
+
+// Of the samples in id, which of them show what the first of `rest` shows, and how many.
+template <int kSamples>
+static std::pair<unsigned, int> like_first(const std::array<std::uint32_t, 16>& id, unsigned rest) {
+    const std::uint32_t here = id[static_cast<std::size_t>(std::countr_zero(rest))];
+    unsigned mask = 0;
+    int count = 0; // faster than std::popcount, a call on the oldest x86
+#pragma GCC unroll 16
+    for (std::size_t s = 0; s < kSamples; ++s) {
+        const bool same = id[s] == here;
+        mask |= static_cast<unsigned>(same) << s;
+        count += same ? 1 : 0;
+    }
+    return {mask, count};
+}
+
+template <int kSamples>
+void Gatherer::collect_samples(const raster::VisibilityTile& tile, const GatherInput& in,
+                               std::uint16_t pixel) {
+    const std::uint32_t* ids = tile.ids(0).data() + pixel;
+    std::array<std::uint32_t, 16> id;
+#pragma GCC unroll 16
+    for (std::size_t s = 0; s < kSamples; ++s)
+        id[s] = ids[s * raster::VisibilityTile::kPlane];
+    float background = 0;
+    const auto shared = static_cast<std::uint16_t>(shared_.size());
+    // From sample to sample that shows what none before it has shown.
+    for (unsigned rest = (1U << kSamples) - 1; rest != 0;) {
+        const int first = std::countr_zero(rest);
+        const auto [mask, count] = like_first<kSamples>(id, rest);
+        rest &= ~mask;
+        const std::uint32_t here = id[static_cast<std::size_t>(first)];
+        const float weight = static_cast<float>(count) * (1.0F / kSamples);
+        if (here == raster::kNoPrimitive) {
+            background = weight;
+            continue;
+        }
+        const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
+        fragments_.push_back({here, in.looks.of(here), pixel, static_cast<std::uint8_t>(first), 0,
+                              shared, weight, static_cast<std::uint16_t>(mask), byte_of(at.x),
+                              byte_of(at.y)});
+    }
+    shared_.push_back(pixel);
+    through_.push_back(background);
+}
+
+void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
+                              int y) {
+    const std::uint16_t pixel = pixel_number(x, y);
+    switch (tile.samples()) {
+    case 2:
+        return collect_samples<2>(tile, in, pixel);
+    case 4:
+        return collect_samples<4>(tile, in, pixel);
+    case 8:
+        return collect_samples<8>(tile, in, pixel);
+    default:
+        CHECK_EQ(tile.samples(), 16);
+        return collect_samples<16>(tile, in, pixel);
+    }
+}
+
+void Gatherer::sort_fragments() {
+    // One material a block; the order inside a material stays that of the pixels.
+    const auto key = [](const Fragment& f) {
+        return std::tuple(f.look.lit, f.look.material, f.rank);
+    };
+    const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
+    if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
+        std::stable_sort(fragments_.begin(), fragments_.end(),
+                         [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
+}
+
+// The next lane, a fragment's.
+void Gatherer::add_fragment(const GatherInput& in, const Fragment& f, image::Image& picture) {
+    Block& b = *block_;
+    const bool own = has_own_lanes(in, f.id);
+    const Primitive* of = b.lit && !own ? &primitive(in, f.id, picture) : nullptr; // may end it
+    const auto lane = static_cast<std::size_t>(b.count);
+    pixel_[lane] = f.pixel;
+    share_[lane] = {f.shared, f.samples, f.weight, f.layer};
+    if (own) {
+        triangles_->id[lane] = f.id;
+        triangles_->sample_x[lane] = f.at_x - raster::kPixelCentre.x;
+        triangles_->sample_y[lane] = f.at_y - raster::kPixelCentre.y;
+        add_lanes(b, nullptr, 1);
+    } else if (of != nullptr) {
+        const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
+                                           area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
+        add_lane(b, Primitives::at(*of, x, y), x, y);
+    } else {
+        add_unlit(in, f.id, 1);
+    }
+}
+
+std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture) {
+    Block& b = *block_;
+    if (!in.looks.only_material || b.blended != nullptr) sort_fragments();
+    for (const Fragment& f : fragments_) {
+        if (look_ != f.look) begin_look(in, f.look, picture);
+        if (b.count == kLanes) finish_block(in, picture);
+        add_fragment(in, f, picture);
+    }
+    return fragments_.size();
+}
+
+void Gatherer::resolve_shared(const GatherInput& in, image::Image& picture) {
+    check_sums(sums_, shared_.size());
+    codes_.resize(shared_.size() + (kRoom - kLanes));
+    std::copy(through_.begin(), through_.end(), sums_.through.begin());
+    if (in.output.dither) {
+        offsets_.resize(shared_.size() + (kRoom - kLanes));
+        for (std::size_t i = 0; i < shared_.size(); ++i)
+            offsets_[i] = offset_at(shared_[i]);
+    }
+    resolve_pixels(sums_, in.output, in.background, in.output.dither ? offsets_.data() : nullptr,
+                   static_cast<int>(shared_.size()), codes_.data());
+    for (std::size_t i = 0; i < shared_.size(); ++i) {
+        const int x = area_.x0 + shared_[i] % kTileSize;
+        const int y = area_.y0 + shared_[i] / kTileSize;
+        std::memcpy(static_cast<void*>(&picture.at(x, y)), &codes_[i], sizeof codes_[i]);
+    }
+}
+
+// The shared pixels' parts go where the filter will look for them, behind those of other parts of
+// the tile.
+void Gatherer::keep_parts() {
+    auto& all = sink_.wide->of_tile[sink_.wide->tile_of(area_.x0, area_.y0)];
+    for (std::size_t i = 0; i < shared_.size(); ++i)
+        sink_.wide->part_at(area_.x0 + shared_[i] % kTileSize, area_.y0 + shared_[i] / kTileSize) =
+            static_cast<std::int32_t>(all.size() + i);
+    all.insert(all.end(), parts_.begin(), parts_.end());
+}
+
+} // namespace scanout::shade

@@ -1,0 +1,294 @@
+#include "shade/lane_triangles.h"
+
+#include "shade/check_lanes.h"
+#include "shade/gather.h"
+
+#define SIMD_FILE "shade/lane_triangles.cpp"
+#include "simd/for_each_target.h"
+
+SIMD_BEGIN(scanout::shade)
+
+using MaskX8 = Mask<F32x8::Tag>;
+
+// Vertex k of a register of triangles.
+struct Vertices {
+    I32x8 index, x, y; // 1/256 pixel
+    F32x8 inverse_w;
+};
+
+// The canonical order of vertices (raster/primitive.h).
+HWY_INLINE void sort_two(Vertices& a, Vertices& b) {
+    const MaskX8 turn = (b.y < a.y) | ((b.y == a.y) & (b.x < a.x));
+    const auto swap = [&](auto& one, auto& other) HWY_ATTR {
+        const auto first = select(turn, other, one);
+        other = select(turn, one, other);
+        one = first;
+    };
+    swap(a.index, b.index);
+    swap(a.x, b.x);
+    swap(a.y, b.y);
+    swap(a.inverse_w, b.inverse_w);
+}
+
+// In file order. Lanes from `count` on repeat the last one. One number after the other,
+// here and below: gathers are no faster where they are fast.
+HWY_INLINE void load_vertices(const TriangleSource& source, const std::uint32_t* id, int count,
+                              Vertices (&v)[3]) {
+    std::uint32_t index[3][kLanesX8];
+    std::int32_t x[3][kLanesX8], y[3][kLanesX8];
+    float depth[3][kLanesX8];
+    for (int lane = 0; lane < kLanesX8; ++lane) {
+        const std::uint32_t triangle = id[lane < count ? lane : count - 1];
+        const std::uint32_t* corner = source.index + std::size_t{triangle} * 3;
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k) {
+            const raster::ScreenVertex& at = source.vertex[corner[k]];
+            index[k][lane] = corner[k];
+            x[k][lane] = at.x;
+            y[k][lane] = at.y;
+            depth[k][lane] = static_cast<float>(at.depth);
+        }
+    }
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        v[k] = {load<I32x8>(index[k]), load<I32x8>(x[k]), load<I32x8>(y[k]),
+                source.perspective ? load<F32x8>(depth[k]) : F32x8(1.0F)};
+}
+
+// Whole numbers of lanes: of 32 bits, or doubles.
+HWY_INLINE void convert(I32x8 from, I32x8& to) {
+    to = from;
+}
+HWY_INLINE void convert(I32x8 from, F64x8& to) {
+    to = to_f64(from);
+}
+HWY_INLINE F32x8 rounded(I32x8 a) {
+    return to_f32(a);
+}
+HWY_INLINE F32x8 rounded(F64x8 a) {
+    return to_f32(a);
+}
+HWY_INLINE MaskX8 narrow(MaskX8 mask) {
+    return mask;
+}
+HWY_INLINE MaskX8 narrow(const F64x8::DoubleMask& mask) {
+    return to_f32(select(mask, F64x8(1.0), F64x8(0.0))) > F32x8(0.5F);
+}
+
+// Where a register of lanes lies.
+struct Places {
+    I32x8 x, y;               // centres, 1/256 pixel
+    I32x8 sample_x, sample_y; // from there
+};
+
+// Areas opposite the vertices, exact, where the lanes are shaded; moves the lanes there.
+template <class N, class Scalar>
+HWY_INLINE void find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3]) {
+    const N zero = Scalar{0}, one = Scalar{1};
+    const auto number = [](I32x8 whole) HWY_ATTR {
+        N n;
+        convert(whole, n);
+        return n;
+    };
+    const N twice = number(v[1].x - v[0].x) * number(v[2].y - v[0].y) -
+                    number(v[1].y - v[0].y) * number(v[2].x - v[0].x);
+    const N sign = select(twice < zero, N(Scalar{-1}), one);
+    N a[3], b[3], e[3];
+    auto inside = zero == zero;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const Vertices &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
+        a[k] = sign * number(from.y - to.y);
+        b[k] = sign * number(to.x - from.x);
+        e[k] = a[k] * number(at.x - from.x) + b[k] * number(at.y - from.y);
+        // y runs down: a left edge has its interior towards +x, a top edge towards +y.
+        const auto top_left = (a[k] > zero) | ((a[k] == zero) & (b[k] > zero));
+        inside = inside & (e[k] >= select(top_left, zero, one));
+    }
+    const MaskX8 stays = narrow(inside);
+    const I32x8 move_x = select(stays, 0, at.sample_x), move_y = select(stays, 0, at.sample_y);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        area[k] = rounded(e[k] + (a[k] * number(move_x) + b[k] * number(move_y)));
+    at.x = at.x + move_x;
+    at.y = at.y + move_y;
+}
+
+// No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
+HWY_INLINE bool are_small(const Vertices (&v)[3]) {
+    const auto extent = [](I32x8 a, I32x8 b, I32x8 c) HWY_ATTR {
+        return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
+    };
+    return all(maximum(extent(v[0].x, v[1].x, v[2].x), extent(v[0].y, v[1].y, v[2].y)) <
+               I32x8(1 << 14));
+}
+
+// Which triangles wind clockwise on the screen, in this order of the vertices.
+HWY_INLINE MaskX8 clockwise(const Vertices (&v)[3]) {
+    const auto side = [](I32x8 from, I32x8 to) HWY_ATTR { return to_f64(to - from); };
+    return narrow(side(v[0].x, v[1].x) * side(v[0].y, v[2].y) -
+                      side(v[0].y, v[1].y) * side(v[0].x, v[2].x) >
+                  F64x8(0.0));
+}
+
+// Vertices in canonical order.
+struct Indices {
+    std::uint32_t of[3][kLanesX8];
+};
+
+// Attributes of kComponents floats a vertex.
+template <int kComponents, std::size_t kStride>
+HWY_INLINE void fetch(const float* from, const Indices& vertex,
+                      float (&to)[kComponents][3][kStride], int first) {
+    for (int lane = 0; lane < kLanesX8; ++lane)
+        SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const float* own = from + std::size_t{vertex.of[k][lane]} * kComponents;
+        SIMD_UNROLL
+        for (int c = 0; c < kComponents; ++c)
+            to[c][k][first + lane] = own[c];
+    }
+}
+
+// Where vertices stand in the mesh.
+struct MeshPlaces {
+    float of[3][3][kLanesX8];
+    HWY_INLINE F64x8 at(int component, int vertex) const {
+        return to_f64(load<F32x8>(of[component][vertex]));
+    }
+};
+
+HWY_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place, LaneTriangles& out,
+                              int lane) {
+    for (int k = 0; k < 3; ++k)
+        for (int r = 0; r < 3; ++r) {
+            const auto term = [&](int c)
+                                  HWY_ATTR { return F64x8(s.linear[r][c]) * place.at(c, k); };
+            const F64x8 turned = (term(0) + term(1)) + term(2);
+            store(to_f32((turned + F64x8(s.translation[r])) * F64x8(s.scale)),
+                  out.position[r][k] + lane);
+        }
+}
+
+// The triangles' own normals, brought near length 1; `turned` ones the other way round.
+HWY_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles& out, int lane) {
+    F64x8 one[3], two[3], n[3];
+    SIMD_UNROLL
+    for (int c = 0; c < 3; ++c) {
+        one[c] = place.at(c, 1) - place.at(c, 0);
+        two[c] = place.at(c, 2) - place.at(c, 0);
+    }
+    n[0] = one[1] * two[2] - one[2] * two[1];
+    n[1] = one[2] * two[0] - one[0] * two[2];
+    n[2] = one[0] * two[1] - one[1] * two[0];
+    const F64x8 largest = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
+    const F64x8 sign = to_f64(select(turned, F32x8(-1.0F), F32x8(1.0F)));
+    const F64x8 divisor = select(largest > F64x8(0.0), largest * sign, F64x8(1.0));
+    SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        store(to_f32(n[c] / divisor), out.facing[c] + lane);
+}
+
+// Which way round the vertices wind on the screen. Behind: as seen where the view is no mirror.
+struct Windings {
+    MaskX8 of_file, of_order;
+};
+
+// The side that normals are on, and `facing` (Vertices in shade/primitives.cpp).
+HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, const MeshPlaces& place,
+                          LaneTriangles& out, int lane) {
+    const MaskX8 none = F32x8(0.0F) > F32x8(0.0F);
+    store(select(s.sides == Sides::face ? behind.of_file : none, F32x8(-1.0F), F32x8(1.0F)),
+          out.side + lane);
+    if (!s.wants_facing()) return;
+    const MaskX8 differ = (behind.of_order & !behind.of_file) | (behind.of_file & !behind.of_order);
+    put_facing(place, s.sides == Sides::file ? differ : behind.of_order, out, lane);
+}
+
+// What the vertices carry.
+HWY_INLINE void put_attributes(const TriangleSource& s, const Vertices (&v)[3],
+                               const Windings& behind, LaneTriangles& out, int lane) {
+    Indices vertex;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        store(v[k].index, vertex.of[k]);
+    MeshPlaces place;
+    if (s.wanted.position || s.wants_facing()) fetch(s.position, vertex, place.of, 0);
+    put_sides(s, behind, place, out, lane);
+    if (s.wanted.normal) fetch(s.normal, vertex, out.normal, lane);
+    if (s.wanted.uv) fetch(s.uv, vertex, out.uv, lane);
+    if (s.wanted.colour) fetch(s.colour, vertex, out.colour, lane);
+    if (s.wanted.position) put_positions(s, place, out, lane);
+}
+
+void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int first, int count) {
+    const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
+    const auto turned = [&](MaskX8 mask)
+                            HWY_ATTR { return (mask & !mirrored) | (mirrored & !mask); };
+    for (int i = first; i < first + count; i += kLanesX8) {
+        const int live = first + count - i;
+        Vertices v[3];
+        load_vertices(s, out.id + i, live, v);
+        Windings behind;
+        behind.of_file = turned(clockwise(v));
+        sort_two(v[0], v[1]);
+        sort_two(v[1], v[2]);
+        sort_two(v[0], v[1]);
+        behind.of_order = turned(clockwise(v));
+        Places at = {load<I32x8>(b.x + i), load<I32x8>(b.y + i), load<I32x8>(out.sample_x + i),
+                     load<I32x8>(out.sample_y + i)};
+        F32x8 area[3];
+        if (are_small(v))
+            find_areas<I32x8, std::int32_t>(v, at, area);
+        else
+            find_areas<F64x8, double>(v, at, area);
+        const MaskX8 mine = iota<I32x8>(0) < I32x8(live);
+        store(select(mine, at.x, load<I32x8>(b.x + i)), b.x + i);
+        store(select(mine, at.y, load<I32x8>(b.y + i)), b.y + i);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            store(area[k] * v[k].inverse_w, out.weight[k] + i);
+        put_attributes(s, v, behind, out, i);
+    }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::shade {
+
+SIMD_REGISTER(set_up_triangles);
+
+TriangleSource triangle_source(const GatherInput& in) {
+    const geom::Mesh& mesh = *in.mesh;
+    const auto floats = [](const auto& attribute) {
+        return reinterpret_cast<const float*>(attribute.data());
+    };
+    TriangleSource s{};
+    s.index = mesh.index.data();
+    s.vertex = in.geometry->vertices().data();
+    s.position = floats(mesh.position);
+    s.normal = floats(mesh.normal);
+    s.uv = floats(mesh.uv);
+    s.colour = floats(mesh.colour);
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c)
+            s.linear[r][c] = in.view->linear[c][r];
+        s.translation[r] = in.view->translation[r];
+    }
+    s.scale = to_floats(*in.view);
+    s.perspective = in.transform->perspective;
+    s.mirrored = in.mirrored;
+    s.sides = in.frame->sides;
+    s.wanted = in.frame->attributes;
+    return s;
+}
+
+void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,
+                  int count) {
+    SIMD_CALL(set_up_triangles)(source, triangles, block, first, count);
+    check_triangles(triangles, source.wanted, first, count);
+}
+
+} // namespace scanout::shade
+#endif

@@ -1,0 +1,170 @@
+// A lane that sets up its own triangle has the same bits as a lane of a triangle that is set up
+// once: a million random triangles, on every target.
+#include "base/jobs.h"
+#include "shade/gather.h"
+#include "shade/lane_triangles.h"
+#include "shade/primitives.h"
+#include "support/random.h"
+#include "support/targets.h"
+
+#include <bit>
+#include <cmath>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+namespace scanout::shade::test {
+namespace {
+
+using scanout::test::Random;
+
+constexpr int kSide = 2000; // pixels
+
+// Triangles of all sizes before the eye; some of their vertices are beyond the guard band.
+geom::Mesh random_mesh(Random& random, int triangles) {
+    geom::Mesh mesh;
+    const auto real = [&] { return static_cast<float>(random.in(-1, 1)); };
+    for (int i = 0; i < triangles; ++i) {
+        const double size = std::exp2(random.in(-12, 1));
+        const DVec3 middle = random.in_cube(1);
+        for (int k = 0; k < 3; ++k) {
+            const DVec3 p = middle + random.in_cube(size);
+            mesh.index.push_back(static_cast<std::uint32_t>(mesh.position.size()));
+            mesh.position.emplace_back(p.x, p.y, p.z - 2.5);
+            mesh.normal.emplace_back(real(), real(), real());
+            mesh.uv.emplace_back(real(), real());
+            mesh.colour.emplace_back(real(), real(), real());
+        }
+        mesh.material.push_back(-1);
+    }
+    return mesh;
+}
+
+std::int64_t area(std::span<const raster::ScreenVertex> v, std::uint32_t triangle) {
+    const auto& [a, b, c] = std::array{v[triangle * 3], v[triangle * 3 + 1], v[triangle * 3 + 2]};
+    return raster::signed_area({a.x, b.x, c.x}, {a.y, b.y, c.y});
+}
+
+// A block's lanes with triangles of their own, at random samples near them.
+struct Lanes {
+    std::unique_ptr<Block> block = std::make_unique<Block>();
+    std::unique_ptr<LaneTriangles> triangles = std::make_unique<LaneTriangles>();
+
+    void add(Random& random, std::uint32_t id, const raster::ScreenVertex& near) {
+        const int lane = block->count++;
+        triangles->id[lane] = id;
+        block->x[lane] = (near.x & -256) + 128 + 256 * random.whole(-1, 1);
+        block->y[lane] = (near.y & -256) + 128 + 256 * random.whole(-1, 1);
+        triangles->sample_x[lane] = random.whole(-128, 127);
+        triangles->sample_y[lane] = random.whole(-128, 127);
+    }
+};
+
+std::uint32_t bits(float value) {
+    return std::bit_cast<std::uint32_t>(value);
+}
+
+// At a lane of `set_up`, which has moved from where it was in `before`.
+void expect_same(const GatherInput& in, const Primitive& p, const Lanes& before,
+                 const Lanes& set_up, int lane) {
+    const LaneTriangles& t = *set_up.triangles;
+    const std::int32_t x = before.block->x[lane], y = before.block->y[lane];
+    const auto at =
+        place_in_pixel(in, p, x >> 8, y >> 8, {t.sample_x[lane] + 128, t.sample_y[lane] + 128});
+    ASSERT_EQ(set_up.block->x[lane], at.x);
+    ASSERT_EQ(set_up.block->y[lane], at.y);
+    for (int k = 0; k < 3; ++k) {
+        const auto weight = static_cast<float>((p.a[k] * at.x + p.b[k] * at.y) + p.c[k]);
+        ASSERT_EQ(bits(t.weight[k][lane]), bits(weight * p.inverse_w[k]));
+        if (in.frame->sides == Sides::eye || in.frame->attributes.facing) {
+            ASSERT_EQ(bits(t.facing[k][lane]), bits(p.facing[k]));
+        }
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_EQ(bits(t.normal[c][k][lane] * t.side[lane]), bits(p.normal[c][k]));
+            ASSERT_EQ(bits(t.colour[c][k][lane]), bits(p.colour[c][k]));
+            ASSERT_EQ(bits(t.position[c][k][lane]), bits(p.position[c][k]));
+            ASSERT_EQ(bits(t.uv[c % 2][k][lane]), bits(p.uv[c % 2][k]));
+        }
+    }
+}
+
+struct Counts {
+    int lanes = 0, moved = 0, large = 0, turned = 0;
+};
+
+void check(const GatherInput& in, const Lanes& lanes, Counts& counts) {
+    auto once = std::make_unique<Gatherer::Primitives>();
+    const int count = lanes.block->count;
+    scanout::test::on_every_target([&](const std::string&) {
+        const Lanes own{std::make_unique<Block>(*lanes.block),
+                        std::make_unique<LaneTriangles>(*lanes.triangles)};
+        // In two parts, so that registers are not full, and do not begin where blocks do.
+        const int part = count / 3;
+        set_up_lanes(triangle_source(in), *own.triangles, *own.block, 0, part);
+        set_up_lanes(triangle_source(in), *own.triangles, *own.block, part, count - part);
+        once->clear();
+        for (int lane = 0; lane < count && !testing::Test::HasFatalFailure(); ++lane) {
+            const Primitive& p = once->get(in, own.triangles->id[lane]);
+            expect_same(in, p, lanes, own, lane);
+            counts.lanes += 1;
+            counts.moved += own.block->x[lane] != lanes.block->x[lane] ? 1 : 0;
+            counts.large += p.whole ? 0 : 1;
+            counts.turned += own.triangles->side[lane] < 0 ? 1 : 0;
+        }
+    });
+}
+
+TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
+    Jobs jobs(1);
+    Random random(7);
+    Counts counts;
+    for (int round = 0; round < 52; ++round) {
+        const int triangles = 20000;
+        const geom::Mesh mesh = random_mesh(random, triangles);
+        scene::View view;
+        view.half_width = view.half_height = 0.02 + 0.3 * random.unit();
+        view.near_distance = 0x1p-6;
+        view.mirrored = round % 2 == 1;
+        if (round % 5 == 4) {
+            view.projection = scene::Projection::orthographic;
+            view.depth_origin = -8;
+            view.depth_scale = 1.0 / 16;
+        }
+        view.linear[1][0] = random.in(-0.2, 0.2);
+        view.translation.x = random.in(-0.1, 0.1);
+        const raster::ScreenTransform transform(view, kSide, kSide);
+        raster::Geometry geometry;
+        raster::GeometryOptions options;
+        options.width = options.height = kSide;
+        geometry.run(jobs, mesh, transform, options);
+        FrameState frame;
+        frame.attributes = {.normal = true, .uv = true, .colour = true, .position = true};
+        frame.attributes.facing = round % 7 < 3;
+        frame.sides = std::array{Sides::eye, Sides::face, Sides::file}[round % 3];
+        GatherInput in;
+        in.mesh = &mesh;
+        in.geometry = &geometry;
+        in.transform = &transform;
+        in.view = &view;
+        in.frame = &frame;
+        in.mirrored = view.mirrored;
+        const auto vertices = geometry.vertices();
+        const TriangleSource source = triangle_source(in);
+        Lanes lanes;
+        for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(triangles); ++id) {
+            if (!is_whole(source, id) || area(vertices, id) == 0) continue;
+            lanes.add(random, id, vertices[id * 3 + id % 3]);
+            if (lanes.block->count < kLanes) continue;
+            check(in, lanes, counts);
+            if (HasFatalFailure()) FAIL() << "round " << round;
+            lanes.block->count = 0;
+        }
+    }
+    EXPECT_GT(counts.lanes, 300000);
+    EXPECT_GT(counts.moved, 30000);
+    EXPECT_GT(counts.large, 30000);
+    EXPECT_GT(counts.turned, 30000);
+}
+
+} // namespace
+} // namespace scanout::shade::test
