@@ -70,21 +70,23 @@ void cull(benchmark::State& state, const std::string& name) {
     std::vector<ScreenVertex> vertices(mesh.position.size());
     raster::transform_vertices(raster::ScreenTransform(seen->view, kWidth, kHeight), mesh.position,
                                vertices);
-    const raster::CullOptions options{kWidth, kHeight, raster::Facing::front, seen->view.mirrored,
-                                      raster::extent_of(raster::sample_pattern(1))};
+    const raster::CullOptions options{kWidth,
+                                      kHeight,
+                                      raster::Facing::front,
+                                      seen->view.mirrored,
+                                      raster::extent_of(raster::sample_pattern(1)),
+                                      raster::sample_pattern(1)};
     constexpr std::size_t kPart = 4096;
-    std::vector<raster::KeptTriangle> kept(kPart);
-    std::vector<std::uint32_t> cut(kPart);
+    raster::CullResult found;
     std::size_t left = 0;
     for (auto _ : state) {
         left = 0;
         for (std::size_t first = 0; first < mesh.triangles(); first += kPart) {
             const std::size_t n = std::min(kPart, mesh.triangles() - first);
-            raster::CullResult found{kept, cut};
             raster::cull(options, vertices, std::span(mesh.index).subspan(first * 3, n * 3),
                          static_cast<std::uint32_t>(first), found);
             left += found.kept_count + found.cut_count;
-            benchmark::DoNotOptimize(kept.data());
+            benchmark::DoNotOptimize(found.kept.data());
             benchmark::ClobberMemory();
         }
     }

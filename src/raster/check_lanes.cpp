@@ -45,10 +45,12 @@ void check_lanes(std::span<const ScreenVertex> vertices) {
     }
 }
 
-void check_lanes(std::span<const SnappedTriangle> triangles) {
-    for (const SnappedTriangle& t : triangles)
-        for (const ScreenVertex& v : t.corner)
-            check_depth(v.depth, "triangle", t.id, "set-up");
+void check_lanes(const TriangleList& triangles) {
+    for (std::size_t i = 0; i < triangles.which.size(); ++i)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t at = triangles.index[std::size_t{triangles.which[i]} * 3 + k];
+            check_depth(triangles.vertices[at].depth, "triangle", triangles.id[i], "set-up");
+        }
 }
 
 void check_lanes(const Piece& piece) {

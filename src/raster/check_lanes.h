@@ -19,10 +19,10 @@ void check_before_snap(double x, double y, std::size_t vertex); // pixels
 inline void check_before_snap(const ClipVertex& v, std::size_t vertex) {
     check_before_snap(v.x / v.w, v.y / v.w, vertex);
 }
-void check_before_rounding(const ClipVertex& vertex);         // of a piece
-void check_lanes(std::span<const ScreenVertex> vertices);     // transformed; those on the screen
-void check_lanes(std::span<const SnappedTriangle> triangles); // to be set up
-void check_lanes(const Piece& piece);                         // likewise
+void check_before_rounding(const ClipVertex& vertex);     // of a piece
+void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
+void check_lanes(const TriangleList& triangles);          // to be set up
+void check_lanes(const Piece& piece);                     // likewise
 void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
 void check_lanes(const VisibilityTile& tile);              // drawn; the pixels of its area
@@ -33,7 +33,7 @@ inline void check_before_snap(double, double, std::size_t) {}
 inline void check_before_snap(const ClipVertex&, std::size_t) {}
 inline void check_before_rounding(const ClipVertex&) {}
 inline void check_lanes(std::span<const ScreenVertex>) {}
-inline void check_lanes(std::span<const SnappedTriangle>) {}
+inline void check_lanes(const TriangleList&) {}
 inline void check_lanes(const Piece&) {}
 inline void check_lanes(const Segment&) {}
 inline void check_lanes(const Point&) {}

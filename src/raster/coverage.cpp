@@ -9,10 +9,11 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Several triangles side by side: their vertices, then what the walk over their blocks reads.
+// Several triangles side by side: what the walk over their blocks reads.
 struct Walks {
     static constexpr int kRoom = 8;
-    double x[3][kRoom], y[3][kRoom], depth[3][kRoom]; // 1/256 pixel
+    std::uint32_t corner[3][kRoom]; // vertices
+    std::uint32_t id[kRoom];
     // Edge functions a x + b y + c, positive inside, opposite vertex i; whole numbers and exact,
     // |E| < 2^50. bias: 0 or -1, the top-left rule: inside iff E + bias >= 0.
     double a[3][kRoom], b[3][kRoom], c[3][kRoom], bias[3][kRoom];
@@ -108,17 +109,40 @@ HWY_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Cor
     }
 }
 
-// Every operation on coordinates is exact: the rest is the plane of depth.
-HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent, Walks& w) {
+// At most kRoom triangles from number `begin` of the list on; the last stands for what is missing.
+HWY_INLINE void load_corners(const TriangleList& list, int begin, int count, Walks& w) {
+    for (int i = 0; i < Walks::kRoom; ++i) {
+        const int at = begin + (i < count ? i : count - 1);
+        const std::uint32_t* index = list.index.data() + std::size_t{list.which.data()[at]} * 3;
+        w.id[i] = list.id.data()[at];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            w.corner[k][i] = index[k];
+    }
+}
+
+HWY_INLINE Corner corner_of(const ScreenVertex* vertices, I32x8 at) {
+    static_assert(sizeof(ScreenVertex) == 16);
+    const auto* whole = reinterpret_cast<const std::int32_t*>(vertices);
+    const auto* real = reinterpret_cast<const double*>(vertices);
+    const I32x8 word = shift_left<2>(at);
+    Corner c;
+    c.x = to_f64(gather(whole, word));
+    c.y = to_f64(gather(whole + 1, word));
+    c.depth = gather(real + 1, shift_left<1>(at));
+    c.key = c.y * F64x8(0x1p26) + c.x; // |x| < 2^25
+    return c;
+}
+
+// Every operation on coordinates is exact: the rest is the plane of depth. count: of the lanes.
+HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
+                       const ScreenVertex* vertices, int count, Walks& w) {
     w.live = w.flat = w.small = 0;
     for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
         Corner v[3];
         SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            v[k] = {
-                {}, load<F64x8>(w.x[k] + i), load<F64x8>(w.y[k] + i), load<F64x8>(w.depth[k] + i)};
-            v[k].key = v[k].y * F64x8(0x1p26) + v[k].x; // |x| < 2^25
-        }
+        for (int k = 0; k < 3; ++k)
+            v[k] = corner_of(vertices, load<I32x8>(w.corner[k] + i));
         sort_two(v[0], v[1]);
         sort_two(v[1], v[2]);
         sort_two(v[0], v[1]);
@@ -145,6 +169,7 @@ HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent, Walks
         };
         w.small |= bits(blocks(w.x0, w.x1) * blocks(w.y0, w.y1) <= I32x8(4)) << i;
     }
+    w.live &= (2U << (count - 1)) - 1;
 }
 
 template <bool kUsual>
@@ -161,7 +186,7 @@ constexpr int kRegisters = BlockWalk::kSide / kLanesX8; // of a row of a block
 // What walks in lanes read of Walks: of several triangles, or of one in all lanes.
 struct WalkLanes {
     F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
-    I32x8 y0, y1;
+    I32x8 x0, y0, x1, y1;
 };
 template <class Read>
 HWY_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
@@ -191,6 +216,27 @@ struct Blocks {
     // Depth at the block's corner: base + rest; its steps a pixel.
     float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
 };
+
+// A block that the triangle covers whole, by the usual rule: the same bits as draw_rows.
+HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint32_t primitive,
+                           float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const float sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
+    F32x8 across[kRegisters];
+    SIMD_UNROLL
+    for (int r = 0; r < kRegisters; ++r)
+        across[r] = (to_f32(iota<I32x8>(r * kLanesX8)) + sample_x) * per_pixel_x;
+    const MaskX8 inside = I32x8(0) == I32x8(0);
+    float row = sample_y;
+    for (int y = 0; y < BlockWalk::kSide; ++y, row += 1.0F, depth += kTileSize, id += kTileSize) {
+        const F32x8 down_here = row * b.per_pixel_y[lane];
+        SIMD_UNROLL
+        for (int r = 0; r < kRegisters; ++r)
+            show(inside, base + (rest + (across[r] + down_here)), primitive, depth + r * kLanesX8,
+                 id + r * kLanesX8, drawn);
+    }
+}
 
 template <bool kUsual>
 HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
@@ -229,6 +275,70 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
     }
 }
 
+// Pixels of a block that a triangle's box leaves: few of them are drawn one by one, with a triangle
+// a lane, not row by row.
+constexpr int kFew = 3;
+struct Few {
+    std::uint32_t lanes; // of which this holds
+    I32x8 column, across, down;
+};
+HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end,
+                          std::uint32_t live) {
+    const I32x8 column = maximum(w.x0 - left, 0);
+    const I32x8 across = minimum(w.x1 - left, BlockWalk::kSide) - column, down = end - begin;
+    return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
+}
+
+// The same bits as draw_rows, by the usual rule.
+HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
+                         const std::uint32_t* name, float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
+    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
+    const I32x8 begin = load<I32x8>(b.begin);
+    I32x8 start[3], right[3], below[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        right[k] = load<I32x8>(b.per_x[k]);
+        below[k] = load<I32x8>(b.per_y[k]);
+        start[k] = load<I32x8>(b.first[k]) + right[k] * few.column;
+    }
+    std::int32_t corner[kLanesX8];
+    store(load<I32x8>(b.place) + begin * I32x8(kTileSize) + few.column, corner);
+    bool shows = false;
+    for (int j = 0; j < kFew; ++j) {
+        const MaskX8 in_row = I32x8(j) < few.down;
+        if ((bits(in_row) & few.lanes) == 0) break;
+        const F32x8 down_here = (to_f32(begin + j) + sample_y) * per_pixel_y;
+        I32x8 edge[3] = {start[0], start[1], start[2]};
+        for (int i = 0; i < kFew; ++i) {
+            const MaskX8 inside =
+                in_row & (I32x8(i) < few.across) & ((edge[0] | edge[1] | edge[2]) >= I32x8(0));
+            const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
+            float here[kLanesX8];
+            store(base + (rest + (across + down_here)), here);
+            for (std::uint32_t todo = bits(inside) & few.lanes; todo != 0; todo &= todo - 1) {
+                const int lane = __builtin_ctz(todo);
+                const std::ptrdiff_t place = corner[lane] + j * kTileSize + i;
+                const float z = here[lane], old = depth[place];
+                if (z > old || (z == old && name[lane] < id[place])) {
+                    depth[place] = z;
+                    id[place] = name[lane];
+                    shows = true;
+                }
+            }
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                edge[k] = edge[k] + right[k];
+        }
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            start[k] = start[k] + below[k];
+    }
+    if (shows) drawn = I32x8(-1);
+}
+
 // Their edges at a place in the pattern. Saturates at 2^29 (BlockWalk).
 HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
                             const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
@@ -248,65 +358,128 @@ HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
     }
 }
 
-// Draws the blocks (x, y) of the tile, those of `live` lanes. id_of: lane -> primitive.
-template <bool kUsual, class IdOf>
-HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y,
-                          std::uint32_t live, const IdOf& id_of, I32x8& drawn) {
+// Blocks (x, y) of the tile, one a lane, and what a triangle is at their corners.
+struct AtBlocks {
+    I32x8 left, top; // pixels in the tile
+    F64x8 edge[3], depth;
+};
+HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y) {
     constexpr int kSideBits = 3;
     static_assert(BlockWalk::kSide == 1 << kSideBits);
-    const I32x8 left = shift_left<kSideBits>(x), top = shift_left<kSideBits>(y);
-    const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(left + I32x8(tile.area.x0)));
-    const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(top + I32x8(tile.area.y0)));
+    AtBlocks at;
+    at.left = shift_left<kSideBits>(x);
+    at.top = shift_left<kSideBits>(y);
+    const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(at.left + I32x8(tile.area.x0)));
+    const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(at.top + I32x8(tile.area.y0)));
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
+    at.depth = (at.edge[0] * w.share[0] + at.edge[1] * w.share[1]) + at.edge[2] * w.share[2];
+    return at;
+}
+
+// Depth over a block is depth at its corner and up to this, each way; 2^-20 of it is far more than
+// all that is rounded on the way.
+struct Reach {
+    F64x8 back, front;
+};
+HWY_INLINE Reach reach_of(const WalkLanes& w) {
+    const F64x8 side = double{BlockWalk::kSide}, zero = 0.0;
+    return {(minimum(w.per_x, zero) + minimum(w.per_y, zero)) * side,
+            (maximum(w.per_x, zero) + maximum(w.per_y, zero)) * side};
+}
+
+// Of the live lanes those whose block the triangle may touch, and not all behind what is there.
+template <bool kUsual>
+HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
+                              std::uint32_t live) {
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
+    if (!kUsual || live == 0 || tile.farthest == nullptr) return live;
+    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
+    const I32x8 block = shift_right<3>(at.top) * I32x8(kBlocks) + shift_right<3>(at.left);
+    // Lanes that are not live may lie anywhere.
+    const I32x8 safe = minimum(maximum(block, 0), kBlocks * kBlocks - 1);
+    const F64x8 nearest = (at.depth + reach_of(w).front) * F64x8(1 + 0x1p-20);
+    return live & ~bits(to_f32(nearest) < gather(tile.farthest, safe));
+}
+
+// The blocks of these lanes are covered whole.
+HWY_INLINE void keep_farthest(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
+                              const Blocks& b, std::uint32_t lanes) {
+    if (tile.farthest == nullptr || lanes == 0) return;
+    float depth[kLanesX8];
+    store(to_f32((at.depth + reach_of(w).back) * F64x8(1 - 0x1p-20)), depth);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = __builtin_ctz(lanes);
+        constexpr int kSide = BlockWalk::kSide;
+        float& there = tile.farthest[b.place[lane] / (kTileSize * kSide) * (kTileSize / kSide) +
+                                     b.place[lane] % kTileSize / kSide];
+        if (depth[lane] > there) there = depth[lane];
+    }
+}
+
+// Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
+template <bool kUsual, bool kOne>
+HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
+                          std::uint32_t live, const std::uint32_t* id, I32x8& drawn) {
     const F64x8 zero = 0.0;
-    F64x8 corner[3];
     Double<F32x8::Tag>::DoubleMask whole[3];
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        corner[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
-        live &= bits(corner[k] + w.highest[k] >= zero);
-        whole[k] = corner[k] + w.lowest[k] >= zero;
-    }
-    if (live == 0) return;
+    for (int k = 0; k < 3; ++k)
+        whole[k] = block.edge[k] + w.lowest[k] >= zero;
+    const std::uint32_t covered = bits(whole[0]) & bits(whole[1]) & bits(whole[2]) & live;
     Blocks b;
-    const F64x8 z = (corner[0] * w.share[0] + corner[1] * w.share[1]) + corner[2] * w.share[2];
-    const F32x8 base = to_f32(z);
+    const F32x8 base = to_f32(block.depth);
     store(base, b.base);
-    store(to_f32(z - to_f64(base)), b.rest);
+    store(to_f32(block.depth - to_f64(base)), b.rest);
     store(to_f32(w.per_x), b.per_pixel_x);
     store(to_f32(w.per_y), b.per_pixel_y);
-    const I32x8 begin = maximum(w.y0 - top, 0);
+    const I32x8 begin = maximum(w.y0 - block.top, 0),
+                end = minimum(w.y1 - block.top, BlockWalk::kSide);
     store(begin, b.begin);
-    store(minimum(w.y1 - top, BlockWalk::kSide), b.end);
-    store(top * I32x8(kTileSize) + left, b.place);
+    store(end, b.end);
+    Few few{0, begin, begin, begin};
+    if constexpr (kUsual && !kOne) few = few_pixels(w, block.left, begin, end, live & ~covered);
+    store(block.top * I32x8(kTileSize) + block.left, b.place);
     std::size_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::size_t{kTileSize} * kTileSize) {
-        set_up_rows(w, corner, whole, *at, begin, b);
-        for (std::uint32_t rest = live; rest != 0; rest &= rest - 1) {
+        if (!kUsual || covered != live) set_up_rows(w, block.edge, whole, *at, begin, b);
+        if (few.lanes != 0) draw_few(b, few, *at, id, tile.depth + plane, tile.id + plane, drawn);
+        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
             const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
-            draw_rows<kUsual>(tile.rule, b, lane, *at, id_of(lane), tile.depth + first,
-                              tile.id + first, drawn);
+            const std::uint32_t name = id[kOne ? 0 : lane];
+            if (kUsual && (covered >> lane & 1) != 0)
+                draw_whole(b, lane, *at, name, tile.depth + first, tile.id + first, drawn);
+            else
+                draw_rows<kUsual>(tile.rule, b, lane, *at, name, tile.depth + first,
+                                  tile.id + first, drawn);
         }
     }
+    if constexpr (kUsual) keep_farthest(tile, w, block, b, covered);
 }
 
 // Blocks are few: those of all triangles side by side, one after the other.
 template <bool kUsual>
 HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
-                           const SnappedTriangle* t, I32x8& drawn) {
+                           I32x8& drawn) {
     WalkLanes lanes =
         walk_lanes(w, [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); });
+    lanes.x0 = load<I32x8>(w.x0 + i);
     lanes.y0 = load<I32x8>(w.y0 + i);
+    lanes.x1 = load<I32x8>(w.x1 + i);
     lanes.y1 = load<I32x8>(w.y1 + i);
-    const I32x8 x0 = shift_right<3>(load<I32x8>(w.x0 + i));
-    const I32x8 x1 = shift_right<3>(load<I32x8>(w.x1 + i) + 7);
+    const I32x8 x0 = shift_right<3>(lanes.x0), x1 = shift_right<3>(lanes.x1 + 7);
     const I32x8 y1 = shift_right<3>(lanes.y1 + 7);
-    const auto id_of = [&](int lane) { return t[i + lane].id; };
     I32x8 x = x0, y = shift_right<3>(lanes.y0);
     while (live != 0) {
-        draw_flat<kUsual>(tile, lanes, x, y, live, id_of, drawn);
+        const AtBlocks blocks = at_blocks(tile, lanes, x, y);
+        const std::uint32_t show = seen<kUsual>(tile, lanes, blocks, live);
+        if (show != 0) draw_flat<kUsual, false>(tile, lanes, blocks, show, w.id + i, drawn);
         x = x + 1;
         const MaskX8 next = x >= x1;
         x = select(next, x0, x);
@@ -320,15 +493,34 @@ template <bool kUsual>
 HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id,
                            I32x8& drawn) {
     WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
+    lanes.x0 = w.x0[i];
     lanes.y0 = w.y0[i];
+    lanes.x1 = w.x1[i];
     lanes.y1 = w.y1[i];
-    const auto id_of = [&](int) { return id; };
+    // Those that show first, then these packed: most lanes of a register have work then.
+    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
+    std::int32_t show_x[kBlocks * kBlocks + kLanesX8], show_y[kBlocks * kBlocks + kLanesX8];
+    int shown = 0;
     const int x1 = (w.x1[i] + 7) / 8, y1 = (w.y1[i] + 7) / 8;
     for (int y = w.y0[i] / 8; y < y1; ++y)
         for (int x = w.x0[i] / 8; x < x1; x += kLanesX8) {
             const int blocks = x1 - x < kLanesX8 ? x1 - x : kLanesX8;
-            draw_flat<kUsual>(tile, lanes, iota<I32x8>(x), y, (1U << blocks) - 1, id_of, drawn);
+            std::uint32_t show = seen<kUsual>(
+                tile, lanes, at_blocks(tile, lanes, iota<I32x8>(x), y), (1U << blocks) - 1);
+            for (; show != 0; show &= show - 1) {
+                show_x[shown] = x + __builtin_ctz(show);
+                show_y[shown++] = y;
+            }
         }
+    for (int k = 0; k < kLanesX8; ++k) // what the last register reads beyond
+        show_x[shown + k] = show_y[shown + k] = 0;
+    for (int k = 0; k < shown; k += kLanesX8) {
+        const std::uint32_t live =
+            shown - k < kLanesX8 ? (1U << (shown - k)) - 1 : (1U << kLanesX8) - 1;
+        const AtBlocks blocks =
+            at_blocks(tile, lanes, load<I32x8>(show_x + k), load<I32x8>(show_y + k));
+        draw_flat<kUsual, true>(tile, lanes, blocks, live, &id, drawn);
+    }
 }
 
 // A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
@@ -376,33 +568,23 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
     }
 }
 
-// The vertices of at most kRoom triangles; what is missing has no area.
-HWY_INLINE void load_vertices(const SnappedTriangle* t, int count, Walks& w) {
-    for (int i = 0; i < Walks::kRoom; ++i)
-        SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const ScreenVertex* v = i < count ? t[i].corner.data() + k : nullptr;
-        w.x[k][i] = v != nullptr ? v->x : 0;
-        w.y[k][i] = v != nullptr ? v->y : 0;
-        w.depth[k][i] = v != nullptr ? v->depth : 0;
-    }
-}
-
 template <bool kUsual>
 HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
-                         const SnappedTriangle* t, int count) {
+                         const TriangleList& list) {
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32x8 drawn = 0;
     Walks w;
-    for (int begin = 0; begin < count; begin += Walks::kRoom) {
-        load_vertices(t + begin, count - begin, w);
-        set_up(tile, extent, w);
+    const auto all = static_cast<int>(list.which.size());
+    for (int begin = 0; begin < all; begin += Walks::kRoom) {
+        const int count = all - begin < Walks::kRoom ? all - begin : Walks::kRoom;
+        load_corners(list, begin, count, w);
+        set_up(tile, extent, list.vertices.data(), count, w);
         const std::uint32_t small = w.live & w.flat & w.small;
         for (int i = 0; i < Walks::kRoom; i += kLanesX8)
-            draw_small<kUsual>(tile, w, i, small >> i & kRegister, t + begin, drawn);
+            draw_small<kUsual>(tile, w, i, small >> i & kRegister, drawn);
         for (std::uint32_t rest = w.live & ~small; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
-            const std::uint32_t id = t[begin + i].id;
+            const std::uint32_t id = w.id[i];
             if ((w.flat >> i & 1) != 0) {
                 draw_large<kUsual>(tile, w, i, id, drawn);
                 continue;
@@ -415,19 +597,19 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
     return any(!(drawn == I32x8(0)));
 }
 
-bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const SnappedTriangle* t,
-                int count) {
-    return draw_all<true>(tile, extent, t, count);
+bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
+    return draw_all<true>(tile, extent, list);
 }
-bool draw_by_rule(const TilePlanes& tile, const SampleExtent& extent, const SnappedTriangle* t,
-                  int count) {
-    return draw_all<false>(tile, extent, t, count);
+bool draw_by_rule(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
+    return draw_all<false>(tile, extent, list);
 }
 
-bool flat_alone(const SnappedTriangle& t) {
+bool flat_alone(const ScreenVertex* corners) {
     Walks w;
-    load_vertices(&t, 1, w);
-    set_up({{0, 0, kTileSize, kTileSize}, {}, nullptr, nullptr}, {}, w);
+    for (int i = 0; i < Walks::kRoom; ++i)
+        for (int k = 0; k < 3; ++k)
+            w.corner[k][i] = static_cast<std::uint32_t>(k);
+    set_up({{0, 0, kTileSize, kTileSize}, {}, nullptr, nullptr}, {}, corners, 1, w);
     return (w.flat & 1) != 0;
 }
 
@@ -440,15 +622,14 @@ SIMD_REGISTER(draw_usual);
 SIMD_REGISTER(draw_by_rule);
 SIMD_REGISTER(flat_alone);
 
-bool draw_triangles(const TilePlanes& tile, std::span<const SnappedTriangle> triangles) {
+bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles) {
     const SampleExtent extent = extent_of(tile.pattern);
-    const auto count = static_cast<int>(triangles.size());
-    return tile.rule.usual() ? SIMD_CALL(draw_usual)(tile, extent, triangles.data(), count)
-                             : SIMD_CALL(draw_by_rule)(tile, extent, triangles.data(), count);
+    return tile.rule.usual() ? SIMD_CALL(draw_usual)(tile, extent, triangles)
+                             : SIMD_CALL(draw_by_rule)(tile, extent, triangles);
 }
 
 bool near_to_flat(const SnappedTriangle& triangle) {
-    return SIMD_CALL(flat_alone)(triangle);
+    return SIMD_CALL(flat_alone)(triangle.corner.data());
 }
 
 } // namespace scanout::raster

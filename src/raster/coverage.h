@@ -23,10 +23,20 @@ struct TilePlanes {
     float* depth;
     std::uint32_t* id;
     VisibleRule rule{};
+    // By the usual rule: for each block of 8 x 8 pixels, row by row, a depth that nothing seen at
+    // its samples is farther away than; 0 where nothing is known. What is farther is not drawn.
+    float* farthest = nullptr;
+};
+
+// Triangles of a mesh that stand on the screen whole: triangle number which[i] has its corners at
+// index[3 which[i]] and the two behind it, and the name id[i].
+struct TriangleList {
+    std::span<const ScreenVertex> vertices;
+    std::span<const std::uint32_t> index, which, id;
 };
 
 // Did any of them show? Pixels of the planes beyond the area may be drawn, too.
-bool draw_triangles(const TilePlanes& tile, std::span<const SnappedTriangle> triangles);
+bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles);
 bool draw_piece(const TilePlanes& tile, const Piece& piece);
 
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23

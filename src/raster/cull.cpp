@@ -32,6 +32,53 @@ HWY_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* in
     return c;
 }
 
+// Triangles at most this many pixels wide and high are asked at every sample whether they cover it:
+// of those near the size of a pixel half do not, and no tile has to hear of them. Their samples lie
+// in one pixel more, each way, at most.
+constexpr int kTiny = 3;
+
+// Does the triangle, tiny and not without area, cover no sample of the pixels from (x0, y0) on,
+// `across` by `down` of them? Edges as in raster/primitive.h, whole numbers below 2^23.
+HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
+                             Mask32 negative, I32 x0, I32 y0, int across, int down) {
+    const I32 x[3] = {c.x[0], select(negative, c.x[2], c.x[1]), select(negative, c.x[1], c.x[2])};
+    const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
+    const I32 left = shift_left<kSubpixelBits>(x0), top = shift_left<kSubpixelBits>(y0);
+    I32 first[3], a[3], b[3]; // at the first pixel's corner, and a step of a pixel
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const int to = k == 2 ? 0 : k + 1;
+        const I32 per_x = y[k] - y[to], per_y = x[to] - x[k];
+        const Mask32 top_left = (per_x > I32(0)) | ((per_x == I32(0)) & (per_y > I32(0)));
+        first[k] = select(top_left, I32(0), I32(-1)) + per_x * (left - x[k]) + per_y * (top - y[k]);
+        a[k] = per_x;
+        b[k] = per_y;
+    }
+    I32 outside = -1; // its sign bit: at every sample so far some edge is negative
+    for (const SampleOffset* at = pattern.data(); at != pattern.data() + pattern.size(); ++at) {
+        I32 row[3], step[3], down_step[3];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k) {
+            row[k] = first[k] + a[k] * I32(at->x) + b[k] * I32(at->y);
+            step[k] = shift_left<kSubpixelBits>(a[k]);
+            down_step[k] = shift_left<kSubpixelBits>(b[k]);
+        }
+        for (int j = 0; j < down; ++j) {
+            I32 e[3] = {row[0], row[1], row[2]};
+            for (int i = 0; i < across; ++i) {
+                outside = outside & (e[0] | e[1] | e[2]);
+                SIMD_UNROLL
+                for (int k = 0; k < 3; ++k)
+                    e[k] = e[k] + step[k];
+            }
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                row[k] = row[k] + down_step[k];
+        }
+    }
+    return outside < I32(0);
+}
+
 // live: how many of the lanes are triangles.
 HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std::uint32_t first,
                            CullResult& result) {
@@ -58,6 +105,14 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const I32 x1 = minimum(end_pixel(max_x, o.extent.low.x), o.width);
     const I32 y1 = minimum(end_pixel(max_y, o.extent.low.y), o.height);
     kept = kept & (x0 < x1) & (y0 < y1);
+    const I32 across = x1 - x0, down = y1 - y0;
+    const I32 most = kTiny * kSubpixel;
+    const Mask32 tiny = kept & (max_x - min_x <= most) & (max_y - min_y <= most);
+    if (!o.pattern.empty() && any(tiny)) {
+        const bool wide = any(tiny & ((across > I32(2)) | (down > I32(2))));
+        const int side = wide ? kTiny + 1 : 2;
+        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, side, side));
+    }
 
     // Off the screen at one side with all corners, or not a number: gone without clipping.
     const I32 all_flags =
@@ -68,22 +123,17 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const Mask32 finite = (any_flags & I32(kNotFinite)) == I32(0);
     const Mask32 cut = any_off & (inside & finite);
 
+    // Lane by lane: packing registers costs more where there is no instruction for it.
     const std::uint32_t lanes = (2U << (live - 1)) - 1;
     std::uint32_t todo = bits(kept) & lanes;
     if (todo != 0) {
-        std::int32_t box[4][kLanes];
-        store(x0, box[0]);
-        store(y0, box[1]);
-        store(x1, box[2]);
-        store(y1, box[3]);
+        std::uint32_t from[kLanes], to[kLanes];
+        store(shift_left<16>(y0) | x0, from);
+        store(shift_left<16>(y1) | x1, to);
         for (; todo != 0; todo &= todo - 1) {
             const int i = __builtin_ctz(todo);
             KeptTriangle& t = result.kept.data()[result.kept_count++];
-            t.triangle = first + static_cast<std::uint32_t>(i);
-            t.x0 = static_cast<std::int16_t>(box[0][i]);
-            t.y0 = static_cast<std::int16_t>(box[1][i]);
-            t.x1 = static_cast<std::int16_t>(box[2][i]);
-            t.y1 = static_cast<std::int16_t>(box[3][i]);
+            t = {first + static_cast<std::uint32_t>(i), from[i], to[i]};
         }
     }
     for (todo = bits(cut) & lanes; todo != 0; todo &= todo - 1)
@@ -120,6 +170,10 @@ bool faces_as_wanted(const CullOptions& options, bool clockwise) {
 void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
           std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
     result.kept_count = result.cut_count = 0;
+    if (result.kept.size() < index.size() / 3) {
+        result.kept.resize(index.size() / 3);
+        result.cut.resize(index.size() / 3);
+    }
     if (index.empty()) return;
     SIMD_CALL(cull_all)
     (options, vertices.data(), index.data(), static_cast<int>(index.size() / 3), first, result);

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace scanout::raster {
 
@@ -17,25 +18,34 @@ struct CullOptions {
     Facing keep = Facing::any;
     bool mirrored = false; // front faces wind clockwise in view space
     SampleExtent extent;
+    std::span<const SampleOffset> pattern; // empty: what lies between samples is kept, too
 };
 
 // Is a triangle that winds this way on the screen (y down) kept?
 bool faces_as_wanted(const CullOptions& options, bool clockwise);
 
-// A triangle that may cover a sample, and the pixels that may hold one (x1, y1 excluded).
+// A triangle, and the pixels that may hold its samples: from (x0, y0) up to, but not with, (x1,
+// y1).
 struct KeptTriangle {
     std::uint32_t triangle;
-    std::int16_t x0, y0, x1, y1;
+    std::uint32_t from, to; // x in the low half, y in the high one
+
+    int x0() const { return static_cast<int>(from & 0xffff); }
+    int y0() const { return static_cast<int>(from >> 16); }
+    int x1() const { return static_cast<int>(to & 0xffff); }
+    int y1() const { return static_cast<int>(to >> 16); }
 };
 
-// index: three vertices each of the triangles first, first + 1, ... Appends to `kept` those on the
-// screen that have an area, face as wanted and may cover a sample, and to `cut` those that have a
-// vertex off the screen and may be seen. Both have room for all; the counts are set.
+// What is left of a list of triangles: `kept` are on the screen, have an area, face as wanted and
+// may cover a sample (those a few pixels wide: do); `cut` have a vertex off the screen and may be
+// seen. The lists grow to have room for all.
 struct CullResult {
-    std::span<KeptTriangle> kept;
-    std::span<std::uint32_t> cut;
+    std::vector<KeptTriangle> kept;
+    std::vector<std::uint32_t> cut;
     std::size_t kept_count = 0, cut_count = 0;
 };
+
+// index: three vertices each of the triangles first, first + 1, ...
 void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
           std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result);
 

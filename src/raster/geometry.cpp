@@ -6,8 +6,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <functional>
 
 namespace scanout::raster {
+
+namespace {
+constexpr int kLarge = 16; // pixels each way: some block of 8 x 8 may be covered whole
+} // namespace
 
 void Geometry::Batch::clear(int tiles, bool layers) {
     triangles_drawn = 0;
@@ -22,17 +27,33 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.pieces.clear();
             bin.segments.clear();
             bin.points.clear();
+            bin.large.clear();
         }
     }
 }
 
+void Geometry::Batch::Bin::put_large_first() {
+    if (large.empty()) return;
+    std::sort(large.begin(), large.end(), std::greater<>());
+    const std::size_t small = triangles.size();
+    triangles.resize(small + large.size());
+    std::move_backward(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(small),
+                       triangles.end());
+    std::transform(large.begin(), large.end(), triangles.begin(),
+                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+}
+
+template <class F>
+void Geometry::for_tiles(int x0, int y0, int x1, int y1, F&& f) const {
+    const int first = x0 >> tile_bits_, end = ((x1 - 1) >> tile_bits_) + 1;
+    for (int y = y0 >> tile_bits_; y <= (y1 - 1) >> tile_bits_; ++y)
+        for (int x = first; x < end; ++x)
+            f(static_cast<std::size_t>(y * across_ + x));
+}
+
 template <class F>
 void Geometry::for_tiles(const image::Rect& bounds, F&& f) const {
-    if (bounds.empty()) return;
-    for (int y = bounds.y0 / tile_size_; y <= (bounds.y1 - 1) / tile_size_; ++y)
-        for (int x = bounds.x0 / tile_size_; x <= (bounds.x1 - 1) / tile_size_; ++x)
-            f(static_cast<std::size_t>(y) * static_cast<std::size_t>(across_) +
-              static_cast<std::size_t>(x));
+    if (!bounds.empty()) for_tiles(bounds.x0, bounds.y0, bounds.x1, bounds.y1, f);
 }
 
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
@@ -40,12 +61,17 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     tile_size_ = options.tile_size;
     CHECK(std::has_single_bit(static_cast<unsigned>(tile_size_)) && tile_size_ >= 8 &&
           tile_size_ <= kTileSize);
+    tile_bits_ = std::countr_zero(static_cast<unsigned>(tile_size_));
     width_ = options.width;
     height_ = options.height;
     across_ = (width_ + tile_size_ - 1) / tile_size_;
     down_ = (height_ + tile_size_ - 1) / tile_size_;
-    cull_ = {width_, height_, options.keep, options.mirrored,
-             options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples))};
+    cull_ = {width_,
+             height_,
+             options.keep,
+             options.mirrored,
+             options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples)),
+             options.areas ? std::span<const SampleOffset>() : sample_pattern(options.samples)};
     mesh_ = &mesh;
     transform_ = transform;
     layers_.assign(options.layers.begin(), options.layers.end());
@@ -74,6 +100,10 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         add_triangles(batch, begin, end);
     });
+    jobs.for_each(tiles(), [&](int tile, int) {
+        for (Batch& batch : batches_)
+            batch.bins[static_cast<std::size_t>(tile)].put_large_first();
+    });
     if (options.triangles_only) return;
     run_all(mesh.lines(), [&](Batch& batch, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -90,25 +120,39 @@ std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
     return {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
 }
 
+void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
+    double nearest = 0;
+    for (const ScreenVertex& v : corners(t.triangle))
+        nearest = std::max(nearest, v.depth);
+    // Floats that are not negative are ordered as their bits.
+    const auto depth = std::bit_cast<std::uint32_t>(static_cast<float>(nearest));
+    const std::uint64_t key = std::uint64_t{depth} << 32 | t.triangle;
+    for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
+              [&](std::size_t tile) { batch.bins[tile].large.push_back(key); });
+}
+
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
-    batch.kept.resize(end - begin);
-    batch.cut.resize(end - begin);
-    CullResult found{batch.kept, batch.cut};
+    CullResult& found = batch.found;
     cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
-    for (const KeptTriangle& t : found.kept.first(found.kept_count)) {
+    for (std::size_t i = 0; i < found.kept_count; ++i) {
+        const KeptTriangle& t = found.kept[i];
         std::vector<Batch::Bin>* bins = &batch.bins;
         if (!layers_.empty()) {
             const Layer layer = layer_of(t.triangle);
             if (layer == Layer::nothing) continue;
             if (layer != Layer::opaque) bins = &batch.layered;
         }
-        for_tiles({t.x0, t.y0, t.x1, t.y1},
+        if (bins == &batch.bins && t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge) {
+            add_large(batch, t);
+            continue;
+        }
+        for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
                   [&](std::size_t tile) { (*bins)[tile].triangles.push_back(t.triangle); });
     }
     batch.triangles_drawn += found.kept_count;
-    for (const std::uint32_t triangle : found.cut.first(found.cut_count))
-        add_clipped(batch, triangle);
+    for (std::size_t i = 0; i < found.cut_count; ++i)
+        add_clipped(batch, found.cut[i]);
 }
 
 std::uint32_t Geometry::flags(std::uint32_t vertex) const {
@@ -218,19 +262,10 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
 }
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
-    std::array<SnappedTriangle, 64> ready;
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        std::size_t count = 0;
-        const auto flush = [&] {
-            out.draw(std::span(ready).first(count));
-            count = 0;
-        };
-        for (const std::uint32_t id : bin.triangles) {
-            ready[count++] = {corners(id), id};
-            if (count == ready.size()) flush();
-        }
-        flush();
+        if (!bin.triangles.empty())
+            out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
         for (const std::uint32_t i : bin.pieces)
             out.draw(batch.pieces[i]);
     }

@@ -73,15 +73,19 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
+            // Triangles that may cover whole blocks, by depth and id, until they are put before the
+            // others, the nearest first: they hide what comes after them.
+            std::vector<std::uint64_t> large;
+            void put_large_first();
         };
         std::vector<Bin> bins;
-        std::vector<Bin> layered;       // what is not opaque: none where everything is
-        std::vector<KeptTriangle> kept; // of one chunk
-        std::vector<std::uint32_t> cut;
+        std::vector<Bin> layered; // what is not opaque: none where everything is
+        CullResult found;         // of one chunk
         std::uint64_t triangles_drawn = 0;
         void clear(int tiles, bool layers);
     };
     void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
+    void add_large(Batch& batch, const KeptTriangle& triangle) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     Layer layer_of(std::uint32_t triangle) const {
@@ -91,9 +95,12 @@ private:
     void add_segment(Batch& batch, std::uint32_t segment) const;
     void add_point(Batch& batch, std::uint32_t point) const;
     template <class F>
+    void for_tiles(int x0, int y0, int x1, int y1, F&& f) const;
+    template <class F>
     void for_tiles(const image::Rect& bounds, F&& f) const;
 
-    int width_ = 0, height_ = 0, across_ = 0, down_ = 0, tile_size_ = kTileSize;
+    int width_ = 0, height_ = 0, across_ = 0, down_ = 0;
+    int tile_size_ = kTileSize, tile_bits_ = 0; // 1 << tile_bits_ is tile_size_
     CullOptions cull_;
     const geom::Mesh* mesh_ = nullptr;         // of the last run
     std::optional<ScreenTransform> transform_; // likewise

@@ -6,7 +6,9 @@
 #include "raster/screen.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 namespace scanout::raster {
 
@@ -19,6 +21,7 @@ void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRu
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     depth_.assign(size, 0.0F);
     id_.assign(size + 16, kNoPrimitive);
+    farthest_.fill(0);
     ground_depth_.clear();
     ground_id_.clear();
 }
@@ -35,23 +38,42 @@ bool VisibilityTile::draw(const Triangle& t) {
     return draw(std::span(&snapped, 1));
 }
 
-bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
+bool VisibilityTile::draw(const TriangleList& triangles) {
     check_lanes(triangles);
-    const bool shows =
-        draw_triangles({area_, pattern_, depth_.data(), id_.data(), rule_}, triangles);
+    const bool shows = draw_triangles(planes(), triangles);
     touched_ |= shows;
+    return shows;
+}
+
+bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
+    constexpr std::size_t kMost = 16;
+    std::array<ScreenVertex, kMost * 3> vertex;
+    std::array<std::uint32_t, kMost * 3> place;
+    std::array<std::uint32_t, kMost> id;
+    std::iota(place.begin(), place.end(), 0U);
+    bool shows = false;
+    for (; !triangles.empty(); triangles = triangles.subspan(std::min(triangles.size(), kMost))) {
+        const std::size_t count = std::min(triangles.size(), kMost);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::copy_n(triangles[i].corner.begin(), 3, vertex.data() + i * 3);
+            id[i] = triangles[i].id;
+        }
+        shows |= draw(
+            TriangleList{vertex, place, std::span(place).first(count), std::span(id).first(count)});
+    }
     return shows;
 }
 
 bool VisibilityTile::draw(const Piece& piece) {
     check_lanes(piece);
-    const bool shows = draw_piece({area_, pattern_, depth_.data(), id_.data(), rule_}, piece);
+    const bool shows = draw_piece(planes(), piece);
     touched_ |= shows;
     return shows;
 }
 
 void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels) {
     const image::Rect r = inside(pixels);
+    farthest_.fill(0);
     for (int sample = 0; sample < samples_; ++sample) {
         for (int y = r.y0; y < r.y1; ++y) {
             const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));

@@ -8,6 +8,7 @@
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@ public:
     void reset(const image::Rect& area, int samples, const VisibleRule& rule = {});
 
     // Triangles: does any of them show? Pixels beyond area() count, too.
+    bool draw(const TriangleList& triangles);
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
     bool draw(const Piece& piece);
@@ -64,6 +66,9 @@ private:
                static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
     }
     image::Rect inside(const image::Rect& bounds) const;
+    TilePlanes planes() {
+        return {area_, pattern_, depth_.data(), id_.data(), rule_, farthest_.data()};
+    }
     // Shows the primitive at one sample if it is the nearest there.
     void put(std::size_t sample, float depth, std::uint32_t id) {
         if (rule_.shows(depth, id, depth_[sample], id_[sample])) {
@@ -93,6 +98,7 @@ private:
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
+    std::array<float, (kTileSize / 8) * (kTileSize / 8)> farthest_{}; // TilePlanes
     std::vector<float> ground_depth_; // empty until lines or points come
     std::vector<std::uint32_t> ground_id_;
 };

@@ -305,6 +305,14 @@ template <class D>
 HWY_INLINE Int<D> gather(const std::int32_t* base, Int<D> index) {
     return Int<D>(hn::GatherIndex(typename Int<D>::Tag(), base, index.raw));
 }
+template <class D>
+HWY_INLINE Double<D> gather(const double* base, Int<D> index) {
+    const typename Double<D>::Tag tag;
+    const hn::RebindToSigned<decltype(tag)> wide;
+    const hn::Half<typename Int<D>::Tag> half;
+    return {hn::GatherIndex(tag, base, hn::PromoteTo(wide, hn::LowerHalf(half, index.raw))),
+            hn::GatherIndex(tag, base, hn::PromoteTo(wide, hn::UpperHalf(half, index.raw)))};
+}
 // from[0], from[3], ... into x, from[1], from[4], ... into y, and so on.
 template <class D>
 HWY_INLINE void load_interleaved(const float* from, Float<D>& x, Float<D>& y, Float<D>& z) {

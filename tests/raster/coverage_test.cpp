@@ -1,5 +1,8 @@
 // Every sample of a mesh's interior is covered exactly once: HARD-CASES P1, rows 1, 2, 3, 7.
+#include "raster/coverage.h"
 #include "raster/exactly_once.h"
+
+#include <cmath>
 
 namespace scanout::raster::test {
 namespace {
@@ -26,6 +29,62 @@ std::int64_t once_everywhere(F&& make) {
         }
     }
     return samples_seen;
+}
+
+// A tile's planes, filled by the kernel alone.
+struct Drawn {
+    static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
+    std::vector<float> depth, farthest = std::vector<float>(64, 0.0F);
+    std::vector<std::uint32_t> id;
+    int skipped = 0; // calls after which nothing had changed
+
+    Drawn(const std::vector<SnappedTriangle>& all, int samples, bool skip)
+        : depth(kPlane * static_cast<std::size_t>(samples), 0.0F),
+          id(kPlane * static_cast<std::size_t>(samples) + 16, kNoPrimitive) {
+        const TilePlanes planes{
+            {0, 0, kTileSize, kTileSize},    sample_pattern(samples), depth.data(), id.data(), {},
+            skip ? farthest.data() : nullptr};
+        const std::uint32_t corner[3] = {0, 1, 2}, first = 0;
+        for (const SnappedTriangle& t : all)
+            skipped += draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}}) ? 0 : 1;
+    }
+};
+
+// What lies behind blocks that are covered whole is not looked at: nothing may come of it but time.
+TEST(Coverage, WhatIsSkippedBehindWholeBlocksWouldNotHaveBeenSeen) {
+    Random random(77);
+    int hidden = 0, known = 0;
+    for (int round = 0; round < 400; ++round) {
+        std::vector<SnappedTriangle> all;
+        const double slope = std::ldexp(1.0, -random.whole(4, 30));
+        for (std::uint32_t i = 0; i < 60; ++i) {
+            const int size = 256 << random.whole(1, 8);
+            // Planes that nearly touch, planes that cross, ids in no order.
+            const double middle = 0.5 + random.whole(-3, 3) * slope / 4;
+            SnappedTriangle t{{}, i * 7919 % 60};
+            for (ScreenVertex& v : t.corner)
+                v = {32 * 256 + random.whole(-size, size), 32 * 256 + random.whole(-size, size),
+                     middle + random.whole(-8, 8) * slope / 64};
+            all.push_back(t);
+        }
+        const int samples = 1 << round % 3;
+        const Drawn with(all, samples, true), without(all, samples, false);
+        ASSERT_EQ(with.depth, without.depth) << round;
+        ASSERT_EQ(with.id, without.id) << round;
+        ASSERT_EQ(with.skipped, without.skipped) << round;
+        hidden += with.skipped;
+        for (std::size_t block = 0; block < 64; ++block) {
+            const float least = with.farthest[block];
+            known += least > 0 ? 1 : 0;
+            for (std::size_t s = 0; s < with.depth.size(); s += Drawn::kPlane)
+                for (std::size_t y = block / 8 * 8; y < block / 8 * 8 + 8; ++y)
+                    for (std::size_t x = block % 8 * 8; x < block % 8 * 8 + 8; ++x)
+                        ASSERT_GE(with.depth[s + y * kTileSize + x], least);
+        }
+    }
+    EXPECT_GT(hidden, 1000);
+    EXPECT_GT(known, 400 * 20);
+    record("hidden", hidden);
 }
 
 // HARD-CASES P1, rows 1 and 7

@@ -1,0 +1,131 @@
+// What culling lets through, against exact arithmetic: never less than covers a sample, and of
+// triangles a few pixels wide never more.
+#include "raster/cull.h"
+#include "raster/exact.h"
+
+#include <algorithm>
+#include <set>
+
+namespace scanout::raster::test {
+namespace {
+
+constexpr int kWidth = 61, kHeight = 47;
+
+// Does it cover a sample of a pixel of the picture, or so far beyond its edge?
+bool covers_a_sample(const Corners& v, std::span<const SampleOffset> pattern, int beyond = 0) {
+    const ExactTriangle exact(v);
+    const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+    const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+    for (int y = std::max(top >> 8, -beyond); y <= std::min(bottom >> 8, kHeight - 1 + beyond); ++y)
+        for (int x = std::max(left >> 8, -beyond); x <= std::min(right >> 8, kWidth - 1 + beyond);
+             ++x)
+            for (const SampleOffset& s : pattern)
+                if (exact.covers(x * 256 + s.x, y * 256 + s.y)) return true;
+    return false;
+}
+
+struct Soup {
+    std::vector<ScreenVertex> vertices;
+    std::vector<std::uint32_t> index;
+    std::vector<Corners> triangles;
+};
+
+// Up to `most` pixels wide and high, about the picture and beyond its edges; on the grid of
+// samples, slivers and without area among them.
+Soup soup(Random& random, int count, int most) {
+    Soup soup;
+    for (int i = 0; i < count; ++i) {
+        const Corner at{random.whole(-3 * 256, (kWidth + 3) * 256),
+                        random.whole(-3 * 256, (kHeight + 3) * 256)};
+        const int size = 1 << random.whole(5, 8), grid = i % 3 == 0 ? ~15 : ~0;
+        Corners v;
+        for (Corner& c : v)
+            c = {(at.x + random.whole(0, size) * most) & grid,
+                 (at.y + random.whole(0, size) * most) & grid};
+        if (i % 5 == 0) v[2] = {(v[0].x + v[1].x) / 2 + random.whole(-1, 1), (v[0].y + v[1].y) / 2};
+        for (const Corner& c : v) {
+            soup.index.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
+            soup.vertices.push_back({c.x, c.y, 0.5});
+        }
+        soup.triangles.push_back(v);
+    }
+    return soup;
+}
+
+std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool samples_only = true) {
+    const auto pattern = sample_pattern(samples);
+    CullResult found;
+    cull({kWidth, kHeight, keep, false, extent_of(pattern),
+          samples_only ? pattern : std::span<const SampleOffset>()},
+         soup.vertices, soup.index, 1000, found);
+    EXPECT_EQ(found.cut_count, 0U);
+    std::set<std::uint32_t> ids;
+    for (std::size_t i = 0; i < found.kept_count; ++i) {
+        const KeptTriangle& box = found.kept[i];
+        EXPECT_TRUE(box.x0() < box.x1() && box.x1() <= kWidth);
+        EXPECT_TRUE(box.y0() < box.y1() && box.y1() <= kHeight);
+        EXPECT_TRUE(ids.insert(box.triangle - 1000).second);
+    }
+    return ids;
+}
+
+TEST(Cull, KeepsOfTinyTrianglesThoseThatCoverASampleAndNoOther) {
+    Random random(31);
+    int wrong = 0, covering = 0, tested = 0;
+    for (int round = 0; round < 200; ++round) {
+        const int samples = 1 << round % 5, most = 1 + round % 3;
+        const Soup all = soup(random, 500 + round % 17, most); // the last register is not full
+        const auto left = kept(all, samples, Facing::any);
+        for (std::size_t i = 0; i < all.triangles.size(); ++i) {
+            const auto pattern = sample_pattern(samples);
+            const bool covers = covers_a_sample(all.triangles[i], pattern);
+            const bool stays = left.contains(static_cast<std::uint32_t>(i));
+            wrong += stays ? !covers_a_sample(all.triangles[i], pattern, 4) : covers;
+            covering += covers ? 1 : 0;
+            ++tested;
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(covering, tested / 10);
+    EXPECT_LT(covering, tested * 9 / 10);
+    RecordProperty("triangles", tested);
+}
+
+TEST(Cull, LosesNoTriangleThatCoversASample) {
+    Random random(32);
+    int lost = 0;
+    for (int round = 0; round < 60; ++round) {
+        const int samples = 1 << round % 5;
+        const Soup all = soup(random, 400, 3 + round % 40);
+        const auto left = kept(all, samples, Facing::any);
+        for (std::size_t i = 0; i < all.triangles.size(); ++i)
+            lost += covers_a_sample(all.triangles[i], sample_pattern(samples)) &&
+                            !left.contains(static_cast<std::uint32_t>(i))
+                        ? 1
+                        : 0;
+    }
+    EXPECT_EQ(lost, 0);
+}
+
+TEST(Cull, KeepsFrontsAndBacksApart) {
+    Random random(33);
+    const Soup all = soup(random, 5000, 3);
+    const auto any = kept(all, 4, Facing::any), front = kept(all, 4, Facing::front),
+               back = kept(all, 4, Facing::back);
+    std::set<std::uint32_t> both = front;
+    both.insert(back.begin(), back.end());
+    EXPECT_EQ(both, any);
+    EXPECT_EQ(front.size() + back.size(), any.size());
+    EXPECT_GT(front.size(), 500U);
+    EXPECT_GT(back.size(), 500U);
+}
+
+// Areas of pixels count also where no sample lies.
+TEST(Cull, WithoutSamplesKeepsWhateverTouchesAPixel) {
+    Random random(34);
+    const Soup all = soup(random, 5000, 1);
+    EXPECT_GT(kept(all, 1, Facing::any, false).size(), kept(all, 1, Facing::any).size());
+}
+
+} // namespace
+} // namespace scanout::raster::test
