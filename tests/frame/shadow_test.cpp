@@ -441,7 +441,7 @@ TEST(Shadow, OfALightWithoutSizeIsTheFilteredOneToTheBit) {
 }
 
 // Pixels that are neither dark nor bright.
-int penumbra(double size, double height) {
+int penumbra(double size, double height, int map_size = 512) {
     Shot s = shot("penumbra", 96, 96);
     s.scene.materials = {plain(Vec3(0.8F))};
     add_square(s.scene.mesh, 1, 0, 0);
@@ -452,7 +452,7 @@ int penumbra(double size, double height) {
     s.options.lights = {lamp(LightKind::directional)};
     s.options.lights[0].towards = {-0.5, 0, 1};
     s.options.lights[0].size = size;
-    s.options.shadow_size = 512;
+    s.options.shadow_size = map_size;
     int partly = 0;
     for (const double share : shares(s, "map_soft"))
         partly += share > 0.02 && share < 0.98 ? 1 : 0;
@@ -463,6 +463,63 @@ TEST(Shadow, IsSofterTheLargerTheLightAndTheFartherItFalls) {
     EXPECT_GT(penumbra(2, 0.4), penumbra(0, 0.4));
     EXPECT_GT(penumbra(4, 0.4), penumbra(2, 0.4) * 3 / 2);
     EXPECT_GT(penumbra(4, 0.8), penumbra(4, 0.4) * 3 / 2);
+}
+
+TEST(Shadow, IsAsSoftInAFineMapAsInACoarseOne) {
+    for (const double size : {4, 10}) {
+        const int coarse = penumbra(size, 0.8);
+        EXPECT_GT(coarse, 200);
+        for (const int map_size : {1024, 2048, 4096})
+            EXPECT_NEAR(penumbra(size, 0.8, map_size), coarse, 0.12 * coarse)
+                << size << ' ' << map_size;
+    }
+}
+
+// Something leans over the floor that it stands on, so steeply that its far end, high above, lies
+// next to its foot as the light sees it. All of the light is behind it: none may come in beside it.
+TEST(Shadow, IsWholeAtTheFootOfWhatLeansOverIt) {
+    Shot s = shot("leaning", 96, 96);
+    s.scene.materials = {plain(Vec3(0.8F))};
+    add_square(s.scene.mesh, 1, 0, 0);
+    add_quad(s.scene.mesh, {{{0, -0.9F, 0}, {0, 0.9F, 0}, {0.5F, 0.9F, 1}, {0.5F, -0.9F, 1}}},
+             {-0.894F, 0, 0.447F}, 0);
+    s.scene.mesh.uv.clear();
+    s.camera.projection = scene::Projection::orthographic;
+    s.camera.elevation_degrees = 25;
+    s.options.lights = {lamp(LightKind::directional)};
+    s.options.lights[0].towards = {0, 0, 1};
+    s.options.lights[0].size = 10;
+    std::vector<Shot> rim(25, s); // the same with one ray of the light's, or a little beyond
+    for (std::size_t i = 1; i < rim.size(); ++i) {
+        const double turn = std::numbers::pi * static_cast<double>(i) / 12,
+                     off = std::tan(11 * std::numbers::pi / 180);
+        rim[i].options.lights[0].towards = {off * std::cos(turn), off * std::sin(turn), 1};
+    }
+    for (const int map_size : {512, 2048}) {
+        int dark = 0, leaks = 0;
+        for (const double azimuth : {0, 45, 90, 135, 180, 225, 270, 315}) {
+            std::vector<Oracle> rays;
+            for (Shot& ray : rim) {
+                ray.camera.azimuth_degrees = azimuth;
+                rays.emplace_back(ray);
+            }
+            Shot seen = rim.front();
+            seen.options.shadow_size = map_size;
+            const std::vector<double> share = shares(seen, "map_soft");
+            for (int i = 0; i < 96 * 96; ++i) {
+                const auto lit = [&](const Oracle& o) {
+                    return o.lit(o.place(i % 96 + 0.5, i / 96 + 0.5));
+                };
+                if (share[static_cast<std::size_t>(i)] < 0) continue;
+                if (std::any_of(rays.begin(), rays.end(), lit)) continue;
+                ++dark;
+                leaks += share[static_cast<std::size_t>(i)] > 0.02 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(dark, 500);
+        // A coarse map does not know what stands within a texel of the foot.
+        EXPECT_LE(leaks, map_size > 512 ? 0 : dark / 8) << map_size << " of " << dark;
+    }
 }
 
 TEST(Shadow, TakesNoMemoryOnceThePlanNeedsNone) {

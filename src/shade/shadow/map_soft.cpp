@@ -1,8 +1,10 @@
 // Soft shadows from one map: the mean depth of what may hide the receiver tells how wide the
 // penumbra is, and a disc (a square light: a square) of that width is asked. Fernando,
-// "Percentage-Closer Soft Shadows", 2005. A light without size, and penumbrae narrower than the
-// filter of map_pcf, are those of map_pcf to the bit. Its parts: this kernel, and the pass that
-// draws the map (frame/shadow_maps.h).
+// "Percentage-Closer Soft Shadows", 2005. Other than there, only what stands between the receiver
+// and some point of the light counts in the mean: a wall that leans away from the receiver would
+// else widen the penumbra by its far end, and let light through beside its near one. A light
+// without size, and penumbrae narrower than the filter of map_pcf, are those of map_pcf to the bit.
+// Its parts: this kernel, and the pass that draws the map (frame/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map_soft.cpp"
@@ -32,35 +34,60 @@ struct Lattice {
 };
 constexpr Lattice kSquare(false), kDisc(true);
 
-constexpr float kWidest = 64; // texels: no radius is larger
+// The search must see a penumbra of two texels as well as one of two hundred: its points lie the
+// closer together the nearer they are to the middle, by the square of the distance.
+constexpr Lattice drawn_in(const Lattice& even) {
+    Lattice points = even;
+    for (int i = 0; i < points.count; ++i) {
+        const float x = points.x[i], y = points.y[i], ax = x < 0 ? -x : x, ay = y < 0 ? -y : y;
+        const float far = ax > ay ? ax : ay;
+        points.x[i] = x * far;
+        points.y[i] = y * far;
+    }
+    return points;
+}
+constexpr Lattice kSquareSearch = drawn_in(kSquare), kDiscSearch = drawn_in(kDisc);
 
 HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
     return texel(m, r, texel_of(r.x + dx), texel_of(r.y + dy));
 }
 
-HWY_INLINE F32x8 radius(float texels, F32x8 depth) {
-    return minimum(F32x8(texels) * maximum(depth, F32x8(0.0F)), F32x8(kWidest));
+// No wider than the map is from its middle.
+HWY_INLINE F32x8 radius(const ShadowMap& m, float texels, F32x8 depth) {
+    return minimum(F32x8(texels) * maximum(depth, F32x8(0.0F)), F32x8(m.half));
 }
+
+// Is what lies so far aside, at this depth, seen before the light? A texel more, each way, for what
+// stands in it.
+HWY_INLINE Mask<F32x8::Tag> before_light(const ShadowMap& m, bool square, F32x8 dx, F32x8 dy,
+                                         F32x8 depth) {
+    const F32x8 one = 1.0F, x = dx / (radius(m, m.soft_x, depth) + one),
+                y = dy / (radius(m, m.soft_y, depth) + one);
+    return square ? (abs(x) <= one) & (abs(y) <= one) : x * x + y * y <= one;
+}
+
+constexpr float kNone = 0x1p100F; // nothing hides the receiver
 
 HWY_INLINE F32x8 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
                              int filter) {
     const F32x8 sharp = hidden_square(m, r, filter);
     if (!shadow.soft) return sharp;
-    const Lattice& lattice = shadow.shape == scene::LightShape::square ? kSquare : kDisc;
+    const bool square = shadow.shape == scene::LightShape::square;
+    const Lattice& lattice = square ? kSquare : kDisc;
+    const Lattice& search = square ? kSquareSearch : kDiscSearch;
     // Nothing hides the receiver from farther away than what is nearest to the light would.
     const F32x8 most = F32x8(m.nearest) - r.depth;
-    const F32x8 search_x = radius(m.soft_x, most), search_y = radius(m.soft_y, most);
-    F32x8 found = 0.0F, sum = 0.0F;
-    for (int i = 0; i < lattice.count; ++i) {
-        const Texel t =
-            texel_at(m, r, search_x * F32x8(lattice.x[i]), search_y * F32x8(lattice.y[i]));
-        const F32x8 hides = hidden(t);
-        found = found + hides;
-        sum = sum + hides * t.depth;
+    const F32x8 search_x = radius(m, m.soft_x, most), search_y = radius(m, m.soft_y, most);
+    F32x8 lowest = kNone;
+    for (int i = 0; i < search.count; ++i) {
+        const F32x8 dx = search_x * F32x8(search.x[i]), dy = search_y * F32x8(search.y[i]);
+        const Texel t = texel_at(m, r, dx, dy);
+        const F32x8 above = t.depth - r.depth;
+        const auto hides = (t.depth > t.own) & before_light(m, square, dx, dy, above);
+        lowest = minimum(lowest, select(hides, above, F32x8(kNone)));
     }
-    const F32x8 one = 1.0F, mean = sum / maximum(found, one) - r.depth;
-    const F32x8 wide_x = radius(m.soft_x, mean), wide_y = radius(m.soft_y, mean);
-    const auto wide = (found > F32x8(0.0F)) &
+    const F32x8 wide_x = radius(m, m.soft_x, lowest), wide_y = radius(m, m.soft_y, lowest);
+    const auto wide = (lowest < F32x8(kNone)) &
                       (maximum(wide_x, wide_y) > F32x8(0.5F * static_cast<float>(filter)));
     if (!any(wide)) return sharp;
     F32x8 hides = 0.0F;
