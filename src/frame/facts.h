@@ -51,7 +51,7 @@ struct SceneFacts {
     shade::MapBits readable_maps = 0;   // some material has it, whatever it holds
     std::size_t emitting_triangles = 0; // Ke above 0
     std::vector<TexturedSurface> textured_surfaces;
-    float brightest = 0; // Kd times vertex colour: no primitive reflects more; at most 1
+    float brightest = 1; // Kd times vertex colour: no primitive reflects more; at most 1
     Ground ground;
 
     // The effects that are a matter of the material, by their name in the plan: which materials

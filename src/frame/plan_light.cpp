@@ -10,7 +10,13 @@
 namespace scanout::frame {
 namespace {
 
-constexpr const char* kNothingLit = "nothing is lit: there are no triangles";
+// Why no light shows on anything; null where some does.
+const char* why_unlit(const SceneFacts& facts) {
+    if (facts.triangles == 0) return "nothing is lit: there are no triangles";
+    if (facts.brightest <= 0 && facts.specular_triangles == 0)
+        return "nothing reflects light: Kd and Ks are black everywhere";
+    return nullptr;
+}
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
@@ -25,10 +31,11 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
             names += (names.empty() ? "" : ", ") + light.name;
             shining.push_back(light);
         }
-        const bool lit = facts.triangles > 0;
+        const char* const unlit = why_unlit(facts);
+        const bool lit = unlit == nullptr;
         const std::string because = shining.empty()
                                         ? fmt::format("there is no {} light", name_of(kind))
-                                    : !lit ? kNothingLit
+                                    : !lit ? unlit
                                            : fmt::format("{} light{}: {}", shining.size(),
                                                          shining.size() == 1 ? "" : "s", names);
         const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
@@ -109,7 +116,7 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                 const scene::View& view) {
     const std::size_t leaning = facts.sides.leaning;
     auto [needed, because] =
-        facts.triangles == 0        ? std::pair(false, std::string(kNothingLit))
+        why_unlit(facts) != nullptr ? std::pair(false, std::string(why_unlit(facts)))
         : !has_directed_light(plan) ? std::pair(false, std::string(kNoDirection))
         : leaning > 0
             ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
@@ -127,6 +134,15 @@ bool shadows_itself(const SceneFacts& facts, Cull cull, const scene::View& view)
     const MeshSides& sides = facts.sides;
     if (sides.flat) return false;
     return !sides.convex || cull == Cull::front || backs_in_view(sides, view) != Backs::none;
+}
+
+// Is some triangle neither blended, as things stand, nor clear?
+bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
+    const auto asked = options.effects.find("blending");
+    const bool blends =
+        options.transparency != "cut_out" && (asked == options.effects.end() || asked->second);
+    return facts.alpha.unseen_triangles + (blends ? facts.alpha.blended_triangles : 0) <
+           facts.triangles;
 }
 
 // Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
@@ -148,18 +164,20 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     const bool floor = name != "projected" || facts.ground.triangles > 0;
     const bool falls = name == "attached" || shadows_itself(facts, plan.options.cull, view);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
+    const bool throws = name == "attached" || something_throws(plan.options, facts);
     std::string because =
-        facts.triangles == 0 ? kNothingLit
-        : casting == 0       ? "no light that reaches anything casts shadows"
-        : !falls             ? "the model is flat or convex: it throws none on itself"
-        : !at_pixels         ? fmt::format("they need light at pixels, and --shading {} has it not",
-                                           shading.card.name)
+        why_unlit(facts) != nullptr ? why_unlit(facts)
+        : casting == 0              ? "no light that reaches anything casts shadows"
+        : !throws                   ? "every triangle is blended or clear, and those throw none"
+        : !falls                    ? "the model is flat or convex: it throws none on itself"
+        : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
+                                   shading.card.name)
         : !floor && facts.ground.asked
             ? "no triangle lies in the plane of --shadow-plane, to project shadows onto"
         : !floor
             ? "no triangle lies flat on a side of the model's box, to project shadows onto"
             : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
-    const bool possible = casting > 0 && facts.triangles > 0 && falls && floor && at_pixels;
+    const bool possible = casting > 0 && throws && falls && floor && at_pixels;
     if (possible && sized > 0) because += fmt::format("; {} with a size", sized);
     if (possible && facts.alpha.blended_triangles > 0)
         because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
@@ -195,11 +213,12 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, *shading));
     const bool directed = has_directed_light(plan);
-    planner.choice("shading", facts.triangles > 0 ? name : "off", asked,
-                   facts.triangles == 0 ? kNothingLit
-                   : !directed          ? kNoDirection
-                                        : fmt::format("{} triangles are lit", facts.triangles),
-                   facts.triangles > 0);
+    const bool lit = why_unlit(facts) == nullptr;
+    planner.choice("shading", lit ? name : "off", asked,
+                   !lit        ? why_unlit(facts)
+                   : !directed ? kNoDirection
+                               : fmt::format("{} triangles are lit", facts.triangles),
+                   lit);
     planner.stage("shading", name);
     // Nothing reads them, unless highlights are forced on.
     const bool normals = directed || plan.decision("highlight")->on() || shading->needs.corners;

@@ -44,10 +44,15 @@ std::size_t Layers::bytes() const {
            of(at_sample_) + (composed_ != nullptr ? composed_->bytes() : 0);
 }
 
-void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& in,
+// Alpha is that of the texture itself: in smaller ones the means of holes and threads are all above
+// the threshold somewhere, or all below it, and the whole surface would vanish in the distance.
+void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
                      raster::VisibilityTile& visibility) {
     geometry.layered(tile, raster::Layer::cut_out, triangles_);
     if (triangles_.empty()) return;
+    const MipChains none;
+    GatherInput in = input;
+    in.mips = &none;
     probe_.reset(visibility);
     candidates_.clear();
     lanes_.begin(in, AlphaLanes::At::sample, alpha_);

@@ -192,6 +192,7 @@ TEST(Plan, KnowsWhatIsAskedOfItInVain) {
 TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
     SceneFacts facts;
     facts.triangles = 10;
+    facts.brightest = 0.2F;
     FrameOptions options;
     const auto add = [&](scene::LightKind kind, double power) {
         options.lights.push_back(test::light_of(kind, power));
@@ -223,6 +224,39 @@ TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
     wires.lines = 5;
     EXPECT_THAT(stages(plan_of(wires)),
                 ElementsAre("interpolate perspective", "shading per_pixel"));
+}
+
+TEST(Plan, LightsNothingThatReflectsNone) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    facts.brightest = 0; // Kd is black
+    EXPECT_TRUE(plan_of(facts, {}).lights.empty());
+    for (const char* row : {"ambient_light", "directional_light", "two_sided", "shadow", "shading"})
+        EXPECT_FALSE(plan_of(facts, {}).decision(row)->on()) << row;
+    EXPECT_THAT(to_string(*plan_of(facts, {}).decision("directional_light")),
+                HasSubstr("Kd and Ks are black"));
+    facts.specular_triangles = 1;
+    EXPECT_FALSE(plan_of(facts, {}).lights.empty());
+    facts.specular_triangles = 0;
+    facts.brightest = 0.01F;
+    EXPECT_FALSE(plan_of(facts, {}).lights.empty());
+}
+
+TEST(Plan, DrawsNoShadowMapOfWhatThrowsNoShadow) {
+    SceneFacts facts;
+    facts.triangles = 10;
+    facts.alpha.blended_triangles = 8;
+    facts.alpha.unseen_triangles = 2;
+    FrameOptions options;
+    options.lights = {test::light_of(scene::LightKind::point, 1)};
+    options.lights[0].casts = true;
+    const auto shadow = [&] { return to_string(*plan_of(facts, options).decision("shadow")); };
+    EXPECT_THAT(shadow(), StartsWith("shadow off: every triangle is blended or clear"));
+    options.effects = {{"blending", false}}; // then they are opaque
+    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf"));
+    options.effects.clear();
+    facts.alpha.blended_triangles = 7;
+    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf"));
 }
 
 TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {

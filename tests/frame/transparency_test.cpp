@@ -220,6 +220,26 @@ TEST(Transparency, CutOutSamplesAreThoseOfTheOpaqueTexelsAlone) {
     }
 }
 
+// Threads and holes far finer than a pixel: pixels show the one or the other, in the shares that
+// the texture has, and the surface does not vanish, as means below the threshold would have it.
+TEST(Transparency, CutOutKeepsItsShareWhereItIsMinified) {
+    constexpr int kOpaque = 112; // of 256 texels, 44 %
+    image::Image fence(16, 16, {99, 150, 200, 0});
+    for (std::size_t i = 0; i < 256; ++i)
+        if (i % 4 == 0 || i / 16 % 4 == 0) fence.pixels()[i].a = 255;
+    for (const float turns : {0.5F, 5.9F, 21.9F, 43.7F}) { // 0.17 to 15 texels a pixel
+        Shot s = shot("fence");
+        s.scene.textures = {{"fence", fence}};
+        s.scene.materials = {textured(0)};
+        const image::Image empty = draw_in_pixels(s);
+        add_rectangle(s.scene.mesh, 8, 8, 56, 56, 0, 0, 0);
+        for (Vec2& uv : s.scene.mesh.uv)
+            uv = uv * turns;
+        const auto shown = image::compare(draw_in_pixels(s), empty).differing_pixels;
+        EXPECT_NEAR(static_cast<double>(shown) / (48 * 48), kOpaque / 256.0, 0.06) << turns;
+    }
+}
+
 TEST(Transparency, WhatIsNotCalledForHoldsNoMemory) {
     frame::FrameStats stats;
     draw(solids("opaque"), {.stats = &stats});

@@ -1,7 +1,8 @@
 // Cut out: a sample shows the surface where its alpha, evaluated there, reaches a threshold; depth
 // is written only then, so that nothing has to be sorted. Exact where alpha is 0 or 1 and nothing
-// between; else its error is what it leaves out: up to half of any colour. The alpha test of
-// GL, 1992; [C 1.6].
+// between, far away, too: alpha is read from the texture itself, never from a smaller one, so that
+// threads and holes finer than a pixel keep their share on average. Else its error is what it
+// leaves out: up to half of any colour. The alpha test of GL, 1992; [C 1.6].
 #include "shade/transparency.h"
 
 namespace scanout::shade::transparency {
