@@ -18,7 +18,7 @@ FRAMES = { # name: what `scanout render` draws
     "textured": "models/spot/spot.obj --camera 150,20",
     "samples": "models/spot/spot.obj --camera 150,20 --samples 8",
     "highlights": "models/rabbit/rabbit.obj --camera 30,10",
-    "shadows": "models/cornell_box/cornell_box.obj --camera 180,0 --light point:0.28,0.5,0.28:shadow=on --shadow volume",
+    "shadows": "models/cornell_box/cornell_box.obj --camera 180,0 --light point:278,500,280 --shadow volume",
     "layers": "models/knot/knot.obj --view iso --effect blending=on --transparency exact",
 }
 GROWTH = 1.02

@@ -4,12 +4,13 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/model_file.h"
+#include "app/progress_bar.h"
 #include "app/report.h"
 #include "base/check.h"
-#include "base/stopwatch.h"
 #include "simd/targets.h"
 
-#include <unistd.h>
+#include <optional>
+#include <utility>
 
 namespace scanout::app {
 namespace {
@@ -28,25 +29,19 @@ Result<void> check(const Settings& s) {
 
 Result<Exit> run_explain(const Settings& settings) {
     TRY_VOID(check(settings));
-    TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
+    Jobs jobs(settings.threads);
+    TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings, jobs));
     TRY(const scene::View view,
         scene::make_view(model.scene.mesh, settings.model, {}, settings.camera, {},
                          settings.frame.width, settings.frame.height));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
-    Jobs jobs(settings.threads);
-    const bool talks = !settings.quiet && ::isatty(STDERR_FILENO) == 1;
-    const Stopwatch watch;
-    bool shown = false;
+    std::optional<ProgressBar> bar(std::in_place, "explaining " + model.scene.path, settings.quiet);
     measure::ExplainOptions how;
     how.times = !settings.no_times;
-    how.progress = [&](double share) {
-        if (!talks || watch.milliseconds() < 1000) return;
-        shown = true;
-        say_over(fmt::format("explaining {} {:3.0f} %", model.scene.path, share * 100));
-    };
+    how.progress = [&](double share) { bar->show(share); };
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));
-    if (shown) say_over("");
+    bar.reset();
     print_warnings(explanation.in_vain, settings);
     model.warnings.insert(model.warnings.end(), explanation.in_vain.begin(),
                           explanation.in_vain.end());

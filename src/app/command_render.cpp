@@ -99,11 +99,15 @@ private:
 
     Result<void> write(const image::Image& picture, int index, RunReport& report) {
         const Stopwatch watch;
-        const bool raw = format_ == PictureFormat::raw;
-        TRY(const image::Bytes bytes,
-            settings_.pixel_format && !raw
-                ? encode(displayed(picture, settings_), format_, settings_.pixel_format)
-                : encode(picture, format_, settings_.pixel_format));
+        // What a display shows goes into its bytes and comes out of them unchanged.
+        const image::Image* written = &picture;
+        image::Image shown;
+        if (const auto& display = settings_.pixel_format;
+            display && (format_ != PictureFormat::raw || dithers_unasked(settings_, *display))) {
+            shown = displayed(picture, settings_);
+            written = &shown;
+        }
+        TRY(const image::Bytes bytes, encode(*written, format_, settings_.pixel_format));
         if (index == 0) report.encode_ms = watch.milliseconds();
         const std::string path = numbered(settings_.output, index, pictures(settings_));
         TRY_VOID(write_picture(path, bytes));
@@ -125,10 +129,11 @@ private:
 Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     TRY(const PictureFormat format, check(settings));
     TRY_VOID(check_files(settings));
-    TRY(const LoadedModel model, load_model_with_messages(settings.arguments.front(), settings));
+    Jobs jobs(settings.threads);
+    TRY(const LoadedModel model,
+        load_model_with_messages(settings.arguments.front(), settings, jobs));
     const frame::SceneFacts facts = frame::facts(model.scene, settings.frame.shadow_plane);
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
-    Jobs jobs(settings.threads);
     RunReport report;
     report.model_path = model.scene.path;
     report.counts = model.scene.counts;

@@ -187,8 +187,8 @@ ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t 
                    letters, lines, page);
 }
 
-ScreenPage plan_lines(const frame::FramePlan& plan, std::size_t letters, std::size_t lines,
-                      std::size_t page) {
+ScreenPage plan_lines(const frame::FramePlan& plan, bool measures, std::size_t letters,
+                      std::size_t lines, std::size_t page) {
     std::size_t effect = 0, runs = 0;
     for (const frame::Decision& d : plan.decisions) {
         effect = std::max(effect, d.effect.size());
@@ -203,7 +203,9 @@ ScreenPage plan_lines(const frame::FramePlan& plan, std::size_t letters, std::si
             entry_of(line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")),
                      effect + runs + 4, letters));
     return page_of(line(kHeads[0], kHeads[1], kHeads.back()), entries,
-                   "costs and changes: when the picture stands still", letters, lines, page);
+                   measures ? "costs and changes: when the picture stands still"
+                            : "costs and changes are not measured: no clock is shown",
+                   letters, lines, page);
 }
 
 } // namespace scanout::app

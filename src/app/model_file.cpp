@@ -2,39 +2,35 @@
 
 #include "app/files.h"
 #include "app/message.h"
+#include "app/progress_bar.h"
 #include "base/stopwatch.h"
 #include "io/load.h"
 
-#include <unistd.h>
-
 namespace scanout::app {
 
-Result<LoadedModel> load_model(const std::string& path,
+Result<LoadedModel> load_model(const std::string& path, Jobs& jobs,
                                const std::function<bool(double)>& progress) {
     TRY_VOID(check_readable(path));
     const Stopwatch watch;
     Warnings warnings;
     io::LoadOptions options;
     options.progress = progress;
+    options.jobs = &jobs;
     io::LoadTimes times;
     options.times = &times;
     TRY(scene::Scene scene, io::load(path, options, warnings));
     return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times};
 }
 
-Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings) {
-    const bool talks = !settings.quiet && ::isatty(STDERR_FILENO) == 1;
-    const Stopwatch watch;
-    int shown = -1;
-    Result<LoadedModel> model = load_model(path, [&](double share) {
-        const int percent = static_cast<int>(share * 100);
-        if (talks && watch.milliseconds() > 1000 && percent != shown) {
-            shown = percent;
-            say_over(fmt::format("reading {} {:3} %", path, percent));
-        }
-        return true;
-    });
-    if (shown >= 0) say_over("");
+Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,
+                                             Jobs& jobs) {
+    Result<LoadedModel> model = [&] {
+        ProgressBar bar("reading " + path, settings.quiet);
+        return load_model(path, jobs, [&](double share) {
+            bar.show(share);
+            return true;
+        });
+    }();
     if (model) print_warnings(model->warnings, settings);
     return model;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/settings.h"
+#include "base/jobs.h"
 #include "base/result.h"
 #include "base/warnings.h"
 #include "io/load.h"
@@ -20,13 +21,14 @@ struct LoadedModel {
     io::LoadTimes load_times; // its parts
 };
 
-// `progress` is called with the share that is read; false cancels.
-Result<LoadedModel> load_model(const std::string& path,
+// `progress` is called with the share of the work that is done; false cancels.
+Result<LoadedModel> load_model(const std::string& path, Jobs& jobs,
                                const std::function<bool(double)>& progress);
 
-// As load_model, with a progress line on standard error when it is a terminal and loading takes
+// As load_model, with a progress bar on standard error when it is a terminal and loading takes
 // over a second, and the warnings printed; neither with --quiet.
-Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings);
+Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,
+                                             Jobs& jobs);
 
 void print_warnings(const std::vector<std::string>& warnings, const Settings& settings);
 

@@ -138,6 +138,7 @@ Result<void> read_light(Settings& s, std::string_view text) {
 Result<void> read_pixel_format(Settings& s, std::string_view text) {
     TRY(s.pixel_format, image::pixel_format(text));
     s.pixel_format_name = text;
+    s.frame.bits = image::fewest_bits(*s.pixel_format);
     return {};
 }
 
@@ -190,7 +191,7 @@ const std::array kOptions = std::to_array<Option>({
      "#rrggbb or a name (black white grey slate red green blue sky transparent)"},
     {"cull", 0, "", "none back front", "none", 0, 0, Group::picture, kDraw,
      Choice([](Settings& s, std::size_t i) { s.frame.cull = static_cast<frame::Cull>(i); }),
-     "leave out the faces that are seen from behind, or from the front"},
+     "leave out the faces that are seen from behind, or from the front (`list techniques`)"},
     {"interpolate", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.interpolate; }),
      "how often what triangles carry is divided by distance (`list techniques`)"},
@@ -245,7 +246,8 @@ const std::array kOptions = std::to_array<Option>({
      "how light becomes codes (`list techniques`)"},
     {"dither", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.dither; }),
-     "how light between two codes is shown (`list techniques`); auto is the nearest"},
+     "how light between two codes is shown (`list techniques`); auto: none in 8 bits, bayer where "
+     "the display (or --pixel-format) has fewer"},
 
     {"shading", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.shading; }),

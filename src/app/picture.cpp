@@ -86,8 +86,16 @@ Result<PictureFormat> picture_format(const std::string& path, PictureFormat aske
                 path);
 }
 
+bool dithers_unasked(const Settings& settings, const image::PixelFormat& format) {
+    return settings.frame.dither == "none" && image::fewest_bits(format) < 8;
+}
+
 image::Image displayed(const image::Image& picture, const Settings& settings) {
-    return settings.pixel_format ? image::as_displayed(*settings.pixel_format, picture) : picture;
+    if (!settings.pixel_format) return picture;
+    const image::PixelFormat& format = *settings.pixel_format;
+    return image::as_displayed(format, dithers_unasked(settings, format)
+                                           ? image::without_dither(format, picture)
+                                           : picture);
 }
 
 Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,

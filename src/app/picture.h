@@ -19,6 +19,10 @@ std::optional<PictureFormat> format_of_name(std::string_view path);
 // Exit::usage when neither says it, or when they say different things.
 Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked);
 
+// A display of this format would dither what --dither none says must not be: it has to be given
+// image::without_dither() of the picture.
+bool dithers_unasked(const Settings& settings, const image::PixelFormat& format);
+
 // The picture as the display of --pixel-format shows it; unchanged without one.
 image::Image displayed(const image::Image& picture, const Settings& settings);
 

@@ -260,7 +260,7 @@ Result<void> ViewSession::load(bool again) {
     const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
     load_start_ = std::chrono::steady_clock::now();
     Result<LoadedModel> model =
-        load_model(path, [this](double share) { return report_progress(share); });
+        load_model(path, parts_.jobs, [this](double share) { return report_progress(share); });
     if (quit_) return {};
     ++generation_;
     explainer_.reset(); // of a model that is going
@@ -281,7 +281,7 @@ Result<void> ViewSession::load(bool again) {
     // Options that no technique answers to, and cameras that see nothing, are faults of the
     // command.
     TRY(const scene::View view, viewer_.view(model_->scene.mesh));
-    TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
+    TRY(const frame::FramePlan plan, frame::plan(options(), facts_, view));
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
@@ -367,13 +367,14 @@ ScreenPage ViewSession::explain_page() const {
     const auto page = static_cast<std::size_t>(state.explain);
     if (explains_this()) return screen_table(explainer_->so_far(), rows_, letters, lines, page);
     const auto now = model_ ? plan() : fail(Exit::internal, "no model");
-    return now ? plan_lines(*now, letters, lines, page) : ScreenPage();
+    return now ? plan_lines(*now, !steady_, letters, lines, page) : ScreenPage();
 }
 
 frame::FrameOptions ViewSession::options() const {
     frame::FrameOptions options = settings_.frame;
     options.width = background_.width();
     options.height = background_.height();
+    options.bits = image::fewest_bits(parts_.display.info().format);
     options.cull = viewer_.state().look.cull;
     options.lights = viewer_.lights(model_->scene.mesh);
     return options;
@@ -458,14 +459,23 @@ Result<void> ViewSession::draw(const Shown& wanted) {
     shown_ = wanted;
     repaint_ = false;
     if (const auto file = std::exchange(frame_file_, std::nullopt))
-        TRY_VOID(log_.dump(composer_.frame(), *file));
+        TRY_VOID(log_.dump(frame(), *file));
     return {};
+}
+
+// What the display is given.
+const image::Image& ViewSession::frame() {
+    const image::PixelFormat& format = parts_.display.info().format;
+    if (!dithers_unasked(settings_, format)) return composer_.frame();
+    undithered_ = image::without_dither(format, composer_.frame());
+    return undithered_;
 }
 
 Result<void> ViewSession::present() {
     const std::vector<image::Rect> damage = composer_.take_damage();
-    TRY_VOID(parts_.display.present(composer_.frame(), damage));
-    log_.presented(composer_.frame(), renderer_.stats());
+    const image::Image& shown = frame();
+    TRY_VOID(parts_.display.present(shown, damage));
+    log_.presented(shown, renderer_.stats());
     if (parts_.display.ready()) log_.reached();
     return {};
 }

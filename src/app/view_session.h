@@ -93,6 +93,7 @@ private:
     Result<void> explain_a_row();
     bool explains_this() const;
     Result<void> render();
+    const image::Image& frame();
     Result<void> present();
     Result<void> draw_if_due(Time now);
     Result<void> wait();
@@ -123,7 +124,8 @@ private:
     Shown shown_;
     image::Image background_;
     const image::Image* picture_ = nullptr;
-    bool in_view_ = true; // the picture shows some of the model
+    image::Image undithered_; // of a display that would dither; else empty
+    bool in_view_ = true;     // the picture shows some of the model
 
     // What each effect costs and changes, found out while nothing else happens, for what is shown.
     std::unique_ptr<measure::Explainer> explainer_;

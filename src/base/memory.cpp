@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include <malloc.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
@@ -36,6 +37,10 @@ void release_pages(void* begin, std::size_t bytes) {
     std::byte* pages =
         static_cast<std::byte*>(begin) + (first - reinterpret_cast<std::uintptr_t>(begin));
     ::madvise(pages, last - first, MADV_DONTNEED);
+}
+
+void release_freed() {
+    ::malloc_trim(0);
 }
 
 } // namespace scanout

@@ -20,4 +20,7 @@ void release(std::vector<T>& values) {
 // the place: for large arrays whose start is done with. What stood there reads as zeros afterwards.
 void release_pages(void* begin, std::size_t bytes);
 
+// Gives the memory of small blocks that were freed back to the machine, wherever it lies.
+void release_freed();
+
 } // namespace scanout

@@ -95,7 +95,9 @@ AlphaFacts alpha_facts(const scene::Scene& scene) {
         facts.cut_out_materials += cut ? 1 : 0;
         facts.blended_materials += blended ? 1 : 0;
         facts.unseen_materials += unseen ? 1 : 0;
-        if (blended) facts.least_d = std::min(facts.least_d, m.opacity);
+        if (!blended) continue;
+        facts.least_d = std::min(facts.least_d, m.opacity);
+        facts.blended_by_maps += m.opacity < 1 ? 0 : 1;
     }
     return facts;
 }

@@ -1,89 +1,190 @@
 #include "frame/in_vain.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <fmt/format.h>
 
 namespace scanout::frame {
 namespace {
 
+using Lines = std::vector<std::string>;
+
+bool asked_on(const FrameOptions& o, std::string_view effect) {
+    const auto asked = o.effects.find(effect);
+    return asked != o.effects.end() && asked->second;
+}
+// The scene calls for it, and the user takes it out.
+bool taken_out(const FramePlan& plan, std::string_view effect) {
+    const Decision* d = plan.decision(effect);
+    return d->needed && !d->on();
+}
+// Why it is off: by the user's word, or by the scene's facts.
+std::string why_off(const FramePlan& plan, std::string_view effect, std::string otherwise) {
+    if (!taken_out(plan, effect)) return otherwise;
+    return fmt::format("--effect {}=off leaves it out; give one of the two", effect);
+}
+std::string nothing(const std::string& option, const std::string& because) {
+    return fmt::format("{} changes nothing: {}", option, because);
+}
+
 // Effects that are forced on, and a shadow that has a name.
-bool is_in_vain(const FrameOptions& o, const Decision& d) {
-    if (d.choice || d.needed) return false;
-    return d.forced ? d.on() : d.effect == "shadow" && o.shadow != "auto";
+void add_effect(const FramePlan& plan, const Decision& d, Lines& lines) {
+    const FrameOptions& o = plan.options;
+    const bool on = asked_on(o, d.effect);
+    if (d.effect == "shadow" && o.shadow != "auto" && !(d.needed && d.on()))
+        lines.push_back(taken_out(plan, "shadow")
+                            ? nothing("--shadow " + o.shadow, why_off(plan, "shadow", ""))
+                            : to_string(d));
+    else if (on && !d.on())
+        lines.push_back(nothing(fmt::format("--effect {}=on", d.effect), d.because));
+    else if (on && d.forced && !d.needed)
+        lines.push_back(to_string(d));
+}
+
+// Effects that are on in name alone, for what another option says.
+void add_contradictions(const FramePlan& plan, Lines& lines) {
+    const FrameOptions& o = plan.options;
+    const struct {
+        std::string_view effect;
+        bool in_vain;
+        std::string because;
+    } rows[] = {
+        {"shadow", o.shadow == "attached", "--shadow attached throws none; say another, or auto"},
+        {"highlight", o.reflection == "lambert",
+         "--reflection lambert has none; say another, or auto"},
+        {"mipmaps", o.texture == "nearest" || o.texture == "bilinear",
+         fmt::format("--texture {} reads none; say another, or auto", o.texture)},
+        {"blending", o.transparency == "cut_out",
+         "--transparency cut_out blends nothing; say another, or auto"}};
+    for (const auto& row : rows) {
+        if (!row.in_vain || !asked_on(o, row.effect) || !plan.decision(row.effect)->on()) continue;
+        // The contradiction is the better reason.
+        lines.erase(std::remove(lines.begin(), lines.end(), to_string(*plan.decision(row.effect))),
+                    lines.end());
+        lines.push_back(nothing(fmt::format("--effect {}=on", row.effect), row.because));
+    }
 }
 
 // A technique on an axis of its own. To leave something out is never in vain.
-void add_choice(const FrameOptions& o, const Decision& d, std::vector<std::string>& lines) {
-    const std::string* asked = asked_for(o, d.effect);
-    if (asked == nullptr || *asked == "auto" || *asked == "none") return;
-    const std::string option = fmt::format("--{} {}", option_of(d.effect), *asked);
-    if (!d.on())
-        lines.push_back(fmt::format("{} changes nothing: {}", option, d.because));
-    else if (d.technique != *asked)
+void add_choice(const FramePlan& plan, const Decision& d, Lines& lines) {
+    const std::string asked = asked_for(plan.options, d.effect);
+    if (asked == "auto" || asked == "none") return;
+    const bool by_number = d.effect == "aa" && plan.options.aa == "auto";
+    const std::string option = by_number ? fmt::format("--samples {}", plan.options.samples)
+                                         : fmt::format("--{} {}", option_of(d.effect), asked);
+    const bool texture = d.effect == "source" || d.effect == "wrap" || d.effect == "mapping";
+    if (!d.on() || !d.needed)
+        lines.push_back(nothing(option, d.effect == "blend" ? why_off(plan, "blending", d.because)
+                                        : texture           ? why_off(plan, "texture", d.because)
+                                                            : d.because));
+    else if (d.technique != asked)
         lines.push_back(
             fmt::format("{} is not possible: {}; {} in its place", option, d.because, d.technique));
 }
 
-bool throws_sharp_shadows_of_sizes(const FramePlan& plan) {
-    if (plan.shadow.stage == nullptr || plan.options.shadow == "auto" ||
-        plan.options.shadow == "map_soft")
-        return false;
-    return std::any_of(plan.lights.begin(), plan.lights.end(), [](const scene::Light& light) {
-        return light.casts && light.size > 0 && light.kind != scene::LightKind::ambient;
-    });
+bool has_size(const scene::Light& light) {
+    return light.size > 0 && light.kind != scene::LightKind::ambient && !is_black(light);
+}
+bool casts_with_size(const FramePlan& plan) {
+    return std::any_of(plan.lights.begin(), plan.lights.end(),
+                       [](const scene::Light& light) { return light.casts && has_size(light); });
+}
+
+// Why no shadow is drawn that a size could soften.
+std::string why_sharp(const FramePlan& plan, bool casts) {
+    const Decision& shadow = *plan.decision("shadow");
+    if (!casts) return "it casts none (:shadow=off)";
+    return shadow.on() ? "--shadow attached throws none" : why_off(plan, "shadow", shadow.because);
+}
+
+// Lights that the user put there, and their sizes.
+void add_lights(const FramePlan& plan, Lines& lines) {
+    const std::vector<scene::Light>&given = plan.options.lights, &usual = scene::default_lights();
+    for (const scene::Light& light : given) {
+        if (is_black(light) || std::find(usual.begin(), usual.end(), light) != usual.end())
+            continue;
+        const std::string effect = fmt::format("{}_light", name_of(light.kind));
+        const Decision& d = *plan.decision(effect);
+        if (d.needed && d.on()) continue;
+        std::string line = nothing(fmt::format("--light {}", name_of(light.kind)),
+                                   why_off(plan, effect, d.because));
+        if (std::find(lines.begin(), lines.end(), line) == lines.end())
+            lines.push_back(std::move(line));
+    }
+    const std::string_view shadow =
+        plan.shadow.stage == nullptr ? "off" : plan.shadow.stage->card.name;
+    const bool soft = casts_with_size(plan);
+    if (shadow == "map_soft" && !soft && plan.options.shadow != "auto")
+        lines.push_back("--shadow map_soft changes nothing: no light that casts has a size; it "
+                        "draws what map_pcf draws");
+    else if (shadow != "off" && shadow != "map_soft" && soft)
+        lines.push_back(fmt::format(
+            "the size of a light softens no shadow: --shadow {} is sharp, map_soft is not",
+            shadow));
+    else if (shadow == "off" && std::any_of(plan.lights.begin(), plan.lights.end(), has_size))
+        lines.push_back("the size of a light softens no shadow: " + why_sharp(plan, soft));
 }
 
 // Numbers and names that only one technique of another axis, or one kind of scene, reads.
-void add_details(const FramePlan& plan, std::vector<std::string>& lines) {
+void add_details(const FramePlan& plan, Lines& lines) {
     const FrameOptions &o = plan.options, usual;
     const TransparencyPlan& t = plan.transparency;
     const std::string_view shadow =
         plan.shadow.stage == nullptr ? "off" : plan.shadow.stage->card.name;
     const auto because = [&](std::string_view effect) { return plan.decision(effect)->because; };
     const bool see_through = t.cut_out != nullptr || t.blended != nullptr;
-    const bool shiny = plan.decision("highlight")->needed;
+    const Decision& highlight = *plan.decision("highlight");
+    const shade::Filter* filter = plan.filter != nullptr ? plan.filter : t.filter;
+    const bool compares = plan.visible.test != raster::DepthTest::always &&
+                          plan.visible.test != raster::DepthTest::never &&
+                          plan.visible.test != raster::DepthTest::equal;
     const struct {
         bool in_vain;
-        std::string line;
+        std::string option, because;
     } rows[] = {
-        {o.texture != "auto" && plan.filter == nullptr && t.filter == nullptr,
-         fmt::format("--texture {} changes nothing: no texture is read", o.texture)},
-        {o.reflection != "auto" && o.reflection != "lambert" && !shiny,
-         fmt::format("--reflection {} changes nothing: {}", o.reflection, because("highlight"))},
-        {o.transparency != "auto" && !see_through,
-         fmt::format("--transparency {} changes nothing: nothing is cut out or blended",
-                     o.transparency)},
+        {o.texture != "auto" && filter == nullptr, "--texture " + o.texture,
+         why_off(plan, "texture", "no texture is read")},
+        {o.reflection != "auto" && o.reflection != "lambert" &&
+             !(highlight.needed && highlight.on()),
+         "--reflection " + o.reflection, why_off(plan, "highlight", highlight.because)},
+        {o.transparency != "auto" && !see_through, "--transparency " + o.transparency,
+         why_off(plan, "blending", why_off(plan, "cut_out", "nothing is cut out or blended"))},
         {o.alpha_cut != usual.alpha_cut && t.cut_out == nullptr,
-         fmt::format("--alpha-cut {} changes nothing: nothing is cut out", o.alpha_cut)},
-        {o.blend_space != "auto" && plan.aa->card.name == "none" && t.blended == nullptr,
-         fmt::format("--blend-space {} changes nothing: {}", o.blend_space,
-                     because("blend_space"))},
-        {o.shadow_plane.has_value() && o.shadow != "projected",
-         "--shadow-plane changes nothing: it is for --shadow projected"},
+         fmt::format("--alpha-cut {}", o.alpha_cut),
+         why_off(plan, "cut_out", "nothing is cut out")},
+        {o.exposure != 0 && !plan.decision("exposure")->on(),
+         fmt::format("--exposure {}", o.exposure), why_off(plan, "exposure", because("exposure"))},
+        {o.depth != "auto" && !compares && t.blended == nullptr && plan.decision("depth")->on(),
+         "--depth " + o.depth, fmt::format("--depth-test {} compares no depths", o.depth_test)},
+        {o.shadow_plane.has_value() && o.shadow != "projected", "--shadow-plane",
+         "it is for --shadow projected"},
         {o.shadow_size != usual.shadow_size && !shadow.starts_with("map"),
-         fmt::format("--shadow-size {} changes nothing: no shadow map is drawn", o.shadow_size)},
+         fmt::format("--shadow-size {}", o.shadow_size), "no shadow map is drawn"},
         {o.shadow_filter != usual.shadow_filter && shadow != "map_pcf" && shadow != "map_soft",
-         fmt::format("--shadow-filter {} changes nothing: it is for --shadow map_pcf and map_soft",
-                     o.shadow_filter)},
-        {throws_sharp_shadows_of_sizes(plan),
-         fmt::format("the size of a light changes nothing: --shadow {} is sharp, map_soft is not",
-                     o.shadow)}};
+         fmt::format("--shadow-filter {}", o.shadow_filter),
+         "it is for --shadow map_pcf and map_soft"}};
     for (const auto& row : rows)
-        if (row.in_vain) lines.push_back(row.line);
+        if (row.in_vain) lines.push_back(nothing(row.option, row.because));
+    if (o.texture != "auto" && filter != nullptr && filter->card.name != o.texture)
+        lines.push_back(fmt::format("--texture {} is not possible: {}; {} in its place", o.texture,
+                                    why_off(plan, "mipmaps", because("mipmaps")),
+                                    filter->card.name));
 }
 
 } // namespace
 
 std::vector<std::string> asked_in_vain(const FramePlan& plan) {
-    // What shows counts says so in each row.
-    if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering) return {};
-    std::vector<std::string> lines;
+    Lines lines;
     for (const Decision& d : plan.decisions) {
-        if (is_in_vain(plan.options, d)) lines.push_back(to_string(d));
-        if (d.choice) add_choice(plan.options, d, lines);
+        if (d.choice)
+            add_choice(plan, d, lines);
+        else
+            add_effect(plan, d, lines);
     }
+    add_contradictions(plan, lines);
     add_details(plan, lines);
+    add_lights(plan, lines);
     return lines;
 }
 

@@ -32,16 +32,42 @@ struct Bounds {
             high[c] = std::max(high[c], p[c]);
         }
     }
+    bool hold(const DVec3& p) const {
+        bool holds = true;
+        for (int c = 0; c < 3; ++c)
+            holds = holds && low[c] <= p[c] && p[c] <= high[c];
+        return holds;
+    }
 };
 
-// Calls f with every corner of every triangle, in light space.
-template <class F>
+// Calls f with corners of triangles, in light space. Left out are those of clusters for which
+// skips(middle, reach) holds, f having seen the others so far: no corner is farther from the middle
+// than the reach, along each axis.
+template <class Skips, class F>
 void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& turn,
-                 const DVec3& move, F&& f) {
+                 const DVec3& move, Skips&& skips, F&& f) {
     const DMat3 linear = turn * view.linear;
     const DVec3 offset = turn * view.translation + move;
-    for (const std::uint32_t vertex : mesh.index)
-        f(linear * DVec3(mesh.position[vertex]) + offset);
+    const auto call = [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            f(linear * DVec3(mesh.position[mesh.index[i]]) + offset);
+    };
+    if (mesh.clusters.empty()) return call(0, mesh.index.size());
+    DVec3 stretch; // of a length, along each axis
+    for (int r = 0; r < 3; ++r) {
+        const DVec3 row(linear[0][r], linear[1][r], linear[2][r]);
+        stretch[r] = scanout::sqrt(dot3(row, row));
+    }
+    constexpr double kRounding = 0x1p-40;
+    constexpr std::size_t kCorners = geom::Clusters::kTriangles * 3;
+    for (std::size_t c = 0; c < mesh.clusters.cluster.size(); ++c) {
+        const geom::Cluster& cluster = mesh.clusters.cluster[c];
+        const DVec3 middle = linear * cluster.centre + offset;
+        const DVec3 reach = stretch * (cluster.radius * (1 + kRounding)) +
+                            (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
+        if (!skips(middle, reach))
+            call(c * kCorners, std::min((c + 1) * kCorners, mesh.index.size()));
+    }
 }
 
 // half_x, half_y: what fits into the map's inner part, at distance 1 in perspective.
@@ -66,7 +92,10 @@ LightView parallel(const scene::ViewLight& light, const geom::Mesh& mesh, const 
                    int size, int margin) {
     const DMat3 turn = looking_from(normalized(DVec3(light.towards)));
     Bounds bounds;
-    for_corners(mesh, view, turn, DVec3(0), [&](const DVec3& p) { bounds.add(p); });
+    const auto within = [&](const DVec3& middle, const DVec3& reach) {
+        return bounds.hold(middle - reach) && bounds.hold(middle + reach);
+    };
+    for_corners(mesh, view, turn, DVec3(0), within, [&](const DVec3& p) { bounds.add(p); });
     const DVec3 middle = (bounds.low + bounds.high) / 2.0;
     // Nothing is so small or flat that its map would leave the range of floats.
     const DVec3 half = (bounds.high - bounds.low) / 2.0 * kFarShare +
@@ -97,7 +126,12 @@ LightView from_place(const scene::ViewLight& light, const scene::View& view, con
 DVec2 tangents(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                const DMat3& turn) {
     DVec2 widest(0);
-    for_corners(mesh, view, turn, -(turn * place_of(light, view)), [&](const DVec3& p) {
+    const auto within = [&](const DVec3& middle, const DVec3& reach) {
+        const double nearest = -(middle.z + reach.z) * (1 - 0x1p-40);
+        return nearest > 0 && std::abs(middle.x) + reach.x < widest.x * nearest &&
+               std::abs(middle.y) + reach.y < widest.y * nearest;
+    };
+    for_corners(mesh, view, turn, -(turn * place_of(light, view)), within, [&](const DVec3& p) {
         const bool ahead = p.z < 0;
         widest.x = std::max(widest.x, ahead ? std::abs(p.x) / -p.z : 2 * kWidestTan);
         widest.y = std::max(widest.y, ahead ? std::abs(p.y) / -p.z : 2 * kWidestTan);
@@ -121,10 +155,11 @@ double radius_of(const scene::View& view) {
     return std::max(radius, 0x1p-40);
 }
 
-std::vector<LightView> light_views(const scene::ViewLight& light, const geom::Mesh& mesh,
-                                   const scene::View& view, int size, int margin) {
+void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
+                 int size, int margin, std::vector<LightView>& out) {
+    out.clear();
     if (light.kind == scene::LightKind::directional)
-        return {parallel(light, mesh, view, size, margin)};
+        return out.push_back(parallel(light, mesh, view, size, margin));
     const bool spot = light.kind == scene::LightKind::spot;
     const DVec3 ahead = spot ? DVec3(light.axis) : view.translation - place_of(light, view);
     const DMat3 turn = looking_from(normalized(-ahead));
@@ -136,18 +171,16 @@ std::vector<LightView> light_views(const scene::ViewLight& light, const geom::Me
         tan = {std::min(tan.x, cone), std::min(tan.y, cone)};
     }
     if (std::max(tan.x, tan.y) <= kWidestTan)
-        return {from_place(light, view, turn, tan.x, tan.y, size, margin)};
-    std::vector<LightView> six;
+        return out.push_back(from_place(light, view, turn, tan.x, tan.y, size, margin));
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
             DVec3 back(0);
             back[axis] = side;
-            six.push_back(from_place(light, view, looking_from(back), kFarShare, kFarShare,
+            out.push_back(from_place(light, view, looking_from(back), kFarShare, kFarShare,
                                      std::max(size / 2, 4 * margin), margin));
-            six.back().half -= margin;
+            out.back().half -= margin;
         }
     }
-    return six;
 }
 
 } // namespace scanout::frame

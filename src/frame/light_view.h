@@ -24,8 +24,9 @@ DVec3 place_of(const scene::ViewLight& light, const scene::View& view);
 double radius_of(const scene::View& view); // near the model's, at least
 
 // light: not ambient. size: texels a side of a single view; six have half as many each. margin:
-// texels around what throws shadows that stay empty, or on which two of six views overlap.
-std::vector<LightView> light_views(const scene::ViewLight& light, const geom::Mesh& mesh,
-                                   const scene::View& view, int size, int margin);
+// texels around what throws shadows that stay empty, or on which two of six views overlap. What
+// stood in `out` goes.
+void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
+                 int size, int margin, std::vector<LightView>& out);
 
 } // namespace scanout::frame

@@ -13,20 +13,20 @@ FrameLights::FrameLights(const FramePlan& plan, const scene::View& view, const g
             continue;
         }
         light.source = static_cast<std::uint32_t>(i);
-        lights_.push_back(light);
-        if (light.kind != scene::LightKind::directional) set_varies(lights_.size() - 1);
+        lights_[count_++] = light;
+        if (light.kind != scene::LightKind::directional) set_varies(count_ - 1);
     }
 }
 
 void FrameLights::set_varies(std::size_t light) {
-    CHECK(light < lights_.size());
+    CHECK(light < count_);
     varies_[light] = some_varies_ = true;
 }
 
 void FrameLights::describe(shade::FrameState& frame) const {
     frame.ambient = ambient_;
-    frame.lights = lights_;
-    if (some_varies_) frame.varies = {varies_.data(), lights_.size()};
+    frame.lights = lights();
+    if (some_varies_) frame.varies = {varies_.data(), count_};
 }
 
 } // namespace scanout::frame

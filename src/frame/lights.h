@@ -7,7 +7,8 @@
 #include "shade/stage.h"
 
 #include <array>
-#include <vector>
+#include <cstddef>
+#include <span>
 
 namespace scanout::frame {
 
@@ -19,11 +20,12 @@ public:
     void set_varies(std::size_t light);
     // What points into this object.
     void describe(shade::FrameState& frame) const;
-    const std::vector<scene::ViewLight>& lights() const { return lights_; }
+    std::span<const scene::ViewLight> lights() const { return std::span(lights_).first(count_); }
 
 private:
     Vec3 ambient_{0};
-    std::vector<scene::ViewLight> lights_; // without the ambient ones
+    std::array<scene::ViewLight, scene::kMostLights> lights_; // without the ambient ones
+    std::size_t count_ = 0;
     std::array<bool, scene::kMostLights> varies_{};
     bool some_varies_ = false;
 };

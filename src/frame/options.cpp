@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <fmt/format.h>
+
 namespace scanout::frame {
 
 namespace {
@@ -45,8 +47,13 @@ bool ask(FrameOptions& options, std::string_view axis, std::string_view techniqu
     return true;
 }
 
-const std::string* asked_for(const FrameOptions& options, std::string_view axis) {
-    return find_axis(options, axis);
+std::string asked_for(const FrameOptions& options, std::string_view axis) {
+    constexpr std::string_view kSides[] = {"auto", "back", "front"};
+    if (axis == "cull") return std::string(kSides[static_cast<std::size_t>(options.cull)]);
+    if (axis == "aa" && options.aa == "auto" && options.samples != 1)
+        return fmt::format("samples_{}", options.samples);
+    const std::string* asked = find_axis(options, axis);
+    return asked != nullptr ? *asked : "auto";
 }
 
 std::string option_of(std::string_view axis) {

@@ -15,7 +15,7 @@
 
 namespace scanout::frame {
 
-enum class Cull : std::uint8_t { none, back, front };
+enum class Cull : std::uint8_t { none, back, front }; // in the order of techniques.h
 
 // The points of the file's space with normal . p = offset. The normal is not 0, of any length.
 struct FilePlane {
@@ -51,7 +51,8 @@ struct FrameOptions {
     std::string tone = "auto";
     std::string blend_space = "auto";
     std::string encode = "auto";
-    std::string dither = "auto";      // then none
+    std::string dither = "auto";      // then none, or bayer where colours have fewer than 8 bits
+    int bits = 8;                     // of the narrowest channel of what shows the picture
     std::string convolution = "auto"; // then none
     double exposure = 0; // stops: light is multiplied by 2^exposure; within +-kMostStops
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
@@ -60,8 +61,8 @@ struct FrameOptions {
 
 // Asks for a technique on an axis, instead of what stands there; false for an axis without option.
 bool ask(FrameOptions& options, std::string_view axis, std::string_view technique);
-// What is asked for on an axis; null for an axis without option.
-const std::string* asked_for(const FrameOptions& options, std::string_view axis);
+// What is asked for on an axis; "auto" where nothing is, or the axis has no option.
+std::string asked_for(const FrameOptions& options, std::string_view axis);
 std::string option_of(std::string_view axis); // the command line's name of it, without "--"
 
 inline constexpr int kLeastShadowSize = 64, kMostShadowSize = 8192, kMostShadowFilter = 15;

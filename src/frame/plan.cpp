@@ -80,8 +80,12 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     plan.only_material = facts.only_material;
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
+    const bool flat = view.projection == scene::Projection::orthographic;
     planner.choice("interpolate", steps, options.interpolate,
-                   "a division a pixel is exact at any ratio of distances");
+                   facts.triangles == 0 ? "along lines colours are exact, whatever is asked"
+                   : flat ? "nothing is foreshortened: but for rounding all ways are the same"
+                          : "a division a pixel is exact at any ratio of distances",
+                   facts.triangles > 0 && !flat);
     planner.stage("interpolate", steps);
 
     TRY_VOID(plan_texture(planner, plan, facts));
@@ -93,11 +97,11 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts));
     plan_casters(plan, facts);
-    TRY_VOID(plan_merging(planner, plan));
+    TRY_VOID(plan_merging(planner, plan, facts));
     TRY_VOID(plan_stencil(planner, plan, facts));
     TRY_VOID(plan_tone(options, facts, planner, plan));
-    TRY_VOID(plan_edges(options, planner, plan));
-    TRY_VOID(plan_output(options, planner, plan));
+    TRY_VOID(plan_edges(options, facts, planner, plan));
+    TRY_VOID(plan_output(options, facts, planner, plan));
     TRY_VOID(plan_sampling(planner, plan, facts, view));
     put_in_order(plan.stages);
     if (facts.triangles == 0)

@@ -25,7 +25,7 @@ struct Decision {
     std::string effect;    // "texture", "highlight", "shadow" ...
     std::string technique; // "bilinear"; "on" where there is only one; "off"
     std::string because;   // "30 of 40 triangles have a readable map_Kd"
-    bool needed = false;   // the scene calls for it
+    bool needed = false;   // the scene calls for it; of a choice: it makes a difference
     bool forced = false;   // the user decided
     bool choice = false;   // an axis with an option of its own, not an effect
     bool on() const { return technique != "off"; }
@@ -58,7 +58,7 @@ struct ShadowPlan {
 struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does. The usual
-    // depth and depth test are not named.
+    // culling, depth and depth test are not named.
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation, maps, lights, shadow, shading, emission,
     // tone.
@@ -70,6 +70,7 @@ struct FramePlan {
     shade::Output output;                            // from light to codes
     const image::Convolution* convolution = nullptr; // of the finished picture; null: none
     float exposure = 1;                              // what light is multiplied by
+    float white = 1;                                 // the light that a tone curve makes 1
     TransparencyPlan transparency;
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
     raster::VisibleRule visible;      // which of several surfaces is seen

@@ -4,6 +4,7 @@
 #include "frame/planner.h"
 #include "image/dither.h"
 #include "math/transcendental.h"
+#include "raster/cull.h"
 
 #include <algorithm>
 
@@ -16,16 +17,26 @@ namespace {
 // that is cut off is less than a code of 8 bits.
 constexpr double kBright = 1.005;
 
+// Do pixels show more than one thing? Lines and points are seen at all samples of a pixel.
+bool mixes_samples(const FramePlan& plan, const SceneFacts& facts) {
+    const AntiAliasing& aa = *plan.aa;
+    return aa.weight != nullptr || aa.scale > 1 ||
+           ((aa.exact || aa.samples > 1) && facts.triangles > 0);
+}
+
 } // namespace
 
-Result<void> plan_merging(Planner& planner, FramePlan& plan) {
+Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
-    constexpr std::string_view kSides[] = {"none", "back", "front"};
-    const std::string cull(kSides[static_cast<std::size_t>(o.cull)]);
-    planner.choice("cull", cull, o.cull == Cull::none ? "auto" : cull,
-                   o.cull == Cull::none
-                       ? "files do not say whether their backs are meant to be seen"
-                       : "as asked");
+    const Technique& culling = raster::cullings()[static_cast<std::size_t>(o.cull)]->card;
+    const std::string cull(culling.name);
+    planner.choice("cull", cull, asked_for(o, "cull"),
+                   facts.triangles == 0   ? "lines and points have no sides"
+                   : o.cull == Cull::none ? "files do not say whether their backs are meant to be "
+                                            "seen"
+                                          : "as asked",
+                   facts.triangles > 0);
+    if (o.cull != Cull::none) plan.techniques.push_back(&culling);
     TRY(const std::string depth, choose("depth", o.depth, "reversed"));
     TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
     TRY(const std::string blend, choose("blend", o.blend, "over"));
@@ -60,16 +71,19 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     const double brightest =
         double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
     const bool bright = brightest > kBright && facts.triangles > 0;
-    TRY(const std::string tone, choose("tone", options.tone, bright ? "filmic" : "clamp"));
+    TRY(const std::string tone, choose("tone", options.tone, bright ? "shoulder" : "clamp"));
+    plan.white = static_cast<float>(std::max(brightest, 1.0));
+    const bool burns = !bright && plan.decision("highlight")->on();
     planner.choice("tone", tone, options.tone,
                    fmt::format("diffuse light is at most {:.2f}{}", brightest,
-                               bright ? "" : ", and highlights may burn out"));
+                               burns ? ", and highlights may burn out" : ""));
     // Codes end at 1 anyway.
     if (tone != "clamp" || exposed) planner.stage("tone", tone);
     return {};
 }
 
-Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan& plan) {
+Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                        FramePlan& plan) {
     const bool by_number = options.aa == "auto";
     if (!by_number && options.samples != 1)
         return fail(Exit::usage, "--aa {} and --samples {}: give one of them", options.aa,
@@ -97,20 +111,26 @@ Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan
     if (plan.aa->scale * std::max(options.width, options.height) > kMaxSide)
         return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most", name,
                     kMaxSide / plan.aa->scale);
+    const bool mixes = mixes_samples(plan, facts);
+    if (name != "none" && !mixes) because = "lines and points fill whole pixels";
     planner.choice("aa", name, by_number && options.samples == 1 ? "auto" : name,
-                   std::move(because));
+                   std::move(because), name == "none" || mixes);
     plan.techniques.push_back(&plan.aa->card);
     return {};
 }
 
-Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan) {
-    const bool smooth = plan.aa->card.name != "none";
+Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                         FramePlan& plan) {
+    const bool smooth = mixes_samples(plan, facts);
     const bool mixed = smooth || plan.transparency.blended != nullptr;
     TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
     planner.choice("blend_space", space, options.blend_space,
                    smooth  ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
                    : mixed ? "what is blended is mixed in it"
-                           : "one sample a pixel: nothing is mixed");
+                   : plan.aa->card.name == "none"
+                       ? "one sample a pixel: nothing is mixed"
+                       : "lines and points fill whole pixels: nothing is mixed",
+                   mixed);
     TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
     planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
     plan.output.blend_space = shade::find_blend_space(space);
@@ -129,12 +149,15 @@ Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePla
                             : "nobody asked for a filter over the finished picture",
                    filtered);
     if (filtered) plan.techniques.push_back(&plan.convolution->card);
-    TRY(const std::string dither, choose("dither", options.dither, "none"));
+    const bool narrow = options.bits < 8;
+    TRY(const std::string dither, choose("dither", options.dither, narrow ? "bayer" : "none"));
     planner.choice("dither", dither, options.dither,
-                   "8 bits hide their steps; displays of fewer are always dithered");
+                   narrow ? fmt::format("{} bits show their steps", options.bits)
+                          : "8 bits hide their steps");
     const image::Dither* found = image::find_dither(dither);
     CHECK(found != nullptr);
-    plan.output.dither = found->ordered;
+    // Once, where codes become those that are shown: of fewer bits they are made of whole codes.
+    plan.output.dither = found->ordered && !narrow;
     if (found->ordered) plan.techniques.push_back(&found->card);
     return {};
 }

@@ -29,10 +29,10 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
 void plan_counts(FramePlan& plan) {
     FramePlan counts;
     counts.options = plan.options;
-    counts.options.samples = 1;
     counts.aa = find_anti_aliasing("none");
     counts.stencil = plan.stencil;
-    counts.techniques = {&plan.stencil->card};
+    for (const Technique* card : plan.techniques)
+        if (card->axis == "cull" || card->axis == "stencil") counts.techniques.push_back(card);
     counts.convolution = plan.convolution;
     if (plan.convolution != nullptr) counts.techniques.push_back(&plan.convolution->card);
     counts.decisions = std::move(plan.decisions);
@@ -40,7 +40,8 @@ void plan_counts(FramePlan& plan) {
         if (d.effect == "stencil" || d.effect == "cull" || d.effect == "convolution") continue;
         d.technique = "off";
         d.because = "the picture shows counts, at pixels' centres: no colour is found";
-        d.needed = d.forced = false;
+        d.needed = false;
+        d.forced = d.forced && d.choice; // asked for all the same
     }
     plan = std::move(counts);
 }

@@ -15,6 +15,13 @@ std::string part(std::size_t materials, std::size_t triangles, const SceneFacts&
                        triangles, facts.triangles);
 }
 
+// Where a blended material has its alpha from: its d, or the texels of its maps.
+std::string alpha_from(const AlphaFacts& a) {
+    if (a.blended_by_maps == a.blended_materials) return "in maps";
+    const std::string d = fmt::format("d from {}", a.least_d);
+    return a.blended_by_maps == 0 ? d : fmt::format("{}, and {} in maps", d, a.blended_by_maps);
+}
+
 } // namespace
 
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
@@ -34,8 +41,8 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
                             : "no triangle has alpha 0 in places, and else 1");
     const bool blend = planner.effect(
         "blending", blend_name, blends,
-        blends ? fmt::format("{} have alpha between 0 and 1, d from {}",
-                             part(a.blended_materials, a.blended_triangles, facts), a.least_d)
+        blends ? fmt::format("{} have alpha between 0 and 1, {}",
+                             part(a.blended_materials, a.blended_triangles, facts), alpha_from(a))
                : "no triangle's alpha is between 0 and 1");
     if (facts.triangles == 0 || !(cut || blend)) return {};
     TransparencyPlan& t = plan.transparency;

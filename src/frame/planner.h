@@ -56,7 +56,7 @@ Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& 
 // What is blended throws no shadow: what comes through it would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
 // Which surfaces are seen, and how they are mixed: choices of the user's.
-Result<void> plan_merging(Planner& planner, FramePlan& plan);
+Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Marks in a buffer of their own. Where they are all that is shown, the second takes everything
 // else out of a plan that is whole.
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);
@@ -66,8 +66,10 @@ void plan_counts(FramePlan& plan);
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                        FramePlan& plan);
 // How edges are smoothed.
-Result<void> plan_edges(const FrameOptions& options, Planner& planner, FramePlan& plan);
+Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                        FramePlan& plan);
 // From light to codes.
-Result<void> plan_output(const FrameOptions& options, Planner& planner, FramePlan& plan);
+Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
+                         FramePlan& plan);
 
 } // namespace scanout::frame

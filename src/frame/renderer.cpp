@@ -30,18 +30,6 @@ struct Worker {
     shade::PixelSums sums;
 };
 
-raster::Facing kept(Cull cull) {
-    switch (cull) {
-    case Cull::back:
-        return raster::Facing::front;
-    case Cull::front:
-        return raster::Facing::back;
-    case Cull::none:
-        break;
-    }
-    return raster::Facing::any;
-}
-
 Visibility nothing_seen(int width, int height, int samples) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(samples);
@@ -146,10 +134,8 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.mapped = plan.mapped;
     lights.describe(frame);
     frame.exposure = plan.exposure;
-    const shade::Attributes& wanted = plan.attributes;
-    frame.own_triangles = plan.stages.front()->card.name == "perspective" && !plan.corner_normals &&
-                          !wanted.corners && !wanted.footprint && !wanted.object &&
-                          plan.shadow.stage == nullptr;
+    frame.white = plan.white;
+    frame.own_triangles = !shade::reads_primitives(plan.attributes) && !plan.corner_normals;
     return frame;
 }
 
@@ -179,7 +165,7 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     in.looks = {&scene.mesh, plan.only_material};
     in.geometry = &geometry;
     in.transform = &transform;
-    in.view = &view;
+    in.set_view(view);
     in.materials = scene.materials;
     in.textures = scene.textures;
     in.mips = &mips;
@@ -416,8 +402,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const int width = o.width * aa.scale, height = o.height * aa.scale;
     const raster::ScreenTransform transform(view, width, height);
     s.geometry.run(s.jobs, scene.mesh, transform,
-                   {width, height, kept(o.cull), view.mirrored, aa.samples, aa.exact, tile_size,
-                    plan.transparency.layers});
+                   {width, height, raster::cullings()[static_cast<std::size_t>(o.cull)]->keep,
+                    view.mirrored, aa.samples, aa.exact, tile_size, plan.transparency.layers});
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =

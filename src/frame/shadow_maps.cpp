@@ -41,22 +41,24 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
 } // namespace
 
 void ShadowMaps::clear() {
+    depths_.resize(maps_.size()); // more than the last frame needed are let go
     maps_.clear();
-    depths_.clear();
 }
 
 std::size_t ShadowMaps::bytes() const {
     std::size_t bytes = 0;
-    for (const std::vector<float>& depth : depths_)
-        bytes += depth.size() * sizeof(float);
+    for (std::size_t i = 0; i < maps_.size(); ++i)
+        bytes += depths_[i].size() * sizeof(float);
     return bytes;
 }
 
 void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int size, bool soft) {
     const int margin = std::min(soft ? kSoftMargin : kMargin, size / 4);
-    for (const LightView& from : light_views(light, in.scene.mesh, in.view, size, margin)) {
+    light_views(light, in.scene.mesh, in.view, size, margin, views_);
+    for (const LightView& from : views_) {
         maps_.push_back(map_of(from, light, to_floats(in.view)));
-        std::vector<float>& depth = depths_.emplace_back();
+        if (depths_.size() < maps_.size()) depths_.emplace_back();
+        std::vector<float>& depth = depths_[maps_.size() - 1];
         draw(in, from, depth);
         maps_.back().depth = depth.data(); // stays where it is when depths_ grows
         if (soft) maps_.back().nearest = *std::max_element(depth.begin(), depth.end());
@@ -85,7 +87,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
     gather.mesh = &in.scene.mesh;
     gather.geometry = &geometry_;
     gather.transform = &transform;
-    gather.view = &from.view;
+    gather.set_view(from.view);
     gather.materials = in.scene.materials;
     gather.textures = in.scene.textures;
     gather.mips = &in.mips;

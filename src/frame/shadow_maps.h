@@ -43,7 +43,8 @@ private:
     raster::Geometry geometry_;
     std::vector<Worker> workers_;
     std::vector<shade::ShadowMap> maps_;
-    std::vector<std::vector<float>> depths_; // of the maps
+    std::vector<std::vector<float>> depths_; // of the maps, and those of the frame before
+    std::vector<LightView> views_;           // of one light
 };
 
 } // namespace scanout::frame

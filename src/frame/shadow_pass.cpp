@@ -4,6 +4,7 @@
 #include "math/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 namespace scanout::frame {
@@ -20,11 +21,11 @@ ViewPlane in_view(const Ground& ground, const scene::View& view) {
 }
 
 // By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
-std::vector<std::uint8_t> casters(const geom::Mesh& mesh, std::span<const raster::Layer> layers) {
-    std::vector<std::uint8_t> casts(mesh.triangles(), 1);
+void find_casters(const geom::Mesh& mesh, std::span<const raster::Layer> layers,
+                  std::vector<std::uint8_t>& casts) {
+    casts.assign(mesh.triangles(), 1);
     for (std::size_t i = 0; i < casts.size() && !layers.empty(); ++i)
         casts[i] = layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::Layer::nothing;
-    return casts;
 }
 
 } // namespace
@@ -41,16 +42,16 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
     receives_.clear();
     lights_.assign(count, {});
     if (volume || projected) polygons_.resize(count);
-    std::vector<std::uint8_t> casts = casters(mesh, in.plan.shadow.casters);
-    const Welded welded = volume ? weld(mesh, casts) : Welded();
+    find_casters(mesh, in.plan.shadow.casters, casts_);
+    const Welded welded = volume ? weld(mesh, casts_) : Welded();
     ViewPlane ground;
     if (projected) {
         ground = in_view(in.plan.shadow.ground, in.view);
         receives_ = in_ground(mesh, in.plan.shadow.ground);
-        for (std::size_t i = 0; i < casts.size(); ++i) // what lies in the plane throws none onto it
-            casts[i] = casts[i] != 0 && receives_[i] == 0 ? 1 : 0;
+        for (std::size_t i = 0; i < casts_.size(); ++i) // what lies in the plane throws none on it
+            casts_[i] = casts_[i] != 0 && receives_[i] == 0 ? 1 : 0;
     }
-    std::vector<std::size_t> first_map(count + 1, 0);
+    std::array<std::size_t, scene::kMostLights + 1> first_map{};
     for (std::size_t k = 0; k < count; ++k) {
         const scene::ViewLight& light = lights.lights()[k];
         first_map[k + 1] = maps_.maps().size();
@@ -60,7 +61,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         shadow.casts = true;
         shadow.shape = light.shape;
         shadow.soft = technique == "map_soft" && light.size > 0;
-        const Thrown thrown{mesh, casts, light, in.view, transform, grid};
+        const Thrown thrown{mesh, casts_, light, in.view, transform, grid};
         if (volume)
             polygons_[k] = shadow_volumes(thrown, welded);
         else if (projected)

@@ -33,8 +33,8 @@ public:
 
 private:
     ShadowMaps maps_;
-    std::vector<ShadowPolygons> polygons_; // of each light; empty where maps are read
-    std::vector<std::uint8_t> receives_;
+    std::vector<ShadowPolygons> polygons_;       // of each light; empty where maps are read
+    std::vector<std::uint8_t> casts_, receives_; // by triangle
     std::vector<shade::LightShadow> lights_;
     std::vector<std::vector<float>> counts_; // of each worker
     std::vector<shade::TileShadow> tiles_;

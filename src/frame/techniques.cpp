@@ -4,6 +4,7 @@
 #include "frame/stencil.h"
 #include "image/convolution.h"
 #include "image/dither.h"
+#include "raster/cull.h"
 #include "raster/visible_rule.h"
 #include "shade/output.h"
 #include "shade/stage.h"
@@ -24,6 +25,8 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&wrapping->card);
         for (const shade::Stage* stage : shade::stages())
             found.push_back(&stage->card);
+        for (const raster::CullRow* cull : raster::cullings())
+            found.push_back(&cull->card);
         for (const raster::DepthFormatRow* format : raster::depth_formats())
             found.push_back(&format->card);
         for (const raster::DepthTestRow* test : raster::depth_tests())

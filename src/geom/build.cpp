@@ -1,17 +1,19 @@
 #include "geom/build.h"
 
-#include "base/check.h"
+#include "base/blocks.h"
 #include "base/memory.h"
 #include "geom/framing.h"
-#include "geom/join_table.h"
 #include "geom/line_faces.h"
 #include "geom/normals.h"
 #include "geom/triangulate.h"
+#include "geom/usable.h"
+#include "geom/vertices.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <span>
 #include <utility>
 
 #include <fmt/format.h>
@@ -19,170 +21,30 @@
 namespace scanout::geom {
 namespace {
 
-struct Vertex {
-    Vec3 position{0}, normal{0, 0, 1}, colour{1};
-    Vec2 uv{0};
-    bool operator==(const Vertex&) const = default;
-};
-
-// 0 where the file's number is not one; floats have room for all others that make sense.
-float to_float(double x) {
-    return std::abs(x) <= 1e30 ? static_cast<float>(x) : 0.0f;
-}
-
-Vec3 finite_or_zero(const Vec3& v) {
-    return {to_float(v.x), to_float(v.y), to_float(v.z)};
-}
-
-// Gives corners that make the same vertex one number. Memory decides its shape: where faces are
-// flat, the vertices are the largest array of all, and they must not stand beside the corners and a
-// table that both still grow. So a vertex is first a corner alone, kept in the place of a corner
-// that is done with (vertex i comes of corner i or a later one); write() makes the arrays when
-// everything else is gone, in their final size.
-class Vertices {
-public:
-    Vertices(PolygonMesh& polygons, std::size_t expected) : m_(polygons), table_(expected) {}
-
-    // Overwrites corners up to the number of calls so far: each of a face's corners must be asked
-    // for once, in their order.
-    std::uint32_t number_of(Corner c) {
-        const Vertex v = vertex(c);
-        return table_.find_or_add(
-            hash(v), [&](std::uint32_t i) { return is(m_.corners[i], c, v); },
-            [&] {
-                if (const std::size_t next = table_.rows(); next < m_.corners.size())
-                    m_.corners[next] = c;
-                else
-                    m_.corners.push_back(c);
-            },
-            [&](std::uint32_t i) { return hash(vertex(m_.corners[i])); });
-    }
-
-    // Frees the table, and the corners as it goes.
-    void write(Mesh& mesh, bool with_uv, bool with_colour) {
-        const std::size_t count = table_.rows();
-        table_ = JoinTable(0);
-        mesh.position.reserve(count);
-        mesh.normal.reserve(count);
-        if (with_uv) mesh.uv.reserve(count);
-        if (with_colour) mesh.colour.reserve(count);
-        constexpr std::size_t kBlock = 65536;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (i % kBlock == 0 && i > 0)
-                release_pages(&m_.corners[i - kBlock], kBlock * sizeof(Corner));
-            const Vertex v = vertex(m_.corners[i]);
-            mesh.position.push_back(v.position);
-            mesh.normal.push_back(v.normal);
-            if (with_uv) mesh.uv.push_back(v.uv);
-            if (with_colour) mesh.colour.push_back(v.colour);
-        }
-    }
-
-private:
-    // Whether `a` makes the vertex v of corner c: by what decides it with the fewest places in
-    // memory.
-    bool is(const Corner& a, const Corner& c, const Vertex& v) const {
-        if (a.position == c.position && a.uv == c.uv && a.normal == c.normal) return true;
-        return position(a) == v.position && vertex(a) == v;
-    }
-
-    Vec3 position(const Corner& c) const {
-        return Vec3(m_.positions[static_cast<std::size_t>(c.position)]) + 0.0f; // -0 becomes 0
-    }
-
-    Vertex vertex(const Corner& c) const {
-        Vertex v;
-        v.position = position(c);
-        if (c.normal >= 0) v.normal = m_.normals[static_cast<std::size_t>(c.normal)] + 0.0f;
-        if (c.uv >= 0) {
-            const DVec2& uv = m_.uvs[static_cast<std::size_t>(c.uv)];
-            v.uv = Vec2(to_float(uv.x), to_float(uv.y)) + 0.0f;
-        }
-        if (!m_.colours.empty())
-            v.colour = finite_or_zero(m_.colours[static_cast<std::size_t>(c.position)]) + 0.0f;
-        return v;
-    }
-
-    static std::uint64_t bits(float a, float b) {
-        return std::uint64_t{std::bit_cast<std::uint32_t>(a)} << 32 |
-               std::bit_cast<std::uint32_t>(b);
-    }
-    std::uint64_t hash(const Vertex& v) const {
-        std::uint64_t h = mix_bits(bits(v.position.x, v.position.y));
-        h = mix_bits(h ^ bits(v.position.z, v.normal.x));
-        h = mix_bits(h + bits(v.normal.y, v.normal.z));
-        if (!m_.uvs.empty()) h = mix_bits(h + bits(v.uv.x, v.uv.y));
-        if (!m_.colours.empty())
-            h = mix_bits(mix_bits(h + bits(v.colour.x, v.colour.y)) + bits(v.colour.z, 0));
-        return h;
-    }
-
-    PolygonMesh& m_;
-    JoinTable table_;
-};
-
-// Which faces can be drawn, and which positions anything uses.
-struct Usable {
-    std::vector<bool> face, position;
-    std::size_t faces = 0, triangles = 0;
-    bool uv = false;
-
-    explicit Usable(const PolygonMesh& m) : face(m.faces()), position(m.positions.size()) {
-        CHECK_EQ(m.face_material.size(), m.faces());
-        CHECK_EQ(m.line_material.size(), m.line_begin.size());
-        CHECK_EQ(m.point_material.size(), m.point_vertices.size());
-        CHECK(m.face_smoothing.empty() || m.face_smoothing.size() == m.faces());
-        CHECK(m.colours.empty() || m.colours.size() == m.positions.size());
-        for (std::size_t f = 0; f < m.faces(); ++f) {
-            const std::size_t begin = m.face_begin[f], end = m.face_end(f);
-            face[f] = end >= begin + 3;
-            for (std::size_t c = begin; c < end; ++c) {
-                check_indices(m, m.corners[c]);
-                face[f] = face[f] && position_is_finite(m, m.corners[c].position);
-            }
-            if (!face[f]) continue;
-            ++faces;
-            triangles += end - begin - 2;
-            for (std::size_t c = begin; c < end; ++c) {
-                position[static_cast<std::size_t>(m.corners[c].position)] = true;
-                uv |= m.corners[c].uv >= 0;
-            }
-        }
-        for (const std::uint32_t p : m.line_vertices)
-            use(m, p);
-        for (const std::uint32_t p : m.point_vertices)
-            use(m, p);
-    }
-
-private:
-    static void check_indices(const PolygonMesh& m, const Corner& c) {
-        CHECK_LT(c.position, static_cast<std::int64_t>(m.positions.size()));
-        CHECK_LT(c.uv, static_cast<std::int64_t>(m.uvs.size()));
-        CHECK_LT(c.normal, static_cast<std::int64_t>(m.normals.size()));
-    }
-    static bool position_is_finite(const PolygonMesh& m, std::int32_t position) {
-        return position >= 0 && is_finite(m.positions[static_cast<std::size_t>(position)]);
-    }
-    void use(const PolygonMesh& m, std::uint32_t p) {
-        CHECK_LT(p, m.positions.size());
-        if (is_finite(m.positions[p])) position[p] = true;
-    }
-};
-
 class Builder {
 public:
-    Builder(PolygonMesh& polygons, BuildResult& result, const Usable& usable)
-        : m_(polygons), result_(result), mesh_(result.mesh), usable_(usable),
-          vertices_(polygons,
+    Builder(Jobs& jobs, PolygonMesh& polygons, BuildResult& result, const Usable& usable)
+        : jobs_(jobs), m_(polygons), result_(result), mesh_(result.mesh), usable_(usable),
+          vertices_(jobs, polygons,
                     std::min(m_.positions.size(), m_.corners.size() + m_.line_vertices.size() +
-                                                      m_.point_vertices.size())) {}
+                                                      m_.point_vertices.size())),
+          scratch_(static_cast<std::size_t>(jobs.threads())) {}
 
-    void add_faces() {
-        mesh_.index.reserve(usable_.triangles * 3);
-        mesh_.material.reserve(usable_.triangles);
-        mesh_.face.reserve(usable_.triangles);
-        for (std::size_t f = 0; f < m_.faces(); ++f)
-            if (usable_.face[f]) add_face(f);
+    // False: stopped by go_on.
+    bool add_faces(const std::function<bool(double)>& go_on) {
+        mesh_.index.reserve(usable_.all.triangles * 3);
+        mesh_.material.reserve(usable_.all.triangles);
+        mesh_.face.reserve(usable_.all.triangles);
+        const std::size_t blocks = usable_.blocks.size();
+        for (std::size_t block = 0; block < blocks;) {
+            if (!go_on(static_cast<double>(block) / static_cast<double>(blocks))) return false;
+            const std::size_t begin = block;
+            std::size_t corners = 0;
+            while (block < blocks && corners < kBatch)
+                corners += usable_.blocks[block++].corners;
+            add_batch(begin, block);
+        }
+        return true;
     }
 
     // A polyline is drawn whole or not at all, as a face is.
@@ -193,79 +55,150 @@ public:
                 line + 1 < m_.line_begin.size() ? m_.line_begin[line + 1] : m_.line_vertices.size();
             const std::span part = std::span(m_.line_vertices).subspan(begin, end - begin);
             if (!std::all_of(part.begin(), part.end(),
-                             [&](auto p) { return usable_.position[p]; })) {
+                             [&](auto p) { return usable_.position[p] != 0; })) {
                 ++result_.skipped_lines;
                 continue;
             }
             for (std::size_t i = 1; i < part.size(); ++i) {
-                mesh_.line_index.push_back(bare_vertex(part[i - 1]));
-                mesh_.line_index.push_back(bare_vertex(part[i]));
+                add_bare_vertex(part[i - 1], mesh_.line_index);
+                add_bare_vertex(part[i], mesh_.line_index);
                 mesh_.line_material.push_back(m_.line_material[line]);
             }
         }
+        number_bare_vertices(mesh_.line_index);
     }
 
     void add_points() {
         for (std::size_t i = 0; i < m_.point_vertices.size(); ++i) {
-            if (!usable_.position[m_.point_vertices[i]]) {
+            if (usable_.position[m_.point_vertices[i]] == 0) {
                 ++result_.skipped_points;
                 continue;
             }
-            mesh_.point_index.push_back(bare_vertex(m_.point_vertices[i]));
+            add_bare_vertex(m_.point_vertices[i], mesh_.point_index);
             mesh_.point_material.push_back(m_.point_material[i]);
         }
+        number_bare_vertices(mesh_.point_index);
     }
 
     // Last: frees what the others need.
     void make_vertices() {
         release(m_.face_begin);
         release(m_.face_material);
-        vertices_.write(mesh_, usable_.uv, !m_.colours.empty());
+        release(corners_);
+        vertices_.write(mesh_, usable_.all.uv, !m_.colours.empty());
     }
 
 private:
+    static constexpr std::size_t kBatch = 1 << 16; // corners whose vertices are found at once
     // A texture that is repeated very often has uvs whose floats keep too few digits of the place
     // within one repeat: such a face is moved by whole repeats towards 0 (HARD-CASES 36).
     static constexpr double kLargeUv = 64;
 
-    void add_face(std::size_t face) {
-        const std::size_t begin = m_.face_begin[face], n = m_.face_end(face) - begin;
-        cut_.clear(); // before the vertices are numbered, which overwrites corners
-        if (n == 3) {
-            cut_ = {0, 1, 2};
-        } else {
-            outline_.clear();
-            for (std::size_t i = 0; i < n; ++i)
-                outline_.push_back(
-                    m_.positions[static_cast<std::size_t>(m_.corners[begin + i].position)]);
-            triangulate(outline_, cut_);
-        }
-        const DVec2 shift = uv_shift(face);
-        numbers_.clear();
-        for (std::size_t i = 0; i < n; ++i)
-            numbers_.push_back(vertices_.number_of(shifted(m_.corners[begin + i], shift)));
-        for (const std::uint32_t i : cut_)
-            mesh_.index.push_back(numbers_[i]);
-        mesh_.material.insert(mesh_.material.end(), n - 2, m_.face_material[face]);
-        mesh_.face.insert(mesh_.face.end(), n - 2, static_cast<std::uint32_t>(face));
+    // Where a block's corners and triangles begin: the former in corners_, the latter in the mesh.
+    struct Place {
+        std::size_t corner, triangle;
+    };
+    struct ShiftedCorner {
+        std::size_t corner; // in corners_
+        DVec2 uv;
+    };
+
+    // The faces of some blocks.
+    void add_batch(std::size_t begin, std::size_t end) {
+        places_.assign(1, {0, mesh_.material.size()});
+        for (std::size_t b = begin; b < end; ++b)
+            places_.push_back({places_.back().corner + usable_.blocks[b].corners,
+                               places_.back().triangle + usable_.blocks[b].triangles});
+        corners_.resize(places_.back().corner);
+        shifted_.resize(std::max(shifted_.size(), end - begin));
+        for_blocks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int) {
+            copy_corners(begin + i, places_[i].corner, shifted_[i]);
+        });
+        for (std::size_t i = 0; i < end - begin; ++i)
+            shift_uvs(shifted_[i]);
+        const std::span<const std::uint32_t> numbers = vertices_.numbers_of(corners_);
+        mesh_.index.resize(places_.back().triangle * 3);
+        mesh_.material.resize(places_.back().triangle);
+        mesh_.face.resize(places_.back().triangle);
+        for_blocks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int worker) {
+            cut_faces(begin + i, places_[i], numbers, scratch_[static_cast<std::size_t>(worker)]);
+        });
     }
 
-    Corner shifted(Corner c, const DVec2& shift) {
+    template <class Visit>
+    void for_usable_faces(std::size_t block, Visit&& visit) const {
+        const std::size_t end = std::min((block + 1) * kFaceBlock, m_.faces());
+        for (std::size_t f = block * kFaceBlock; f < end; ++f)
+            if (usable_.face[f]) visit(f);
+    }
+
+    // Before the vertices are numbered, which overwrites corners.
+    void copy_corners(std::size_t block, std::size_t to, std::vector<ShiftedCorner>& shifted) {
+        shifted.clear();
+        for_usable_faces(block, [&](std::size_t f) {
+            const DVec2 shift = uv_shift(f);
+            for (std::size_t c = m_.face_begin[f]; c < m_.face_end(f); ++c, ++to) {
+                corners_[to] = m_.corners[c];
+                if (shift == DVec2(0) || corners_[to].uv < 0) continue;
+                const DVec2& uv = m_.uvs[static_cast<std::size_t>(corners_[to].uv)];
+                shifted.push_back({to, uv - shift});
+            }
+        });
+    }
+
+    void shift_uvs(const std::vector<ShiftedCorner>& shifted) {
         constexpr std::size_t kMostUvs = std::numeric_limits<std::int32_t>::max();
-        if (c.uv < 0 || shift == DVec2(0) || m_.uvs.size() >= kMostUvs) return c;
-        const DVec2 uv = m_.uvs[static_cast<std::size_t>(c.uv)] - shift;
-        c.uv = static_cast<std::int32_t>(m_.uvs.size());
-        m_.uvs.push_back(uv);
-        return c;
+        for (const ShiftedCorner& s : shifted) {
+            if (m_.uvs.size() >= kMostUvs) return;
+            corners_[s.corner].uv = static_cast<std::int32_t>(m_.uvs.size());
+            m_.uvs.push_back(s.uv);
+        }
     }
 
-    std::uint32_t bare_vertex(std::uint32_t position) {
-        return vertices_.number_of({.position = static_cast<std::int32_t>(position)});
+    // For one worker.
+    struct Scratch {
+        std::vector<std::uint32_t> cut; // triangles of a face's corners
+        std::vector<DVec3> outline;
+    };
+
+    void cut_faces(std::size_t block, Place at, std::span<const std::uint32_t> numbers,
+                   Scratch& scratch) {
+        for_usable_faces(block, [&](std::size_t f) {
+            const std::size_t n = m_.face_end(f) - m_.face_begin[f];
+            const std::span corners = std::span(corners_).subspan(at.corner, n);
+            scratch.cut.clear();
+            if (n == 3) {
+                scratch.cut.insert(scratch.cut.end(), {0, 1, 2});
+            } else {
+                scratch.outline.clear();
+                for (const Corner& c : corners)
+                    scratch.outline.push_back(m_.positions[static_cast<std::size_t>(c.position)]);
+                triangulate(scratch.outline, scratch.cut);
+            }
+            for (std::size_t i = 0; i < scratch.cut.size(); ++i)
+                mesh_.index[at.triangle * 3 + i] = numbers[at.corner + scratch.cut[i]];
+            for (std::size_t i = 0; i < n - 2; ++i, ++at.triangle) {
+                mesh_.material[at.triangle] = m_.face_material[f];
+                mesh_.face[at.triangle] = static_cast<std::uint32_t>(f);
+            }
+            at.corner += n;
+        });
+    }
+
+    // Of lines and points: their vertices' numbers come at the end of `out`.
+    void add_bare_vertex(std::uint32_t position, std::vector<std::uint32_t>& out) {
+        bare_.push_back({.position = static_cast<std::int32_t>(position)});
+        if (bare_.size() >= kBatch) number_bare_vertices(out);
+    }
+    void number_bare_vertices(std::vector<std::uint32_t>& out) {
+        const std::span<const std::uint32_t> numbers = vertices_.numbers_of(bare_);
+        out.insert(out.end(), numbers.begin(), numbers.end());
+        bare_.clear();
     }
 
     DVec2 uv_shift(std::size_t face) const {
         DVec2 lo(std::numeric_limits<double>::infinity()), largest(0);
-        if (!usable_.uv) return largest;
+        if (!usable_.all.uv) return largest;
         for (std::size_t c = m_.face_begin[face]; c < m_.face_end(face); ++c) {
             if (m_.corners[c].uv < 0) continue;
             const DVec2& uv = m_.uvs[static_cast<std::size_t>(m_.corners[c].uv)];
@@ -276,14 +209,42 @@ private:
                 largest.y > kLargeUv ? std::floor(lo.y) : 0};
     }
 
+    Jobs& jobs_;
     PolygonMesh& m_;
     BuildResult& result_;
     Mesh& mesh_;
     const Usable& usable_;
     Vertices vertices_;
-    std::vector<std::uint32_t> numbers_, cut_; // of one face: vertex numbers, triangles of corners
-    std::vector<DVec3> outline_;
+    std::vector<Place> places_;                       // of a batch's blocks, and their end
+    std::vector<Corner> corners_;                     // of a batch
+    std::vector<std::vector<ShiftedCorner>> shifted_; // of each block
+    std::vector<Corner> bare_;
+    std::vector<Scratch> scratch_;
 };
+
+// Of the time that a mesh takes to build: where normals begin, and where vertices do.
+constexpr double kToNormals = 0.1, kToVertices = 0.6;
+
+// The part of all that goes from `begin` to `end`.
+std::function<bool(double)> part_of(const std::function<bool(double)>& progress, double begin,
+                                    double end) {
+    return [&progress, begin, end](double share) {
+        return !progress || progress(begin + share * (end - begin));
+    };
+}
+
+void normalise(Jobs& jobs, PolygonMesh& m, const Usable& usable, Mesh& mesh) {
+    const Framing framing = framing_of(jobs, m.positions, usable.position);
+    mesh.centre = framing.centre;
+    mesh.exponent = framing.exponent;
+    mesh.radius = framing.radius;
+    mesh.box_min = framing.box_min;
+    mesh.box_max = framing.box_max;
+    for_blocks(jobs, m.positions.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            m.positions[i] = framing.normalise(m.positions[i]);
+    });
+}
 
 void warn_of(std::size_t count, const char* what, const std::string& name, Warnings& warnings) {
     if (count > 0)
@@ -298,29 +259,26 @@ void warn_of(std::size_t count, const char* what, const std::string& name, Warni
 BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, const std::string& name,
                        Warnings& warnings) {
     PolygonMesh m = std::move(polygons);
+    std::optional<Jobs> alone;
+    Jobs& jobs = options.jobs != nullptr ? *options.jobs : alone.emplace(1);
     BuildResult result;
-    const Usable usable(m);
-    result.skipped_faces = m.faces() - usable.faces;
-
-    const Framing framing = framing_of(m.positions, usable.position);
-    result.mesh.centre = framing.centre;
-    result.mesh.exponent = framing.exponent;
-    result.mesh.radius = framing.radius;
-    result.mesh.box_min = framing.box_min;
-    result.mesh.box_max = framing.box_max;
-    for (DVec3& p : m.positions)
-        p = framing.normalise(p); // from here on everything is of unit size
-
-    make_normals(m, usable.face, options.crease_degrees);
+    const Usable usable(jobs, m);
+    result.skipped_faces = m.faces() - usable.all.faces;
+    normalise(jobs, m, usable, result.mesh); // from here on everything is of unit size
+    result.stopped = !make_normals(jobs, m, usable.face, options.crease_degrees,
+                                   part_of(options.progress, kToNormals, kToVertices));
+    if (result.stopped) return result;
     release(m.face_smoothing);
     {
-        Builder builder(m, result, usable);
-        builder.add_faces();
+        Builder builder(jobs, m, result, usable);
+        result.stopped = !builder.add_faces(part_of(options.progress, kToVertices, 1));
+        if (result.stopped) return result;
         builder.add_lines();
         builder.add_points();
         builder.make_vertices();
     }
     find_line_faces(result.mesh);
+    result.mesh.clusters = find_clusters(jobs, result.mesh);
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);
     warn_of(result.skipped_points, "points", name, warnings);

@@ -2,16 +2,21 @@
 // normals made, coordinates normalised. Order of triangles = order of faces in the file.
 #pragma once
 
+#include "base/jobs.h"
 #include "base/warnings.h"
 #include "geom/mesh.h"
 #include "geom/polygon_mesh.h"
 
+#include <functional>
 #include <string>
 
 namespace scanout::geom {
 
 struct BuildOptions {
     double crease_degrees = 60; // where the file has neither normals nor smoothing groups
+    Jobs* jobs = nullptr;       // null: on one thread. The mesh does not depend on it
+    // Called now and then with the share that is done, 0 to 1; false stops the work.
+    std::function<bool(double)> progress = nullptr;
 };
 
 struct BuildResult {
@@ -19,6 +24,7 @@ struct BuildResult {
     std::size_t skipped_faces = 0; // fewer than three corners, or a position that is not finite
     std::size_t skipped_lines = 0; // polylines with a position that is not finite
     std::size_t skipped_points = 0;
+    bool stopped = false; // by progress: the mesh is of no use
 };
 
 // Takes the PolygonMesh and frees its arrays. `name` stands in warnings. Never fails: what can be

@@ -1,5 +1,6 @@
 #include "geom/framing.h"
 
+#include "base/blocks.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -53,19 +54,48 @@ DVec3 Framing::normalise(const DVec3& file_units) const {
     return scale_by_power(file_units - centre, -exponent);
 }
 
-Framing framing_of(const std::vector<DVec3>& positions, const std::vector<bool>& used) {
-    const bool some = std::find(used.begin(), used.end(), true) != used.end();
-    const auto counts = [&](std::size_t i) {
-        return (!some || used[i]) && is_finite(positions[i]);
-    };
+namespace {
 
-    DVec3 lo(kMax), hi(-kMax);
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!counts(i)) continue;
-        const DVec3& p = positions[i];
-        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
-        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+constexpr std::size_t kBlock = 16384;
+
+// Calls visit(position, result of the block) for the positions that count, block by block.
+template <class T, class Visit>
+std::vector<T> by_blocks(Jobs& jobs, const std::vector<DVec3>& positions,
+                         const std::vector<std::uint8_t>& used, const T& empty, Visit&& visit) {
+    const bool some =
+        std::find_if(used.begin(), used.end(), [](std::uint8_t u) { return u != 0; }) != used.end();
+    std::vector<T> results((positions.size() + kBlock - 1) / kBlock, empty);
+    for_blocks(jobs, positions.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+        T result = empty;
+        for (std::size_t i = begin; i < end; ++i)
+            if ((!some || used[i] != 0) && is_finite(positions[i])) visit(positions[i], result);
+        results[begin / kBlock] = result;
+    });
+    return results;
+}
+
+struct Extent {
+    DVec3 lo{kMax}, hi{-kMax};
+    void include(const DVec3& low, const DVec3& high) {
+        lo = {std::min(lo.x, low.x), std::min(lo.y, low.y), std::min(lo.z, low.z)};
+        hi = {std::max(hi.x, high.x), std::max(hi.y, high.y), std::max(hi.z, high.z)};
     }
+};
+
+Extent extent_of(Jobs& jobs, const std::vector<DVec3>& positions,
+                 const std::vector<std::uint8_t>& used) {
+    Extent all;
+    for (const Extent& part : by_blocks(jobs, positions, used, Extent(),
+                                        [](const DVec3&p, Extent&e) { e.include(p, p); }))
+        all.include(part.lo, part.hi);
+    return all;
+}
+
+} // namespace
+
+Framing framing_of(Jobs& jobs, const std::vector<DVec3>& positions,
+                   const std::vector<std::uint8_t>& used) {
+    const auto [lo, hi] = extent_of(jobs, positions, used);
     Framing framing;
     if (lo.x > hi.x) return framing;
     framing.box_min = lo + 0.0; // + 0.0: a box that starts at -0 starts at 0
@@ -78,11 +108,12 @@ Framing framing_of(const std::vector<DVec3>& positions, const std::vector<bool>&
     if (largest == 0) return framing;
     framing.exponent = binary_exponent(largest); // every normalised coordinate is now in [-1, 1]
     double squared = 0;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-        if (!counts(i)) continue;
-        const DVec3 p = framing.normalise(positions[i]);
-        squared = std::max(squared, dot3(p, p));
-    }
+    for (const double part :
+         by_blocks(jobs, positions, used, 0.0, [&framing](const DVec3&at, double&most) {
+             const DVec3 p = framing.normalise(at);
+             most = std::max(most, dot3(p, p));
+         }))
+        squared = std::max(squared, part);
     framing.radius = sqrt(squared); // in [0.5, sqrt 3)
     if (framing.radius > 1) {
         ++framing.exponent;

@@ -3,8 +3,10 @@
 // vertices moves it; works from denormal extents to the largest doubles.
 #pragma once
 
+#include "base/jobs.h"
 #include "math/vec.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace scanout::geom {
@@ -19,9 +21,10 @@ struct Framing {
     DVec3 normalise(const DVec3& file_units) const;
 };
 
-// From the positions with used[i] set; from all, when none is. Positions that are not finite are
+// From the positions with used[i] not 0; from all, when none is. Positions that are not finite are
 // left out.
-Framing framing_of(const std::vector<DVec3>& positions, const std::vector<bool>& used);
+Framing framing_of(Jobs& jobs, const std::vector<DVec3>& positions,
+                   const std::vector<std::uint8_t>& used);
 
 bool is_finite(const DVec3& v);
 

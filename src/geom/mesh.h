@@ -3,6 +3,7 @@
 // once, so that the framing sphere's radius lies in [0.5, 1] and no model is too far or too small.
 #pragma once
 
+#include "geom/clusters.h"
 #include "math/vec.h"
 
 #include <cstddef>
@@ -38,6 +39,9 @@ struct Mesh {
     std::vector<std::uint32_t> index;
     std::vector<std::int32_t> material; // one a triangle, -1 none
     std::vector<std::uint32_t> face;    // one a triangle: the face of the file that it is part of
+
+    // Of the triangles; empty: none are known, and every triangle is looked at.
+    Clusters clusters;
 
     std::vector<std::uint32_t> line_index;   // two vertex indices a segment
     std::vector<std::int32_t> line_material; // one a segment

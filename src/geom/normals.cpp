@@ -1,5 +1,6 @@
 #include "geom/normals.h"
 
+#include "base/blocks.h"
 #include "geom/triangulate.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
@@ -8,6 +9,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <numeric>
 #include <span>
 
 namespace scanout::geom {
@@ -69,17 +71,18 @@ DVec3 triangle_normal(const DVec3& a, const DVec3& b, const DVec3& c) {
 // The faces as normals see them.
 class Faces {
 public:
-    Faces(const PolygonMesh& polygons, const std::vector<bool>& usable)
-        : m_(polygons), usable_(usable), normals_(polygons.faces()) {
-        std::vector<DVec3> outline;
-        for (std::size_t f = 0; f < m_.faces(); ++f)
-            if (usable_[f]) normals_[f] = to_fixed(unit_or_zero(area_normal(f, outline)));
-        block_face_.reserve(m_.corners.size() / kBlock + 1);
-        for (std::size_t f = 0, c = 0; c < m_.corners.size(); c += kBlock) {
-            while (c >= m_.face_end(f))
-                ++f;
-            block_face_.push_back(static_cast<std::uint32_t>(f));
-        }
+    Faces(Jobs& jobs, const PolygonMesh& polygons, const std::vector<bool>& usable)
+        : m_(polygons), usable_(usable), normals_(polygons.faces()),
+          block_face_(polygons.corners.size() / kBlock + 1) {
+        for_blocks(jobs, m_.faces(), kFaces, [&](std::size_t begin, std::size_t end, int) {
+            std::vector<DVec3> outline;
+            for (std::size_t f = begin; f < end; ++f) {
+                if (usable_[f]) normals_[f] = to_fixed(unit_or_zero(area_normal(f, outline)));
+                const std::size_t first = (m_.face_begin[f] + kBlock - 1) / kBlock;
+                for (std::size_t b = first; b * kBlock < m_.face_end(f); ++b)
+                    block_face_[b] = static_cast<std::uint32_t>(f);
+            }
+        });
     }
 
     const FixedNormal& normal(std::size_t face) const { return normals_[face]; }
@@ -119,7 +122,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kBlock = 8;
+    static constexpr std::size_t kBlock = 8, kFaces = 4096;
     static constexpr double kPi = 3.14159265358979323846;
 
     const DVec3& at(std::size_t corner) const {
@@ -141,24 +144,42 @@ private:
     std::vector<std::uint32_t> block_face_; // the face of every kBlock-th corner
 };
 
-// The corners around every position, as one array: those of position i begin at begin[i].
+// The corners around every position, as one array: those of position i begin at begin[i]. Each
+// thread takes a range of positions and looks through all corners for them: that reads the corners
+// once for every thread, and needs no room beside the result.
 struct CornersAt {
     std::vector<std::uint32_t> begin, corners;
 
-    CornersAt(const PolygonMesh& m, const Faces& faces) : begin(m.positions.size() + 1, 0) {
-        const auto each = [&](auto&& visit) {
+    CornersAt(Jobs& jobs, const PolygonMesh& m, const Faces& faces)
+        : begin(m.positions.size() + 1, 0) {
+        const std::size_t range = m.positions.size() / static_cast<std::size_t>(jobs.threads()) + 1;
+        const auto each = [&](std::size_t first, std::size_t last, auto&& visit) {
             for (std::size_t f = 0; f < m.faces(); ++f)
                 if (faces.usable(f))
-                    for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c)
-                        visit(c, static_cast<std::size_t>(m.corners[c].position));
+                    for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c) {
+                        const auto position = static_cast<std::size_t>(m.corners[c].position);
+                        if (position - first < last - first) visit(c, position);
+                    }
         };
-        each([&](std::size_t, std::size_t position) { ++begin[position]; });
-        std::uint32_t total = 0;
-        for (std::uint32_t& b : begin)
-            b = total += b; // the end of each, which filling moves down
-        corners.resize(total);
-        each([&](std::size_t c, std::size_t position) {
-            corners[--begin[position]] = static_cast<std::uint32_t>(c);
+        std::vector<std::uint32_t> total(m.positions.size() / range + 2); // of the ranges before
+        for_blocks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
+            std::uint32_t count = 0;
+            each(first, last, [&](std::size_t, std::size_t position) {
+                ++begin[position];
+                ++count;
+            });
+            total[first / range + 1] = count;
+        });
+        std::partial_sum(total.begin(), total.end(), total.begin());
+        corners.resize(total.back());
+        begin.back() = total.back();
+        for_blocks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
+            std::uint32_t sum = total[first / range];
+            for (std::size_t p = first; p < last; ++p)
+                begin[p] = sum += begin[p]; // the end of each, which filling moves down
+            each(first, last, [&](std::size_t c, std::size_t position) {
+                corners[--begin[position]] = static_cast<std::uint32_t>(c);
+            });
         });
     }
     std::span<const std::uint32_t> operator[](std::size_t position) const {
@@ -166,36 +187,49 @@ struct CornersAt {
     }
 };
 
+// What all makers of normals look at.
+struct Surroundings {
+    const Faces& faces;
+    std::int64_t crease_cos; // of a product of two fixed normals
+    double half_crease_cos;
+
+    Surroundings(const Faces& all, double crease_degrees)
+        : faces(all),
+          // The sides of a hexagon differ by 60 degrees up to rounding: all are within 60.
+          crease_cos(round_to_integer(cos_degrees(std::clamp(crease_degrees + 0.01, 0.0, 180.0)) *
+                                      kOne * kOne)),
+          half_crease_cos(cos_degrees(std::clamp(crease_degrees, 0.0, 180.0) / 2)) {}
+};
+
+// Makes the normals of some positions or faces, alone with the corners that stand there. They are
+// numbered from 0 until number_from() says what stands before them.
 class NormalMaker {
 public:
-    NormalMaker(PolygonMesh& polygons, const std::vector<bool>& usable, double crease_degrees)
-        : m_(polygons), faces_(polygons, usable), at_(polygons, faces_),
-          // The sides of a hexagon differ by 60 degrees up to rounding: all of them are within 60.
-          crease_cos_(round_to_integer(cos_degrees(std::clamp(crease_degrees + 0.01, 0.0, 180.0)) *
-                                       kOne * kOne)),
-          half_crease_cos_(cos_degrees(std::clamp(crease_degrees, 0.0, 180.0) / 2)) {
-        m_.normals.reserve(m_.normals.size() + m_.positions.size());
+    NormalMaker(PolygonMesh& polygons, const Surroundings& in) : m_(polygons), in_(in) {}
+
+    void make_flat(std::size_t face) {
+        const FixedNormal& n = in_.faces.normal(face);
+        for (std::size_t c = m_.face_begin[face]; c < m_.face_end(face); ++c)
+            set(static_cast<std::uint32_t>(c), {n.x, n.y, n.z}, n);
     }
 
-    void run() {
-        make_flat();
-        for (std::size_t p = 0; p < m_.positions.size(); ++p) {
-            const auto corners = at_[p];
-            const auto missing = [&](std::uint32_t c) { return m_.corners[c].normal < 0; };
-            if (std::any_of(corners.begin(), corners.end(), missing)) make_at(corners);
-        }
+    void make_missing(std::span<const std::uint32_t> corners) {
+        const auto missing = [&](std::uint32_t c) { return m_.corners[c].normal < 0; };
+        if (std::any_of(corners.begin(), corners.end(), missing)) make_at(corners);
+    }
+
+    std::span<const Vec3> made() const { return made_; }
+    void number_from(std::int32_t first) const {
+        for (const std::uint32_t c : set_)
+            m_.corners[c].normal += first;
+    }
+    void clear() {
+        made_.clear();
+        set_.clear();
+        last_sum_ = {};
     }
 
 private:
-    void make_flat() {
-        for (std::size_t f = 0; f < m_.faces(); ++f) {
-            if (!faces_.usable(f) || faces_.smoothing(f) != kSmoothingOff) continue;
-            const Sum normal{faces_.normal(f).x, faces_.normal(f).y, faces_.normal(f).z};
-            for (std::size_t c = m_.face_begin[f]; c < m_.face_end(f); ++c)
-                set(static_cast<std::uint32_t>(c), normal, faces_.normal(f));
-        }
-    }
-
     struct Item {
         std::uint32_t group, corner;
         FixedNormal normal;
@@ -215,11 +249,11 @@ private:
             static_cast<double>(std::uint64_t{1} << (58 - std::bit_width(corners.size())));
         items_.clear();
         for (const std::uint32_t c : corners) {
-            const std::size_t face = faces_.face_of(c);
-            const FixedNormal& n = faces_.normal(face);
-            const std::uint32_t group = faces_.smoothing(face);
+            const std::size_t face = in_.faces.face_of(c);
+            const FixedNormal& n = in_.faces.normal(face);
+            const std::uint32_t group = in_.faces.smoothing(face);
             if (group == kSmoothingOff) continue;
-            const double weight = n == FixedNormal{} ? 0 : faces_.angle(face, c) * scale / kOne;
+            const double weight = n == FixedNormal{} ? 0 : in_.faces.angle(face, c) * scale / kOne;
             items_.push_back({group,
                               c,
                               n,
@@ -253,7 +287,7 @@ private:
         const DVec3 axis = unit_or_zero(DVec3(sum.x, sum.y, sum.z));
         return std::all_of(group.begin(), group.end(), [&](const Item& item) {
             return item.normal == FixedNormal{} ||
-                   dot3(axis, from_fixed(item.normal)) > half_crease_cos_;
+                   dot3(axis, from_fixed(item.normal)) > in_.half_crease_cos;
         });
     }
 
@@ -286,7 +320,7 @@ private:
                 const FixedNormal own = directions_[direction].normal;
                 sum = {};
                 for (const Direction& d : directions_)
-                    if (dot(d.normal, own) >= crease_cos_ || own == FixedNormal{})
+                    if (dot(d.normal, own) >= in_.crease_cos || own == FixedNormal{})
                         sum += d.weighted;
             }
             set(sorted_[i].corner, sum, sorted_[i].normal);
@@ -302,37 +336,98 @@ private:
             DVec3 n = unit_or_zero(DVec3(sum.x, sum.y, sum.z));
             if (n == DVec3(0)) n = unit_or_zero(from_fixed(face_normal));
             if (n == DVec3(0)) n.z = 1;
-            m_.normals.emplace_back(n);
+            made_.emplace_back(n);
             last_sum_ = sum;
         }
-        index = static_cast<std::int32_t>(m_.normals.size() - 1);
+        index = static_cast<std::int32_t>(made_.size() - 1);
+        set_.push_back(corner);
     }
 
     static constexpr std::size_t kMostPairwise = 256;
 
     PolygonMesh& m_;
-    Faces faces_;
-    CornersAt at_;
-    std::int64_t crease_cos_; // of a product of two fixed normals
-    double half_crease_cos_;
+    const Surroundings& in_;
+    std::vector<Vec3> made_;
+    std::vector<std::uint32_t> set_; // the corners that have them
     std::vector<Item> items_, sorted_;
     std::vector<Direction> directions_;
     Sum last_sum_; // what the last entry of the normals was made of
 };
 
+// Calls make(maker, i) for every i of [0, count), in blocks on all cores, and puts what the makers
+// made behind the normals, in order. In waves, so that little stands in the makers at a time.
+template <class Make>
+bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size_t count,
+                   Make&& make, const std::function<bool(double)>& go_on) {
+    constexpr std::size_t kBlock = 512, kWave = 32 * kBlock;
+    std::vector<NormalMaker> makers(std::min(kWave / kBlock, count / kBlock + 1),
+                                    NormalMaker(m, in));
+    std::vector<std::size_t> begin(makers.size() + 1);
+    for (std::size_t wave = 0; wave < count; wave += kWave) {
+        if (go_on && !go_on(static_cast<double>(wave) / static_cast<double>(count))) return false;
+        const std::size_t length = std::min(kWave, count - wave);
+        for_blocks(jobs, length, kBlock, [&](std::size_t first, std::size_t last, int) {
+            NormalMaker& maker = makers[first / kBlock];
+            maker.clear();
+            for (std::size_t i = first; i < last; ++i)
+                make(maker, wave + i);
+            begin[first / kBlock + 1] = maker.made().size();
+        });
+        begin[0] = m.normals.size();
+        const std::size_t used = (length + kBlock - 1) / kBlock;
+        for (std::size_t i = 0; i < used; ++i)
+            begin[i + 1] += begin[i];
+        m.normals.resize(begin[used]);
+        for_blocks(jobs, used, 1, [&](std::size_t i, std::size_t, int) {
+            const std::span<const Vec3> made = makers[i].made();
+            std::copy(made.begin(), made.end(),
+                      m.normals.begin() + static_cast<std::ptrdiff_t>(begin[i]));
+            makers[i].number_from(static_cast<std::int32_t>(begin[i]));
+        });
+    }
+    return true;
+}
+
+// True when a corner is without a normal. Those of the file become unit vectors; where they say
+// nothing, the corner has none.
+bool take_normals_of_file(Jobs& jobs, PolygonMesh& m) {
+    constexpr std::size_t kBlock = 16384;
+    for_blocks(jobs, m.normals.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            m.normals[i] = Vec3(unit_or_zero(DVec3(m.normals[i])));
+    });
+    std::vector<std::uint8_t> missing(m.corners.size() / kBlock + 1, 0);
+    for_blocks(jobs, m.corners.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+        bool some = false;
+        for (std::size_t c = begin; c < end; ++c) {
+            std::int32_t& normal = m.corners[c].normal;
+            if (normal >= 0 && m.normals[static_cast<std::size_t>(normal)] == Vec3(0)) normal = -1;
+            some |= normal < 0;
+        }
+        missing[begin / kBlock] = some ? 1 : 0;
+    });
+    return std::find(missing.begin(), missing.end(), 1) != missing.end();
+}
+
 } // namespace
 
-void make_normals(PolygonMesh& polygons, const std::vector<bool>& usable, double crease_degrees) {
-    for (Vec3& n : polygons.normals)
-        n = Vec3(unit_or_zero(DVec3(n)));
-    bool missing = false;
-    for (Corner& corner : polygons.corners) {
-        if (corner.normal >= 0 &&
-            polygons.normals[static_cast<std::size_t>(corner.normal)] == Vec3(0))
-            corner.normal = -1;
-        missing |= corner.normal < 0;
-    }
-    if (missing) NormalMaker(polygons, usable, crease_degrees).run();
+bool make_normals(Jobs& jobs, PolygonMesh& m, const std::vector<bool>& usable,
+                  double crease_degrees, const std::function<bool(double)>& go_on) {
+    if (!take_normals_of_file(jobs, m)) return true;
+    const Faces faces(jobs, m, usable);
+    const Surroundings in(faces, crease_degrees);
+    m.normals.reserve(m.normals.size() + m.positions.size());
+    if (!m.face_smoothing.empty())
+        make_in_order(
+            jobs, m, in, m.faces(),
+            [&](NormalMaker& maker, std::size_t face) {
+                if (usable[face] && faces.smoothing(face) == kSmoothingOff) maker.make_flat(face);
+            },
+            nullptr);
+    const CornersAt at(jobs, m, faces);
+    return make_in_order(
+        jobs, m, in, m.positions.size(),
+        [&](NormalMaker& maker, std::size_t position) { maker.make_missing(at[position]); }, go_on);
 }
 
 } // namespace scanout::geom

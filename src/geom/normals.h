@@ -4,8 +4,10 @@
 // the order of the faces.
 #pragma once
 
+#include "base/jobs.h"
 #include "geom/polygon_mesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace scanout::geom {
@@ -22,6 +24,9 @@ namespace scanout::geom {
 // 1).
 //
 // positions of usable faces must be finite and within [-1, 1] (as Framing::normalise makes them).
-void make_normals(PolygonMesh& polygons, const std::vector<bool>& usable, double crease_degrees);
+// `go_on` gets the share that is done, 0 to 1, now and then; when it says false, the rest is left,
+// and make_normals is false.
+bool make_normals(Jobs& jobs, PolygonMesh& polygons, const std::vector<bool>& usable,
+                  double crease_degrees, const std::function<bool(double)>& go_on = nullptr);
 
 } // namespace scanout::geom

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "image/dither.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -201,6 +202,26 @@ Image as_displayed(const PixelFormat& format, const Image& image) {
         decode_row(format, bytes.data(), out.row(y));
     }
     return out;
+}
+
+Image without_dither(const PixelFormat& format, const Image& image) {
+    const auto table = [](const Channel& c) {
+        std::array<std::uint8_t, 256> nearest{};
+        const Packer level(Channel{0, c.bits});
+        for (std::size_t code = 0; code < nearest.size(); ++code)
+            nearest[code] = static_cast<std::uint8_t>(
+                widened(level(static_cast<std::uint8_t>(code), kDitherSteps / 2 - 1), c.bits));
+        return nearest;
+    };
+    const auto red = table(format.red), green = table(format.green), blue = table(format.blue);
+    Image out = image;
+    for (Rgba8& pixel : out.pixels())
+        pixel = {red[pixel.r], green[pixel.g], blue[pixel.b], pixel.a};
+    return out;
+}
+
+int fewest_bits(const PixelFormat& format) {
+    return std::min({format.red.bits, format.green.bits, format.blue.bits});
 }
 
 } // namespace scanout::image

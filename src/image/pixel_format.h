@@ -55,5 +55,9 @@ void decode_row(const PixelFormat& format, const std::uint8_t* in, std::span<Rgb
 
 // encode then decode: the picture as the display shows it.
 Image as_displayed(const PixelFormat& format, const Image& image);
+// Without dither: every code becomes the nearest that the display shows (the lower one where two
+// are as near), which encode_row() then keeps. Alpha stays as it is.
+Image without_dither(const PixelFormat& format, const Image& image);
+int fewest_bits(const PixelFormat& format); // of red, green and blue
 
 } // namespace scanout::image

@@ -1,9 +1,9 @@
 // A model file -> Scene. The one door to this module: no other module knows a file format.
 #pragma once
 
+#include "base/jobs.h"
 #include "base/result.h"
 #include "base/warnings.h"
-#include "geom/build.h"
 #include "scene/scene.h"
 
 #include <cstdint>
@@ -22,9 +22,11 @@ struct LoadTimes {
 };
 
 struct LoadOptions {
-    geom::BuildOptions build;
-    // Called now and then with the share of the file that is read, 0 to 1. Returning false cancels:
-    // load() then fails with Exit::unreadable, "path: loading was cancelled".
+    double crease_degrees = 60; // where the file has neither normals nor smoothing groups
+    Jobs* jobs = nullptr; // null: on the calling thread alone. The scene does not depend on it
+    // Called now and then, on the calling thread, with the share of the work that is done, 0 to 1.
+    // Returning false cancels: load() then fails with Exit::unreadable, "path: loading was
+    // cancelled".
     std::function<bool(double)> progress;
     LoadTimes* times = nullptr; // filled when given
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model

@@ -61,11 +61,11 @@ int hex_digit(char c) {
 } // namespace
 
 Result<ObjFile> read_obj(std::string_view file, const std::string& path, Warnings& warnings,
-                         const std::function<bool(double)>& progress) {
+                         const std::function<bool(double)>& progress, const Reading& how) {
     if (file.empty()) return fail(Exit::unreadable, "{}: the file is empty", path);
     if (const auto reason = not_a_text_model(file))
         return fail(Exit::unreadable, "{}: {}", path, *reason);
-    return ObjReader(file, path, warnings, progress).read();
+    return ObjReader(file, path, warnings, progress, how).read();
 }
 
 Result<ObjFile> ObjReader::read() {
@@ -73,8 +73,8 @@ Result<ObjFile> ObjReader::read() {
     last_checkpoint_ = at_.at;
     next_checkpoint_ = at_.end - at_.at > kFirstInterval ? at_.at + kFirstInterval : at_.end;
     while (!at_.done() && !stop_) {
-        statement();
-        finish_statement();
+        const auto left = static_cast<std::size_t>(at_.end - at_.at);
+        if (!read_parts()) read_to(at_.at + std::min(left, parts_.part_bytes()));
     }
     if (stop_) {
         tell_faults();
@@ -82,6 +82,13 @@ Result<ObjFile> ObjReader::read() {
     }
     TRY_VOID(finish());
     return std::move(out_);
+}
+
+void ObjReader::read_to(const char* end) {
+    while (at_.at < end && !stop_ && (!part_ || part_->plain)) {
+        statement();
+        finish_statement();
+    }
 }
 
 void ObjReader::statement() {
@@ -124,6 +131,7 @@ void ObjReader::other_statement() {
 }
 
 void ObjReader::free_form_statement(std::string_view keyword) {
+    if (part_) part_->plain = false;
     if (free_form_line_ == 0) free_form_line_ = at_.line;
     if (std::find(free_form_keywords_.begin(), free_form_keywords_.end(), keyword) ==
         free_form_keywords_.end())
@@ -268,12 +276,14 @@ void ObjReader::smoothing() {
         group = 0;
     }
     smoothing_ = static_cast<std::uint32_t>(group);
+    if (part_ && !part_->before_smoothing) part_->before_smoothing = out_.polygons.faces();
     out_.polygons.face_smoothing.resize(out_.polygons.faces(), geom::kSmoothingUnset);
 }
 
 void ObjReader::use_material() {
     const std::size_t line = at_.line;
     std::string name = at_.rest();
+    if (part_) note_material_in_part();
     if (name.empty()) {
         material_ = -1;
         return;
@@ -285,7 +295,7 @@ void ObjReader::use_material() {
 }
 
 void ObjReader::checkpoint() {
-    if (at_.at < next_checkpoint_ || stop_) return;
+    if (at_.at < next_checkpoint_ || stop_ || part_) return;
     if (progress_ &&
         !progress_(static_cast<double>(at_.at - file_.data()) / static_cast<double>(file_.size())))
         return stop("loading was cancelled");

@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "geom/polygon_mesh.h"
+#include "io/text_parts.h"
 
 #include <cstddef>
 #include <functional>
@@ -35,6 +36,7 @@ struct ObjFile {
 // What one line has wrong is a warning (file:line); errors (Exit::unreadable) are a file without a
 // usable vertex, a file beyond 2^31 vertices or 2^32 corners, and a cancelled read.
 Result<ObjFile> read_obj(std::string_view file, const std::string& path, Warnings& warnings,
-                         const std::function<bool(double)>& progress = nullptr);
+                         const std::function<bool(double)>& progress = nullptr,
+                         const Reading& how = {});
 
 } // namespace scanout::io

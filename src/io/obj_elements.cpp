@@ -49,7 +49,8 @@ void erase_runs(std::vector<std::uint32_t>& begin, std::vector<Item>& items,
 
 } // namespace
 
-std::int32_t ObjReader::resolve(std::int64_t index, std::size_t count) {
+std::int32_t ObjReader::resolve(std::int64_t index, std::size_t count, Named named) {
+    if (part_) return resolve_in_part(index, count, named);
     const auto n = static_cast<std::int64_t>(count);
     if (index < 0) return n + index >= 0 ? static_cast<std::int32_t>(n + index) : -1;
     if (index == 0 || index > std::numeric_limits<std::int32_t>::max()) return -1;
@@ -57,9 +58,9 @@ std::int32_t ObjReader::resolve(std::int64_t index, std::size_t count) {
     return static_cast<std::int32_t>(index - 1);
 }
 
-std::int32_t ObjReader::resolve_optional(std::int64_t index, std::size_t count,
-                                         std::string_view what) {
-    const std::int32_t resolved = resolve(index, count);
+std::int32_t ObjReader::resolve_optional(std::int64_t index, std::size_t count, Named named) {
+    const std::int32_t resolved = resolve(index, count, named);
+    const std::string_view what = named == named_uv ? "texture coordinate" : "normal";
     if (resolved < 0)
         warn(what, at_.line,
              "{} {} does not exist, the file has {} so far; the face is drawn without", what, index,
@@ -73,7 +74,7 @@ bool ObjReader::corner(geom::Corner& corner) {
     const geom::PolygonMesh& m = out_.polygons;
     std::int64_t index = 0;
     if (!read_integer(at_.at, at_.end, index)) return false;
-    corner.position = resolve(index, m.positions.size());
+    corner.position = resolve(index, m.positions.size(), named_position);
     if (corner.position < 0) return false;
     const auto position = static_cast<std::size_t>(corner.position);
     if (bad_positions_ > 0 && position < m.positions.size() &&
@@ -82,11 +83,11 @@ bool ObjReader::corner(geom::Corner& corner) {
     if (at_.done() || *at_.at != '/') return at_.at_word_end();
     ++at_.at;
     if (read_integer(at_.at, at_.end, index))
-        corner.uv = resolve_optional(index, m.uvs.size(), "texture coordinate");
+        corner.uv = resolve_optional(index, m.uvs.size(), named_uv);
     if (at_.done() || *at_.at != '/') return at_.at_word_end();
     ++at_.at;
     if (read_integer(at_.at, at_.end, index))
-        corner.normal = resolve_optional(index, m.normals.size(), "normal");
+        corner.normal = resolve_optional(index, m.normals.size(), named_normal);
     return at_.at_word_end();
 }
 

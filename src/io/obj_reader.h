@@ -1,5 +1,5 @@
 // The state of one OBJ file being read; obj.cpp drives it, obj_elements.cpp holds the statements
-// that name vertices.
+// that name vertices, obj_parts.cpp puts parts together that were read beside each other.
 #pragma once
 
 #include "io/cursor.h"
@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <unordered_map>
@@ -17,15 +19,31 @@
 
 namespace scanout::io {
 
+// What the reader of a part says of it: what hangs on what stands before the part.
+struct ObjPart {
+    bool plain = true; // no fault, and nothing out of the ordinary
+    struct Indices {
+        bool from_start = false, from_end = false; // in which ways the file counts
+        std::int64_t ahead = 0;  // of indices from the start: how far beyond the part's own
+        std::int64_t before = 0; // of indices from the end: how far before the part's begin
+    };
+    std::array<Indices, 3> indices; // of positions, uvs, normals
+    // What comes before the part's first usemtl, and its first s.
+    std::optional<std::array<std::size_t, 3>> before_material; // faces, lines, points
+    std::optional<std::size_t> before_smoothing;               // faces
+};
+
 class ObjReader {
 public:
     ObjReader(std::string_view file, const std::string& path, Warnings& warnings,
-              const std::function<bool(double)>& progress)
-        : file_(file), path_(path), warnings_(warnings), progress_(progress), at_(file) {}
+              const std::function<bool(double)>& progress, const Reading& how)
+        : file_(file), path_(path), warnings_(warnings), progress_(progress), parts_(how),
+          at_(file) {}
 
     Result<ObjFile> read();
 
 private:
+    void read_to(const char* end); // statements that begin before it
     void statement();
     void vertex_statement();
     void other_statement();
@@ -57,10 +75,11 @@ private:
     void polyline();
     void points();
     bool corner(geom::Corner& corner);
+    enum Named : std::size_t { named_position, named_uv, named_normal, named_count };
     // Index of the file -> index from 0, -1 when it names nothing. Sets doubtful_ when it points
     // ahead.
-    std::int32_t resolve(std::int64_t index, std::size_t count);
-    std::int32_t resolve_optional(std::int64_t index, std::size_t count, std::string_view what);
+    std::int32_t resolve(std::int64_t index, std::size_t count, Named named);
+    std::int32_t resolve_optional(std::int64_t index, std::size_t count, Named named);
     // Takes out the doubtful elements that turn out to be unusable.
     void check_doubtful();
     bool check_doubtful_face(std::size_t face, std::size_t line);
@@ -68,6 +87,18 @@ private:
     bool check_vertex(std::int64_t vertex, std::string_view what, std::size_t line);
     std::size_t line_end(std::size_t line) const;
     void all_vertices_as_points();
+
+    // obj_parts.cpp
+    // Reads some parts at once; false when there are none to be had.
+    bool read_parts();
+    void read_part(std::string_view text);   // as if nothing stood before it
+    bool takes(const ObjReader& part) const; // what the part says holds behind what was read
+    void take(const ObjReader& part);
+    void take_vertices(const ObjReader& part);
+    void take_elements(const ObjReader& part);
+    void take_smoothing(const ObjReader& part);
+    std::int32_t resolve_in_part(std::int64_t index, std::size_t count, Named named);
+    void note_material_in_part();
 
     // Every MB: progress, and room for what is still to come.
     void checkpoint();
@@ -80,6 +111,10 @@ private:
     template <class... Args>
     void warn(std::string_view kind, std::size_t line, fmt::format_string<Args...> format,
               Args&&... args) {
+        if (part_) {
+            part_->plain = false;
+            return;
+        }
         const auto known = std::find_if(faults_.begin(), faults_.end(),
                                         [&](const Fault& f) { return f.kind == kind; });
         Fault& fault =
@@ -97,6 +132,8 @@ private:
     const std::string& path_;
     Warnings& warnings_;
     const std::function<bool(double)>& progress_;
+    TextParts parts_;
+    std::vector<std::unique_ptr<ObjReader>> part_readers_; // kept for their room
 
     Cursor at_;
     ObjFile out_;
@@ -124,6 +161,8 @@ private:
         std::size_t count;
     };
     std::vector<Fault> faults_;
+
+    std::optional<ObjPart> part_; // of the reader of a part
 
     const char* last_checkpoint_ = nullptr;
     const char* next_checkpoint_ = nullptr;

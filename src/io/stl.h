@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "geom/polygon_mesh.h"
+#include "io/text_parts.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -33,6 +34,6 @@ std::size_t stl_facets_told(std::string_view head, std::uint64_t size);
 // (Exit::unreadable): not STL at all, no facet that can be used, or cancelled. `progress` gets the
 // share of the file that will not be read again and returns false to cancel; it may be empty.
 Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
-                           const std::function<bool(double)>& progress);
+                           const std::function<bool(double)>& progress, const Reading& how = {});
 
 } // namespace scanout::io

@@ -91,6 +91,7 @@ Result<void> Explainer::begin() {
 Result<void> Explainer::count_pixels() {
     frame::FrameOptions bare = options_;
     bare.samples = 1;
+    bare.aa = "auto"; // then `samples` says it
     for (const auto& [effect, materials] : facts_.materials_of)
         if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
     TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));

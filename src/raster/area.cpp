@@ -209,17 +209,13 @@ std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
         found_.push_back({filled_[at], 1.0F, kSubpixel / 2, kSubpixel / 2});
         return found_;
     }
-    struct Sum {
-        double area = 0, largest = 0;
-        Corner middle{0, 0};
-    };
-    std::vector<std::pair<std::uint32_t, Sum>> sums; // by id, in the order of the parts
+    sums_.clear();
     for (const Part& piece : pixels_[at]) {
         if (piece.source < 0) continue;
         const std::uint32_t id = sources_[static_cast<std::size_t>(piece.source)].id;
         auto sum =
-            std::find_if(sums.begin(), sums.end(), [&](const auto& s) { return s.first == id; });
-        if (sum == sums.end()) sum = sums.insert(sums.end(), {id, {}});
+            std::find_if(sums_.begin(), sums_.end(), [&](const auto& s) { return s.first == id; });
+        if (sum == sums_.end()) sum = sums_.insert(sums_.end(), {id, {}});
         const double area = area_of(piece);
         sum->second.area += area;
         if (area <= sum->second.largest) continue;
@@ -231,7 +227,7 @@ std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
         }
         sum->second.middle = middle;
     }
-    for (const auto& [id, sum] : sums) {
+    for (const auto& [id, sum] : sums_) {
         const auto from = [](double middle) {
             return std::clamp(static_cast<std::int32_t>(middle), 0, kSubpixel - 1);
         };

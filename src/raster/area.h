@@ -16,6 +16,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace scanout::raster {
@@ -72,6 +73,11 @@ private:
         double operator()(const Corner& c) const { return (at + x * c.x) + y * c.y; }
     };
     using PixelParts = std::vector<Part>;
+    // What a primitive shows in a pixel.
+    struct Sum {
+        double area = 0, largest = 0;
+        Corner middle{0, 0};
+    };
 
     PixelParts& pixel(int x, int y) {
         return pixels_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))];
@@ -91,6 +97,7 @@ private:
     std::vector<PixelParts> pixels_;
     std::vector<std::uint32_t> filled_; // by a line or point; else kNoPrimitive
     std::vector<AreaFragment> found_;
+    std::vector<std::pair<std::uint32_t, Sum>> sums_; // by id, in the order of the parts
 };
 
 } // namespace scanout::raster

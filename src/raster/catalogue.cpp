@@ -1,5 +1,6 @@
-// Depth tests and formats by name: techniques.h expanded once. A name without a file is a link
-// error.
+// Culling, depth tests and formats by name: techniques.h expanded once. A name without a file is a
+// link error.
+#include "raster/cull.h"
 #include "raster/visible_rule.h"
 #include "techniques.h"
 
@@ -15,6 +16,12 @@ SCANOUT_DEPTH(SCANOUT_DECLARE)
 #define SCANOUT_DECLARE(name) extern const DepthTestRow name;
 namespace depth_test {
 SCANOUT_DEPTH_TEST(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
+
+#define SCANOUT_DECLARE(name) extern const CullRow name;
+namespace culling {
+SCANOUT_CULL(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
 
@@ -40,6 +47,13 @@ std::span<const DepthTestRow* const> depth_tests() {
 #define SCANOUT_ROW(name) &depth_test::name,
     static constexpr auto kAll =
         std::to_array<const DepthTestRow*>({SCANOUT_DEPTH_TEST(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kAll;
+}
+
+std::span<const CullRow* const> cullings() {
+#define SCANOUT_ROW(name) &culling::name,
+    static constexpr auto kAll = std::to_array<const CullRow*>({SCANOUT_CULL(SCANOUT_ROW)});
 #undef SCANOUT_ROW
     return kAll;
 }

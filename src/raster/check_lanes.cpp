@@ -53,6 +53,12 @@ void check_lanes(const TriangleList& triangles) {
         }
 }
 
+void check_lanes(const BlockPartList& list) {
+    for (const BlockPart& part : list.parts)
+        check_lanes(
+            TriangleList{list.vertices, list.index, {&part.triangle, 1}, {&part.triangle, 1}});
+}
+
 void check_lanes(const Piece& piece) {
     for (const ExactPoint& v : piece.vertex) {
         check_depth(v.z, "triangle", piece.id, "set-up");

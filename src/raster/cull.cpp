@@ -1,7 +1,11 @@
 #include "raster/cull.h"
 
+#include "raster/small_triangles.h"
+
 #define SIMD_FILE "raster/cull.cpp"
 #include "simd/for_each_target.h"
+
+#include "raster/triangle-inl.h"
 
 SIMD_BEGIN(scanout::raster)
 
@@ -49,8 +53,8 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
     for (int k = 0; k < 3; ++k) {
         const int to = k == 2 ? 0 : k + 1;
         const I32 per_x = y[k] - y[to], per_y = x[to] - x[k];
-        const Mask32 top_left = (per_x > I32(0)) | ((per_x == I32(0)) & (per_y > I32(0)));
-        first[k] = select(top_left, I32(0), I32(-1)) + per_x * (left - x[k]) + per_y * (top - y[k]);
+        first[k] = select(is_top_left(per_x, per_y), I32(0), I32(-1)) + per_x * (left - x[k]) +
+                   per_y * (top - y[k]);
         a[k] = per_x;
         b[k] = per_y;
     }
@@ -106,8 +110,8 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const I32 y1 = minimum(end_pixel(max_y, o.extent.low.y), o.height);
     kept = kept & (x0 < x1) & (y0 < y1);
     const I32 across = x1 - x0, down = y1 - y0;
-    const I32 most = kTiny * kSubpixel;
-    const Mask32 tiny = kept & (max_x - min_x <= most) & (max_y - min_y <= most);
+    const I32 extent = maximum(max_x - min_x, max_y - min_y);
+    const Mask32 tiny = kept & (extent <= I32(kTiny * kSubpixel));
     if (!o.pattern.empty() && any(tiny)) {
         const bool wide = any(tiny & ((across > I32(2)) | (down > I32(2))));
         const int side = wide ? kTiny + 1 : 2;
@@ -125,20 +129,21 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
 
     // Lane by lane: packing registers costs more where there is no instruction for it.
     const std::uint32_t lanes = (2U << (live - 1)) - 1;
-    std::uint32_t todo = bits(kept) & lanes;
-    if (todo != 0) {
+    std::uint32_t rest = bits(kept) & lanes;
+    if (rest != 0) {
         std::uint32_t from[kLanes], to[kLanes];
-        store(shift_left<16>(y0) | x0, from);
+        const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
+        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0, from);
         store(shift_left<16>(y1) | x1, to);
-        for (; todo != 0; todo &= todo - 1) {
-            const int i = __builtin_ctz(todo);
+        for (; rest != 0; rest &= rest - 1) {
+            const int i = __builtin_ctz(rest);
             KeptTriangle& t = result.kept.data()[result.kept_count++];
             t = {first + static_cast<std::uint32_t>(i), from[i], to[i]};
         }
     }
-    for (todo = bits(cut) & lanes; todo != 0; todo &= todo - 1)
+    for (rest = bits(cut) & lanes; rest != 0; rest &= rest - 1)
         result.cut.data()[result.cut_count++] =
-            first + static_cast<std::uint32_t>(__builtin_ctz(todo));
+            first + static_cast<std::uint32_t>(__builtin_ctz(rest));
 }
 
 void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uint32_t* index,
@@ -170,9 +175,10 @@ bool faces_as_wanted(const CullOptions& options, bool clockwise) {
 void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
           std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
     result.kept_count = result.cut_count = 0;
-    if (result.kept.size() < index.size() / 3) {
-        result.kept.resize(index.size() / 3);
-        result.cut.resize(index.size() / 3);
+    const std::size_t room = index.size() / 3 + kRegisterRoom;
+    if (result.kept.size() < room) {
+        result.kept.resize(room);
+        result.cut.resize(room);
     }
     if (index.empty()) return;
     SIMD_CALL(cull_all)

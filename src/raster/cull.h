@@ -2,6 +2,7 @@
 // anything of them is stored.
 #pragma once
 
+#include "base/technique.h"
 #include "raster/sample_pattern.h"
 #include "raster/screen.h"
 
@@ -12,6 +13,12 @@
 namespace scanout::raster {
 
 enum class Facing : std::uint8_t { any, front, back }; // which triangles are kept
+
+struct CullRow {
+    Technique card;
+    Facing keep;
+};
+std::span<const CullRow* const> cullings(); // in the order of techniques.h
 
 struct CullOptions {
     int width = 0, height = 0; // of the picture
@@ -28,17 +35,22 @@ bool faces_as_wanted(const CullOptions& options, bool clockwise);
 // y1).
 struct KeptTriangle {
     std::uint32_t triangle;
-    std::uint32_t from, to; // x in the low half, y in the high one
+    std::uint32_t from, to; // x in the low half, y in the high one; `from` has kSmall, too
 
+    static constexpr std::uint32_t kSmall = 1U << 31; // at most kSmallSide pixels each way
+
+    bool small() const { return (from & kSmall) != 0; }
     int x0() const { return static_cast<int>(from & 0xffff); }
-    int y0() const { return static_cast<int>(from >> 16); }
+    int y0() const { return static_cast<int>((from & ~kSmall) >> 16); }
     int x1() const { return static_cast<int>(to & 0xffff); }
     int y1() const { return static_cast<int>(to >> 16); }
 };
 
+inline constexpr std::size_t kRegisterRoom = 16; // lanes that kernels may touch beyond a list
+
 // What is left of a list of triangles: `kept` are on the screen, have an area, face as wanted and
 // may cover a sample (those a few pixels wide: do); `cut` have a vertex off the screen and may be
-// seen. The lists grow to have room for all.
+// seen. The lists grow to have room for all, and for kRegisterRoom more.
 struct CullResult {
     std::vector<KeptTriangle> kept;
     std::vector<std::uint32_t> cut;

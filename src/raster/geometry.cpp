@@ -3,19 +3,28 @@
 #include "base/check.h"
 #include "raster/check_lanes.h"
 #include "raster/clip.h"
+#include "raster/cluster_cull.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <functional>
+#include <utility>
 
 namespace scanout::raster {
 
 namespace {
-constexpr int kLarge = 16; // pixels each way: some block of 8 x 8 may be covered whole
+constexpr int kLarge = 16;           // pixels each way: some block of 8 x 8 may be covered whole
+constexpr std::size_t kChunk = 4096; // of vertices, triangles or clusters: a worker's next work
+
+int chunks(std::size_t n) {
+    return static_cast<int>((n + kChunk - 1) / kChunk);
+}
 } // namespace
 
 void Geometry::Batch::clear(int tiles, bool layers) {
     triangles_drawn = 0;
+    cut = false;
     pieces.clear();
     segments.clear();
     points.clear();
@@ -28,6 +37,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.segments.clear();
             bin.points.clear();
             bin.large.clear();
+            bin.parts.clear();
         }
     }
 }
@@ -41,6 +51,15 @@ void Geometry::Batch::Bin::put_large_first() {
                        triangles.end());
     std::transform(large.begin(), large.end(), triangles.begin(),
                    [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+}
+
+template <class F>
+void Geometry::Batch::Bin::for_small(F&& f) const {
+    const std::uint32_t* last = nullptr; // parts of one triangle stand side by side
+    for (const BlockPart& part : parts) {
+        if (last == nullptr || *last != part.triangle) f(part.triangle);
+        last = &part.triangle;
+    }
 }
 
 template <class F>
@@ -81,15 +100,8 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     for (Batch& batch : batches_)
         batch.clear(tiles(), !layers_.empty());
 
-    constexpr std::size_t kChunk = 4096;
-    const auto chunks = [](std::size_t n) { return static_cast<int>((n + kChunk - 1) / kChunk); };
-    jobs.for_each(chunks(mesh.position.size()), [&](int chunk, int) {
-        const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
-        const std::size_t n = std::min(kChunk, mesh.position.size() - begin);
-        const auto out = std::span(vertices_).subspan(begin, n);
-        transform_vertices(transform, std::span(mesh.position).subspan(begin, n), out);
-        check_lanes(out);
-    });
+    find_needed(jobs, !options.triangles_only && mesh.lines() + mesh.points() > 0);
+    transform_needed(jobs);
 
     const auto run_all = [&](std::size_t count, auto add) {
         jobs.for_each(chunks(count), [&](int chunk, int worker) {
@@ -97,9 +109,8 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
             add(batches_[static_cast<std::size_t>(worker)], begin, std::min(count, begin + kChunk));
         });
     };
-    run_all(mesh.triangles(), [&](Batch& batch, std::size_t begin, std::size_t end) {
-        add_triangles(batch, begin, end);
-    });
+    run_all(mesh.triangles(),
+            [&](Batch& batch, std::size_t begin, std::size_t end) { add_seen(batch, begin, end); });
     jobs.for_each(tiles(), [&](int tile, int) {
         for (Batch& batch : batches_)
             batch.bins[static_cast<std::size_t>(tile)].put_large_first();
@@ -113,6 +124,65 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
         for (std::size_t i = begin; i < end; ++i)
             add_point(batch, static_cast<std::uint32_t>(i));
     });
+}
+
+// Lines and points are few and belong to no cluster: where there are some, all vertices are needed.
+void Geometry::find_needed(Jobs& jobs, bool all_vertices) {
+    using geom::Clusters;
+    const Clusters& clusters = mesh_->clusters;
+    seen_.clear();
+    needed_.assign((mesh_->position.size() + Clusters::kVertices - 1) / Clusters::kVertices,
+                   clusters.empty() || all_vertices ? 1 : 0);
+    if (clusters.empty()) return;
+    CHECK_EQ(clusters.cluster.size(),
+             (mesh_->triangles() + Clusters::kTriangles - 1) / Clusters::kTriangles);
+    seen_.resize(clusters.cluster.size());
+    const ClusterCull cull(*transform_, cull_.keep);
+    jobs.for_each(chunks(seen_.size()), [&](int chunk, int) {
+        const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
+        for (std::size_t c = begin; c < std::min(seen_.size(), begin + kChunk); ++c) {
+            seen_[c] = cull.hides(clusters.cluster[c]) ? 0 : 1;
+            if (seen_[c] == 0) continue;
+            for (const std::uint32_t block : clusters.blocks_of(c))
+                std::atomic_ref(needed_[block]).store(1, std::memory_order_relaxed);
+        }
+    });
+}
+
+void Geometry::transform_needed(Jobs& jobs) {
+    constexpr std::size_t kBlock = geom::Clusters::kVertices, kBlocks = kChunk / kBlock;
+    static_assert(kChunk % kBlock == 0);
+    jobs.for_each(chunks(mesh_->position.size()), [&](int chunk, int) {
+        std::size_t block = static_cast<std::size_t>(chunk) * kBlocks;
+        const std::size_t last = std::min(block + kBlocks, needed_.size());
+        while (block < last) {
+            const std::size_t from = block;
+            while (block < last && needed_[block] != 0)
+                ++block;
+            const std::size_t begin = from * kBlock,
+                              n = std::min(block * kBlock, mesh_->position.size()) - begin;
+            if (block > from) {
+                const auto out = std::span(vertices_).subspan(begin, n);
+                transform_vertices(*transform_, std::span(mesh_->position).subspan(begin, n), out);
+                check_lanes(out);
+            } else {
+                ++block;
+            }
+        }
+    });
+}
+
+void Geometry::add_seen(Batch& batch, std::size_t begin, std::size_t end) const {
+    if (seen_.empty()) return add_triangles(batch, begin, end);
+    constexpr std::size_t kCluster = geom::Clusters::kTriangles;
+    static_assert(kChunk % kCluster == 0);
+    const std::size_t last = (end + kCluster - 1) / kCluster;
+    for (std::size_t c = begin / kCluster; c < last; ++c) {
+        const std::size_t from = c;
+        while (c < last && seen_[c] != 0)
+            ++c;
+        if (c > from) add_triangles(batch, from * kCluster, std::min(c * kCluster, end));
+    }
 }
 
 std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
@@ -131,26 +201,55 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
               [&](std::size_t tile) { batch.bins[tile].large.push_back(key); });
 }
 
+void Geometry::add_small(const BlockGrid& grid, std::span<Batch::Bin> bins, const KeptTriangle& t) {
+    constexpr int kSide = BlockGrid::kSide, kSideBits = BlockGrid::kSideBits;
+    const int x0 = t.x0(), y0 = t.y0(), x1 = t.x1(), y1 = t.y1();
+    const int in_tile = (1 << grid.tile_bits) - 1;
+    for (int y = y0 >> kSideBits; y <= (y1 - 1) >> kSideBits; ++y)
+        for (int x = x0 >> kSideBits; x <= (x1 - 1) >> kSideBits; ++x) {
+            const int tile = (y >> grid.tile_bits) * grid.across + (x >> grid.tile_bits);
+            bins[static_cast<std::size_t>(tile)].parts.push_back(
+                BlockPart::of(t.triangle, (y & in_tile) << kSideBits | (x & in_tile),
+                              std::max(x0 - x * kSide, 0), std::max(y0 - y * kSide, 0),
+                              std::min(x1 - x * kSide, kSide), std::min(y1 - y * kSide, kSide)));
+        }
+}
+
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
     CullResult& found = batch.found;
     cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
-    for (std::size_t i = 0; i < found.kept_count; ++i) {
-        const KeptTriangle& t = found.kept[i];
-        std::vector<Batch::Bin>* bins = &batch.bins;
-        if (!layers_.empty()) {
+    const auto kept = std::span<const KeptTriangle>(found.kept).first(found.kept_count);
+    const BlockGrid grid{tile_bits_ - BlockGrid::kSideBits, across_};
+    place_parts(grid, kept, batch.placed);
+    const std::span<Batch::Bin> bins = batch.bins;
+    const bool layered = !layers_.empty();
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+        const KeptTriangle& t = kept[i];
+        if (layered) {
             const Layer layer = layer_of(t.triangle);
             if (layer == Layer::nothing) continue;
-            if (layer != Layer::opaque) bins = &batch.layered;
+            if (layer != Layer::opaque) {
+                for_tiles(t.x0(), t.y0(), t.x1(), t.y1(), [&](std::size_t tile) {
+                    batch.layered[tile].triangles.push_back(t.triangle);
+                });
+                continue;
+            }
         }
-        if (bins == &batch.bins && t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge) {
+        const std::int32_t tile = batch.placed.tile[i];
+        if (tile != PlacedParts::kNone)
+            bins[static_cast<std::size_t>(tile)].parts.push_back(
+                {t.triangle, batch.placed.where[i]});
+        else if (t.small())
+            add_small(grid, bins, t);
+        else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
             add_large(batch, t);
-            continue;
-        }
-        for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
-                  [&](std::size_t tile) { (*bins)[tile].triangles.push_back(t.triangle); });
+        else
+            for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
+                      [&](std::size_t at) { bins[at].triangles.push_back(t.triangle); });
     }
-    batch.triangles_drawn += found.kept_count;
+    batch.triangles_drawn += kept.size();
+    batch.cut |= found.cut_count > 0;
     for (std::size_t i = 0; i < found.cut_count; ++i)
         add_clipped(batch, found.cut[i]);
 }
@@ -237,8 +336,8 @@ image::Rect Geometry::tile_area(int tile) const {
 bool Geometry::is_empty(int tile) const {
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [](const Batch::Bin& bin) {
-        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
-               bin.points.empty();
+        return bin.triangles.empty() && bin.parts.empty() && bin.pieces.empty() &&
+               bin.segments.empty() && bin.points.empty();
     };
     return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
         return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
@@ -246,10 +345,13 @@ bool Geometry::is_empty(int tile) const {
 }
 
 void Geometry::draw(int tile, AreaTile& out) const {
+    const auto add = [&](std::uint32_t id) {
+        if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+    };
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        for (const std::uint32_t id : bin.triangles)
-            if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+        std::for_each(bin.triangles.begin(), bin.triangles.end(), add);
+        bin.for_small(add);
         for (const std::uint32_t i : bin.pieces)
             out.add(batch.pieces[i]);
     }
@@ -262,10 +364,27 @@ void Geometry::draw(int tile, VisibilityTile& out) const {
 }
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
+    // By another rule than the usual one parts are drawn as the triangles that they are of.
+    std::array<std::uint32_t, 64> some;
+    std::size_t count = 0;
+    const auto draw_some = [&] {
+        const auto ids = std::span<const std::uint32_t>(some).first(std::exchange(count, 0));
+        if (!ids.empty()) out.draw(TriangleList{vertices_, mesh_->index, ids, ids});
+    };
+    const auto add_whole = [&](std::uint32_t id) {
+        some[count++] = id;
+        if (count == some.size()) draw_some();
+    };
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
+        if (!bin.parts.empty() && out.rule().usual()) {
+            out.draw(BlockPartList{vertices_, mesh_->index, bin.parts});
+        } else {
+            bin.for_small(add_whole);
+            draw_some();
+        }
         for (const std::uint32_t i : bin.pieces)
             out.draw(batch.pieces[i]);
     }
@@ -332,6 +451,7 @@ void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) cons
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[at];
         triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
+        bin.for_small([&](std::uint32_t id) { triangles.push_back(id); });
         for (const std::uint32_t i : bin.pieces)
             triangles.push_back(batch.pieces[i].id);
         for (const std::uint32_t i : bin.segments)
@@ -359,6 +479,11 @@ void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) cons
     };
     draw_all(segments);
     draw_all(points);
+}
+
+bool Geometry::all_whole() const {
+    return std::none_of(batches_.begin(), batches_.end(),
+                        [](const Batch& batch) { return batch.cut; });
 }
 
 std::uint64_t Geometry::triangles_drawn() const {

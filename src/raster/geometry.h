@@ -59,10 +59,13 @@ public:
     using Drawn = std::function<void(std::uint32_t, const image::Rect&)>;
     void draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const;
 
+    // Of what may be seen, and of all lines and points.
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.
     Pieces pieces(std::uint32_t triangle) const;
     std::uint64_t triangles_drawn() const;
+    // No triangle that may be seen has a vertex off the screen.
+    bool all_whole() const;
 
 private:
     // What one worker found, with one list a tile. Whole triangles are named by their id and set up
@@ -73,19 +76,31 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
+            std::vector<BlockPart> parts; // of small triangles, those of one side by side
             // Triangles that may cover whole blocks, by depth and id, until they are put before the
             // others, the nearest first: they hide what comes after them.
             std::vector<std::uint64_t> large;
             void put_large_first();
+            // f(triangle) for those that have parts here.
+            template <class F>
+            void for_small(F&& f) const;
         };
         std::vector<Bin> bins;
         std::vector<Bin> layered; // what is not opaque: none where everything is
         CullResult found;         // of one chunk
+        PlacedParts placed;       // of what is kept of it
         std::uint64_t triangles_drawn = 0;
+        bool cut = false; // some triangle was
         void clear(int tiles, bool layers);
     };
+    void find_needed(Jobs& jobs, bool all_vertices);
+    void transform_needed(Jobs& jobs);
+    // Of a chunk, without those of clusters that are not seen.
+    void add_seen(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_large(Batch& batch, const KeptTriangle& triangle) const;
+    static void add_small(const BlockGrid& grid, std::span<Batch::Bin> bins,
+                          const KeptTriangle& triangle);
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     Layer layer_of(std::uint32_t triangle) const {
@@ -105,6 +120,10 @@ private:
     const geom::Mesh* mesh_ = nullptr;         // of the last run
     std::optional<ScreenTransform> transform_; // likewise
     std::vector<Layer> layers_;
+    // Of clusters of triangles that may be seen: is it one? Empty: all may.
+    std::vector<std::uint8_t> seen_;
+    // Of blocks of vertices: does one have it? What no triangle needs keeps old places.
+    std::vector<std::uint8_t> needed_;
     std::vector<ScreenVertex> vertices_;
     std::vector<Batch> batches_;
 };

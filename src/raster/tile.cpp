@@ -45,6 +45,13 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
     return shows;
 }
 
+bool VisibilityTile::draw(const BlockPartList& parts) {
+    check_lanes(parts);
+    const bool shows = draw_parts(planes(), parts);
+    touched_ |= shows;
+    return shows;
+}
+
 bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
     constexpr std::size_t kMost = 16;
     std::array<ScreenVertex, kMost * 3> vertex;

@@ -7,6 +7,7 @@
 #include "raster/ground.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
+#include "raster/small_triangles.h"
 
 #include <array>
 #include <cstdint>
@@ -22,6 +23,7 @@ public:
 
     // Triangles: does any of them show? Pixels beyond area() count, too.
     bool draw(const TriangleList& triangles);
+    bool draw(const BlockPartList& parts); // by the usual rule
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
     bool draw(const Piece& piece);
@@ -41,6 +43,7 @@ public:
 
     const image::Rect& area() const { return area_; }
     int samples() const { return samples_; }
+    const VisibleRule& rule() const { return rule_; }
     std::span<const SampleOffset> pattern() const { return pattern_; }
     bool empty() const { return !touched_; }
     std::size_t bytes() const {

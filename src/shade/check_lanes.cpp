@@ -4,8 +4,9 @@
 #include "base/check.h"
 #include "shade/lane_triangles.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <string>
 #include <string_view>
 
 namespace scanout::shade {
@@ -111,7 +112,10 @@ void check_rays(const Block& b, const FrameState& frame) {
 }
 
 void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
-    const std::string name = fmt::format("{} {}", stage.card.axis, stage.card.name);
+    std::array<char, 80> room; // no string: frames are counted not to allocate
+    const auto written =
+        fmt::format_to_n(room.data(), room.size(), "{} {}", stage.card.axis, stage.card.name);
+    const std::string_view name(room.data(), std::min(written.size, room.size()));
     const auto count = static_cast<std::size_t>(b.count);
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], count, "albedo", name);

@@ -4,6 +4,7 @@
 #include "raster/coverage.h"
 #include "shade/stage.h"
 
+#include <bit>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,19 @@ public:
         parts_.back().end = size_;
     }
 
+    // Those pixels of a row whose bit is set, `first` and those after it, each with its own
+    // triangle.
+    void add_row(std::int32_t material, const std::uint32_t* id, int first, std::uint64_t pixels) {
+        if (pixels == 0) return;
+        if (parts_.empty()) parts_.push_back({material, size_, 0});
+        for (; pixels != 0; pixels &= pixels - 1) {
+            const int x = std::countr_zero(pixels);
+            pixel_[size_] = first + x;
+            id_[size_++] = id[x];
+        }
+        parts_.back().end = size_;
+    }
+
     // Materials one after the other. add() may not follow.
     void arrange();
     struct Part {
@@ -35,6 +49,7 @@ public:
         std::size_t first, end;
     };
     std::span<const Part> parts() const { return parts_; }
+    std::size_t size() const { return size_; } // pixels
     const std::int32_t* pixels() const { return pixel_.data(); }
     const std::uint32_t* ids() const { return id_.data(); }
 

@@ -7,7 +7,6 @@
 #include "shade/lane_triangles.h"
 #include "shade/layers.h"
 #include "shade/primitives.h"
-#include "shade/tile_runs.h"
 #include "shade/unlit.h"
 
 #include <algorithm>
@@ -43,6 +42,9 @@ void bind_maps(Block& b, const GatherInput& in) {
         b.map[i] = read ? bound_map(in, map, *b.material) : BoundMap();
     }
 }
+
+// Of a tile: with fewer pixels a run they are shaded as they come, where runs are many at all.
+constexpr int kScattered = 2, kManyRuns = 512;
 
 // Does a clipped triangle cover the point (1/256 pixel)?
 bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
@@ -150,13 +152,42 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     through_.push_back(background);
 }
 
+// Where triangles are as small as pixels, finding those of each takes longer than setting it up for
+// each pixel: then pixels are taken as they come.
+bool Gatherer::collect_scattered(const raster::VisibilityTile& tile, const GatherInput& in,
+                                 const TileRows& rows) {
+    if (!in.looks.only_material || !all_whole_ || tile.samples() > 1) return false;
+    const auto count = static_cast<std::size_t>(area_.height());
+    int ends = 0;
+    for (std::size_t row = 0; row < count; ++row)
+        ends += std::popcount(rows[row].ends);
+    if (ends < kManyRuns) return false;
+    ShownRows shown;
+    find_shown(tile, area_.height(), shown);
+    const std::uint64_t inside = ~std::uint64_t{0} >> (kTileSize - area_.width());
+    int runs = 0, pixels = 0;
+    for (std::size_t row = 0; row < count; ++row) {
+        shown[row] &= inside;
+        pixels += std::popcount(shown[row]);
+        runs += std::popcount(shown[row] & rows[row].ends);
+    }
+    if (pixels >= kScattered * runs) return false;
+    for (std::size_t row = 0; row < count; ++row)
+        few_->add_row(*in.looks.only_material, tile.ids(0).data() + row * kTileSize,
+                      static_cast<int>(row) * kTileSize, shown[row]);
+    return true;
+}
+
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
                        const BlendedPixels* blended) {
     const image::Rect& area = area_;
     const image::Rect& part = blended != nullptr ? blended->part : area;
     const int width = part.x1 - area.x0;
+    TileRows rows;
+    find_runs(tile, part.y0 - area.y0, part.y1 - area.y0, rows);
+    if (blended == nullptr && collect_scattered(tile, in, rows)) return;
     for (int row = part.y0 - area.y0; row < part.y1 - area.y0; ++row) {
-        RowBits found = row_bits(tile, row);
+        RowBits& found = rows[static_cast<std::size_t>(row)];
         const std::uint64_t layered =
             blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
         found.shared |= layered;
@@ -215,7 +246,8 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
 
 // May its lanes set it up, each on its own?
 bool Gatherer::has_own_lanes(const GatherInput& in, std::uint32_t id) const {
-    return in.frame->own_triangles && id < in.mesh->triangles() && is_whole(source_, id);
+    return in.frame->own_triangles && id < in.mesh->triangles() &&
+           (all_whole_ || is_whole(source_, id));
 }
 
 // Whatever is added next looks like this.
@@ -374,6 +406,7 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
 void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
                      const BlendedPixels* blended) {
     if (in.frame->own_triangles) source_ = triangle_source(in);
+    all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
     few_->clear();
     area_ = area;
     samples_ = samples;
@@ -402,12 +435,14 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
     Block& b = *block_;
     spans_->arrange();
     const std::int32_t* pixel = spans_->pixels();
+    std::uint64_t lanes = 0;
     for (const Spans::Group& group : spans_->groups()) {
         if (group.count <= FewPixels::kMost && has_own_lanes(in, group.id)) {
             few_->add(group.look.material, group.id, pixel, group.count);
             pixel += group.count;
             continue;
         }
+        lanes += group.count;
         if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
         for (int rest = group.count; rest > 0;) {
@@ -424,7 +459,7 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
         }
     }
     shade_few(in, picture);
-    return static_cast<std::uint64_t>(pixel - spans_->pixels());
+    return lanes + few_->size();
 }
 
 void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {

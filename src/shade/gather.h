@@ -19,6 +19,7 @@
 #include "shade/resolve.h"
 #include "shade/spans.h"
 #include "shade/stage.h"
+#include "shade/tile_runs.h"
 #include "shade/transparency.h"
 #include "shade/wide_filter.h"
 
@@ -53,6 +54,7 @@ struct GatherInput {
     const raster::Geometry* geometry = nullptr;
     const raster::ScreenTransform* transform = nullptr;
     const scene::View* view = nullptr;
+    double unit = 1; // scene::to_floats of the view
     std::span<const scene::Material> materials;
     std::span<const scene::Texture> textures;
     const MipChains* mips = nullptr;
@@ -66,6 +68,10 @@ struct GatherInput {
     LinearPicture* linear = nullptr;    // also kept there
     const LayerInput* layers = nullptr; // null where all is opaque
 
+    void set_view(const scene::View& seen) {
+        view = &seen;
+        unit = scene::to_floats(seen);
+    }
     const scene::Material& material(std::int32_t index) const; // -1: the default material
 };
 
@@ -109,6 +115,8 @@ private:
     struct Fragment;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input,
                  const BlendedPixels* blended);
+    bool collect_scattered(const raster::VisibilityTile& tile, const GatherInput& input,
+                           const TileRows& rows);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
@@ -155,6 +163,7 @@ private:
     std::unique_ptr<Spans> spans_;
     std::unique_ptr<FewPixels> few_;
     TriangleSource source_{};
+    bool all_whole_ = false; // every triangle may have lanes of its own
     std::vector<Fragment> fragments_;
     struct Seen; // a fragment of one pixel
     std::vector<Seen> seen_;

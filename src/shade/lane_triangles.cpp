@@ -6,7 +6,13 @@
 #define SIMD_FILE "shade/lane_triangles.cpp"
 #include "simd/for_each_target.h"
 
+#include "raster/triangle-inl.h"
+
 SIMD_BEGIN(scanout::shade)
+
+using raster::HWY_NAMESPACE::exchange;
+using raster::HWY_NAMESPACE::is_top_left;
+using raster::HWY_NAMESPACE::put_in_order;
 
 using MaskX8 = Mask<F32x8::Tag>;
 
@@ -16,18 +22,12 @@ struct Vertices {
     F32x8 inverse_w;
 };
 
-// The canonical order of vertices (raster/primitive.h).
 HWY_INLINE void sort_two(Vertices& a, Vertices& b) {
     const MaskX8 turn = (b.y < a.y) | ((b.y == a.y) & (b.x < a.x));
-    const auto swap = [&](auto& one, auto& other) HWY_ATTR {
-        const auto first = select(turn, other, one);
-        other = select(turn, one, other);
-        one = first;
-    };
-    swap(a.index, b.index);
-    swap(a.x, b.x);
-    swap(a.y, b.y);
-    swap(a.inverse_w, b.inverse_w);
+    exchange(turn, a.index, b.index);
+    exchange(turn, a.x, b.x);
+    exchange(turn, a.y, b.y);
+    exchange(turn, a.inverse_w, b.inverse_w);
 }
 
 // In file order. Lanes from `count` on repeat the last one. One number after the other,
@@ -101,9 +101,7 @@ HWY_INLINE void find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3])
         a[k] = sign * number(from.y - to.y);
         b[k] = sign * number(to.x - from.x);
         e[k] = a[k] * number(at.x - from.x) + b[k] * number(at.y - from.y);
-        // y runs down: a left edge has its interior towards +x, a top edge towards +y.
-        const auto top_left = (a[k] > zero) | ((a[k] == zero) & (b[k] > zero));
-        inside = inside & (e[k] >= select(top_left, zero, one));
+        inside = inside & (e[k] >= select(is_top_left(a[k], b[k]), zero, one));
     }
     const MaskX8 stays = narrow(inside);
     const I32x8 move_x = select(stays, 0, at.sample_x), move_y = select(stays, 0, at.sample_y);
@@ -231,9 +229,7 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int
         load_vertices(s, out.id + i, live, v);
         Windings behind;
         behind.of_file = turned(clockwise(v));
-        sort_two(v[0], v[1]);
-        sort_two(v[1], v[2]);
-        sort_two(v[0], v[1]);
+        put_in_order(v);
         behind.of_order = turned(clockwise(v));
         Places at = {load<I32x8>(b.x + i), load<I32x8>(b.y + i), load<I32x8>(out.sample_x + i),
                      load<I32x8>(out.sample_y + i)};
@@ -276,7 +272,7 @@ TriangleSource triangle_source(const GatherInput& in) {
             s.linear[r][c] = in.view->linear[c][r];
         s.translation[r] = in.view->translation[r];
     }
-    s.scale = to_floats(*in.view);
+    s.scale = in.unit;
     s.perspective = in.transform->perspective;
     s.mirrored = in.mirrored;
     s.sides = in.frame->sides;

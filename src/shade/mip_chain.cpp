@@ -128,15 +128,17 @@ MipUse mip_use(Map map, const scene::TextureMap& options) {
 void MipChains::update(const scene::Scene& scene, std::span<const MipUse> used, Jobs& jobs) {
     if (scene.revision == 0 || scene.revision != revision_) chains_.clear();
     revision_ = scene.revision;
-    std::vector<std::unique_ptr<MipChain>> kept(used.empty() ? 0 : scene.textures.size() * 2);
+    kept_.clear();
+    kept_.resize(used.empty() ? 0 : scene.textures.size() * 2);
     for (const MipUse& use : used) {
         const std::size_t place = place_of(use);
-        if (place < chains_.size()) kept[place] = std::move(chains_[place]);
+        if (place < chains_.size()) kept_[place] = std::move(chains_[place]);
         const image::Image& image = scene.textures[static_cast<std::size_t>(use.texture)].image;
-        if (kept[place] == nullptr)
-            kept[place] = std::make_unique<MipChain>(make_mip_chain(image, use.kind, jobs));
+        if (kept_[place] == nullptr)
+            kept_[place] = std::make_unique<MipChain>(make_mip_chain(image, use.kind, jobs));
     }
-    chains_ = std::move(kept);
+    std::swap(chains_, kept_);
+    kept_.clear();
 }
 
 const MipChain* MipChains::find(const MipUse& use) const {

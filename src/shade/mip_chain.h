@@ -53,6 +53,7 @@ public:
 
 private:
     std::vector<std::unique_ptr<MipChain>> chains_; // two a texture
+    std::vector<std::unique_ptr<MipChain>> kept_;   // empty but in update(); its room is not
     std::uint64_t revision_ = 0;
 };
 

@@ -112,10 +112,10 @@ private:
         for (int c = 0; c < 3; ++c)
             attribute[c][k] = static_cast<float>(value[c]);
     }
-    // In view space, times to_floats.
+    // In view space, times to_floats of the view.
     DVec3 position(std::uint32_t vertex) const {
         return (in_.view->linear * DVec3(in_.mesh->position[vertex]) + in_.view->translation) *
-               to_floats(*in_.view);
+               in_.unit;
     }
     // On the side that the frame's `sides` choose; with corner_normals unit and in view space.
     DVec3 normal(std::uint32_t vertex) const {

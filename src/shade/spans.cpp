@@ -34,9 +34,10 @@ void Spans::add_group(const Look& look, std::uint32_t id, std::uint16_t span, in
 
 void Spans::arrange() {
     if (!one_look_)
-        std::stable_sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
-            return std::tuple(a.look.lit, a.look.material) <
-                   std::tuple(b.look.lit, b.look.material);
+        std::sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
+            // First spans rise: as they came, without the room that a stable sort asks for.
+            return std::tuple(a.look.lit, a.look.material, a.first) <
+                   std::tuple(b.look.lit, b.look.material, b.first);
         });
     std::int32_t* to = pixels_.data();
     for (const Group& group : groups_)

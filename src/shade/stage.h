@@ -48,6 +48,7 @@ constexpr MapBits bit_of(Map map) {
 struct Attributes {
     // uv: the model's own; a mapping stage makes them of the place in object space instead.
     bool normal = false, uv = false, colour = false, ray = false, position = false;
+    bool primitive = false; // its runs' own
     bool corners = false;   // normals and positions of the vertices; no lane needs its own
     bool facing = false;    // Primitive::facing
     bool footprint = false; // how u and v change from pixel to pixel
@@ -55,11 +56,22 @@ struct Attributes {
     MapBits maps = 0;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal,     a.uv || b.uv,
-            a.colour || b.colour,     a.ray || b.ray,
-            a.position || b.position, a.corners || b.corners,
-            a.facing || b.facing,     a.footprint || b.footprint,
-            a.object || b.object,     static_cast<MapBits>(a.maps | b.maps)};
+    return {a.normal || b.normal,
+            a.uv || b.uv,
+            a.colour || b.colour,
+            a.ray || b.ray,
+            a.position || b.position,
+            a.primitive || b.primitive,
+            a.corners || b.corners,
+            a.facing || b.facing,
+            a.footprint || b.footprint,
+            a.object || b.object,
+            static_cast<MapBits>(a.maps | b.maps)};
+}
+
+// Does some stage read what a run's lanes share? Then no lane sets up a triangle of its own.
+constexpr bool reads_primitives(const Attributes& a) {
+    return a.primitive || a.corners || a.footprint || a.object;
 }
 
 // What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
@@ -232,9 +244,10 @@ struct FrameState {
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
     int shadow_filter = 3;                       // texels a side that a filtered shadow asks
     const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
-    // Interpolation is exact and no other stage asks for runs: lanes may have their own triangles.
+    // No stage asks for runs' primitives: lanes may have triangles of their own.
     bool own_triangles = false;
     float exposure = 1; // what light is multiplied by before it is shown
+    float white = 1;    // the light that a tone curve makes 1; at least 1
 };
 
 // Some stage of the frame wants the block's u and v.

@@ -6,7 +6,7 @@
 SIMD_BEGIN(scanout::shade)
 
 // ids: the row in the first sample's plane; the others follow `plane` ids apart.
-RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
+HWY_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
     static_assert(raster::kTileSize == 64);
     RowBits row{0, 0};
     for (int x = 0; x < raster::kTileSize; x += kLanes) {
@@ -22,17 +22,36 @@ RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
     return row;
 }
 
+void find_all(const std::uint32_t* ids, int samples, std::size_t plane, int first, int end,
+              RowBits* out) {
+    for (int row = first; row < end; ++row)
+        out[row] = find_bits(ids + std::ptrdiff_t{row} * raster::kTileSize, samples, plane);
+}
+
+void find_all_shown(const std::uint32_t* ids, int rows, std::uint64_t* out) {
+    const I32 none = static_cast<std::int32_t>(raster::kNoPrimitive);
+    for (int row = 0; row < rows; ++row, ids += raster::kTileSize) {
+        out[row] = 0;
+        for (int x = 0; x < raster::kTileSize; x += kLanes)
+            out[row] |= static_cast<std::uint64_t>(bits(!(load<I32>(ids + x) == none))) << x;
+    }
+}
+
 SIMD_END
 
 #if SIMD_ONCE
 namespace scanout::shade {
 
-SIMD_REGISTER(find_bits);
+SIMD_REGISTER(find_all);
+SIMD_REGISTER(find_all_shown);
 
-RowBits row_bits(const raster::VisibilityTile& tile, int row) {
-    const std::uint32_t* ids =
-        tile.ids(0).data() + static_cast<std::size_t>(row * raster::kTileSize);
-    return SIMD_CALL(find_bits)(ids, tile.samples(), raster::VisibilityTile::kPlane);
+void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out) {
+    SIMD_CALL(find_all)
+    (tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first, end, out.data());
+}
+
+void find_shown(const raster::VisibilityTile& tile, int rows, ShownRows& out) {
+    SIMD_CALL(find_all_shown)(tile.ids(0).data(), rows, out.data());
 }
 
 } // namespace scanout::shade

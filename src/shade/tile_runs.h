@@ -3,6 +3,7 @@
 
 #include "raster/tile.h"
 
+#include <array>
 #include <cstdint>
 
 namespace scanout::shade {
@@ -12,6 +13,11 @@ struct RowBits {
     std::uint64_t ends;   // the next pixel's first sample shows another id
     std::uint64_t shared; // not all samples show the same
 };
-RowBits row_bits(const raster::VisibilityTile& tile, int row);
+// Of rows [first, end) of the tile: out[row].
+using TileRows = std::array<RowBits, raster::kTileSize>;
+void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out);
+// Of the first rows of the tile: whose first sample shows something.
+using ShownRows = std::array<std::uint64_t, raster::kTileSize>;
+void find_shown(const raster::VisibilityTile& tile, int rows, ShownRows& out);
 
 } // namespace scanout::shade

@@ -220,6 +220,31 @@ TEST_F(Program, APixelFormatGivesTheBytesOfADisplayAndTheHashOfWhatItShows) {
               image::hash_text(image::frame_hash(shown)) + "\n");
 }
 
+TEST_F(Program, APixelFormatIsDitheredOnceOrAsAsked) {
+    const std::string draw = "render $m --size 64x48 --view iso ";
+    const auto picture = [&](const std::string& name, const std::string& options) {
+        EXPECT_EQ(run(draw + "-o $d/" + name + " " + options).code, 0) << options;
+        return name.ends_with(".png") ? *image::load(folder.file(name)) : image::Image();
+    };
+    const image::PixelFormat narrow = *image::pixel_format("rgb565");
+    const image::Image full = picture("full.png", "");
+    const image::Image plain = image::without_dither(narrow, full);
+    const image::Image dithered = image::as_displayed(narrow, full);
+    EXPECT_NE(plain, dithered);
+    EXPECT_EQ(picture("none.png", "--pixel-format rgb565 --dither none"), plain);
+    EXPECT_EQ(picture("auto.png", "--pixel-format rgb565"), dithered);
+    EXPECT_EQ(picture("bayer.png", "--pixel-format rgb565 --dither bayer"), dithered)
+        << "of the codes that are nearest to the light, not of dithered ones";
+    picture("none.raw", "--pixel-format rgb565 --dither none");
+    picture("plain.raw", "--pixel-format rgb565");
+    EXPECT_NE(folder.read("none.raw"), folder.read("plain.raw"));
+    std::string bytes(folder.read("none.raw").size(), '\0');
+    for (int y = 0; y < plain.height(); ++y)
+        image::encode_row(narrow, plain.row(y), 0, y,
+                          reinterpret_cast<std::uint8_t*>(bytes.data()) + y * plain.width() * 2);
+    EXPECT_EQ(folder.read("none.raw"), bytes);
+}
+
 TEST_F(Program, ATurntableNumbersItsPicturesAndBeginsWithThePlainOne) {
     ASSERT_EQ(run("render $m --size 40x30 --turntable 11 -o $d/t-{n}.png").code, 0);
     ASSERT_EQ(run("render $m --size 40x30 -o $d/plain.png").code, 0);

@@ -154,13 +154,14 @@ TEST(PlanLines, AreOneAnEffectAndNoLongerThanTheScreen) {
     frame::FramePlan plan;
     plan.decisions = {row("texture", "bilinear", "a fact").decision,
                       row("fog", "off", "none").decision};
-    const auto lines = plan_lines(plan, 60, 9, 1).lines;
+    const auto lines = plan_lines(plan, true, 60, 9, 1).lines;
     ASSERT_EQ(lines.size(), 4U);
     EXPECT_EQ(lines[0], "effect   runs      because");
     EXPECT_EQ(lines[1], "texture  bilinear  a fact");
     EXPECT_EQ(lines[2], "fog      off       none");
     EXPECT_THAT(lines[3], HasSubstr("stands still"));
-    EXPECT_THAT(plan_lines(plan, 5, 9, 1).lines, Each(testing::SizeIs(testing::Le(5U))));
+    EXPECT_THAT(plan_lines(plan, false, 60, 9, 1).lines[3], HasSubstr("are not measured"));
+    EXPECT_THAT(plan_lines(plan, true, 5, 9, 1).lines, Each(testing::SizeIs(testing::Le(5U))));
 }
 
 } // namespace

@@ -108,7 +108,7 @@ protected:
     // The picture of `scanout render` for the same settings.
     image::Image rendered(const scene::Pose& pose) {
         Warnings warnings;
-        const LoadedModel model = *load_model(settings.arguments.front(), {});
+        const LoadedModel model = *load_model(settings.arguments.front(), jobs, {});
         frame::FrameOptions options = settings.frame;
         options.width = 160;
         options.height = 120;
@@ -305,6 +305,18 @@ TEST_F(Session, AFrameOfANarrowDisplayIsWhatThatDisplayShows) {
     EXPECT_TRUE(
         std::equal(bytes.begin(), bytes.end(), display.bytes().begin(), display.bytes().end(),
                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }));
+}
+
+TEST_F(Session, ANarrowDisplayIsNotDitheredWhereNoneIsAskedFor) {
+    const image::PixelFormat narrow = *image::pixel_format("rgb565");
+    port::HeadlessDisplay display = make_display(narrow);
+    const std::string file = folder.file("plain.png");
+    settings.frame.dither = "none";
+    ASSERT_TRUE(play("frame " + file + "\n", display));
+    const image::Image plain = image::without_dither(narrow, rendered({}));
+    EXPECT_NE(plain, image::as_displayed(narrow, rendered({})));
+    EXPECT_EQ(*image::load(file), plain);
+    EXPECT_EQ(display.shown(), plain);
 }
 
 TEST_F(Session, WhatWasRecordedLiveReplaysToTheSameLastFrame) {

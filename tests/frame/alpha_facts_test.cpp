@@ -11,6 +11,7 @@ namespace {
 
 using raster::Layer;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -86,6 +87,7 @@ TEST(AlphaFacts, CountWhatTrianglesHaveAlone) {
     EXPECT_EQ(found.blended_materials, 1U);
     EXPECT_EQ(found.materials, 3U);
     EXPECT_EQ(found.least_d, 0.25F);
+    EXPECT_EQ(found.blended_by_maps, 0U);
     EXPECT_EQ(found.of_material[3], AlphaClass::opaque);
 }
 
@@ -119,6 +121,19 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
     EXPECT_EQ(plan_of(scene, options).transparency.blended, nullptr);
     options.effects = {{"cut_out", false}, {"blending", false}};
     EXPECT_TRUE(plan_of(scene, options).transparency.layers.empty());
+}
+
+TEST(TransparencyPlan, SaysWhereAlphaComesFrom) {
+    const auto because = [](const std::vector<scene::Material>& materials) {
+        const scene::Texture soft = texels({{1, 2, 3, 255}, {0, 0, 0, 254}});
+        return plan_of(scene_of(materials, {soft})).decision("blending")->because;
+    };
+    const scene::Material glass = dissolved(test::plain(Vec3(1)), 0.25F);
+    const scene::Material both = dissolved(test::textured(0), 0.5F), leaf = test::textured(0);
+    EXPECT_THAT(because({leaf}), EndsWith("alpha between 0 and 1, in maps"));
+    EXPECT_THAT(because({glass, both}), EndsWith("alpha between 0 and 1, d from 0.25"));
+    EXPECT_THAT(because({both, leaf}),
+                EndsWith("alpha between 0 and 1, d from 0.5, and 1 in maps"));
 }
 
 TEST(TransparencyPlan, IsEmptyWhereNothingCallsForIt) {

@@ -1,10 +1,12 @@
 // What a user asks for and does not get is said in a line, and only that.
 #include "frame/in_vain.h"
+#include "image/compare.h"
 #include "support/scenes.h"
 #include "support/transparent_scenes.h"
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include <gmock/gmock.h>
 
@@ -83,6 +85,149 @@ TEST(InVain, WhatIsSaidToChangeNothingChangesNoBit) {
     EXPECT_GT(said, 500);
 }
 
+// What one option asks for, another one undoes, or an effect that is forced does.
+struct Undone {
+    std::string line; // said of the two together
+    std::function<void(FrameOptions&)> asked, undoing;
+};
+std::vector<Undone> undone() {
+    const auto off = [](const char* effect) {
+        return [effect](FrameOptions& o) { o.effects[effect] = false; };
+    };
+    const auto on = [](const char* effect) {
+        return [effect](FrameOptions& o) { o.effects[effect] = true; };
+    };
+    const auto ask = [](const char* axis, const char* name) {
+        return [axis, name](FrameOptions& o) { EXPECT_TRUE(frame::ask(o, axis, name)); };
+    };
+    const auto lamp = [](FrameOptions& o) {
+        o.lights.push_back(light_of(scene::LightKind::point, 0.5));
+    };
+    return {
+        {"--shadow volume changes nothing: --effect shadow=off", ask("shadow", "volume"),
+         off("shadow")},
+        {"--exposure 2 changes nothing: --effect exposure=off",
+         [](FrameOptions& o) { o.exposure = 2; }, off("exposure")},
+        {"--texture trilinear is not possible: --effect mipmaps=off leaves it out; give one of the "
+         "two; bilinear in its place",
+         ask("texture", "trilinear"), off("mipmaps")},
+        {"--texture trilinear changes nothing: --effect texture=off", ask("texture", "trilinear"),
+         off("texture")},
+        {"--source checker changes nothing: --effect texture=off", ask("source", "checker"),
+         off("texture")},
+        {"--wrap mirror changes nothing: --effect texture=off", ask("wrap", "mirror"),
+         off("texture")},
+        {"--reflection phong changes nothing: --effect highlight=off", ask("reflection", "phong"),
+         off("highlight")},
+        {"--blend add changes nothing: --effect blending=off", ask("blend", "add"),
+         off("blending")},
+        {"--transparency sorted changes nothing: --effect blending=off",
+         ask("transparency", "sorted"), off("blending")},
+        {"--alpha-cut 0.9 changes nothing: --effect cut_out=off",
+         [](FrameOptions& o) { o.alpha_cut = 0.9; }, off("cut_out")},
+        {"--light point changes nothing: --effect point_light=off", lamp, off("point_light")},
+        {"--depth fixed_16 changes nothing: --depth-test always", ask("depth", "fixed_16"),
+         ask("depth_test", "always")},
+        {"--effect shadow=on changes nothing: --shadow attached", on("shadow"),
+         ask("shadow", "attached")},
+        {"--effect highlight=on changes nothing: --reflection lambert", on("highlight"),
+         ask("reflection", "lambert")},
+        {"--effect mipmaps=on changes nothing: --texture nearest", on("mipmaps"),
+         ask("texture", "nearest")},
+        {"--effect blending=on changes nothing: --transparency cut_out", on("blending"),
+         ask("transparency", "cut_out")},
+        {"--aa samples_4 changes nothing: the picture shows counts", ask("aa", "samples_4"),
+         ask("stencil", "overdraw")},
+        {"--samples 4 changes nothing: the picture shows counts",
+         [](FrameOptions& o) { o.samples = 4; }, ask("stencil", "overdraw")},
+        {"--tone filmic changes nothing: the picture shows counts", ask("tone", "filmic"),
+         ask("stencil", "overdraw")},
+        {"--exposure 1 changes nothing: the picture shows counts",
+         [](FrameOptions& o) { o.exposure = 1; }, ask("stencil", "overdraw")},
+        {"--light point changes nothing: the picture shows counts", lamp,
+         ask("stencil", "overdraw")},
+        {"--effect texture=on changes nothing: the picture shows counts", on("texture"),
+         ask("stencil", "overdraw")}};
+}
+
+TEST(InVain, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
+    for (const Undone& pair : undone()) {
+        int said = 0;
+        std::vector<Shot> shots = golden_shots();
+        shots.push_back(bowl("glass", frame::Cull::none));
+        shots.back().scene.materials[0].opacity = 0.5F;
+        for (Shot& s : shots) {
+            s.options.aa = s.options.stencil = s.options.texture = "auto";
+            s.options.samples = 1;
+            Shot both = s;
+            pair.undoing(s.options);
+            both.options = s.options;
+            pair.asked(both.options);
+            const std::vector<std::string> lines = in_vain(both);
+            if (std::none_of(lines.begin(), lines.end(),
+                             [&](const std::string& line) { return line.starts_with(pair.line); }))
+                continue;
+            EXPECT_EQ(std::set(lines.begin(), lines.end()).size(), lines.size()) << s.name;
+            if (++said > 10) continue;
+            EXPECT_EQ(draw(both), draw(s)) << s.name << ": " << pair.line;
+        }
+        EXPECT_GT(said, 0) << pair.line;
+    }
+}
+
+TEST(InVain, WhatIsForTrianglesChangesNoLinesAndPoints) {
+    Shot s = wires("wires");
+    ASSERT_EQ(s.scene.mesh.triangles(), 0U);
+    EXPECT_THAT(in_vain(s), IsEmpty());
+    const image::Image picture = draw(s);
+    const auto expect = [&](const char* axis, const char* name, bool vain) {
+        Shot other = s;
+        if (axis == std::string("cull"))
+            other.options.cull = frame::Cull::back;
+        else
+            EXPECT_TRUE(frame::ask(other.options, axis, name));
+        const std::vector<std::string> lines = in_vain(other);
+        EXPECT_EQ(lines.size(), vain ? 1U : 0U) << axis << ' ' << name;
+        for (const std::string& line : lines)
+            EXPECT_THAT(line, HasSubstr("changes nothing"));
+        EXPECT_EQ(draw(other) == picture, vain) << axis << ' ' << name;
+    };
+    for (const char* aa : {"samples_2", "samples_16", "area"})
+        expect("aa", aa, true);
+    for (const char* aa : {"tent", "gaussian", "supersampling_2"})
+        expect("aa", aa, false);
+    expect("interpolate", "affine", true);
+    expect("cull", "back", true);
+    expect("shading", "flat", true);
+    s.options.samples = 8;
+    EXPECT_EQ(draw(s), picture);
+    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--samples 8 changes nothing: lines and")));
+    s.options.aa = "supersampling_4";
+    s.options.samples = 1;
+    const image::Image mixed = draw(s);
+    s.options.blend_space = "encoded";
+    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_NE(draw(s), mixed);
+}
+
+TEST(InVain, WithoutForeshorteningAllInterpolationsAreAlike) {
+    int said = 0;
+    for (Shot s : golden_shots()) {
+        s.options.interpolate = "auto";
+        s.camera.projection = scene::Projection::orthographic;
+        const image::Image flat = draw(s);
+        for (const char* name : {"affine", "affine_16", "adaptive"}) {
+            s.options.interpolate = name;
+            const std::vector<std::string> lines = in_vain(s);
+            const std::string option = std::string("--interpolate ") + name;
+            for (const std::string& line : lines)
+                said += line.starts_with(option + " changes nothing") ? 1 : 0;
+            EXPECT_LE(image::compare(draw(s), flat).max_difference, 1) << s.name << ' ' << name;
+        }
+    }
+    EXPECT_GT(said, 300);
+}
+
 TEST(InVain, PairsThatDoNotGoTogetherAreNamed) {
     Shot s = solids("lit");
     s.options.lights = {light_of(scene::LightKind::directional, 1)};
@@ -96,10 +241,21 @@ TEST(InVain, PairsThatDoNotGoTogetherAreNamed) {
     s.options.lights[0].size = 3;
     EXPECT_THAT(in_vain(s),
                 ElementsAre(HasSubstr("--shadow-size 2048"), HasSubstr("--shadow-filter 5"),
-                            HasSubstr("the size of a light")));
+                            HasSubstr("the size of a light softens no shadow: --shadow volume")));
     s.options.shadow = "map_soft";
     s.options.shadow_filter = 3;
     EXPECT_THAT(in_vain(s), IsEmpty());
+    s.options.lights[0].casts = false;
+    s.options.shadow = "auto";
+    s.options.shadow_size = FrameOptions().shadow_size;
+    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("softens no shadow: it casts none")));
+    s.options.lights[0].casts = true;
+    s.options.lights[0].size = 0;
+    EXPECT_THAT(in_vain(s), IsEmpty());
+    const image::Image sharp = draw(s);
+    s.options.shadow = "map_soft";
+    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--shadow map_soft changes nothing: no light")));
+    EXPECT_EQ(draw(s), sharp);
 }
 
 TEST(InVain, ATechniqueThatAnotherReplacesIsNamed) {

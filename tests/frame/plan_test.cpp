@@ -1,5 +1,6 @@
 #include "frame/in_vain.h"
 #include "frame/plan.h"
+#include "frame/plans.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -14,26 +15,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
-
-std::vector<std::string> stages(const FramePlan& plan) {
-    std::vector<std::string> names;
-    for (const shade::Stage* stage : plan.stages)
-        names.push_back(std::string(stage->card.axis) + " " + std::string(stage->card.name));
-    return names;
-}
-
-std::vector<std::string> techniques(const FramePlan& plan) {
-    std::vector<std::string> names;
-    for (const Technique* technique : plan.techniques)
-        names.push_back(std::string(technique->axis) + " " + std::string(technique->name));
-    return names;
-}
-
-FramePlan plan_of(const SceneFacts& facts, const FrameOptions& options = {}) {
-    auto result = plan(options, facts);
-    EXPECT_TRUE(result) << result.error().what;
-    return result.value_or(FramePlan());
-}
 
 TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     SceneFacts facts;
@@ -62,34 +43,6 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     wires.lines = 5;
     EXPECT_FALSE(plan_of(wires).attributes.normal);
     EXPECT_FALSE(plan_of(wires).attributes.uv);
-}
-
-// Unlit vertex colours call for no normals, nor does any material in ambient light alone.
-TEST(Plan, WithoutLightFromASideNothingIsDoneAboutNormals) {
-    SceneFacts facts;
-    facts.triangles = 10;
-    facts.vertex_colours = facts.uv = true;
-    facts.sides.leaning = facts.specular_triangles = 5;
-    facts.mapped_triangles.fill(5);
-    facts.readable_maps = ~shade::MapBits{0};
-    FrameOptions options;
-    for (const char* shading : {"auto", "per_pixel_raw"}) {
-        options.shading = shading;
-        options.lights = scene::default_lights();
-        EXPECT_TRUE(plan_of(facts, options).attributes.normal);
-        for (const bool ambient : {true, false}) {
-            options.lights.clear();
-            if (ambient) options.lights = {test::light_of(scene::LightKind::ambient, 0.8)};
-            const FramePlan unlit = plan_of(facts, options);
-            EXPECT_FALSE(unlit.attributes.normal);
-            EXPECT_FALSE(unlit.attributes.ray);
-            EXPECT_FALSE(unlit.corner_normals);
-            EXPECT_TRUE(unlit.attributes.colour);
-            for (const char* effect :
-                 {"highlight", "two_sided", "normal_map", "bump_map", "specular_map", "gloss_map"})
-                EXPECT_FALSE(unlit.decision(effect)->on()) << effect;
-        }
-    }
 }
 
 TEST(Plan, NothingTexturedRunsNoTextureStageWhateverIsAsked) {
@@ -189,123 +142,6 @@ TEST(Plan, KnowsWhatIsAskedOfItInVain) {
     EXPECT_THAT(in_vain(options), ElementsAre(StartsWith("shadow")));
 }
 
-TEST(Plan, WritesOnlyLightsThatDifferFromPixelToPixel) {
-    SceneFacts facts;
-    facts.triangles = 10;
-    facts.brightest = 0.2F;
-    FrameOptions options;
-    const auto add = [&](scene::LightKind kind, double power) {
-        options.lights.push_back(test::light_of(kind, power));
-    };
-    EXPECT_FALSE(plan_of(facts, options).attributes.position);
-    EXPECT_EQ(plan_of(facts, options).lights.size(), 3U);
-    add(scene::LightKind::directional, 1);
-    add(scene::LightKind::point, 0); // black
-    EXPECT_FALSE(plan_of(facts, options).attributes.position);
-    EXPECT_FALSE(plan_of(facts, options).decision("point_light")->on());
-    EXPECT_EQ(plan_of(facts, options).lights.size(), 4U);
-    add(scene::LightKind::spot, 1);
-    add(scene::LightKind::point, 1);
-    EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "light ambient", "light point", "light spot",
-                            "shading per_pixel"));
-    EXPECT_TRUE(plan_of(facts, options).attributes.position);
-    EXPECT_THAT(plan_of(facts, options).decision("directional_light")->because,
-                HasSubstr("3 lights: key, fill, directional"));
-    options.effects = {{"point_light", false}, {"spot_light", false}, {"ambient_light", false}};
-    EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "shading per_pixel"));
-    EXPECT_TRUE(plan_of(facts, options).decision("point_light")->forced);
-    options.lights.clear();
-    options.effects = {{"point_light", true}, {"spot_light", true}, {"ambient_light", true}};
-    EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "shading per_pixel"));
-    SceneFacts wires;
-    wires.lines = 5;
-    EXPECT_THAT(stages(plan_of(wires)),
-                ElementsAre("interpolate perspective", "shading per_pixel"));
-}
-
-TEST(Plan, LightsNothingThatReflectsNone) {
-    SceneFacts facts;
-    facts.triangles = 10;
-    facts.brightest = 0; // Kd is black
-    EXPECT_TRUE(plan_of(facts, {}).lights.empty());
-    for (const char* row : {"ambient_light", "directional_light", "two_sided", "shadow", "shading"})
-        EXPECT_FALSE(plan_of(facts, {}).decision(row)->on()) << row;
-    EXPECT_THAT(to_string(*plan_of(facts, {}).decision("directional_light")),
-                HasSubstr("Kd and Ks are black"));
-    facts.specular_triangles = 1;
-    EXPECT_FALSE(plan_of(facts, {}).lights.empty());
-    facts.specular_triangles = 0;
-    facts.brightest = 0.01F;
-    EXPECT_FALSE(plan_of(facts, {}).lights.empty());
-}
-
-TEST(Plan, DrawsNoShadowMapOfWhatThrowsNoShadow) {
-    SceneFacts facts;
-    facts.triangles = 10;
-    facts.alpha.blended_triangles = 8;
-    facts.alpha.unseen_triangles = 2;
-    FrameOptions options;
-    options.lights = {test::light_of(scene::LightKind::point, 1)};
-    options.lights[0].casts = true;
-    const auto shadow = [&] { return to_string(*plan_of(facts, options).decision("shadow")); };
-    EXPECT_THAT(shadow(), StartsWith("shadow off: every triangle is blended or clear"));
-    options.effects = {{"blending", false}}; // then they are opaque
-    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf"));
-    options.effects.clear();
-    facts.alpha.blended_triangles = 7;
-    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf"));
-}
-
-TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
-    SceneFacts facts;
-    facts.triangles = 10;
-    FrameOptions options;
-    const auto shadow = [&] { return to_string(*plan_of(facts, options).decision("shadow")); };
-    // Those that hang on the camera cast none, nor does ambient light or one that is black.
-    EXPECT_THAT(shadow(), StartsWith("shadow off: no light that reaches anything casts shadows"));
-    options.effects = {{"shadow", true}};
-    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
-    options.effects.clear();
-    options.lights = {test::light_of(scene::LightKind::directional, 0)};
-    options.lights[0].casts = true;
-    EXPECT_THAT(shadow(), StartsWith("shadow off"));
-    options.lights[0].power = 1;
-    EXPECT_THAT(shadow(), StartsWith("shadow map_pcf: 1 light casts: directional"));
-    EXPECT_THAT(stages(plan_of(facts, options)),
-                ElementsAre("interpolate perspective", "light directional", "shadow map_pcf",
-                            "shading per_pixel"));
-    EXPECT_TRUE(plan_of(facts, options).attributes.position);
-    options.lights[0].size = 2;
-    EXPECT_THAT(shadow(), StartsWith("shadow map_soft: 1 light casts: directional; 1 with a size"));
-    for (const char* shading : {"flat", "gouraud"}) {
-        options.shading = shading;
-        EXPECT_THAT(shadow(), StartsWith("shadow off: they need light at pixels"));
-        EXPECT_THAT(shadow(), HasSubstr(shading));
-    }
-    options.shading = "per_pixel_raw";
-    EXPECT_THAT(shadow(), StartsWith("shadow map_soft"));
-    options.shading = "auto";
-    options.shadow = "attached"; // nothing runs
-    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
-    EXPECT_THAT(techniques(plan_of(facts, options)), testing::Contains("shadow attached"));
-    options.shadow = "projected"; // there is no floor
-    EXPECT_THAT(shadow(), StartsWith("shadow off: no triangle lies flat"));
-    facts.ground.asked = true;
-    EXPECT_THAT(shadow(),
-                StartsWith("shadow off: no triangle lies in the plane of --shadow-plane"));
-    facts.ground.triangles = 2;
-    EXPECT_THAT(shadow(), StartsWith("shadow projected: 1 light casts"));
-    options.effects = {{"shadow", false}};
-    EXPECT_TRUE(plan_of(facts, options).decision("shadow")->forced);
-    EXPECT_EQ(plan_of(facts, options).shadow.stage, nullptr);
-    EXPECT_FALSE(plan_of(facts, options).attributes.position);
-    facts.triangles = 0;
-    EXPECT_THAT(shadow(), StartsWith("shadow off: nothing is lit"));
-}
-
 TEST(Plan, GivesAReasonForEveryDecision) {
     SceneFacts facts;
     facts.triangles = 40;
@@ -324,7 +160,8 @@ TEST(Plan, GivesAReasonForEveryDecision) {
     EXPECT_EQ(on.decision("nothing"), nullptr);
     for (const Decision& decision : on.decisions) {
         EXPECT_EQ(to_string(decision).find('\n'), std::string::npos);
-        EXPECT_EQ(decision.on(), decision.needed);
+        EXPECT_TRUE(decision.on() == decision.needed || decision.choice) << decision.effect;
+        EXPECT_TRUE(decision.on() || !decision.needed) << decision.effect;
         EXPECT_FALSE(decision.forced);
     }
 }
@@ -405,56 +242,6 @@ TEST(Plan, RefusesWhatDoesNotExist) {
     EXPECT_EQ(refusal([](FrameOptions& o) { o.width = o.height = kMaxSide; }), "accepted");
 }
 
-TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
-    EXPECT_EQ(ground(geom::Mesh()).triangles, 0U);
-    for (int up = 0; up < 3; ++up) {
-        for (const float side : {-1.0F, 1.0F}) {
-            geom::Mesh mesh = test::empty_mesh();
-            test::add_sphere(mesh, Vec3(0), 0.3F, 12, 6);
-            EXPECT_EQ(ground(mesh).triangles, 0U);
-            std::array<Vec3, 4> floor;
-            for (std::size_t i = 0; i < 4; ++i) {
-                floor[i][up] = side * 0.4F;
-                floor[i][(up + 1) % 3] = i == 0 || i == 3 ? -1.0F : 1.0F;
-                floor[i][(up + 2) % 3] = i < 2 ? -1.0F : 1.0F;
-            }
-            test::add_quad(mesh, floor, {0, 0, 1});
-            const Ground found = ground(mesh);
-            DVec3 axis(0);
-            axis[up] = 1;
-            EXPECT_EQ(found.normal, axis);
-            EXPECT_EQ(found.offset, double{side * 0.4F});
-            EXPECT_EQ(found.triangles, 2U);
-            EXPECT_FALSE(found.asked);
-            std::vector<std::uint8_t> in(mesh.triangles(), 0);
-            in[in.size() - 1] = in[in.size() - 2] = 1;
-            EXPECT_EQ(in_ground(mesh, found), in);
-        }
-    }
-}
-
-TEST(Facts, TheUsersGroundIsThePlaneOfTheFileAtAnyLengthOfItsNormal) {
-    geom::Mesh mesh = test::empty_mesh();
-    mesh.centre = {100, 20, -3}; // and a unit of the mesh is four of the file
-    mesh.exponent = 2;
-    // z = 1/2 - y / 2 in the mesh: in the file 2 (z + 3) = 4 - (y - 20).
-    test::add_quad(mesh, {{{-1, -1, 1}, {1, -1, 1}, {1, 1, 0}, {-1, 1, 0}}}, {0, 0.4F, 0.9F});
-    test::add_square(mesh, 1, 0);
-    const std::vector<std::uint8_t> leaning = {1, 1, 0, 0};
-    for (const double length : {1.0, -3.0, 1e-200, 1e200}) {
-        const Ground found = ground(mesh, {DVec3(0, 1, 2) * length, 18 * length});
-        EXPECT_TRUE(found.asked);
-        EXPECT_EQ(found.triangles, 2U) << length;
-        EXPECT_NEAR(dot3(found.normal, found.normal), 1, 1e-12);
-        EXPECT_EQ(in_ground(mesh, found), leaning) << length;
-        EXPECT_EQ(ground(mesh, {DVec3(0, 1, 2) * length, 18.01 * length}).triangles, 0U);
-    }
-    scene::Scene scene;
-    scene.mesh = mesh;
-    EXPECT_TRUE(facts(scene, FilePlane{{0, 1, 2}, 18}).ground.asked);
-    EXPECT_EQ(facts(scene).ground, ground(mesh));
-}
-
 TEST(Plan, PicksHowCodesAreMade) {
     SceneFacts facts;
     facts.triangles = 1;
@@ -470,49 +257,21 @@ TEST(Plan, PicksHowCodesAreMade) {
     EXPECT_EQ(naive.output.encoding, shade::find_encoding("square_root"));
     EXPECT_EQ(naive.output.blend_space, shade::find_blend_space("encoded"));
     EXPECT_TRUE(naive.output.dither);
+    EXPECT_EQ(usual.decision("dither")->technique, "none");
+    options.bits = 5; // dithered where they are made of whole codes, and not before
+    EXPECT_FALSE(plan_of(facts, options).output.dither);
+    EXPECT_EQ(plan_of(facts, options).decision("dither")->technique, "bayer");
+    options.dither = "none";
+    EXPECT_EQ(plan_of(facts, options).decision("dither")->technique, "none");
+    options.dither = "auto";
+    EXPECT_EQ(plan_of(facts, options).decision("dither")->technique, "bayer");
+    EXPECT_THAT(plan_of(facts, options).decision("dither")->because, HasSubstr("5 bits"));
     EXPECT_TRUE(naive.decision("encode")->forced);
     options.blend_space = "gamma";
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().what, HasSubstr("--blend-space gamma"));
     EXPECT_THAT(refused.error().what, HasSubstr("encoded linear"));
-}
-
-TEST(Facts, CountWhatTheDataCallsFor) {
-    scene::Scene scene;
-    scene.mesh = test::empty_mesh();
-    scene.textures = {test::checkers()};
-    scene::Material unreadable = test::textured(-1);
-    scene.materials = {test::plain(Vec3(1)), test::textured(0),
-                       test::plain(Vec3(1), {0, 0, 0.1F}, 10), unreadable,
-                       test::plain(Vec3(1), Vec3(1), 0)};
-    for (const int material : {-1, 0, 1, 1, 1, 2, 3, 4}) // a quad each
-        test::add_square(scene.mesh, 1, 0, material);
-    test::add_line(scene.mesh, 0, 1);
-    test::add_point(scene.mesh, 0);
-    const SceneFacts all = facts(scene);
-    EXPECT_EQ(all.triangles, 16U);
-    EXPECT_EQ(all.lines, 1U);
-    EXPECT_EQ(all.points, 1U);
-    EXPECT_EQ(all.textured_triangles, 6U);
-    EXPECT_EQ(all.specular_triangles, 2U); // Ns 0 is no highlight
-    // The last stands for what has no material.
-    EXPECT_THAT(all.materials_of.at("texture"),
-                ElementsAre(false, true, false, false, false, false));
-    EXPECT_THAT(all.materials_of.at("highlight"),
-                ElementsAre(false, false, true, false, false, false));
-    EXPECT_FALSE(all.vertex_colours);
-    scene.mesh.uv.clear(); // a texture without coordinates shows nothing
-    EXPECT_FALSE(facts(scene).uv);
-    EXPECT_FALSE(plan_of(facts(scene)).decision("texture")->on());
-    scene.mesh.colour.resize(scene.mesh.position.size());
-    EXPECT_TRUE(facts(scene).vertex_colours);
-    EXPECT_EQ(facts(scene::Scene()).triangles, 0U);
-    EXPECT_EQ(all.brightest, 1); // of the materials that are used
-    scene.mesh.colour.assign(scene.mesh.position.size(), Vec3(0.25F, 0.5F, 0));
-    EXPECT_EQ(facts(scene).brightest, 0.5F);
-    scene.materials[0].diffuse = Vec3(7);
-    EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
 }
 
 // A material with every map, whose pictures can be chosen.

@@ -1,7 +1,9 @@
 // What becomes of light above 1: how bright a scene can get, and the curve that this calls for.
 #include "frame/brightness.h"
 #include "frame/plan.h"
+#include "image/compare.h"
 #include "support/random.h"
+#include "support/scenes.h"
 
 #include <cmath>
 
@@ -46,7 +48,7 @@ TEST(Tone, TakesTheCurveOnlyWhereTheFigureItPrintsIsAbove1) {
         options.lights = {sun({0, 1, 0}, 0.75F), around}; // together 0.99 to 1.01
         const Decision tone = *plan_of(facts, options).decision("tone");
         const bool above = tone.because.find("at most 1.01") != std::string::npos;
-        EXPECT_EQ(tone.technique, above ? "filmic" : "clamp") << tone.because;
+        EXPECT_EQ(tone.technique, above ? "shoulder" : "clamp") << tone.because;
     }
 }
 
@@ -58,13 +60,19 @@ TEST(Tone, ClampsUnlessSurfacesGetBrighterThanWhite) {
     EXPECT_EQ(usual.decision("tone")->technique, "clamp");
     EXPECT_THAT(usual.decision("tone")->because, HasSubstr("at most 0.96"));
     EXPECT_EQ(usual.exposure, 1);
+    EXPECT_EQ(usual.white, 1);
+    EXPECT_THAT(usual.decision("tone")->because, HasSubstr("highlights may burn out"));
+    FrameOptions matt;
+    matt.effects["highlight"] = false;
+    EXPECT_EQ(plan_of(facts, matt).decision("tone")->because, "diffuse light is at most 0.96");
     FrameOptions options;
     options.exposure = 1; // 0.96 becomes 1.93
     const FramePlan bright = plan_of(facts, options);
-    EXPECT_EQ(bright.decision("tone")->technique, "filmic");
+    EXPECT_EQ(bright.decision("tone")->technique, "shoulder");
     EXPECT_THAT(bright.decision("tone")->because, HasSubstr("1.93"));
     EXPECT_EQ(bright.exposure, 2);
-    EXPECT_EQ(stages(bright).back(), "tone filmic");
+    EXPECT_NEAR(bright.white, 1.93, 0.005);
+    EXPECT_EQ(stages(bright).back(), "tone shoulder");
     options.tone = "clamp";
     EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
     options = {};
@@ -73,11 +81,35 @@ TEST(Tone, ClampsUnlessSurfacesGetBrighterThanWhite) {
     EXPECT_EQ(plan_of(facts, options).decision("tone")->technique, "clamp");
     options = {};
     options.lights.push_back(sun({0, 0, 1}, 0.5F));
-    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone filmic");
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone shoulder");
     options.exposure = 21;
     const auto refused = plan(options, facts);
     ASSERT_FALSE(refused);
     EXPECT_THAT(refused.error().what, HasSubstr("--exposure 21"));
+}
+
+// Where the curve sets in, too: a scene must not look another for a thousandth more light.
+TEST(Tone, ALittleMoreLightChangesThePictureALittle) {
+    test::Shot s = test::solids("brighter");
+    bool clamped = false, rolled = false;
+    const auto picture = [&](double light) {
+        scene::Light around = test::light_of(scene::LightKind::ambient, light - 0.6);
+        s.options.lights = {sun({1, 2, 3}, 0.6F), around};
+        const auto plan = frame::plan(s.options, frame::facts(s.scene));
+        (plan->decision("tone")->technique == "clamp" ? clamped : rolled) = true;
+        return test::draw(s);
+    };
+    for (scene::Material& m : s.scene.materials)
+        m.diffuse = Vec3(1);
+    for (const double from : {0.98, 1.2, 2.0, 5.0}) {
+        image::Image before = picture(from);
+        for (int step = 1; step <= 40; ++step) {
+            const image::Image after = picture(from + step * 0.001);
+            ASSERT_LE(image::compare(before, after).max_difference, 1) << from << ' ' << step;
+            before = after;
+        }
+    }
+    EXPECT_TRUE(clamped && rolled);
 }
 
 TEST(Tone, TheMostLightIsThatOfTheWorstDirection) {

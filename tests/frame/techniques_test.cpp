@@ -20,6 +20,7 @@ TEST(Techniques, HaveEveryNameOfTheTableOnceWithAWholeCard) {
         {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
         {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
         {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
+        {"cull", {SCANOUT_CULL(SCANOUT_NAME)}},
         {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
         {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
         {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <random>
 #include <set>
+#include <tuple>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -205,6 +206,83 @@ TEST(Build, GivesTheSameBitsEverywhere) {
         add(static_cast<std::uint32_t>(std::bit_cast<std::uint64_t>(m.radius) >> 20));
     }
     EXPECT_EQ(hash, 9703385239287490422u);
+}
+
+// Large enough for several blocks of everything, and for a table in parts.
+PolygonMesh large_soup(std::uint32_t seed) {
+    PolygonMesh m = soup(seed, 9000, 50'000, seed % 2 == 0);
+    std::mt19937 random(seed);
+    for (int i = 0; i < 500; ++i) {
+        m.uvs.push_back({i / 7.0 + (i % 50 == 0 ? 1000 : 0), i % 13});
+        m.normals.push_back(i % 9 == 0 ? Vec3(0) : Vec3(i % 5 - 2, i % 7 - 3, 1));
+    }
+    for (Corner& c : m.corners) {
+        c.uv = static_cast<std::int32_t>(random() % 501) - 1;
+        c.normal = random() % 3 == 0 ? static_cast<std::int32_t>(random() % 500) : -1;
+    }
+    for (std::size_t p = 0; p < m.positions.size(); p += 997)
+        m.positions[p].y = std::numeric_limits<double>::infinity();
+    for (std::uint32_t p = 0; p < 9000; p += 3) {
+        m.point_vertices.push_back(p);
+        m.point_material.push_back(static_cast<std::int32_t>(p % 4));
+        m.line_begin.push_back(static_cast<std::uint32_t>(m.line_vertices.size()));
+        m.line_vertices.insert(m.line_vertices.end(), {p, p + 1, p + 2});
+        m.line_material.push_back(1);
+    }
+    return m;
+}
+
+TEST(Build, TheNumberOfThreadsChangesNothing) {
+    for (const std::uint32_t seed : {1u, 2u}) {
+        const BuildResult alone = build(large_soup(seed));
+        EXPECT_GT(alone.skipped_faces, 100u);
+        EXPECT_GT(alone.skipped_points, 1u);
+        for (const int threads : {2, 3, 16}) {
+            Jobs jobs(threads);
+            Warnings warnings;
+            const BuildResult r =
+                build_mesh(large_soup(seed), {.jobs = &jobs}, "test.obj", warnings);
+            const Mesh &a = alone.mesh, &b = r.mesh;
+            EXPECT_EQ(a.position, b.position);
+            EXPECT_EQ(a.normal, b.normal);
+            EXPECT_EQ(a.uv, b.uv);
+            EXPECT_EQ(a.index, b.index);
+            EXPECT_EQ(a.material, b.material);
+            EXPECT_EQ(a.face, b.face);
+            EXPECT_EQ(a.line_index, b.line_index);
+            EXPECT_EQ(a.point_index, b.point_index);
+            EXPECT_EQ(a.line_faces.triangle, b.line_faces.triangle);
+            EXPECT_EQ(a.centre, b.centre);
+            EXPECT_EQ(a.radius, b.radius);
+            EXPECT_EQ(std::tuple(alone.skipped_faces, alone.skipped_lines, alone.skipped_points),
+                      std::tuple(r.skipped_faces, r.skipped_lines, r.skipped_points));
+            EXPECT_EQ(warnings.lines().size(), 3u);
+        }
+    }
+}
+
+TEST(Build, ProgressRisesEvenlyToTheEndAndStops) {
+    std::vector<double> shares;
+    BuildOptions options;
+    options.progress = [&](double share) {
+        shares.push_back(share);
+        return true;
+    };
+    Warnings warnings;
+    const auto large = [] { return soup(1, 200'000, 200'000, false); };
+    EXPECT_FALSE(build_mesh(large(), options, "test.obj", warnings).stopped);
+    ASSERT_GE(shares.size(), 5u);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_LT(shares.back(), 1);
+    for (std::size_t i = 1; i < shares.size(); ++i)
+        EXPECT_LT(shares[i] - shares[i - 1], 0.25);
+    for (std::size_t most = 1; most <= shares.size(); ++most) {
+        std::size_t calls = 0;
+        options.progress = [&](double) { return ++calls < most; };
+        EXPECT_TRUE(build_mesh(large(), options, "test.obj", warnings).stopped);
+        EXPECT_EQ(calls, most) << "what was stopped must not go on";
+    }
 }
 
 TEST(Build, JoinsMinusZeroAndZero) {

@@ -1,4 +1,5 @@
 #include "geom/framing.h"
+#include "geom/meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 
 namespace scanout::geom {
 namespace {
+
+using testing::jobs;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMax = std::numeric_limits<double>::max();
@@ -25,7 +28,7 @@ std::vector<DVec3> cloud(std::uint32_t seed, std::size_t count) {
 }
 
 Framing framing_of_all(const std::vector<DVec3>& points) {
-    return framing_of(points, std::vector<bool>(points.size(), true));
+    return framing_of(jobs(), points, std::vector<std::uint8_t>(points.size(), 1));
 }
 
 // What every framing must keep: normalised positions are finite, none is further than the radius,
@@ -105,7 +108,7 @@ TEST(Framing, HoldsFromTheSmallestToTheLargestDoubles) {
 
 TEST(Framing, OnlyUsedVerticesCount) {
     const std::vector<DVec3> points{{0, 0, 0}, {1e9, 0, 0}, {2, 0, 0}, {kInfinity, NAN, 0}};
-    const Framing f = framing_of(points, {true, false, true, false});
+    const Framing f = framing_of(jobs(), points, {1, 0, 1, 0});
     EXPECT_EQ(f.centre, DVec3(1, 0, 0));
     EXPECT_EQ(f.box_max, DVec3(2, 0, 0));
     EXPECT_EQ(f.radius, 0.5);
@@ -114,20 +117,20 @@ TEST(Framing, OnlyUsedVerticesCount) {
 
 TEST(Framing, WithoutUsedVerticesAllFiniteOnesCount) {
     const std::vector<DVec3> points{{0, 0, 0}, {NAN, 0, 0}, {2, 4, 6}, {0, -kInfinity, 0}};
-    const Framing f = framing_of(points, std::vector<bool>(4, false));
+    const Framing f = framing_of(jobs(), points, std::vector<std::uint8_t>(4, 0));
     EXPECT_EQ(f.box_min, DVec3(0));
     EXPECT_EQ(f.box_max, DVec3(2, 4, 6));
 }
 
 TEST(Framing, NothingAndASinglePointHaveADefaultSize) {
-    EXPECT_EQ(framing_of({}, {}).radius, 0.5);
-    EXPECT_EQ(framing_of({DVec3(NAN)}, {false}).radius, 0.5);
-    const Framing f = framing_of({DVec3(7, 8, 9), DVec3(7, 8, 9)}, {true, true});
+    EXPECT_EQ(framing_of(jobs(), {}, {}).radius, 0.5);
+    EXPECT_EQ(framing_of(jobs(), {DVec3(NAN)}, {0}).radius, 0.5);
+    const Framing f = framing_of(jobs(), {DVec3(7, 8, 9), DVec3(7, 8, 9)}, {1, 1});
     EXPECT_EQ(f.centre, DVec3(7, 8, 9));
     EXPECT_EQ(f.radius, 0.5);
     EXPECT_EQ(f.exponent, 0);
     EXPECT_EQ(f.normalise(DVec3(7, 8, 9)), DVec3(0));
-    EXPECT_EQ(framing_of({DVec3(kDenormal)}, {true}).centre, DVec3(kDenormal));
+    EXPECT_EQ(framing_of(jobs(), {DVec3(kDenormal)}, {1}).centre, DVec3(kDenormal));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // Small meshes that the tests of geom share.
 #pragma once
 
+#include "base/jobs.h"
 #include "geom/polygon_mesh.h"
 
 #include <cstdint>
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace scanout::geom::testing {
+
+// Several threads: what the tests of single functions run on.
+inline Jobs& jobs() {
+    static Jobs jobs(3);
+    return jobs;
+}
 
 inline void add_face(PolygonMesh& mesh, const std::vector<std::int32_t>& positions,
                      std::uint32_t smoothing = kSmoothingUnset, std::int32_t material = -1) {

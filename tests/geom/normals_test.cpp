@@ -23,7 +23,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 // One normal a corner.
 std::vector<Vec3> normals_of(PolygonMesh mesh, double crease_degrees = 60) {
-    make_normals(mesh, std::vector<bool>(mesh.faces(), true), crease_degrees);
+    make_normals(testing::jobs(), mesh, std::vector<bool>(mesh.faces(), true), crease_degrees);
     std::vector<Vec3> normals;
     for (const Corner& c : mesh.corners)
         normals.push_back(mesh.normals.at(static_cast<std::size_t>(c.normal)));
@@ -209,7 +209,7 @@ TEST(Normals, FacesThatAreLeftOutAddNothing) {
     std::vector<bool> usable(6, false);
     usable[1] = true;
     mesh.positions[0] = DVec3(NAN);
-    make_normals(mesh, usable, 60);
+    make_normals(testing::jobs(), mesh, usable, 60);
     for (std::size_t c = 4; c < 8; ++c)
         EXPECT_EQ(mesh.normals.at(static_cast<std::size_t>(mesh.corners[c].normal)), Vec3(0, 0, 1));
 }

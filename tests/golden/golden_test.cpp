@@ -84,7 +84,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
         {"blend_space", {SCANOUT_BLEND_SPACE(SCANOUT_NAME)}},
         {"encode", {SCANOUT_ENCODE(SCANOUT_NAME)}},
         {"dither", {SCANOUT_DITHER(SCANOUT_NAME)}},
-        {"cull", {"none", "back", "front"}}};
+        {"cull", {SCANOUT_CULL(SCANOUT_NAME)}}};
 #undef SCANOUT_NAME
     for (const auto& [axis, names] : axes) {
         std::string neighbour;

@@ -157,6 +157,23 @@ TEST(PixelFormats, TheMeanOfASquareIsTheColourWithinASixtyFourthOfAStep) {
     }
 }
 
+TEST(PixelFormats, WithoutDitherTheNearestShownCodeIsTaken) {
+    for (int bits = 4; bits <= 8; ++bits) {
+        const std::vector<int> codes = shown_codes(bits);
+        EXPECT_EQ(fewest_bits(of_width(bits)), bits);
+        for (int code = 0; code < 256; ++code) {
+            const auto c = static_cast<std::uint8_t>(code);
+            const Image plain = without_dither(of_width(bits), Image(8, 8, {c, c, c, 255}));
+            int nearest = codes[0];
+            for (const int shown : codes)
+                if (std::abs(shown - code) < std::abs(nearest - code)) nearest = shown;
+            const auto n = static_cast<std::uint8_t>(nearest);
+            ASSERT_EQ(plain, Image(8, 8, {n, n, n, 255})) << bits << " bits, code " << code;
+            ASSERT_EQ(as_displayed(of_width(bits), plain), plain) << "a display keeps it";
+        }
+    }
+}
+
 RC_GTEST_PROP(PixelFormats, WhatADisplayShowsIsWhatItShowsOfThat, ()) {
     const PixelFormat format = any_format();
     const Image shown = as_displayed(format, any_picture(false));

@@ -4,6 +4,7 @@
 
 #include "base/warnings.h"
 #include "image/codec.h"
+#include "support/sanitized.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,15 +13,6 @@
 #include <string_view>
 
 #include <gtest/gtest.h>
-
-// Sanitizers keep memory of their own: what a process takes says nothing under them.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SCANOUT_SANITIZED 1
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define SCANOUT_SANITIZED 1
-#endif
-#endif
 
 namespace scanout::io::test {
 

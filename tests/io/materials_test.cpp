@@ -243,10 +243,11 @@ TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
         "norm n.png\nmap_bump b.png\nmap_Ks s.png\nmap_Ns g.png\nmap_Ke e.png\n";
     folder.write("m.mtl", "newmtl a\nKs 1 1 1\nNs 9\nKe 1 0 0\n" + maps +
                               "newmtl b\nKs 0 0 0\nNs 9\nKe 0 0 0\n" + maps +
-                              "newmtl c\nmap_Ke gone.png\nmap_bump -bm 0 b.png\n");
-    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\n");
+                              "newmtl c\nmap_Ke gone.png\nmap_bump -bm 0 b.png\n"
+                              "newmtl d\nKs 0 0 0\nNs 9\nmap_Ks gone.png\nmap_Ns gone.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\nusemtl d\n");
     const std::vector<scene::Material>& m = l.materials.materials;
-    ASSERT_EQ(m.size(), 3u);
+    ASSERT_EQ(m.size(), 4u);
     for (const auto map :
          {&scene::Material::map_normal, &scene::Material::map_bump, &scene::Material::map_specular,
           &scene::Material::map_shininess, &scene::Material::map_emission})
@@ -259,7 +260,8 @@ TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
     EXPECT_EQ(m[2].map_bump.texture, -1);
     EXPECT_EQ(m[2].emission, Vec3(0)) << "a colour that only the map gives is gone with it";
     EXPECT_EQ(all_lines(l.warnings),
-              folder.path("m.mtl") + ":20: map_Ke: 'gone.png' is not there; drawn plain\n");
+              folder.path("m.mtl") + ":20: map_Ke: 'gone.png' is not there; drawn plain\n")
+        << "and no word of what no picture lacks";
 }
 
 TEST(Textures, AMapBumpOfNormalsIsANormalMap) {

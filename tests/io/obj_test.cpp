@@ -1,6 +1,7 @@
 #include "folder.h"
 #include "io/obj.h"
 #include "math/srgb.h"
+#include "same.h"
 
 #include <cmath>
 #include <tuple>
@@ -25,6 +26,13 @@ struct Read {
 Read read(std::string_view text) {
     Read r;
     r.file = read_obj(text, "x.obj", r.warnings);
+    // In parts it is the same, whatever a test is about.
+    EXPECT_EQ(test::difference_in_parts(r.file, r.warnings, text,
+                                        {text.size() / 40 + 1, text.size() / 7 + 3},
+                                        [](std::string_view t, Warnings& w, const Reading& how) {
+                                            return read_obj(t, "x.obj", w, {}, how);
+                                        }),
+              "");
     return r;
 }
 

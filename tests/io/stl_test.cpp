@@ -1,6 +1,7 @@
 #include "base/mapping.h"
 #include "geom/build.h"
 #include "io/stl.h"
+#include "same.h"
 
 #include <array>
 #include <bit>
@@ -67,6 +68,13 @@ struct Read {
 Read read(std::string_view file) {
     Warnings warnings;
     auto result = read_stl(file, "a.stl", warnings, {});
+    // In parts it is the same, whatever a test is about.
+    EXPECT_EQ(test::difference_in_parts(result, warnings, file,
+                                        {file.size() / 40 + 1, file.size() / 7 + 3},
+                                        [](std::string_view t, Warnings& w, const Reading& how) {
+                                            return read_stl(t, "a.stl", w, {}, how);
+                                        }),
+              "");
     return {std::move(result), warnings.lines()};
 }
 

@@ -93,6 +93,17 @@ TEST(Explain, CountsThePixelsWhoseSurfaceCallsForAnEffect) {
     EXPECT_EQ(*row(explained(s), "texture").pixel_share, 0);
 }
 
+TEST(Explain, CountsPixelsAlikeHoweverTheyAreSampled) {
+    Shot s = stripes();
+    const Explanation once = explained(s);
+    for (const char* aa : {"samples_8", "supersampling_2", "tent", "gaussian", "area"}) {
+        s.options.aa = aa;
+        const Explanation e = explained(s);
+        EXPECT_DOUBLE_EQ(e.covered_share, once.covered_share) << aa;
+        EXPECT_DOUBLE_EQ(*row(e, "texture").pixel_share, *row(once, "texture").pixel_share) << aa;
+    }
+}
+
 TEST(Explain, SaysWhatChangesWhenAnEffectIsSwitched) {
     const Shot s = stripes();
     const image::Image whole = test::draw(s);

@@ -79,7 +79,7 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
         GatherInput in;
         in.mesh = &mesh;
         in.looks.mesh = &mesh;
-        in.view = &view;
+        in.set_view(view);
         // On both ways from a triangle to lanes.
         frame.own_triangles = i / 2 % 2 == 0;
         in.geometry = &all.geometry;

@@ -145,7 +145,7 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         in.mesh = &mesh;
         in.geometry = &geometry;
         in.transform = &transform;
-        in.view = &view;
+        in.set_view(view);
         in.frame = &frame;
         in.mirrored = view.mirrored;
         const auto vertices = geometry.vertices();

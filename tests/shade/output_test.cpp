@@ -235,5 +235,58 @@ TEST(Tone, FilmicShowsDifferencesThatClampingLosesAndNothingOverflows) {
         EXPECT_EQ(b->colour[0][i], 1) << light[i];
 }
 
+// What the shoulder makes of a light, in a scene that gets as bright as white.
+std::vector<float> rolled_off(float white, const std::vector<float>& light) {
+    const scene::Material material;
+    FrameState frame = identity_frame();
+    frame.white = white;
+    std::vector<float> rolled;
+    for (std::size_t first = 0; first < light.size(); first += kLanes) {
+        auto b = new_block(material);
+        b->count = static_cast<int>(std::min<std::size_t>(kLanes, light.size() - first));
+        for (auto& channel : b->colour)
+            std::copy_n(light.data() + first, b->count, channel);
+        run_stage("tone", "shoulder", *b, frame);
+        rolled.insert(rolled.end(), b->colour[2], b->colour[2] + b->count);
+    }
+    return rolled;
+}
+
+TEST(Tone, TheShoulderLeavesTheDarksAloneAndMakesTheMostLightWhite) {
+    for (const float white : {1.0F, 1.0001F, 1.01F, 1.2F, 2.0F, 7.0F, 1e4F, 1e30F}) {
+        std::vector<float> light;
+        constexpr int kSteps = 1024;
+        for (int i = 0; i <= kSteps; ++i) // closer together about the knee than about white
+            light.push_back(white * static_cast<float>(i) / kSteps * static_cast<float>(i) /
+                            kSteps);
+        const std::vector<float> rolled = rolled_off(white, light);
+        for (std::size_t i = 0; i < light.size(); ++i) {
+            ASSERT_TRUE(rolled[i] == light[i] || light[i] > 1 / white) << white << ' ' << i;
+            ASSERT_LE(rolled[i], std::min(light[i] * (1 + 1e-6F), 1.0F)) << white << ' ' << i;
+            if (i == 0) continue;
+            ASSERT_GE(rolled[i], rolled[i - 1] - 1e-7F) << white << ' ' << i;
+            // The slope begins at 1, and falls.
+            ASSERT_LE(rolled[i] - rolled[i - 1], light[i] - light[i - 1] + 1e-6F) << white;
+        }
+        EXPECT_NEAR(rolled.back(), 1, 1e-6) << white;
+        EXPECT_EQ(rolled_off(white, {std::numeric_limits<float>::max()})[0], rolled.back());
+        const float knee = 1 / white, step = (1 - knee) / 256;
+        const std::vector<float> bend = rolled_off(white, {knee, knee + step});
+        EXPECT_NEAR(bend[1] - bend[0], step, step * 0.01 + 1e-7) << white;
+    }
+}
+
+TEST(Tone, TheShoulderBendsOnlyAsMuchAsTheLightAsks) {
+    std::vector<float> light;
+    for (int i = 0; i <= 2000; ++i)
+        light.push_back(static_cast<float>(i) / 400);
+    for (const float white : {1.0F, 1.004F, 1.05F, 1.3F, 2.0F, 5.0F}) {
+        const std::vector<float> a = rolled_off(white, light);
+        const std::vector<float> b = rolled_off(white + 0.001F, light);
+        for (std::size_t i = 0; i < light.size(); ++i)
+            ASSERT_NEAR(std::min(a[i], 1.0F), b[i], 0.00101) << white << ' ' << light[i];
+    }
+}
+
 } // namespace
 } // namespace scanout::shade

@@ -231,7 +231,7 @@ inline Shot star(std::string name) {
 
 // What becomes of light: tones, blend spaces, encodings, dither.
 inline void add_output_shots(std::vector<Shot>& shots) {
-    for (const char* tone : {"clamp", "filmic"}) {
+    for (const char* tone : {"clamp", "shoulder", "filmic"}) {
         shots.push_back(solids("tone_" + std::string(tone)));
         shots.back().options.tone = tone;
         shots.back().options.exposure = 2.5;

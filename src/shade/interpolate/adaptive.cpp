@@ -47,7 +47,7 @@ constinit const Stage adaptive{
      .blurb = "per triangle the cheapest within 1/256 texel and half a code",
      .source = "HARD-CASES (c), by the ratio of distances",
      .kind = Kind::rung},
-    {},
+    {.primitive = true},
     [](Block& block, const FrameState& frame) {
         SIMD_CALL(adaptive_run)
         (block, frame);

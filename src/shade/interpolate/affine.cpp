@@ -34,7 +34,7 @@ constinit const Stage affine{
      .blurb = "straight on the screen: 1/6 of the range wrong where distances double",
      .source = "[A ch.3], [A ch.5]; HARD-CASES 33",
      .kind = Kind::rung},
-    {},
+    {.primitive = true},
     [](Block& block, const FrameState& frame) {
         SIMD_CALL(affine_run)
         (block, frame);

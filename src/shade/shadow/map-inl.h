@@ -27,66 +27,62 @@ constexpr double kSteepest = 0x1p12;
 // that is more than it rises anywhere but in the last texel of its lit side.
 constexpr float kBeyond = 16;
 
-// A triangle's plane in a map.
+// The lanes' triangles' planes in a map.
 struct MapPlane {
-    float per_x, per_y;     // depth a texel
-    float bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
-    float error;            // of a position, view units
-    float nearest;          // depth of the triangle's vertices: the greatest
+    F32x8 per_x, per_y;     // depth a texel
+    F32x8 bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
+    F32x8 error;            // of a position, view units
+    F32x8 nearest;          // depth of the triangle's vertices: the greatest
 };
 
-// fmax and fabs are functions of other targets.
-HWY_INLINE double larger(double a, double b) {
-    return a > b ? a : b;
-}
-HWY_INLINE double size_of(double a) {
-    return a < 0 ? -a : a;
-}
-
 HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
-    double n[3], p[3], extent = 0;
+    F64x8 n[3], p[3], extent = 0.0;
+    SIMD_UNROLL
     for (int r = 0; r < 3; ++r) {
-        const double row[3] = {m.turn[r][0], m.turn[r][1], m.turn[r][2]};
+        const F64x8 row[3] = {double{m.turn[r][0]}, double{m.turn[r][1]}, double{m.turn[r][2]}};
+        const F64x8 move = double{m.move[r]};
         n[r] = dot(row, facing.normal);
-        p[r] = dot(row, facing.corner[0]) + m.move[r];
-        extent = larger(extent, size_of(m.move[r]));
+        p[r] = dot(row, facing.corner[0]) + move;
+        extent = maximum(extent, abs(move));
+        SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            extent = larger(extent, size_of(facing.corner[k][r]));
+            extent = maximum(extent, abs(facing.corner[k][r]));
     }
     // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
     // half a unit in the last place of the largest term.
-    const double error = extent * 0x1p-21;
-    const double length = larger(larger(size_of(n[0]), size_of(n[1])), size_of(n[2]));
-    double to_depth;
+    const F64x8 error = extent * F64x8(0x1p-21), scale = double{m.depth_scale}, zero = 0.0;
+    const F64x8 length = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
+    F64x8 to_depth;
     if (m.perspective) {
         // n.(x, y, -w) = d, so 1 / w = (n_x x/w + n_y y/w - n_z) / d; d < 0 on the lit side.
-        const double reach = larger(larger(size_of(p[0]), size_of(p[1])), size_of(p[2]));
-        to_depth = m.depth_scale / -larger(-dot(n, p), length * reach / kSteepest);
+        const F64x8 reach = maximum(maximum(abs(p[0]), abs(p[1])), abs(p[2]));
+        to_depth = scale / -maximum(-dot(n, p), length * reach / F64x8(kSteepest));
     } else {
-        to_depth = -m.depth_scale / larger(n[2], length / kSteepest);
+        to_depth = -scale / maximum(n[2], length / F64x8(kSteepest));
     }
-    double nearest = 0;
+    F64x8 nearest = 0.0;
+    SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        double depth = 0;
+        F64x8 depth = 0.0;
+        SIMD_UNROLL
         for (int c = 0; c < 3; ++c)
-            depth += double{m.turn[2][c]} * facing.corner[k][c];
-        depth += m.move[2];
-        if (m.perspective)
-            depth = depth < 0 ? m.depth_scale / -depth : 0x1p100; // beside the light, or behind it
+            depth = depth + F64x8(double{m.turn[2][c]}) * facing.corner[k][c];
+        depth = depth + F64x8(double{m.move[2]});
+        if (m.perspective) // else beside the light, or behind it
+            depth = select(depth < zero, scale / -depth, F64x8(0x1p100));
         else
-            depth = depth * m.depth_scale + m.depth_offset;
-        nearest = larger(nearest, depth);
+            depth = depth * scale + F64x8(double{m.depth_offset});
+        nearest = maximum(nearest, depth);
     }
-    const double per_x = n[0] * to_depth / m.scale_x, per_y = -(n[1] * to_depth) / m.scale_y;
+    const F64x8 per_x = n[0] * to_depth / F64x8(double{m.scale_x}),
+                per_y = -(n[1] * to_depth) / F64x8(double{m.scale_y});
     // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
-    const double slope = size_of(per_x) + size_of(per_y);
-    const double texels = larger(m.scale_x, m.scale_y) * error * (m.perspective ? 2.5 : 1.0);
-    return {static_cast<float>(per_x),
-            static_cast<float>(per_y),
-            static_cast<float>(slope * 0x1p-6 + (m.perspective ? 0.0 : m.depth_scale * error)),
-            static_cast<float>(slope * texels),
-            static_cast<float>(error),
-            static_cast<float>(nearest)};
+    const F64x8 slope = abs(per_x) + abs(per_y);
+    const F64x8 texels = F64x8(double{m.scale_x > m.scale_y ? m.scale_x : m.scale_y}) * error *
+                         F64x8(m.perspective ? 2.5 : 1.0);
+    const F64x8 fixed = m.perspective ? zero : scale * error;
+    return {to_f32(per_x),          to_f32(per_y), to_f32(slope * F64x8(0x1p-6) + fixed),
+            to_f32(slope * texels), to_f32(error), to_f32(nearest)};
 }
 
 // Where two faces meet in a hollow edge, texels beside the receiver show the other face, which
@@ -136,12 +132,12 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
     r.depth = depth;
     r.per_x = plane.per_x;
     r.per_y = plane.per_y;
-    r.bias = (F32x8(plane.bias) + F32x8(plane.bias_slope) * inverse) + abs(depth) * F32x8(0x1p-21F);
-    if (m.perspective) r.bias = r.bias + (depth * F32x8(plane.error)) * inverse;
+    r.bias = (plane.bias + plane.bias_slope * inverse) + abs(depth) * F32x8(0x1p-21F);
+    if (m.perspective) r.bias = r.bias + (depth * plane.error) * inverse;
     const F32x8 rise = F32x8(kRise) * (m.perspective ? depth : F32x8(m.depth_scale));
     r.rise_x = rise * F32x8(1.0F / m.scale_x);
     r.rise_y = rise * F32x8(1.0F / m.scale_y);
-    r.nearest = F32x8(plane.nearest) + r.bias;
+    r.nearest = plane.nearest + r.bias;
     const F32x8 slope_x = r.per_x / r.rise_x, slope_y = r.per_y / r.rise_y; // of kRise
     r.fold = (slope_x * slope_x + slope_y * slope_y) * F32x8(kFold * kRise);
     return r;
@@ -173,9 +169,22 @@ HWY_INLINE F32x8 hidden(const Texel& t) {
     return select(t.depth > t.own, F32x8(1.0F), F32x8(0.0F));
 }
 
+// Where the receiver's own texel hides it, it lies in no hollow edge that the light looks into:
+// what rises aside then stands between it and the light, however close behind (a face that is
+// folded over, as the lips of a mouth about a lamp within). Without this a filter let in light from
+// as far behind as kRise forgives at its rim.
+HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
+    const Texel own = texel(m, r, texel_of(r.x), texel_of(r.y));
+    const auto behind = own.depth > own.own;
+    const F32x8 zero = 0.0F;
+    r.rise_x = select(behind, zero, r.rise_x);
+    r.rise_y = select(behind, zero, r.rise_y);
+}
+
 // The share of k x k texels about the receiver that is hidden, weighted by how much of each the
 // square covers. Weights are whole 256ths: all hidden sums up to 1 exactly.
-HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
+HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
+    forgive_nothing_behind(m, r);
     const float wide = static_cast<float>(k);
     const I32x8 left = texel_of(r.x - F32x8(wide * 0.5F)), top = texel_of(r.y - F32x8(wide * 0.5F));
     const auto part = [](F32x8 a) HWY_ATTR {
@@ -199,32 +208,32 @@ HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
 // in; outside of all of them nothing stands between it and the light (HARD-CASES 43).
 template <class Hide>
 HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
-    shadow_lanes(b, frame,
-                 [&](std::size_t k, const Run& run, const Facing& facing, float* left) HWY_ATTR {
-                     const LightShadow& shadow = frame.shadows[k];
-                     const F32x8 none = -1.0F; // asked no map yet
-                     const int end = run.first + run.count;
-                     for (int i = run.first; i < end; i += kLanesX8)
-                         store(none, left + i);
-                     const std::size_t maps = shadow.maps.size();
-                     for (std::size_t face = 0; face < maps; ++face) {
-                         const ShadowMap& m = shadow.maps.data()[face];
-                         const MapPlane plane = plane_in(m, facing);
-                         for (int i = run.first; i < end; i += kLanesX8) {
-                             auto inside = F32x8(0.0F) < F32x8(0.0F);
-                             const Receiver r = receiver(m, plane, b, i, inside);
-                             const F32x8 before = load<F32x8>(left + i);
-                             inside = inside & (before < F32x8(0.0F));
-                             if (!any(inside)) continue;
-                             const F32x8 lit = F32x8(1.0F) - hide(m, r, shadow);
-                             store(select(inside, lit, before), left + i);
-                         }
-                     }
-                     for (int i = run.first; i < end; i += kLanesX8) {
-                         const F32x8 lit = load<F32x8>(left + i);
-                         store(select(lit < F32x8(0.0F), F32x8(1.0F), lit), left + i);
-                     }
-                 });
+    const auto share = [&](std::size_t k, int first, int end, const Facing& facing, float* left)
+                           HWY_ATTR {
+                               const LightShadow& shadow = frame.shadows[k];
+                               const F32x8 none = -1.0F; // asked no map yet
+                               for (int i = first; i < end; i += kLanesX8)
+                                   store(none, left + i);
+                               const std::size_t maps = shadow.maps.size();
+                               for (std::size_t face = 0; face < maps; ++face) {
+                                   const ShadowMap& m = shadow.maps.data()[face];
+                                   const MapPlane plane = plane_in(m, facing);
+                                   for (int i = first; i < end; i += kLanesX8) {
+                                       auto inside = F32x8(0.0F) < F32x8(0.0F);
+                                       const Receiver r = receiver(m, plane, b, i, inside);
+                                       const F32x8 before = load<F32x8>(left + i);
+                                       inside = inside & (before < F32x8(0.0F));
+                                       if (!any(inside)) continue;
+                                       const F32x8 lit = F32x8(1.0F) - hide(m, r, shadow);
+                                       store(select(inside, lit, before), left + i);
+                                   }
+                               }
+                               for (int i = first; i < end; i += kLanesX8) {
+                                   const F32x8 lit = load<F32x8>(left + i);
+                                   store(select(lit < F32x8(0.0F), F32x8(1.0F), lit), left + i);
+                               }
+                           };
+    shadow_lanes(b, frame, share);
 }
 
 SIMD_END

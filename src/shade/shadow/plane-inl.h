@@ -1,5 +1,5 @@
-// The plane of a run's triangle as a light sees it, and what the shadow stages do with the share of
-// light that is left.
+// The planes of lanes' triangles as a light sees them, and what the shadow stages do with the share
+// of light that is left.
 #if defined(SCANOUT_SHADE_SHADOW_PLANE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_SHADOW_PLANE_INL_H
 #undef SCANOUT_SHADE_SHADOW_PLANE_INL_H
@@ -7,6 +7,7 @@
 #define SCANOUT_SHADE_SHADOW_PLANE_INL_H
 #endif
 
+#include "shade/lane_triangles.h"
 #include "shade/shadow.h"
 #include "shade/stage.h"
 
@@ -14,39 +15,60 @@
 
 SIMD_BEGIN(scanout::shade::shadow)
 
+// The triangles of a register of lanes, in view space.
 struct Facing {
-    double normal[3];    // of the triangle, towards the eye; view space
-    double corner[3][3]; // view space
-    bool lit;            // the light stands on the side that the eye sees
+    F64x8 normal[3]; // towards the eye
+    F64x8 corner[3][3];
+    F64x8::DoubleMask lit; // the light stands on the side that the eye sees
 };
 
-HWY_INLINE double dot(const double (&a)[3], const double (&b)[3]) {
+// Where they come from: one for a whole run, or of each lane its own.
+struct OfRun {
+    const Primitive& t;
+    HWY_INLINE F32x8 facing(int c) const { return t.facing[c]; }
+    HWY_INLINE F32x8 position(int c, int k) const { return t.position[c][k]; }
+};
+struct OfLanes {
+    const LaneTriangles& t;
+    int lane; // the register's first
+    HWY_INLINE F32x8 facing(int c) const { return load<F32x8>(t.facing[c] + lane); }
+    HWY_INLINE F32x8 position(int c, int k) const { return load<F32x8>(t.position[c][k] + lane); }
+};
+
+HWY_INLINE F64x8 dot(const F64x8 (&a)[3], const F64x8 (&b)[3]) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
-HWY_INLINE Facing facing_of(const Primitive& t, const FrameState& frame,
-                            const scene::ViewLight& light) {
-    Facing f{};
+template <class Of>
+HWY_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
+    Facing f;
+    F64x8 own[3];
+    SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        own[c] = to_f64(of.facing(c));
+    SIMD_UNROLL
     for (int r = 0; r < 3; ++r) {
         const float* row = frame.normal_matrix[r];
-        const double way[3] = {t.facing[0], t.facing[1], t.facing[2]};
-        const double turned[3] = {row[0], row[1], row[2]};
-        f.normal[r] = dot(turned, way);
+        f.normal[r] = dot({double{row[0]}, double{row[1]}, double{row[2]}}, own);
+        SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            f.corner[k][r] = t.position[r][k];
+            f.corner[k][r] = to_f64(of.position(r, k));
     }
     const bool everywhere = light.kind == scene::LightKind::directional;
     const Vec3& from = everywhere ? light.towards : light.position;
-    double way[3] = {from.x, from.y, from.z};
-    if (!everywhere)
+    F64x8 way[3] = {double{from.x}, double{from.y}, double{from.z}};
+    if (!everywhere) {
+        SIMD_UNROLL
         for (int c = 0; c < 3; ++c)
-            way[c] -= f.corner[0][c];
-    f.lit = dot(f.normal, way) > 0;
+            way[c] = way[c] - f.corner[0][c];
+    }
+    f.lit = dot(f.normal, way) > F64x8(0.0);
     return f;
 }
 
-// share(light's index, run, facing, where the lanes' shares of light go): for every light that
-// casts and every run. What faces away from the light gets none: it lies in its own shadow.
+// share(light's index, first lane, end, facing, where the lanes' shares of light go): for every
+// light that casts and every run, or every register of a run whose lanes have their own triangles.
+// What faces away from the light gets none: it lies in its own shadow.
 template <class Share>
 HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
     if (!b.lit || frame.shadows == nullptr) return;
@@ -54,15 +76,24 @@ HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
     const std::size_t count = frame.lights.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (!frame.shadows[k].casts) continue;
+        const scene::ViewLight& light = frame.lights.data()[k];
         for (int i = b.runs > 0 ? b.run[b.runs - 1].first : 0; i < kRoom; ++i)
             left[i] = 0;
         for (const Run* run = b.run; run != b.run + b.runs; ++run) {
-            const Facing facing = facing_of(*run->primitive, frame, frame.lights.data()[k]);
-            if (facing.lit)
-                share(k, *run, facing, left);
-            else
-                for (int i = run->first; i < run->first + run->count; ++i)
-                    left[i] = 0;
+            const int end = run->first + run->count;
+            const int step = run->primitive != nullptr ? run->count : kLanesX8;
+            for (int i = run->first; i < end; i += step) {
+                const Facing facing = run->primitive != nullptr
+                                          ? facing_of(OfRun{*run->primitive}, frame, light)
+                                          : facing_of(OfLanes{*b.triangles, i}, frame, light);
+                const std::uint32_t lit = bits(facing.lit);
+                if (lit != 0) share(k, i, i + step, facing, left);
+                if (lit == (1U << kLanesX8) - 1) continue;
+                const F32x8 shown = to_f32(select(facing.lit, F64x8(1.0), F64x8(0.0)));
+                for (int lane = i; lane < i + step; lane += kLanesX8)
+                    store(select(shown > F32x8(0.5F), load<F32x8>(left + lane), F32x8(0.0F)),
+                          left + lane);
+            }
         }
         LightLanes& lanes = b.light.data()[k];
         for (int i = 0; i < b.count; i += kLanes) {

@@ -8,13 +8,14 @@
 namespace scanout::shade::shadow {
 
 extern const Stage projected;
-constinit const Stage projected{{.axis = "shadow",
-                                 .name = "projected",
-                                 .blurb = "triangles thrown onto the floor: right on it, none "
-                                          "elsewhere",
-                                 .source = "Blinn 1988, [C 10]",
-                                 .kind = Kind::rung},
-                                {.facing = true}, // positions come with lights that have one
-                                shadow_by_counts};
+constinit const Stage projected{
+    {.axis = "shadow",
+     .name = "projected",
+     .blurb = "triangles thrown onto the floor: right on it, none "
+              "elsewhere",
+     .source = "Blinn 1988, [C 10]",
+     .kind = Kind::rung},
+    {.primitive = true, .facing = true}, // positions come with lights that have one
+    shadow_by_counts};
 
 } // namespace scanout::shade::shadow

@@ -9,13 +9,14 @@
 namespace scanout::shade::shadow {
 
 extern const Stage volume;
-constinit const Stage volume{{.axis = "shadow",
-                              .name = "volume",
-                              .blurb = "the space behind each caster, counted at every sample: "
-                                       "exact and hard",
-                              .source = "Crow 1977, Everitt and Kilgard 2002, [C 10]",
-                              .kind = Kind::rung},
-                             {.facing = true}, // positions come with lights that have one
-                             shadow_by_counts};
+constinit const Stage volume{
+    {.axis = "shadow",
+     .name = "volume",
+     .blurb = "the space behind each caster, counted at every sample: "
+              "exact and hard",
+     .source = "Crow 1977, Everitt and Kilgard 2002, [C 10]",
+     .kind = Kind::rung},
+    {.primitive = true, .facing = true}, // positions come with lights that have one
+    shadow_by_counts};
 
 } // namespace scanout::shade::shadow

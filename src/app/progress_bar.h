@@ -1,0 +1,38 @@
+// A bar on one line of the terminal for work that takes longer than one likes to wait in silence.
+#pragma once
+
+#include "base/stopwatch.h"
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace scanout::app {
+
+class ProgressBar {
+public:
+    static constexpr double kPatience = 1000; // milliseconds without a bar
+    static constexpr std::size_t kWidth = 78; // columns; the narrowest terminals have 80
+
+    // Writes over the line before; "" only erases it.
+    using Write = std::function<void(std::string_view line)>;
+
+    // On standard error, where that is a terminal and the program not told to be quiet. `what`
+    // stands before the bar; a long one is cut at its begin.
+    ProgressBar(std::string what, bool quiet);
+    ProgressBar(std::string what, double patience, Write write);
+    ~ProgressBar(); // erases the bar
+    ProgressBar(const ProgressBar&) = delete;
+    ProgressBar& operator=(const ProgressBar&) = delete;
+
+    void show(double share); // 0 to 1
+
+private:
+    std::string what_;
+    double patience_;
+    Write write_; // empty: never shown
+    Stopwatch watch_;
+    int shown_ = -1; // percent
+};
+
+} // namespace scanout::app

@@ -1,0 +1,108 @@
+#include "geom/clusters.h"
+
+#include "base/blocks.h"
+#include "geom/mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace scanout::geom {
+
+namespace {
+
+DVec3 position(const Mesh& mesh, std::size_t corner) {
+    return DVec3(mesh.position[mesh.index[corner]]);
+}
+
+struct Facing {
+    DVec3 normal{0}; // unit; 0 without area
+    double height;   // over the longest side
+};
+Facing facing(const Mesh& mesh, std::size_t triangle) {
+    const DVec3 a = position(mesh, triangle * 3), b = position(mesh, triangle * 3 + 1),
+                c = position(mesh, triangle * 3 + 2);
+    const DVec3 n = cross3(b - a, c - a);
+    const double area = std::sqrt(dot3(n, n));
+    const double longest =
+        std::sqrt(std::max({dot3(b - a, b - a), dot3(c - b, c - b), dot3(a - c, a - c)}));
+    if (!(area > 0) || !(longest > 0)) return {DVec3(0), 0};
+    return {n / area, area / longest};
+}
+
+Cluster bounds(const Mesh& mesh, std::size_t begin, std::size_t end) {
+    DVec3 least = position(mesh, begin * 3), most = least, sum(0);
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
+        const DVec3 p = position(mesh, corner);
+        least = glm::min(least, p);
+        most = glm::max(most, p);
+    }
+    for (std::size_t t = begin; t < end; ++t) {
+        const Facing f = facing(mesh, t);
+        sum = sum + f.normal;
+        thinnest = std::min(thinnest, f.height);
+    }
+    Cluster c{(least + most) * 0.5, 0, DVec3(0, 0, 1), 2, thinnest};
+    double farthest = 0;
+    for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
+        const DVec3 d = position(mesh, corner) - c.centre;
+        farthest = std::max(farthest, dot3(d, d));
+    }
+    c.radius = std::sqrt(farthest);
+    const double length = std::sqrt(dot3(sum, sum));
+    if (!(length > 0)) return c;
+    c.axis = sum / length;
+    double cosine = 1;
+    for (std::size_t t = begin; t < end; ++t)
+        cosine = std::min(cosine, dot3(facing(mesh, t).normal, c.axis));
+    if (cosine > 0) c.spread = std::sqrt(std::max(1 - cosine * cosine, 0.0));
+    return c;
+}
+
+// The blocks that the vertices of some triangles are in, ascending; returns how many.
+constexpr std::size_t kCorners = Clusters::kTriangles * 3;
+std::size_t blocks_of(const Mesh& mesh, std::size_t begin, std::size_t end,
+                      std::array<std::uint32_t, kCorners>& out) {
+    std::size_t count = 0;
+    for (std::size_t corner = begin * 3; corner < end * 3; ++corner)
+        out[count++] = mesh.index[corner] / Clusters::kVertices;
+    const auto first = out.begin(), last = first + static_cast<std::ptrdiff_t>(count);
+    std::sort(first, last);
+    return static_cast<std::size_t>(std::unique(first, last) - first);
+}
+
+} // namespace
+
+Clusters find_clusters(Jobs& jobs, const Mesh& mesh) {
+    Clusters all;
+    const std::size_t triangles = mesh.triangles();
+    const std::size_t clusters = (triangles + Clusters::kTriangles - 1) / Clusters::kTriangles;
+    if (clusters == 0) return all;
+    all.cluster.resize(clusters);
+    all.begin.assign(clusters + 1, 0);
+    // work(number, its first triangle, the one after its last, room)
+    const auto for_all = [&](auto work) {
+        for_blocks(jobs, clusters, 256, [&](std::size_t from, std::size_t to, int) {
+            std::array<std::uint32_t, kCorners> room;
+            for (std::size_t c = from; c < to; ++c)
+                work(c, c * Clusters::kTriangles,
+                     std::min((c + 1) * Clusters::kTriangles, triangles), room);
+        });
+    };
+    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
+        all.cluster[c] = bounds(mesh, begin, end);
+        all.begin[c + 1] = static_cast<std::uint32_t>(blocks_of(mesh, begin, end, room));
+    });
+    std::partial_sum(all.begin.begin(), all.begin.end(), all.begin.begin());
+    all.blocks.resize(all.begin.back());
+    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
+        std::copy_n(room.begin(), blocks_of(mesh, begin, end, room),
+                    all.blocks.begin() + all.begin[c]);
+    });
+    return all;
+}
+
+} // namespace scanout::geom

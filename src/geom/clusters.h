@@ -1,0 +1,43 @@
+// Triangles in groups of neighbours in the file, with what bounds them: a frame passes over whole
+// groups that face away or lie beside the picture, and over the vertices that only they have.
+#pragma once
+
+#include "base/jobs.h"
+#include "math/vec.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::geom {
+
+struct Mesh;
+
+struct Cluster {
+    DVec3 centre; // of a sphere that holds all its triangles; mesh space
+    double radius;
+    // Each triangle's normal lies within a cone about the axis; spread: the sine of the angle
+    // between its axis and its side, 2 where it is as wide as a half space.
+    DVec3 axis;
+    double spread;
+    double thinnest; // the least height over a triangle's longest side; 0 where one has no area
+};
+
+struct Clusters {
+    static constexpr std::size_t kTriangles = 32; // a cluster, by number; the last may have fewer
+    static constexpr std::size_t kVertices = 16;  // a block of vertices, by number
+
+    std::vector<Cluster> cluster;
+    // The blocks of vertices that a cluster has: blocks[begin[c]] up to blocks[begin[c + 1]].
+    std::vector<std::uint32_t> begin, blocks;
+
+    bool empty() const { return cluster.empty(); }
+    std::span<const std::uint32_t> blocks_of(std::size_t c) const {
+        return std::span(blocks).subspan(begin[c], begin[c + 1] - begin[c]);
+    }
+};
+
+// Those of all triangles of the mesh.
+Clusters find_clusters(Jobs& jobs, const Mesh& mesh);
+
+} // namespace scanout::geom

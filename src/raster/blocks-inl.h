@@ -1,0 +1,328 @@
+// The blocks of 8 x 8 pixels of triangles that are near to flat (raster/coverage.h), several side
+// by side. Included once for every SIMD target.
+#if defined(SCANOUT_RASTER_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_RASTER_BLOCKS_INL_H
+#undef SCANOUT_RASTER_BLOCKS_INL_H
+#else
+#define SCANOUT_RASTER_BLOCKS_INL_H
+#endif
+
+#include "raster/show-inl.h"
+#include "raster/walks-inl.h"
+
+SIMD_BEGIN(scanout::raster)
+
+template <bool kUsual>
+HWY_INLINE void show_row(const VisibleRule& rule, MaskX8 inside, F32x8 z, std::uint32_t primitive,
+                         float* depth, std::uint32_t* id, I32x8& drawn) {
+    if constexpr (kUsual)
+        show(inside, z, primitive, depth, id, drawn);
+    else
+        show_by(rule, inside, z, primitive, depth, id, drawn);
+}
+
+constexpr int kRegisters = BlockWalk::kSide / kLanesX8; // of a row of a block
+
+// What walks in lanes read of Walks: of several triangles, or of one in all lanes.
+struct WalkLanes {
+    F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
+    I32x8 x0, y0, x1, y1;
+};
+template <class Read>
+HWY_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
+    WalkLanes lanes;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        lanes.a[k] = read(w.a[k]);
+        lanes.b[k] = read(w.b[k]);
+        lanes.c[k] = read(w.c[k]);
+        lanes.bias[k] = read(w.bias[k]);
+        lanes.lowest[k] = read(w.lowest[k]);
+        lanes.highest[k] = read(w.highest[k]);
+        lanes.share[k] = read(w.share[k]);
+    }
+    lanes.per_x = read(w.per_x);
+    lanes.per_y = read(w.per_y);
+    return lanes;
+}
+
+// Blocks of flat triangles, one a lane, at the samples of one place in the pattern.
+struct Blocks {
+    // At the first pixel of row `begin` a number that is negative where E + bias is, and its steps
+    // a pixel: floor((E + bias) / 256), 0 where the edge holds for the whole block; or E + bias.
+    std::int32_t first[3][kLanesX8], per_x[3][kLanesX8], per_y[3][kLanesX8];
+    std::int32_t begin[kLanesX8], end[kLanesX8]; // rows
+    std::int32_t place[kLanesX8];                // of the first pixel, in a plane of the tile
+    // Depth at the block's corner: base + rest; its steps a pixel.
+    float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
+};
+
+// A block that the triangle covers whole, by the usual rule: the same bits as draw_rows.
+HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint32_t primitive,
+                           float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const float sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
+    F32x8 across[kRegisters];
+    SIMD_UNROLL
+    for (int r = 0; r < kRegisters; ++r)
+        across[r] = (to_f32(iota<I32x8>(r * kLanesX8)) + sample_x) * per_pixel_x;
+    const MaskX8 inside = I32x8(0) == I32x8(0);
+    float row = sample_y;
+    for (int y = 0; y < BlockWalk::kSide; ++y, row += 1.0F, depth += kTileSize, id += kTileSize) {
+        const F32x8 down_here = row * b.per_pixel_y[lane];
+        SIMD_UNROLL
+        for (int r = 0; r < kRegisters; ++r)
+            show(inside, base + (rest + (across[r] + down_here)), primitive, depth + r * kLanesX8,
+                 id + r * kLanesX8, drawn);
+    }
+}
+
+template <bool kUsual>
+HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
+                          std::uint32_t primitive, float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const float sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
+    I32x8 edge[3][kRegisters], down[3];
+    F32x8 across[kRegisters];
+    SIMD_UNROLL
+    for (int r = 0; r < kRegisters; ++r) {
+        const I32x8 column = iota<I32x8>(r * kLanesX8);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            edge[k][r] = I32x8(b.first[k][lane]) + I32x8(b.per_x[k][lane]) * column;
+        across[r] = (to_f32(column) + sample_x) * per_pixel_x;
+    }
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        down[k] = I32x8(b.per_y[k][lane]);
+    const int begin = b.begin[lane], end = b.end[lane];
+    float* depth_row = depth + begin * kTileSize;
+    std::uint32_t* id_row = id + begin * kTileSize;
+    for (int y = begin; y < end; ++y, depth_row += kTileSize, id_row += kTileSize) {
+        const F32x8 down_here = (static_cast<float>(y) + sample_y) * b.per_pixel_y[lane];
+        SIMD_UNROLL
+        for (int r = 0; r < kRegisters; ++r) {
+            const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32x8(0);
+            const F32x8 z = base + (rest + (across[r] + down_here));
+            show_row<kUsual>(rule, inside, z, primitive, depth_row + r * kLanesX8,
+                             id_row + r * kLanesX8, drawn);
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                edge[k][r] = edge[k][r] + down[k];
+        }
+    }
+}
+
+// Pixels of a block that a triangle's box leaves: few of them are drawn one by one, with a triangle
+// a lane, not row by row.
+constexpr int kFew = 3;
+struct Few {
+    std::uint32_t lanes; // of which this holds
+    I32x8 column, across, down;
+};
+HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end,
+                          std::uint32_t live) {
+    const I32x8 column = maximum(w.x0 - left, 0);
+    const I32x8 across = minimum(w.x1 - left, BlockWalk::kSide) - column, down = end - begin;
+    return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
+}
+
+// By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
+// depth, columns from few.column, rows from b.begin.
+template <class DepthAt>
+HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
+                            const std::uint32_t* name, float* depth, std::uint32_t* id,
+                            I32x8& drawn) {
+    I32x8 start[3], right[3], below[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        right[k] = load<I32x8>(b.per_x[k]);
+        below[k] = load<I32x8>(b.per_y[k]);
+        start[k] = load<I32x8>(b.first[k]) + right[k] * few.column;
+    }
+    std::int32_t corner[kLanesX8];
+    store(load<I32x8>(b.place) + load<I32x8>(b.begin) * I32x8(kTileSize) + few.column, corner);
+    bool shows = false;
+    for (int j = 0; j < most; ++j) {
+        const MaskX8 in_row = I32x8(j) < few.down;
+        if ((bits(in_row) & few.lanes) == 0) break;
+        I32x8 edge[3] = {start[0], start[1], start[2]};
+        for (int i = 0; i < most; ++i) {
+            const MaskX8 in_column = I32x8(i) < few.across;
+            if ((bits(in_column) & few.lanes) == 0) break;
+            const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) >= I32x8(0));
+            std::uint32_t here = bits(inside) & few.lanes;
+            if (here != 0) {
+                float depths[kLanesX8];
+                store(depth_at(edge, i, j), depths);
+                for (; here != 0; here &= here - 1) {
+                    const int lane = __builtin_ctz(here);
+                    const std::ptrdiff_t place = corner[lane] + j * kTileSize + i;
+                    const float z = depths[lane], old = depth[place];
+                    if (z > old || (z == old && name[lane] < id[place])) {
+                        depth[place] = z;
+                        id[place] = name[lane];
+                        shows = true;
+                    }
+                }
+            }
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                edge[k] = edge[k] + right[k];
+        }
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            start[k] = start[k] + below[k];
+    }
+    if (shows) drawn = I32x8(-1);
+}
+
+// The same bits as draw_rows.
+HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
+                         const std::uint32_t* name, float* depth, std::uint32_t* id, I32x8& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
+    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
+    const I32x8 begin = load<I32x8>(b.begin);
+    const auto depth_at = [&](const I32x8(&)[3], int i, int j) HWY_ATTR {
+        const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
+        return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
+    };
+    draw_pixels(b, few, kFew, depth_at, name, depth, id, drawn);
+}
+
+// Their edges at a place in the pattern. Saturates at 2^29 (BlockWalk).
+HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
+                            const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
+                            I32x8 begin, Blocks& out) {
+    const F64x8 most = 0x1p29, zero = 0.0, x = double(at.x), y = double(at.y);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const F64x8 e = corner[k] + (w.a[k] * x + w.b[k] * y);
+        const F64x8 pixels = (e + w.bias[k]) * F64x8(1.0 / kSubpixel);
+        const F64x8 near = minimum(maximum(pixels, -most), most);
+        const F64x8 cut = to_f64(to_i32(near)); // towards zero
+        const F64x8 floor = cut - select(cut > near, F64x8(1.0), zero);
+        const I32x8 per_y = to_i32(select(whole[k], zero, w.b[k]));
+        store(to_i32(select(whole[k], zero, floor)) + per_y * begin, out.first[k]);
+        store(to_i32(select(whole[k], zero, w.a[k])), out.per_x[k]);
+        store(per_y, out.per_y[k]);
+    }
+}
+
+// Blocks (x, y) of the tile, one a lane, and what a triangle is at their corners.
+struct AtBlocks {
+    I32x8 left, top; // pixels in the tile
+    F64x8 edge[3], depth;
+};
+HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y) {
+    constexpr int kSideBits = 3;
+    static_assert(BlockWalk::kSide == 1 << kSideBits);
+    AtBlocks at;
+    at.left = shift_left<kSideBits>(x);
+    at.top = shift_left<kSideBits>(y);
+    const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(at.left + I32x8(tile.area.x0)));
+    const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(at.top + I32x8(tile.area.y0)));
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
+    at.depth = (at.edge[0] * w.share[0] + at.edge[1] * w.share[1]) + at.edge[2] * w.share[2];
+    return at;
+}
+
+// Depth over a block is depth at its corner and up to this, each way; 2^-20 of it is far more than
+// all that is rounded on the way.
+struct Reach {
+    F64x8 back, front;
+};
+HWY_INLINE Reach reach_of(F64x8 per_x, F64x8 per_y) {
+    const F64x8 side = double{BlockWalk::kSide}, zero = 0.0;
+    return {(minimum(per_x, zero) + minimum(per_y, zero)) * side,
+            (maximum(per_x, zero) + maximum(per_y, zero)) * side};
+}
+// Of these blocks of the tile, which are all behind what is there? depth: at their corners.
+HWY_INLINE std::uint32_t hidden(const TilePlanes& tile, I32x8 block, F64x8 depth,
+                                const Reach& reach) {
+    const F64x8 nearest = (depth + reach.front) * F64x8(1 + 0x1p-20);
+    return bits(to_f32(nearest) < gather(tile.farthest, block));
+}
+
+// Of the live lanes those whose block the triangle may touch, and not all behind what is there.
+template <bool kUsual>
+HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
+                              std::uint32_t live) {
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
+    if (!kUsual || live == 0 || tile.farthest == nullptr) return live;
+    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
+    const I32x8 block = shift_right<3>(at.top) * I32x8(kBlocks) + shift_right<3>(at.left);
+    // Lanes that are not live may lie anywhere.
+    const I32x8 safe = minimum(maximum(block, 0), kBlocks * kBlocks - 1);
+    return live & ~hidden(tile, safe, at.depth, reach_of(w.per_x, w.per_y));
+}
+
+// The blocks of these lanes are covered whole.
+HWY_INLINE void keep_farthest(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
+                              const Blocks& b, std::uint32_t lanes) {
+    if (tile.farthest == nullptr || lanes == 0) return;
+    float depth[kLanesX8];
+    store(to_f32((at.depth + reach_of(w.per_x, w.per_y).back) * F64x8(1 - 0x1p-20)), depth);
+    for (; lanes != 0; lanes &= lanes - 1) {
+        const int lane = __builtin_ctz(lanes);
+        constexpr int kSide = BlockWalk::kSide;
+        float& there = tile.farthest[b.place[lane] / (kTileSize * kSide) * (kTileSize / kSide) +
+                                     b.place[lane] % kTileSize / kSide];
+        if (depth[lane] > there) there = depth[lane];
+    }
+}
+
+// Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
+template <bool kUsual, bool kOne>
+HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
+                          std::uint32_t live, const std::uint32_t* id, I32x8& drawn) {
+    const F64x8 zero = 0.0;
+    Double<F32x8::Tag>::DoubleMask whole[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        whole[k] = block.edge[k] + w.lowest[k] >= zero;
+    const std::uint32_t covered = bits(whole[0]) & bits(whole[1]) & bits(whole[2]) & live;
+    Blocks b;
+    const F32x8 base = to_f32(block.depth);
+    store(base, b.base);
+    store(to_f32(block.depth - to_f64(base)), b.rest);
+    store(to_f32(w.per_x), b.per_pixel_x);
+    store(to_f32(w.per_y), b.per_pixel_y);
+    const I32x8 begin = maximum(w.y0 - block.top, 0),
+                end = minimum(w.y1 - block.top, BlockWalk::kSide);
+    store(begin, b.begin);
+    store(end, b.end);
+    Few few{0, begin, begin, begin};
+    if constexpr (kUsual && !kOne) few = few_pixels(w, block.left, begin, end, live & ~covered);
+    store(block.top * I32x8(kTileSize) + block.left, b.place);
+    std::size_t plane = 0;
+    for (const SampleOffset* at = tile.pattern.data();
+         at != tile.pattern.data() + tile.pattern.size();
+         ++at, plane += std::size_t{kTileSize} * kTileSize) {
+        if (!kUsual || covered != live) set_up_rows(w, block.edge, whole, *at, begin, b);
+        if (few.lanes != 0) draw_few(b, few, *at, id, tile.depth + plane, tile.id + plane, drawn);
+        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
+            const std::uint32_t name = id[kOne ? 0 : lane];
+            if (kUsual && (covered >> lane & 1) != 0)
+                draw_whole(b, lane, *at, name, tile.depth + first, tile.id + first, drawn);
+            else
+                draw_rows<kUsual>(tile.rule, b, lane, *at, name, tile.depth + first,
+                                  tile.id + first, drawn);
+        }
+    }
+    if constexpr (kUsual) keep_farthest(tile, w, block, b, covered);
+}
+
+SIMD_END
+
+#endif

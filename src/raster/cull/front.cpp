@@ -1,0 +1,14 @@
+// Culling "front": the insides of closed models alone. [C 1.6].
+#include "raster/cull.h"
+
+namespace scanout::raster::culling {
+
+extern const CullRow front;
+constinit const CullRow front{{.axis = "cull",
+                               .name = "front",
+                               .blurb = "faces wound counter-clockwise on the screen are left out",
+                               .source = "[C 1.6]",
+                               .kind = Kind::model},
+                              Facing::back};
+
+} // namespace scanout::raster::culling

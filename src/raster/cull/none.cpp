@@ -1,0 +1,14 @@
+// Culling "none": what is closed hides its own backs, and files do not say what is.
+#include "raster/cull.h"
+
+namespace scanout::raster::culling {
+
+extern const CullRow none;
+constinit const CullRow none{{.axis = "cull",
+                              .name = "none",
+                              .blurb = "every face, whichever way it is wound",
+                              .source = "[C 1.6]",
+                              .kind = Kind::model},
+                             Facing::any};
+
+} // namespace scanout::raster::culling

@@ -1,0 +1,40 @@
+// Rules of triangles that several kernels follow. Included once for every SIMD target.
+#if defined(SCANOUT_RASTER_TRIANGLE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_RASTER_TRIANGLE_INL_H
+#undef SCANOUT_RASTER_TRIANGLE_INL_H
+#else
+#define SCANOUT_RASTER_TRIANGLE_INL_H
+#endif
+
+#include "simd/lanes-inl.h"
+
+SIMD_BEGIN(scanout::raster)
+
+// Where the mask holds the two change places.
+template <class M, class T>
+HWY_INLINE void exchange(const M& mask, T& one, T& other) {
+    const T first = select(mask, other, one);
+    other = select(mask, one, other);
+    one = first;
+}
+
+// The canonical order (raster/primitive.h). V: a vertex in lanes, with sort_two(V&, V&), which puts
+// the one with the lower y, then the lower x, first.
+template <class V>
+HWY_INLINE void put_in_order(V (&v)[3]) {
+    sort_two(v[0], v[1]);
+    sort_two(v[1], v[2]);
+    sort_two(v[0], v[1]);
+}
+
+// Is the edge a x + b y + c, positive inside, a top or a left one? y runs down: a left edge has its
+// interior towards +x, a top edge towards +y.
+template <class N>
+HWY_INLINE auto is_top_left(const N& a, const N& b) {
+    const N zero = 0;
+    return (a > zero) | ((a == zero) & (b > zero));
+}
+
+SIMD_END
+
+#endif

@@ -1,0 +1,184 @@
+// Set-up of the triangles that a tile draws, side by side. Included once for every SIMD target.
+#if defined(SCANOUT_RASTER_WALKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_RASTER_WALKS_INL_H
+#undef SCANOUT_RASTER_WALKS_INL_H
+#else
+#define SCANOUT_RASTER_WALKS_INL_H
+#endif
+
+#include "raster/block_walk.h"
+
+#include "raster/triangle-inl.h"
+
+SIMD_BEGIN(scanout::raster)
+
+// Several triangles side by side: what the walk over their blocks reads.
+struct Walks {
+    static constexpr int kRoom = 8;
+    std::uint32_t corner[3][kRoom]; // vertices
+    std::uint32_t id[kRoom];
+    // Edge functions a x + b y + c, positive inside, opposite vertex i; whole numbers and exact,
+    // |E| < 2^50. bias: 0 or -1, the top-left rule: inside iff E + bias >= 0.
+    double a[3][kRoom], b[3][kRoom], c[3][kRoom], bias[3][kRoom];
+    // How far E + bias may lie below and above E at a block's corner.
+    double lowest[3][kRoom], highest[3][kRoom];
+    double share[3][kRoom], per_x[kRoom], per_y[kRoom];      // DepthPlane
+    std::int32_t x0[kRoom], y0[kRoom], x1[kRoom], y1[kRoom]; // pixels of the tile that it may touch
+    std::uint32_t live, flat, small; // bit i: triangle i; small: it touches four blocks at most
+};
+
+struct Corner {
+    F64x8 key, x, y, depth;
+};
+
+HWY_INLINE void sort_two(Corner& a, Corner& b) {
+    const auto turn = b.key < a.key;
+    exchange(turn, a.key, b.key);
+    exchange(turn, a.x, b.x);
+    exchange(turn, a.y, b.y);
+    exchange(turn, a.depth, b.depth);
+}
+
+HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
+                              const SampleExtent& extent, Walks& w, int i) {
+    // The first and the last pixel whose samples, between low and high, may lie in [min, max].
+    const auto first = [](F64x8 least, std::int32_t high) {
+        return shift_right<kSubpixelBits>(to_i32(least) + I32x8(kSubpixel - 1 - high));
+    };
+    const auto end = [](F64x8 most, std::int32_t low) {
+        return shift_right<kSubpixelBits>(to_i32(most) + I32x8(kSubpixel - low));
+    };
+    const F64x8 min_x = minimum(minimum(v[0].x, v[1].x), v[2].x);
+    const F64x8 max_x = maximum(maximum(v[0].x, v[1].x), v[2].x);
+    const auto& area = tile.area;
+    store(maximum(first(min_x, extent.high.x) - I32x8(area.x0), 0), w.x0 + i);
+    store(maximum(first(v[0].y, extent.high.y) - I32x8(area.y0), 0), w.y0 + i);
+    store(minimum(end(max_x, extent.low.x), area.x1) - I32x8(area.x0), w.x1 + i);
+    store(minimum(end(v[2].y, extent.low.y), area.y1) - I32x8(area.y0), w.y1 + i);
+}
+
+// Depth over the screen, and which of the lanes are near to flat (coverage.h).
+struct DepthPlane {
+    F64x8 share[3]; // a vertex's depth by twice the area
+    F64x8 per_x, per_y;
+    std::uint32_t flat;
+};
+// a, b: steps of the edge functions; area: twice the triangle's.
+HWY_INLINE DepthPlane depth_plane(const F64x8 (&depth)[3], const F64x8 (&a)[3], const F64x8 (&b)[3],
+                                  F64x8 area) {
+    DepthPlane plane;
+    F64x8 terms = 0.0; // what may cancel in the sums below, across a block
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        plane.share[k] = depth[k] / area;
+        terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
+    }
+    const auto gradient = [&](const F64x8(&step)[3]) {
+        return ((step[0] * plane.share[0] + step[1] * plane.share[1]) + step[2] * plane.share[2]) *
+               F64x8(kSubpixel);
+    };
+    plane.per_x = gradient(a);
+    plane.per_y = gradient(b);
+    const F64x8 least = minimum(minimum(depth[0], depth[1]), depth[2]);
+    constexpr double kBlock = BlockWalk::kSide;
+    plane.flat =
+        bits((least >= F64x8(0x1p-100)) &
+             (F64x8(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <= least / F64x8(32.0)) &
+             (F64x8(kBlock * kSubpixel) * terms <= least * F64x8(0x1p20)));
+    return plane;
+}
+
+HWY_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Corner (&v)[3],
+                             const SampleExtent& extent, Walks& w, int i) {
+    constexpr double kAcross = (BlockWalk::kSide - 1) * kSubpixel;
+    const F64x8 left = static_cast<double>(extent.low.x), top = static_cast<double>(extent.low.y);
+    const F64x8 right = kAcross + extent.high.x, bottom = kAcross + extent.high.y;
+    const F64x8 zero = 0.0;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const int from = k == 2 ? 0 : k + 1;
+        const F64x8 bias = select(is_top_left(a[k], b[k]), zero, F64x8(-1.0));
+        const auto leans_left = a[k] < zero, leans_up = b[k] < zero;
+        store(a[k], w.a[k] + i);
+        store(b[k], w.b[k] + i);
+        store(-(a[k] * v[from].x + b[k] * v[from].y), w.c[k] + i);
+        store(bias, w.bias[k] + i);
+        store((bias + a[k] * select(leans_left, right, left)) +
+                  b[k] * select(leans_up, bottom, top),
+              w.lowest[k] + i);
+        store((bias + a[k] * select(leans_left, left, right)) +
+                  b[k] * select(leans_up, top, bottom),
+              w.highest[k] + i);
+    }
+}
+
+// At most kRoom triangles from number `begin` of the list on; the last stands for what is missing.
+HWY_INLINE void load_corners(const TriangleList& list, int begin, int count, Walks& w) {
+    for (int i = 0; i < Walks::kRoom; ++i) {
+        const int at = begin + (i < count ? i : count - 1);
+        const std::uint32_t* index = list.index.data() + std::size_t{list.which.data()[at]} * 3;
+        w.id[i] = list.id.data()[at];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            w.corner[k][i] = index[k];
+    }
+}
+
+HWY_INLINE Corner corner_of(const ScreenVertex* vertices, I32x8 at) {
+    static_assert(sizeof(ScreenVertex) == 16);
+    const auto* whole = reinterpret_cast<const std::int32_t*>(vertices);
+    const auto* real = reinterpret_cast<const double*>(vertices);
+    const I32x8 word = shift_left<2>(at);
+    Corner c;
+    c.x = to_f64(gather(whole, word));
+    c.y = to_f64(gather(whole + 1, word));
+    c.depth = gather(real + 1, shift_left<1>(at));
+    c.key = c.y * F64x8(0x1p26) + c.x; // |x| < 2^25
+    return c;
+}
+
+// Every operation on coordinates is exact: the rest is the plane of depth. count: of the lanes.
+HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
+                       const ScreenVertex* vertices, int count, Walks& w) {
+    w.live = w.flat = w.small = 0;
+    for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
+        Corner v[3];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            v[k] = corner_of(vertices, load<I32x8>(w.corner[k] + i));
+        put_in_order(v);
+        const F64x8 twice =
+            (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
+        const F64x8 sign = select(twice < F64x8(0.0), F64x8(-1.0), F64x8(1.0));
+        const auto some = abs(twice) > F64x8(0.0); // what has no area covers no sample
+        const F64x8 area = select(some, abs(twice), F64x8(1.0));
+        F64x8 a[3], b[3];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k) {
+            const Corner &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
+            a[k] = sign * (from.y - to.y);
+            b[k] = sign * (to.x - from.x);
+        }
+        set_up_edges(a, b, v, extent, w, i);
+        set_up_bounds(v, tile, extent, w, i);
+        const DepthPlane plane = depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b, area);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            store(plane.share[k], w.share[k] + i);
+        store(plane.per_x, w.per_x + i);
+        store(plane.per_y, w.per_y + i);
+        w.flat |= plane.flat << i;
+        const MaskX8 touches = (load<I32x8>(w.x0 + i) < load<I32x8>(w.x1 + i)) &
+                               (load<I32x8>(w.y0 + i) < load<I32x8>(w.y1 + i));
+        w.live |= (bits(some) & bits(touches)) << i;
+        const auto blocks = [&](const std::int32_t* from, const std::int32_t* to) HWY_ATTR {
+            return shift_right<3>(load<I32x8>(to + i) + 7) - shift_right<3>(load<I32x8>(from + i));
+        };
+        w.small |= bits(blocks(w.x0, w.x1) * blocks(w.y0, w.y1) <= I32x8(4)) << i;
+    }
+    w.live &= (2U << (count - 1)) - 1;
+}
+
+SIMD_END
+
+#endif

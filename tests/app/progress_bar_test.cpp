@@ -1,0 +1,70 @@
+#include "app/progress_bar.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace scanout::app {
+namespace {
+
+struct Terminal {
+    std::vector<std::string> lines;
+    ProgressBar::Write write() {
+        return [this](std::string_view line) { lines.emplace_back(line); };
+    }
+};
+
+TEST(ProgressBar, GrowsEvenlyOnOneLineAndIsErased) {
+    Terminal terminal;
+    {
+        ProgressBar bar("reading knot.stl", 0, terminal.write());
+        for (int i = 0; i <= 1000; ++i)
+            bar.show(i / 1000.0);
+    }
+    ASSERT_EQ(terminal.lines.size(), 102u) << "a line for each percent, and the end";
+    EXPECT_EQ(terminal.lines.back(), "");
+    EXPECT_EQ(terminal.lines.front(), "reading knot.stl  [..............................]   0 %");
+    EXPECT_EQ(terminal.lines[50], "reading knot.stl  [###############...............]  50 %");
+    EXPECT_EQ(terminal.lines[100], "reading knot.stl  [##############################] 100 %");
+}
+
+TEST(ProgressBar, WaitsAndLeavesNoTraceWhenItWasNotNeeded) {
+    Terminal terminal;
+    {
+        ProgressBar bar("reading", 1e9, terminal.write());
+        for (int i = 0; i <= 100; ++i)
+            bar.show(i / 100.0);
+    }
+    EXPECT_TRUE(terminal.lines.empty());
+}
+
+TEST(ProgressBar, FitsIntoALineWhateverTheName) {
+    for (const char* part : {"x", "\u00e9", "\u4e2d"}) {
+        std::string name = "reading ";
+        for (int i = 0; i < 300; ++i) {
+            name += part;
+            Terminal terminal;
+            ProgressBar(name, 0, terminal.write()).show(0.5);
+            ASSERT_EQ(terminal.lines.size(), 2u);
+            ASSERT_LE(terminal.lines.front().size(), ProgressBar::kWidth);
+            const std::size_t dots = terminal.lines.front().find("...");
+            if (dots == 0) {
+                EXPECT_NE(static_cast<unsigned char>(terminal.lines.front()[3]) & 0xc0, 0x80)
+                    << "a character is cut";
+            }
+        }
+    }
+}
+
+TEST(ProgressBar, SharesOutOfRangeAreItsEnds) {
+    Terminal terminal;
+    ProgressBar bar("a", 0, terminal.write());
+    bar.show(-1);
+    bar.show(7);
+    ASSERT_EQ(terminal.lines.size(), 2u);
+    EXPECT_TRUE(terminal.lines[0].ends_with("  0 %"));
+    EXPECT_TRUE(terminal.lines[1].ends_with("100 %"));
+}
+
+} // namespace
+} // namespace scanout::app

@@ -1,0 +1,130 @@
+// Clusters that are passed over change no bit of a picture, and are many where much is out of
+// sight.
+#include "raster/cluster_cull.h"
+#include "raster/exact.h"
+#include "support/meshes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::raster::test {
+namespace {
+
+// Round things of triangles from a fraction of a pixel to many, in no order of size; needles, whose
+// winding the grid may turn over.
+geom::Mesh things(Random& random) {
+    geom::Mesh mesh = scanout::test::empty_mesh();
+    for (int i = 0; i < 6; ++i) {
+        const int around = 4 << random.whole(0, 4);
+        scanout::test::add_sphere(mesh, Vec3(random.in_cube(1.5)),
+                                  static_cast<float>(random.in(0.05, 0.6)), around,
+                                  std::max(around / 2, 3));
+    }
+    for (Vec3& p : mesh.position)
+        p = p * static_cast<float>(random.in(0.998, 1.002));
+    for (int i = 0; i < 400; ++i) {
+        const DVec3 at = random.in_cube(1), along = random.in_cube(0.1);
+        add_triangle(mesh,
+                     {Vec3(at), Vec3(at + along), Vec3(at + along * 0.5 + random.in_cube(1e-4))});
+    }
+    return mesh;
+}
+
+DMat3 turned(Random& random, double mirror) {
+    DVec3 a = random.in_cube(1), b = random.in_cube(1);
+    a = a / std::sqrt(dot3(a, a));
+    b = b - a * dot3(a, b);
+    b = b / std::sqrt(dot3(b, b));
+    const double size = random.in(0.5, 2);
+    return DMat3(a * size, b * (size * random.in(0.7, 1.3)), cross3(a, b) * (size * mirror));
+}
+
+// From outside, from within, from far away, and of a small part.
+scene::View any_view(Random& random, int number) {
+    const double extent = number % 3 == 0 ? 0.1 : 0.6;
+    const double distance = number % 5 == 0 ? random.in(0, 1) : std::exp(random.in(0, 4));
+    scene::View view = eye_view(extent, extent * 0.75, distance, 1e-3);
+    view.mirrored = number % 4 == 1;
+    view.linear = turned(random, view.mirrored ? -1 : 1);
+    if (number % 7 == 3) {
+        view.projection = scene::Projection::orthographic;
+        view.half_width = extent * distance;
+        view.half_height = extent * distance * 0.75;
+        view.depth_origin = -distance - 8;
+        view.depth_scale = 1.0 / 16;
+    }
+    return view;
+}
+
+TEST(ClusterCull, ChangesNoBit) {
+    Random random(82);
+    Jobs jobs(1);
+    std::size_t hidden = 0, turned_away = 0, all = 0;
+    for (int round = 0; round < 400; ++round) {
+        geom::Mesh mesh = things(random);
+        const scene::View view = any_view(random, round);
+        const Facing keep = static_cast<Facing>(round % 3);
+        const int samples = round % 2 == 0 ? 1 : 4;
+        const Planes without = draw_planes(jobs, mesh, view, 80, 60, samples, keep);
+        mesh.clusters = geom::find_clusters(jobs, mesh);
+        const Planes with = draw_planes(jobs, mesh, view, 80, 60, samples, keep);
+        EXPECT_TRUE(with == without) << round;
+        const ScreenTransform transform(view, 80, 60);
+        const ClusterCull cull(transform, keep), beside(transform, Facing::any);
+        for (const geom::Cluster& c : mesh.clusters.cluster) {
+            hidden += cull.hides(c) ? 1 : 0;
+            turned_away += cull.hides(c) && !beside.hides(c) ? 1 : 0;
+            ++all;
+        }
+    }
+    record("hidden", static_cast<double>(hidden) / static_cast<double>(all));
+    EXPECT_GT(hidden, all / 4);
+    EXPECT_GT(turned_away, all / 50);
+}
+
+// The grid turns needles over, whichever way they face.
+TEST(ClusterCull, KeepsWhatIsThinnerThanTheGrid) {
+    Random random(83);
+    Jobs jobs(1);
+    int shown = 0;
+    for (int round = 0; round < 200; ++round) {
+        geom::Mesh mesh = scanout::test::empty_mesh();
+        for (int i = 0; i < 64; ++i) { // all face away
+            const double x = random.in(-0.9, 0.9), y = random.in(-0.9, 0.9);
+            const double width = random.in(0.2, 0.6), thin = std::ldexp(1.0, -random.whole(8, 20));
+            const double lean = random.in(-0.3, 0.3);
+            add_triangle(mesh,
+                         {Vec3(DVec3(x, y, 0)), Vec3(DVec3(x + width / 2, y + lean / 2 + thin, 0)),
+                          Vec3(DVec3(x + width, y + lean, 0))});
+        }
+        const scene::View view = eye_view(0.02, 0.02, 50); // as if from afar
+        const Planes without = draw_planes(jobs, mesh, view, 64, 64, 16, Facing::front);
+        mesh.clusters = geom::find_clusters(jobs, mesh);
+        EXPECT_TRUE(draw_planes(jobs, mesh, view, 64, 64, 16, Facing::front) == without) << round;
+        shown += std::any_of(without.ids.begin(), without.ids.end(),
+                             [](std::uint32_t id) { return id != kNoPrimitive; })
+                     ? 1
+                     : 0;
+    }
+    EXPECT_GT(shown, 20);
+}
+
+TEST(ClusterCull, LeavesOutTheBackOfABall) {
+    Jobs jobs(1);
+    geom::Mesh mesh = scanout::test::empty_mesh();
+    scanout::test::add_sphere(mesh, Vec3(0), 1, 256, 128);
+    const geom::Clusters clusters = geom::find_clusters(jobs, mesh);
+    const ScreenTransform transform(eye_view(0.4, 0.4, 3), 1024, 1024);
+    const auto hidden = [&](Facing keep) {
+        const ClusterCull cull(transform, keep);
+        return std::count_if(clusters.cluster.begin(), clusters.cluster.end(),
+                             [&](const geom::Cluster& c) { return cull.hides(c); });
+    };
+    const auto all = static_cast<std::ptrdiff_t>(clusters.cluster.size());
+    EXPECT_EQ(hidden(Facing::any), 0);
+    EXPECT_GT(hidden(Facing::front), all * 3 / 10);
+    EXPECT_GT(hidden(Facing::back), all / 10);
+}
+
+} // namespace
+} // namespace scanout::raster::test

@@ -1,0 +1,138 @@
+// Small triangles drawn by the parts that blocks have of them: the same bits as whole triangles.
+#include "raster/exact.h"
+#include "raster/small_triangles.h"
+#include "support/targets.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace scanout::raster::test {
+namespace {
+
+struct Soup {
+    std::vector<ScreenVertex> vertices;
+    std::vector<std::uint32_t> index;
+    std::size_t triangles() const { return index.size() / 3; }
+};
+
+// About the tile at `corner` (pixels): from less than a pixel to 8 wide, on the grid of samples,
+// slivers and without area among them; in depth near to flat, steep, and nearly denormal.
+Soup soup(Random& random, int count, const Corner& corner) {
+    Soup soup;
+    for (int i = 0; i < count; ++i) {
+        const int size = 64 << random.whole(0, 5), grid = i % 3 == 0 ? ~15 : ~0;
+        const Corner at{corner.x * 256 + random.whole(-256, 65 * 256 - size),
+                        corner.y * 256 + random.whole(-256, 65 * 256 - size)};
+        Corners v;
+        for (Corner& c : v)
+            c = {(at.x + random.whole(0, size)) & grid, (at.y + random.whole(0, size)) & grid};
+        if (i % 5 == 0) v[2] = {(v[0].x + v[1].x) / 2 + random.whole(-1, 1), (v[0].y + v[1].y) / 2};
+        const double nearest = i % 11 == 0 ? 0x1p-105 : random.in(0.01, 0.5);
+        const double steepness = std::ldexp(1.0, -random.whole(1, 12));
+        for (const Corner& c : v) {
+            soup.index.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
+            soup.vertices.push_back({c.x, c.y, nearest * (1 + random.in(0, steepness))});
+        }
+    }
+    return soup;
+}
+
+// What the geometry stage hands to the tile at `corner`.
+std::vector<BlockPart> parts_of(const Soup& soup, const Corner& corner, int samples) {
+    const SampleExtent extent = extent_of(sample_pattern(samples));
+    std::vector<BlockPart> parts;
+    for (std::size_t t = 0; t < soup.triangles(); ++t) {
+        const auto* v = soup.vertices.data() + t * 3;
+        const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+        const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+        const int x0 = ((left + 255 - extent.high.x) >> 8) - corner.x;
+        const int x1 = ((right + 256 - extent.low.x) >> 8) - corner.x;
+        const int y0 = ((top + 255 - extent.high.y) >> 8) - corner.y;
+        const int y1 = ((bottom + 256 - extent.low.y) >> 8) - corner.y;
+        for (int block = 0; block < 64; ++block) {
+            const int x = block % 8 * 8, y = block / 8 * 8;
+            const auto inside = [](int at, int begin) { return std::clamp(at - begin, 0, 8); };
+            if (inside(x0, x) < inside(x1, x) && inside(y0, y) < inside(y1, y))
+                parts.push_back(BlockPart::of(static_cast<std::uint32_t>(t), block, inside(x0, x),
+                                              inside(y0, y), inside(x1, x), inside(y1, y)));
+        }
+    }
+    return parts;
+}
+
+TEST(SmallTriangles, DrawTheSameBitsByTheirPartsOfBlocks) {
+    scanout::test::on_every_target([](const std::string&) {
+        Random random(71);
+        int steep = 0, seen = 0;
+        for (int round = 0; round < 80; ++round) {
+            const int samples = 1 << round % 5;
+            const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
+            const Soup all = soup(random, 300 + round, corner); // the last register is not full
+            std::vector<std::uint32_t> whole(all.triangles());
+            for (std::size_t i = 0; i < whole.size(); ++i) {
+                whole[i] = static_cast<std::uint32_t>(i);
+                const auto* v = all.vertices.data() + i * 3;
+                steep += near_to_flat({{v[0], v[1], v[2]}, whole[i]}) ? 0 : 1;
+            }
+            const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
+            VisibilityTile by_parts, by_triangles;
+            by_parts.reset(area, samples);
+            by_triangles.reset(area, samples);
+            const std::vector<BlockPart> parts = parts_of(all, corner, samples);
+            EXPECT_EQ(by_parts.draw(BlockPartList{all.vertices, all.index, parts}),
+                      by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole}));
+            int differ = 0;
+            for (int s = 0; s < samples; ++s)
+                for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
+                    differ += by_parts.ids(s)[i] != by_triangles.ids(s)[i] ||
+                              std::bit_cast<std::uint32_t>(by_parts.depths(s)[i]) !=
+                                  std::bit_cast<std::uint32_t>(by_triangles.depths(s)[i]);
+                    seen += by_triangles.ids(s)[i] != kNoPrimitive ? 1 : 0;
+                }
+            EXPECT_EQ(differ, 0) << samples << " samples";
+        }
+        EXPECT_GT(steep, 2000);
+        EXPECT_GT(seen, 100000);
+    });
+}
+
+TEST(SmallTriangles, ThatLieInOneBlockArePlacedThere) {
+    scanout::test::on_every_target([](const std::string&) {
+        Random random(72);
+        for (int bits = 0; bits < 4; ++bits) {
+            const BlockGrid grid{bits, 37};
+            std::vector<KeptTriangle> list(1000 + kRegisterRoom);
+            const auto place = [&] { return static_cast<std::uint32_t>(random.whole(0, 36 * 8)); };
+            for (KeptTriangle& t : list) {
+                const std::uint32_t x = place(), y = place();
+                const auto side = [&] { return static_cast<std::uint32_t>(random.whole(1, 9)); };
+                t = {static_cast<std::uint32_t>(random.bits()), y << 16 | x,
+                     (y + side()) << 16 | (x + side())};
+                if (random.whole(0, 9) > 0) t.from |= KeptTriangle::kSmall;
+            }
+            const auto live =
+                std::span<const KeptTriangle>(list).first(1000 - static_cast<std::size_t>(bits));
+            PlacedParts placed;
+            place_parts(grid, live, placed);
+            int alone = 0;
+            for (std::size_t i = 0; i < live.size(); ++i) {
+                const KeptTriangle& t = live[i];
+                const int x = t.x0() / 8, y = t.y0() / 8, side = 1 << bits;
+                if (!t.small() || (t.x1() - 1) / 8 != x || (t.y1() - 1) / 8 != y) {
+                    EXPECT_EQ(placed.tile[i], PlacedParts::kNone);
+                    continue;
+                }
+                ++alone;
+                EXPECT_EQ(placed.tile[i], y / side * 37 + x / side);
+                EXPECT_EQ(placed.where[i],
+                          BlockPart::of(t.triangle, y % side * 8 + x % side, t.x0() - x * 8,
+                                        t.y0() - y * 8, t.x1() - x * 8, t.y1() - y * 8)
+                              .where);
+            }
+            EXPECT_GT(alone, 100);
+        }
+    });
+}
+
+} // namespace
+} // namespace scanout::raster::test

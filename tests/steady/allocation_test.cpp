@@ -1,0 +1,155 @@
+// While a model turns, nothing is allocated: not by us, and not by oneTBB below us. Every way to
+// malloc of this process is counted.
+#include "base/jobs.h"
+#include "frame/plan.h"
+#include "frame/renderer.h"
+#include "io/load.h"
+#include "simd/targets.h"
+#include "support/sanitized.h"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <span>
+
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+
+#ifndef SCANOUT_SANITIZED
+
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* block, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+}
+
+namespace {
+
+std::atomic<bool> counting = false;
+std::atomic<std::size_t> allocations = 0;
+
+void count() {
+    if (counting.load(std::memory_order_relaxed)) ++allocations;
+}
+
+} // namespace
+
+extern "C" {
+void* malloc(std::size_t size) {
+    count();
+    return __libc_malloc(size);
+}
+void* calloc(std::size_t number, std::size_t size) {
+    count();
+    return __libc_calloc(number, size);
+}
+void* realloc(void* block, std::size_t size) {
+    count();
+    return __libc_realloc(block, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+    count();
+    return __libc_memalign(alignment, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+    count();
+    return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** block, std::size_t alignment, std::size_t size) {
+    count();
+    *block = __libc_memalign(alignment, size);
+    return *block == nullptr ? ENOMEM : 0;
+}
+}
+
+// Without its own allocator oneTBB takes its memory from malloc, as we do.
+extern "C" void* dlopen(const char* name, int mode) {
+    using Function = void* (*)(const char*, int);
+    if (name != nullptr && std::strstr(name, "tbbmalloc") != nullptr) return nullptr;
+    return reinterpret_cast<Function>(::dlsym(RTLD_NEXT, "dlopen"))(name, mode);
+}
+
+namespace scanout::frame {
+namespace {
+
+constexpr int kTurn = 100; // frames
+
+struct Case {
+    const char* name;
+    const char* model;
+    void (*ask)(FrameOptions&);
+};
+
+scene::Light sun() {
+    scene::Light light;
+    light.kind = scene::LightKind::directional;
+    light.towards = {-1, 2, 1};
+    return light;
+}
+
+const Case kCases[] = {
+    {"plain", "spot/spot.obj", [](FrameOptions&) {}},
+    {"samples", "suzanne/suzanne.obj", [](FrameOptions& o) { o.samples = 4; }},
+    {"materials", "cornell_box/cornell_box.obj", [](FrameOptions& o) { o.cull = Cull::back; }},
+    {"shadow map", "spot/spot.obj",
+     [](FrameOptions& o) {
+         o.lights = {sun()};
+         o.shadow = "map_pcf";
+     }},
+    {"facets", "angle_block/angle_block.stl", [](FrameOptions& o) { o.aa = "area"; }},
+};
+
+// Blocks that are asked for while the model turns around once, after `turns` turns.
+std::size_t allocations_of_a_turn(const Case& c, Jobs& jobs, int turns) {
+    Warnings warnings;
+    const auto scene = io::load(std::string(SCANOUT_SOURCE_DIR "/models/") + c.model, {}, warnings);
+    EXPECT_TRUE(scene);
+    FrameOptions options;
+    options.width = 160;
+    options.height = 120;
+    c.ask(options);
+    const SceneFacts facts = frame::facts(*scene);
+    Renderer renderer(jobs);
+    for (int turn = 0; turn <= turns; ++turn) {
+        std::vector<std::pair<scene::View, FramePlan>> frames; // planned before: that allocates
+        for (int i = 0; i < kTurn; ++i) {
+            scene::Pose pose;
+            pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * i / kTurn);
+            const scene::View view =
+                *scene::make_view(scene->mesh, {}, pose, {}, {}, options.width, options.height);
+            frames.emplace_back(view, *plan(options, facts, view));
+        }
+        allocations = 0;
+        counting = true;
+        for (const auto& [view, plan] : frames)
+            renderer.render(*scene, view, plan);
+        counting = false;
+    }
+    return allocations;
+}
+
+TEST(Steady, ATurningModelAllocatesNothing) {
+    Jobs jobs(1);
+    for (const Case& c : kCases)
+        EXPECT_EQ(allocations_of_a_turn(c, jobs, 2), 0U) << c.name;
+}
+
+// Which worker meets the fullest tile differs from turn to turn, so its buffers may still grow once
+// in a while, as may oneTBB's store of tasks.
+TEST(Steady, OnSeveralThreadsLessThanABlockAFrameIsAllocated) {
+    Jobs jobs(3);
+    for (const Case& c : std::span(kCases).first(3))
+        EXPECT_LT(allocations_of_a_turn(c, jobs, 2), std::size_t{kTurn}) << c.name;
+}
+
+TEST(Steady, TheFirstTurnIsSeenToAllocate) {
+    Jobs jobs(1);
+    EXPECT_GT(allocations_of_a_turn(kCases[0], jobs, 0), 10U);
+}
+
+} // namespace
+} // namespace scanout::frame
+
+#endif
