@@ -30,7 +30,6 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
         const Decision* row = plan.decision(effect);
         if (row != nullptr && row->on() && held > 0) bytes[effect] += held;
     };
-    add("texture", texture_bytes(scene, &scene::Material::map_diffuse));
     for (std::size_t i = 0; i < shade::kMaps; ++i)
         if (const auto effect = map_effect(static_cast<shade::Map>(i)); !effect.empty())
             add(std::string(effect).c_str(), texture_bytes(scene, shade::map_slots()[i].map));

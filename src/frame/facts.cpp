@@ -160,14 +160,17 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.points = mesh.points();
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
+    facts.white_colours =
+        facts.vertex_colours && std::all_of(mesh.colour.begin(), mesh.colour.end(),
+                                            [](const Vec3& c) { return c == Vec3(1); });
     facts.ground = shadow_plane ? ground(mesh, *shadow_plane) : ground(mesh);
+    const MapFacts maps(scene);
     facts.textured_surfaces = textured_surfaces(scene);
+    for (TexturedSurface& surface : facts.textured_surfaces)
+        surface.constant = maps.constant(surface.texture.texture);
     const Census census(scene);
-    facts.textured_triangles = census.count(
-        facts, "texture", [&](const scene::Material& m) { return m.map_diffuse.texture >= 0; });
-    facts.specular_triangles = census.count(facts, "highlight", [](const scene::Material& m) {
-        return surface_of(m) != scene::Surface::matt;
-    });
+    facts.specular_triangles =
+        census.count(facts, "highlight", [&](const scene::Material& m) { return maps.shines(m); });
     facts.physical_triangles = census.count(
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
     facts.only_material = only_material(mesh);
@@ -182,18 +185,21 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
     facts.brightest = census.brightest();
-    const MapFacts maps(scene);
+    facts.black_by_maps =
+        census.count([](const scene::Material&) { return true; }) == facts.triangles &&
+        census.count([&](const scene::Material& m) { return maps.reflects(m); }) == 0;
     for (std::size_t i = 0; i < shade::kMaps; ++i) {
         const auto map = static_cast<shade::Map>(i);
         for (const scene::Material& m : scene.materials)
             if ((m.*shade::map_slots()[i].map).texture >= 0)
                 facts.readable_maps |= shade::bit_of(map);
-        if (const std::string_view effect = map_effect(map); !effect.empty())
-            facts.mapped_triangles[i] = census.count(
-                facts, effect, [&](const scene::Material& m) { return maps.matters(m, map); });
+        const auto matters = [&](const scene::Material& m) { return maps.matters(m, map); };
+        const std::string_view effect = map_effect(map);
+        facts.mapped_triangles[i] =
+            effect.empty() ? census.count(matters) : census.count(facts, effect, matters);
     }
-    facts.emitting_triangles = census.count(
-        facts, "emission", [](const scene::Material& m) { return m.emission != Vec3(0); });
+    facts.emitting_triangles =
+        census.count(facts, "emission", [&](const scene::Material& m) { return maps.emits(m); });
     return facts;
 }
 

@@ -38,20 +38,20 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    std::size_t textured_triangles = 0;        // material has a readable map_Kd
-    std::size_t specular_triangles = 0;        // material has a highlight
+    std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // of those: it says roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles
     MeshSides sides;
-    bool uv = false; // some face has texture coordinates
-    bool vertex_colours = false;
+    bool uv = false;                                    // some face has texture coordinates
+    bool vertex_colours = false, white_colours = false; // there are some; all of them are white
     AlphaFacts alpha;
     // Whose material has the map, and in it something that can change a pixel.
     std::array<std::size_t, shade::kMaps> mapped_triangles{};
     shade::MapBits readable_maps = 0;   // some material has it, whatever it holds
-    std::size_t emitting_triangles = 0; // Ke above 0
+    std::size_t emitting_triangles = 0; // Ke above 0, and map_Ke not black
     std::vector<TexturedSurface> textured_surfaces;
-    float brightest = 1; // Kd times vertex colour: no primitive reflects more; at most 1
+    float brightest = 1;        // Kd times vertex colour: no primitive reflects more; at most 1
+    bool black_by_maps = false; // no material reflects light evenly: what has a Kd has a black map
     Ground ground;
 
     // The effects that are a matter of the material, by their name in the plan: which materials

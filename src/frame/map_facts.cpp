@@ -1,9 +1,49 @@
 #include "frame/map_facts.h"
 
+#include <algorithm>
+
 namespace scanout::frame {
+namespace {
+
+using Codes = std::array<std::uint8_t, 4>;
+
+// The channels that a map of one number a texel is made of: the one that -imfchan names, else those
+// of its brightness.
+bool any_channel(const scene::TextureMap& map, const Codes& codes, bool (*holds)(std::uint8_t)) {
+    switch (map.channel) {
+    case 'r':
+        return holds(codes[0]);
+    case 'g':
+        return holds(codes[1]);
+    case 'b':
+        return holds(codes[2]);
+    case 'm':
+        return holds(codes[3]);
+    default:
+        return holds(codes[0]) || holds(codes[1]) || holds(codes[2]);
+    }
+}
+
+bool less_than_1(std::uint8_t code) {
+    return code < 255;
+}
+bool above_0(std::uint8_t code) {
+    return code > 0;
+}
+
+// Whether a colour times one that is somewhere as dark as this differs from the colour.
+bool darkened(const Vec3& colour, const Codes& least) {
+    for (std::size_t c = 0; c < 3; ++c)
+        if (colour[static_cast<int>(c)] > 0 && least[c] < 255) return true;
+    return false;
+}
+
+} // namespace
 
 std::string_view map_effect(shade::Map map) {
     switch (map) {
+    case shade::kDiffuseMap:
+        return "texture";
     case shade::kNormalMap:
         return "normal_map";
     case shade::kBumpMap:
@@ -21,48 +61,85 @@ std::string_view map_effect(shade::Map map) {
     }
 }
 
-MapFacts::Content MapFacts::content_of(const image::Image& image) {
-    Content all;
-    if (image.empty()) return all;
-    const image::Rgba8 first = image.at(0, 0);
+MapFacts::Range MapFacts::range_of(const image::Image& image) {
+    Range all;
     for (const image::Rgba8& p : image.pixels()) {
-        all.constant = all.constant && p == first;
-        all.white = all.white && p == image::Rgba8{255, 255, 255, 255};
-        all.flat = all.flat && p.r == 128 && p.g == 128;
-        if (!(all.constant || all.white || all.flat)) break;
+        const Codes codes{p.r, p.g, p.b, p.a};
+        for (std::size_t c = 0; c < 4; ++c) {
+            all.least[c] = std::min(all.least[c], codes[c]);
+            all.most[c] = std::max(all.most[c], codes[c]);
+        }
     }
     return all;
 }
 
-MapFacts::MapFacts(const scene::Scene& scene) : content_(scene.textures.size()) {
-    std::vector<bool> known(scene.textures.size(), false);
-    for (const scene::Material& material : scene.materials) {
-        for (std::size_t i = 0; i < shade::kMaps; ++i) {
-            const std::int32_t texture = (material.*shade::map_slots()[i].map).texture;
-            if (texture < 0 || map_effect(static_cast<shade::Map>(i)).empty()) continue;
-            const auto t = static_cast<std::size_t>(texture);
-            if (!known[t]) content_[t] = content_of(scene.textures[t].image);
-            known[t] = true;
-        }
-    }
+MapFacts::MapFacts(const scene::Scene& scene)
+    : coordinates_(!scene.mesh.uv.empty()), ranges_(scene.textures.size()) {
+    for (std::size_t i = 0; i < ranges_.size(); ++i)
+        ranges_[i] = range_of(scene.textures[i].image);
+}
+
+const MapFacts::Range* MapFacts::range(const scene::Material& m, shade::Map map) const {
+    const std::int32_t texture = (m.*shade::map_slots()[map].map).texture;
+    return texture < 0 ? nullptr : &ranges_[static_cast<std::size_t>(texture)];
+}
+
+bool MapFacts::constant(std::int32_t texture) const {
+    const Range& range = ranges_[static_cast<std::size_t>(texture)];
+    return range.least == range.most;
+}
+
+bool MapFacts::is_black(const Vec3& colour, const Range* range) const {
+    for (std::size_t c = 0; c < 3; ++c)
+        if (colour[static_cast<int>(c)] > 0 &&
+            (range == nullptr || !coordinates_ || range->most[c] > 0))
+            return false;
+    return true;
+}
+
+bool MapFacts::reflects(const scene::Material& m) const {
+    return !is_black(m.diffuse, range(m, shade::kDiffuseMap));
+}
+
+bool MapFacts::shines(const scene::Material& m) const {
+    if (surface_of(m) != scene::Surface::glossy) return surface_of(m) == scene::Surface::physical;
+    const Range* const exponent = range(m, shade::kShininessMap);
+    const bool dull = exponent != nullptr && coordinates_ &&
+                      !any_channel(m.map_shininess, exponent->most, above_0);
+    return !dull && !is_black(m.specular, range(m, shade::kSpecularMap));
+}
+
+bool MapFacts::emits(const scene::Material& m) const {
+    return !is_black(m.emission, range(m, shade::kEmissionMap));
 }
 
 bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
-    const std::int32_t texture = (m.*shade::map_slots()[map].map).texture;
-    if (texture < 0) return false;
-    const Content& content = content_[static_cast<std::size_t>(texture)];
+    const Range* const texels = range(m, map);
+    if (texels == nullptr) return false;
+    const scene::Surface surface = surface_of(m);
+    // Something of what falls on the surface comes back, in a way that depends on its direction.
+    const bool lit = m.diffuse != Vec3(0) || surface != scene::Surface::matt;
     switch (map) {
-    case shade::kNormalMap:
-        return !content.flat;
+    case shade::kDiffuseMap:
+        return darkened(m.diffuse, texels->least);
+    case shade::kEmissionMap:
+        return darkened(m.emission, texels->least);
+    case shade::kNormalMap: // red and green of 128: no slope
+        return lit && !(texels->least[0] == 128 && texels->most[0] == 128 &&
+                        texels->least[1] == 128 && texels->most[1] == 128);
     case shade::kBumpMap:
-        return !content.constant && m.map_bump.bump_multiplier != 0;
+        return lit && texels->least != texels->most && m.map_bump.bump_multiplier != 0;
     case shade::kSpecularMap:
+        return surface == scene::Surface::glossy && darkened(m.specular, texels->least);
     case shade::kShininessMap:
-        return !content.white && surface_of(m) == scene::Surface::glossy;
+        return surface == scene::Surface::glossy &&
+               any_channel(m.map_shininess, texels->least, less_than_1);
     case shade::kRoughnessMap:
-        return !content.white && surface_of(m) == scene::Surface::physical && roughness_of(m) > 0;
+        return surface == scene::Surface::physical && roughness_of(m) > 0 &&
+               any_channel(m.map_roughness, texels->least, less_than_1);
     case shade::kMetalnessMap:
-        return !content.white && surface_of(m) == scene::Surface::physical && metalness_of(m) > 0;
+        return surface == scene::Surface::physical && metalness_of(m) > 0 &&
+               any_channel(m.map_metalness, texels->least, less_than_1);
     default:
         return false;
     }

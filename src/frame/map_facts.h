@@ -1,10 +1,12 @@
-// Which maps a scene calls for, by what their pictures hold: a normal map that is flat everywhere,
-// a map_Ks that is white, a bump map of one height change nothing.
+// Which maps a scene calls for, by what their pictures hold and what they are multiplied with: a
+// normal map that is flat everywhere, a map_Ks that is white, a map_Kd under a black Kd change
+// nothing.
 #pragma once
 
 #include "scene/scene.h"
 #include "shade/stage.h"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -13,22 +15,33 @@ namespace scanout::frame {
 // The row of the plan that decides about a map; empty where it is not the map's alone.
 std::string_view map_effect(shade::Map map);
 
-// Whether leaving the map out could change a pixel of this material, whatever the view; there must
-// be coordinates for it. Maps that could not be read do not matter.
+// Of scenes with texture coordinates: without them no map is read, and none blackens anything.
+// Maps that could not be read do not matter.
 class MapFacts {
 public:
     explicit MapFacts(const scene::Scene& scene);
+    // Whether leaving the map out could change a pixel of this material, whatever the view.
     bool matters(const scene::Material& material, shade::Map map) const;
+    // Whether all texels of a texture are one colour, so that every filter gives the same.
+    bool constant(std::int32_t texture) const;
+    // Whether something is left of what a material says, after its maps.
+    bool reflects(const scene::Material& material) const; // Kd
+    bool shines(const scene::Material& material) const;   // a highlight
+    bool emits(const scene::Material& material) const;    // Ke
 
 private:
-    // What all texels of a texture have in common.
-    struct Content {
-        bool constant = true; // one colour
-        bool white = true;    // r, g, b and alpha are 255
-        bool flat = true;     // r and g are 128: as a normal map, no slope
+    // The least and the greatest code of a texture's red, green, blue and alpha.
+    struct Range {
+        std::array<std::uint8_t, 4> least{255, 255, 255, 255}, most{0, 0, 0, 0};
     };
-    static Content content_of(const image::Image& image);
-    std::vector<Content> content_; // of each texture that is such a map
+    static Range range_of(const image::Image& image);
+    // What the material's map holds; null where it has none.
+    const Range* range(const scene::Material& material, shade::Map map) const;
+    // Whether the product of a colour and a map is black.
+    bool is_black(const Vec3& colour, const Range* range) const;
+
+    bool coordinates_;
+    std::vector<Range> ranges_; // of each texture
 };
 
 } // namespace scanout::frame

@@ -16,7 +16,8 @@ struct TexturedSurface {
     std::size_t material = 0;
     shade::Map map{};
     shade::MipUse texture{};
-    bool clamp = false; // -clamp on
+    bool clamp = false;    // -clamp on
+    bool constant = false; // all its texels are one colour
     // At most, in any direction; normalised object units. By the model's uv, and by a mapping.
     double texels_per_unit = 0, texels_per_unit_mapped = 0;
     DVec3 box_min{0}, box_max{0}; // of the triangles

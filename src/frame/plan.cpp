@@ -84,7 +84,9 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     planner.choice("interpolate", steps, options.interpolate,
                    facts.triangles == 0 ? "along lines colours are exact, whatever is asked"
                    : flat ? "nothing is foreshortened: but for rounding all ways are the same"
-                          : "a division a pixel is exact at any ratio of distances",
+                   : steps == "perspective"
+                       ? "a division a pixel is exact at any ratio of distances"
+                       : std::string(shade::find_stage("interpolate", steps)->card.blurb),
                    facts.triangles > 0 && !flat);
     planner.stage("interpolate", steps);
 
@@ -92,8 +94,10 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(plan_light(planner, plan, facts, view));
     plan_maps(planner, plan, facts);
 
-    if (planner.effect("vertex_colours", "on", facts.vertex_colours,
-                       facts.vertex_colours ? "the file gives them" : "the file gives none"))
+    if (planner.effect("vertex_colours", "on", facts.vertex_colours && !facts.white_colours,
+                       facts.white_colours    ? "all that the file gives are white"
+                       : facts.vertex_colours ? "the file gives them"
+                                              : "the file gives none"))
         plan.attributes.colour = facts.vertex_colours;
     TRY_VOID(plan_transparency(planner, plan, facts));
     plan_casters(plan, facts);

@@ -11,10 +11,13 @@ namespace scanout::frame {
 namespace {
 
 // Why no light shows on anything; null where some does.
-const char* why_unlit(const SceneFacts& facts) {
+const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     if (facts.triangles == 0) return "nothing is lit: there are no triangles";
-    if (facts.brightest <= 0 && facts.specular_triangles == 0)
-        return "nothing reflects light: Kd and Ks are black everywhere";
+    if (facts.specular_triangles > 0) return nullptr;
+    if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";
+    const bool pictures = plan.decision("texture")->on() && plan.source == nullptr;
+    if (facts.black_by_maps && pictures)
+        return "nothing reflects light: Kd and Ks, or their maps, are black everywhere";
     return nullptr;
 }
 
@@ -31,7 +34,7 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
             names += (names.empty() ? "" : ", ") + light.name;
             shining.push_back(light);
         }
-        const char* const unlit = why_unlit(facts);
+        const char* const unlit = why_unlit(plan, facts);
         const bool lit = unlit == nullptr;
         const std::string because = shining.empty()
                                         ? fmt::format("there is no {} light", name_of(kind))
@@ -66,9 +69,10 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
         shiny > 0 && glossy != "lambert" && has_directed_light(plan),
         shiny > 0 && !has_directed_light(plan)
             ? kNoDirection
-            : fmt::format("{} of {} triangles have a highlight (Ks not black, Ns above 0{})", shiny,
-                          facts.triangles,
-                          rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
+            : fmt::format(
+                  "{} of {} triangles have a highlight (Ks and Ns above 0, with their maps{})",
+                  shiny, facts.triangles,
+                  rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
     // Each model that some surface has, once; lines and points go the way of the matt ones.
     const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
         const shade::Stage*& model = plan.reflection[static_cast<std::size_t>(surface)];
@@ -116,8 +120,8 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                 const scene::View& view) {
     const std::size_t leaning = facts.sides.leaning;
     auto [needed, because] =
-        why_unlit(facts) != nullptr ? std::pair(false, std::string(why_unlit(facts)))
-        : !has_directed_light(plan) ? std::pair(false, std::string(kNoDirection))
+        why_unlit(plan, facts) != nullptr ? std::pair(false, std::string(why_unlit(plan, facts)))
+        : !has_directed_light(plan)       ? std::pair(false, std::string(kNoDirection))
         : leaning > 0
             ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
                                           "their back",
@@ -166,10 +170,10 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     const bool throws = name == "attached" || something_throws(plan.options, facts);
     std::string because =
-        why_unlit(facts) != nullptr ? why_unlit(facts)
-        : casting == 0              ? "no light that reaches anything casts shadows"
-        : !throws                   ? "every triangle is blended or clear, and those throw none"
-        : !falls                    ? "the model is flat or convex: it throws none on itself"
+        why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
+        : casting == 0                    ? "no light that reaches anything casts shadows"
+        : !throws    ? "every triangle is blended or clear, and those throw none"
+        : !falls     ? "the model is flat or convex: it throws none on itself"
         : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
                                    shading.card.name)
         : !floor && facts.ground.asked
@@ -213,9 +217,9 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, *shading));
     const bool directed = has_directed_light(plan);
-    const bool lit = why_unlit(facts) == nullptr;
+    const bool lit = why_unlit(plan, facts) == nullptr;
     planner.choice("shading", lit ? name : "off", asked,
-                   !lit        ? why_unlit(facts)
+                   !lit        ? why_unlit(plan, facts)
                    : !directed ? kNoDirection
                                : fmt::format("{} triangles are lit", facts.triangles),
                    lit);

@@ -73,8 +73,11 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         t.stages.push_back(shade::find_stage(axis, name));
         CHECK(t.stages.back() != nullptr);
         t.attributes = t.attributes | t.stages.back()->needs;
+        const Technique* const card = &t.stages.back()->card; // colours may be interpolated so, too
+        if (std::find(plan.techniques.begin(), plan.techniques.end(), card) ==
+            plan.techniques.end())
+            plan.techniques.push_back(card);
     }
-    plan.techniques.push_back(&t.stages.back()->card);
     return {};
 }
 

@@ -4,6 +4,7 @@
 #include "frame/planner.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,8 +40,11 @@ Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& fa
     const bool automatic = options.texture == "auto";
     const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
     Minification most;
+    std::optional<bool> plain; // whether each texture that is read is of one colour
     for (const TexturedSurface& surface : facts.textured_surfaces) {
         if (!is_read(surface, plan)) continue;
+        plain = plain.value_or(true) && surface.constant;
+        if (automatic && surface.constant) continue; // the same at every size
         const Minification texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
                                                      options.height * plan.aa->scale, plan.mapped);
         most = {std::max(most.facing, texels.facing), std::max(most.slanted, texels.slanted)};
@@ -52,12 +56,14 @@ Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& fa
     }
     const bool mipmaps = planner.effect(
         "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
-        colour || alpha
-            ? fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
-                          most.facing, most.slanted)
-            : "no texture is read");
+        !(colour || alpha) ? "no texture is read"
+        : plain.value_or(false)
+            ? "each texture that is read is of one colour"
+            : fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
+                          most.facing, most.slanted));
     if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
-    if (filter->needs.footprint && plan.mips.empty()) filter = shade::find_filter("bilinear");
+    if (filter->needs.footprint && plan.mips.empty())
+        filter = shade::find_filter(automatic && plain.value_or(false) ? "nearest" : "bilinear");
     if (colour || alpha) planner.filter(*filter, colour, alpha);
     return {};
 }
@@ -130,19 +136,25 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
     const shade::Source* source = shade::find_source(name);
     CHECK(source != nullptr);
     if (source->sample != nullptr && facts.triangles > 0) plan.source = source;
-    const bool pictures = facts.textured_triangles > 0 && has_coordinates(plan, facts);
-    const bool on =
-        planner.effect("texture",
-                       plan.source != nullptr      ? name
-                       : options.texture == "auto" ? "bilinear"
-                                                   : options.texture,
-                       pictures || plan.source != nullptr,
-                       plan.source != nullptr ? fmt::format("--source {} for all triangles", name)
-                       : pictures ? fmt::format("{} of {} triangles have a readable map_Kd",
-                                                facts.textured_triangles, facts.triangles)
+    const std::size_t textured = facts.mapped_triangles[shade::kDiffuseMap];
+    const bool coordinates = has_coordinates(plan, facts);
+    const bool readable =
+        textured > 0 || (facts.readable_maps & shade::bit_of(shade::kDiffuseMap)) != 0;
+    const bool pictures = coordinates && textured > 0;
+    const bool on = planner.effect(
+        "texture",
+        plan.source != nullptr      ? name
+        : options.texture == "auto" ? "bilinear"
+                                    : options.texture,
+        pictures || plan.source != nullptr,
+        plan.source != nullptr ? fmt::format("--source {} for all triangles", name)
+        : pictures
+            ? fmt::format("{} of {} triangles have a readable map_Kd", textured, facts.triangles)
+        : coordinates && readable ? "every readable map_Kd is white where Kd is not black"
                                   : "no triangle has a readable map_Kd and texture coordinates");
     if (!on) plan.source = nullptr;
-    const bool runs = on && (pictures || plan.source != nullptr);
+    // Forced on, a picture that changes nothing is read.
+    const bool runs = on && (plan.source != nullptr || (coordinates && readable));
     planner.choice("source", runs ? name : "off", options.source,
                    plan.source != nullptr ? "the user asks for it"
                    : runs                 ? "the materials name pictures"
@@ -196,12 +208,13 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
             (facts.readable_maps & shade::bit_of(row.map)) != 0)
             planner.stage("map", row.stage);
     }
-    const bool emission = planner.effect("emission", "on", facts.emitting_triangles > 0,
-                                         fmt::format("{} of {} triangles have Ke above 0",
-                                                     facts.emitting_triangles, facts.triangles));
+    const bool emission =
+        planner.effect("emission", "on", facts.emitting_triangles > 0,
+                       fmt::format("{} of {} triangles have Ke above 0, with map_Ke",
+                                   facts.emitting_triangles, facts.triangles));
     if (!emission || facts.emitting_triangles == 0) return;
     planner.stage("map", "emission");
-    if (coordinates && (facts.readable_maps & shade::bit_of(shade::kEmissionMap)) != 0)
+    if (coordinates && facts.mapped_triangles[shade::kEmissionMap] > 0)
         plan.attributes = plan.attributes |
                           shade::Attributes{.uv = true, .maps = shade::bit_of(shade::kEmissionMap)};
 }

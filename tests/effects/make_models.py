@@ -190,6 +190,35 @@ def black_ks(folder):
     model.write(folder, "black_ks")
 
 
+def idle_maps(folder):
+    """Maps that change nothing: white, under a black colour, or a black one that leaves nothing of what it multiplies."""
+    png(os.path.join(folder, "white.png"), 8, 8, lambda x, y: (255, 255, 255))
+    png(os.path.join(folder, "black.png"), 8, 8, lambda x, y: (0, 0, 0))
+    png(os.path.join(folder, "tiles.png"), 16, 16, checker(16, 4))
+    model = Model("Kd 0.5 0.3 0.1\nmap_Kd white.png", "Kd 0 0 0\nmap_Kd tiles.png\nnorm tiles.png",
+                  "Kd 0.1 0.4 0.2\nKe 1 1 1\nmap_Ke black.png", "Kd 0.2 0.2 0.5\nKs 0.9 0.9 0.9\nNs 40\nmap_Ks black.png",
+                  "Kd 0.5 0.2 0.4\nKs 0.9 0.9 0.9\nNs 40\nmap_Ns black.png")
+    for i in range(5):
+        model.box((0.5 * (i - 2), 0, 0), 0.2, i, colours=[(1, 1, 1)] * 4)
+    model.write(folder, "idle_maps")
+
+
+def one_colour(folder):
+    """A map of one colour, far more texels than pixels: the same at every size and under every filter."""
+    png(os.path.join(folder, "sand.png"), 64, 64, lambda x, y: (200, 170, 90))
+    model = Model("Kd 1 1 1\nmap_Kd sand.png")
+    model.quad(FLOOR, 0, repeat=16)
+    model.write(folder, "one_colour")
+
+
+def coal(folder):
+    """Kd is bright, its map black: there is nothing to light."""
+    png(os.path.join(folder, "coal.png"), 8, 8, lambda x, y: (0, 0, 0))
+    model = Model("Kd 1 1 1\nmap_Kd coal.png")
+    model.box((0, 0, 0), 0.5, 0)
+    model.write(folder, "coal")
+
+
 def bumps(folder):
     png(os.path.join(folder, "waves.png"), 64, 64, lambda x, y: (int(127.5 + 127.5 * math.sin(x * math.pi / 8)),) * 3)
     png(os.path.join(folder, "flat.png"), 8, 8, lambda x, y: (90, 90, 90))
@@ -265,7 +294,7 @@ def everything(folder):
 def make(folder):
     os.makedirs(folder, exist_ok=True)
     for maker in (plain, wires, vertex_colours, checker_board, floor, opaque_alpha, fence, leaves, glass, gloss, black_ks,
-                  bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
+                  idle_maps, one_colour, coal, bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
         maker(folder)
 
 

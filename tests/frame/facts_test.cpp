@@ -80,7 +80,7 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     EXPECT_EQ(all.triangles, 16U);
     EXPECT_EQ(all.lines, 1U);
     EXPECT_EQ(all.points, 1U);
-    EXPECT_EQ(all.textured_triangles, 6U);
+    EXPECT_EQ(all.mapped_triangles[shade::kDiffuseMap], 6U);
     EXPECT_EQ(all.specular_triangles, 2U); // Ns 0 is no highlight
     // The last stands for what has no material.
     EXPECT_THAT(all.materials_of.at("texture"),
@@ -99,6 +99,148 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     EXPECT_EQ(facts(scene).brightest, 0.5F);
     scene.materials[0].diffuse = Vec3(7);
     EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
+}
+
+// A material with one map, the picture of which is of one colour but for its first texel.
+scene::Scene mapped(scene::Material material, scene::TextureMap scene::Material::*map,
+                    const image::Rgba8& rest, const image::Rgba8& first) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    scene.textures = {{"map.png", image::Image(4, 4)}};
+    image::Image& picture = scene.textures[0].image;
+    std::fill(picture.pixels().begin(), picture.pixels().end(), rest);
+    picture.pixels()[0] = first;
+    (material.*map).texture = 0;
+    (material.*map).path = "map.png";
+    scene.materials = {std::move(material)};
+    test::add_square(scene.mesh, 1, 0, 0);
+    return scene;
+}
+
+constexpr image::Rgba8 kWhite{255, 255, 255, 255}, kBlack{0, 0, 0, 255};
+
+std::vector<std::string> effects_on(const scene::Scene& scene, const FrameOptions& options) {
+    std::vector<std::string> on;
+    for (const Decision& d : plan_of(facts(scene), options).decisions)
+        if (!d.choice && d.on()) on.push_back(d.effect);
+    return on;
+}
+
+TEST(Facts, LookAtWhatMapsHoldAndWhatTheyAreMultipliedWith) {
+    const image::Rgba8 grey{7, 7, 7, 255};
+    scene::Material red = test::plain({0.5F, 0, 0}), dark = test::plain(Vec3(0));
+    scene::Material lamp = dark, shiny = test::plain(Vec3(0), {0.5F, 0, 0}, 40);
+    lamp.emission = {0, 0.5F, 0};
+    using M = scene::Material;
+    const struct {
+        const char* what;
+        M material;
+        scene::TextureMap M::*map;
+        image::Rgba8 rest, first; // in `first` alone is anything that matters
+        const char* effect;
+        bool otherwise; // whether the effect is on where `first` is as the rest
+    } rows[] = {
+        {"map_Kd", red, &M::map_diffuse, kWhite, grey, "texture", false},
+        {"map_Kd, red alone", red, &M::map_diffuse, {255, 0, 0, 255}, kBlack, "texture", false},
+        {"map_Kd of one colour", red, &M::map_diffuse, grey, kWhite, "texture", true},
+        {"map_Kd lets light through",
+         red,
+         &M::map_diffuse,
+         kWhite,
+         {255, 255, 255, 9},
+         "blending",
+         false},
+        {"map_Ke", lamp, &M::map_emission, {255, 0, 255, 255}, kWhite, "emission", false},
+        {"map_Ke is white", lamp, &M::map_emission, kWhite, kBlack, "emission", true},
+        {"map_Ks", shiny, &M::map_specular, {0, 255, 255, 255}, kWhite, "highlight", false},
+        {"map_Ks is white", shiny, &M::map_specular, kWhite, grey, "specular_map", false},
+        {"map_Ns", shiny, &M::map_shininess, kBlack, grey, "highlight", false},
+        {"map_Ns is white", shiny, &M::map_shininess, kWhite, grey, "gloss_map", false},
+        {"norm", red, &M::map_normal, {128, 128, 9, 255}, kWhite, "normal_map", false},
+        {"map_bump", red, &M::map_bump, grey, kWhite, "bump_map", false},
+        {"map_Kd is black",
+         red,
+         &M::map_diffuse,
+         kBlack,
+         {9, 0, 0, 255},
+         "directional_light",
+         false},
+        {"map_Kd is black, in red",
+         red,
+         &M::map_diffuse,
+         {0, 255, 0, 255},
+         kWhite,
+         "directional_light",
+         false},
+    };
+    FrameOptions options;
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.what);
+        const auto with = effects_on(mapped(row.material, row.map, row.rest, row.first), options);
+        const auto without = effects_on(mapped(row.material, row.map, row.rest, row.rest), options);
+        EXPECT_THAT(with, testing::Contains(row.effect));
+        EXPECT_EQ(std::count(without.begin(), without.end(), row.effect), row.otherwise ? 1 : 0);
+    }
+    // What is multiplied with nothing is nothing, whatever the picture holds.
+    EXPECT_THAT(effects_on(mapped(dark, &M::map_diffuse, grey, kWhite), options), ElementsAre());
+    EXPECT_THAT(effects_on(mapped(dark, &M::map_normal, grey, kWhite), options), ElementsAre());
+    EXPECT_THAT(effects_on(mapped(dark, &M::map_emission, grey, kWhite), options), ElementsAre());
+    EXPECT_THAT(effects_on(mapped(dark, &M::map_bump, grey, kWhite), options), ElementsAre());
+}
+
+TEST(Facts, NoMapBlackensAnythingWithoutCoordinates) {
+    scene::Material m = test::plain(Vec3(0.5F), Vec3(0.5F), 40);
+    m.emission = Vec3(0.5F);
+    for (const auto map : {&scene::Material::map_diffuse, &scene::Material::map_specular,
+                           &scene::Material::map_emission}) {
+        scene::Scene scene = mapped(m, map, kBlack, kBlack);
+        scene.mesh.uv.clear();
+        const SceneFacts found = facts(scene);
+        EXPECT_EQ(found.specular_triangles, 2U);
+        EXPECT_EQ(found.emitting_triangles, 2U);
+        EXPECT_FALSE(found.black_by_maps);
+    }
+}
+
+TEST(Facts, ATextureThatIsForcedOffBlackensNothing) {
+    const scene::Scene scene =
+        mapped(test::plain(Vec3(0.5F)), &scene::Material::map_diffuse, kBlack, kBlack);
+    FrameOptions options;
+    EXPECT_FALSE(plan_of(facts(scene), options).decision("directional_light")->on());
+    options.effects = {{"texture", false}};
+    EXPECT_TRUE(plan_of(facts(scene), options).decision("directional_light")->on());
+    options.effects.clear();
+    options.source = "checker"; // in the map's place
+    EXPECT_TRUE(plan_of(facts(scene), options).decision("directional_light")->on());
+}
+
+TEST(Facts, TexturesOfOneColourHaveNoMipmapsAndTheCheapestFilter) {
+    for (const image::Rgba8& first : {kBlack, kWhite}) {
+        scene::Scene scene =
+            mapped(test::plain(Vec3(0.5F)), &scene::Material::map_diffuse, kBlack, first);
+        for (auto& uv : scene.mesh.uv)
+            uv *= 1e6F;
+        FrameOptions options;
+        options.width = options.height = 64;
+        const auto view = scene::make_view(scene.mesh, {}, {}, {}, {}, 64, 64);
+        ASSERT_TRUE(view);
+        const auto planned = plan(options, facts(scene), *view);
+        ASSERT_TRUE(planned);
+        EXPECT_EQ(planned->decision("mipmaps")->on(), first == kWhite);
+        EXPECT_EQ(planned->filter->card.name, first == kWhite ? "trilinear" : "nearest");
+    }
+}
+
+TEST(Facts, WhiteVertexColoursAreNoColours) {
+    scene::Scene scene =
+        mapped(test::plain(Vec3(0.5F)), &scene::Material::map_diffuse, kWhite, kWhite);
+    scene.mesh.colour.assign(scene.mesh.position.size(), Vec3(1));
+    EXPECT_FALSE(plan_of(facts(scene)).decision("vertex_colours")->on());
+    FrameOptions options;
+    options.effects = {{"vertex_colours", true}};
+    EXPECT_TRUE(plan_of(facts(scene), options).attributes.colour);
+    scene.mesh.colour.back() = Vec3(1, 1, 0.99F);
+    EXPECT_TRUE(plan_of(facts(scene)).decision("vertex_colours")->on());
 }
 
 } // namespace

@@ -24,7 +24,7 @@ TEST(Plan, RunsOnlyWhatTheSceneCallsFor) {
     EXPECT_FALSE(plan_of(facts).attributes.uv);
     EXPECT_FALSE(plan_of(facts).attributes.colour);
     EXPECT_TRUE(plan_of(facts).attributes.normal);
-    facts.textured_triangles = 3;
+    facts.mapped_triangles[shade::kDiffuseMap] = 3;
     facts.uv = true;
     EXPECT_THAT(stages(plan_of(facts)), ElementsAre("interpolate perspective", "map diffuse",
                                                     "light ambient", "shading per_pixel"));
@@ -59,7 +59,7 @@ TEST(Plan, NothingTexturedRunsNoTextureStageWhateverIsAsked) {
 
 TEST(Plan, RunsWhatTheUserNames) {
     SceneFacts facts;
-    facts.triangles = facts.textured_triangles = facts.specular_triangles = 10;
+    facts.triangles = facts.mapped_triangles[shade::kDiffuseMap] = facts.specular_triangles = 10;
     facts.uv = true;
     FrameOptions options;
     options.texture = "nearest";
@@ -145,7 +145,7 @@ TEST(Plan, KnowsWhatIsAskedOfItInVain) {
 TEST(Plan, GivesAReasonForEveryDecision) {
     SceneFacts facts;
     facts.triangles = 40;
-    facts.textured_triangles = 30;
+    facts.mapped_triangles[shade::kDiffuseMap] = 30;
     facts.uv = true;
     facts.specular_triangles = 20;
     const FramePlan on = plan_of(facts);
@@ -168,7 +168,7 @@ TEST(Plan, GivesAReasonForEveryDecision) {
 
 TEST(Plan, TheUserForcesAnEffectOnOrOff) {
     SceneFacts facts;
-    facts.triangles = facts.textured_triangles = facts.specular_triangles = 7;
+    facts.triangles = facts.mapped_triangles[shade::kDiffuseMap] = facts.specular_triangles = 7;
     facts.uv = true;
     FrameOptions options;
     options.effects = {{"texture", false}, {"highlight", true}, {"vertex_colours", true}};
@@ -192,7 +192,7 @@ TEST(Plan, TheUserForcesAnEffectOnOrOff) {
 
 TEST(Plan, IsAPureFunction) {
     SceneFacts facts;
-    facts.triangles = facts.textured_triangles = 7;
+    facts.triangles = facts.mapped_triangles[shade::kDiffuseMap] = 7;
     FrameOptions options;
     options.samples = 4;
     options.cull = Cull::back;
