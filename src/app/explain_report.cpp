@@ -26,6 +26,11 @@ std::string milliseconds_text(double ms) {
     return fmt::format("{:.2f}", std::abs(ms) < 0.005 ? 0.0 : ms);
 }
 
+// What another technique would take more: "+0.30", "-0.02".
+std::string more_milliseconds_text(double ms) {
+    return (ms < 0.005 ? "" : "+") + milliseconds_text(ms);
+}
+
 // The cells of a row, in the order of kHeads.
 constexpr std::array<std::string_view, 8> kHeads = {"effect", "runs", "ms",     "memory",
                                                     "codes",  "FLIP", "pixels", "because"};
@@ -98,7 +103,14 @@ std::string because(const EffectRow& row) {
         text += fmt::format("; {} of {} triangles face away, in {} pixel{}", away->triangles,
                             away->of, away->pixels, away->pixels == 1 ? "" : "s");
     if (row.decision.forced) text += " (forced)";
-    if (!row.cheapest.empty()) text += "; compared with " + row.cheapest;
+    if (!row.compared_with.empty()) text += "; compared with " + row.compared_with;
+    if (const auto& other = row.automatic) {
+        text += fmt::format("; {} would be chosen: {} codes, FLIP {:.4f}, {} pixels differ",
+                            other->technique, other->change.largest_code, other->change.mean_flip,
+                            other->change.pixels);
+        if (other->milliseconds)
+            text += fmt::format(", {} ms", more_milliseconds_text(-*other->milliseconds));
+    }
     if (!row.refusal.empty()) text += "; " + row.refusal;
     return text;
 }
@@ -174,6 +186,7 @@ ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t 
     constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
     Shown shown;
     shown.fill(true);
+    shown[kTimeColumn] = e.milliseconds.has_value() || measured < e.rows.size();
     if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels
     const std::vector<std::string> table = table_of(e.rows, shown);
     const std::size_t reason = table.front().rfind(kHeads.back());
@@ -187,7 +200,7 @@ ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t 
                    letters, lines, page);
 }
 
-ScreenPage plan_lines(const frame::FramePlan& plan, bool measures, std::size_t letters,
+ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t letters,
                       std::size_t lines, std::size_t page) {
     std::size_t effect = 0, runs = 0;
     for (const frame::Decision& d : plan.decisions) {
@@ -203,8 +216,8 @@ ScreenPage plan_lines(const frame::FramePlan& plan, bool measures, std::size_t l
             entry_of(line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")),
                      effect + runs + 4, letters));
     return page_of(line(kHeads[0], kHeads[1], kHeads.back()), entries,
-                   measures ? "costs and changes: when the picture stands still"
-                            : "costs and changes are not measured: no clock is shown",
+                   fmt::format("{}memory and changes: when the picture stands still",
+                               times ? "times, " : ""),
                    letters, lines, page);
 }
 

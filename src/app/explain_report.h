@@ -28,9 +28,9 @@ struct ScreenPage {
 ScreenPage screen_table(const measure::Explanation& explanation, std::size_t measured,
                         std::size_t letters, std::size_t lines, std::size_t page);
 
-// The plan alone: what each effect costs and changes takes many frames. measures: it will be found
-// out, once the picture stands still.
-ScreenPage plan_lines(const frame::FramePlan& plan, bool measures, std::size_t letters,
+// The plan alone: what each effect costs and changes takes many frames, and is found out once the
+// picture stands still. times: how long they take, too.
+ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t letters,
                       std::size_t lines, std::size_t page);
 
 } // namespace scanout::app

@@ -54,6 +54,12 @@ Json times(const RunReport& report) {
               {"tiles", median(&FrameStats::tiles_ms)}}}};
 }
 
+Json change_json(const measure::Change& change) {
+    return {{"pixels", change.pixels},
+            {"largest_code", change.largest_code},
+            {"mean_flip", change.mean_flip}};
+}
+
 Json effect_json(const measure::EffectRow& row) {
     const frame::Decision& d = row.decision;
     Json json = {{"effect", d.effect}, {"on", d.on()},       {"technique", d.technique},
@@ -61,9 +67,7 @@ Json effect_json(const measure::EffectRow& row) {
                  {"bytes", row.bytes}};
     json["pixel_share"] = row.pixel_share ? Json(*row.pixel_share) : Json(nullptr);
     if (row.change) {
-        json["switched"] = {{"pixels", row.change->pixels},
-                            {"largest_code", row.change->largest_code},
-                            {"mean_flip", row.change->mean_flip}};
+        json["switched"] = change_json(*row.change);
     } else {
         json["switched"] = nullptr;
         if (!row.refusal.empty()) json["refused"] = row.refusal;
@@ -71,7 +75,13 @@ Json effect_json(const measure::EffectRow& row) {
     if (const auto& away = row.faces_away)
         json["faces_away"] = {
             {"triangles", away->triangles}, {"of", away->of}, {"pixels", away->pixels}};
-    if (!row.cheapest.empty()) json["compared_with"] = row.cheapest;
+    if (!row.compared_with.empty()) json["compared_with"] = row.compared_with;
+    if (row.automatic) {
+        json["automatic"] = change_json(row.automatic->change);
+        json["automatic"]["technique"] = row.automatic->technique;
+        if (row.automatic->milliseconds)
+            json["automatic"]["ms"] = rounded(-*row.automatic->milliseconds);
+    }
     if (row.milliseconds) json["ms"] = rounded(*row.milliseconds);
     return json;
 }

@@ -72,7 +72,8 @@ Result<void> ViewSession::run() {
         TRY_VOID(advance(now));
         if (quit_) break;
         TRY_VOID(draw_if_due(now));
-        TRY_VOID(explain_a_row());
+        if (viewer_.state().explain == 0) explainer_.reset();
+        if (wants_row()) TRY_VOID(explain_a_row());
         TRY_VOID(wait());
     }
     return outcome();
@@ -83,6 +84,8 @@ Result<void> ViewSession::run_instantly() {
     const std::size_t entries = parts_.script ? parts_.script->size() : 0;
     while (!quit_) {
         TRY_VOID(play_script());
+        while (!viewer_.moving() && lacks_rows() && viewer_.view(model_->scene.mesh))
+            TRY_VOID(explain_a_row());
         if (wants_frame()) TRY_VOID(draw(wanted()));
         if (quit_ || frame_file_) continue;
         TRY_VOID(take_input());
@@ -338,7 +341,9 @@ Overlay ViewSession::overlay() const {
     Overlay overlay;
     if (state.help) overlay.help = help_sheet(state);
     overlay.message = message_;
-    if (message_.empty() && model_) overlay.message = viewer_.light_line(model_->scene.mesh);
+    if (message_.empty() && model_)
+        overlay.message =
+            viewer_.light_line(model_->scene.mesh, letters_across(display.width, display.height));
     if (!error_.empty())
         overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
     if (state.explain > 0) overlay.explain = explain_page().lines;
@@ -365,7 +370,9 @@ ScreenPage ViewSession::explain_page() const {
     const std::size_t all = lines_down(display.width, display.height);
     const std::size_t lines = all > others ? all - others : 1;
     const auto page = static_cast<std::size_t>(state.explain);
-    if (explains_this()) return screen_table(explainer_->so_far(), rows_, letters, lines, page);
+    // How far it has come at a moment is a matter of the clock.
+    if (explains_this() && (!steady_ || explainer_->finished()))
+        return screen_table(explainer_->so_far(), rows_, letters, lines, page);
     const auto now = model_ ? plan() : fail(Exit::internal, "no model");
     return now ? plan_lines(*now, !steady_, letters, lines, page) : ScreenPage();
 }
@@ -394,17 +401,19 @@ bool ViewSession::explains_this() const {
            explained_generation_ == generation_ && explained_look_ == look;
 }
 
-// The plan is on the screen, its figures are not all there, and nothing else is to be done.
+// The plan is on the screen, and its figures are not all there.
+bool ViewSession::lacks_rows() const {
+    return viewer_.state().explain > 0 && model_ && (!explains_this() || !explainer_->finished());
+}
+
+// And nothing else is to be done.
 bool ViewSession::wants_row() const {
-    return viewer_.state().explain > 0 && model_ && in_view_ && !steady_ && !lost_ &&
-           parts_.display.ready() && !next_step() && !wants_frame() &&
-           (!explains_this() || !explainer_->finished());
+    return lacks_rows() && in_view_ && !lost_ && parts_.display.ready() && !next_step() &&
+           !wants_frame();
 }
 
 // Switches one effect, so that keys are heard in between.
 Result<void> ViewSession::explain_a_row() {
-    if (viewer_.state().explain == 0) explainer_.reset();
-    if (!wants_row()) return {};
     if (explains_this()) {
         explainer_->step();
         ++rows_;
@@ -412,12 +421,14 @@ Result<void> ViewSession::explain_a_row() {
     }
     TRY(const scene::View view, viewer_.view(model_->scene.mesh));
     measure::ExplainOptions how;
+    how.times = !steady_;
     how.seconds_a_row = 0.05;
     how.fewest_pairs = 1; // keys wait for a row
     TRY(explainer_,
         measure::Explainer::create(model_->scene, facts_, view, options(), parts_.jobs, how));
     rows_ = 0;
-    explained_look_ = shown_.look;
+    explained_look_ = viewer_.state().look;
+    explained_look_.turntable = false;
     explained_generation_ = generation_;
     return {};
 }

@@ -92,6 +92,7 @@ private:
     bool wants_row() const;
     Result<void> explain_a_row();
     bool explains_this() const;
+    bool lacks_rows() const;
     Result<void> render();
     const image::Image& frame();
     Result<void> present();

@@ -45,8 +45,9 @@ public:
     Result<scene::View> view(const geom::Mesh& mesh) const;
     // The frame's lights where keys and mouse have put them.
     std::vector<scene::Light> lights(const geom::Mesh& mesh) const;
-    // A line about the light that is selected; empty: none is.
-    std::string light_line(const geom::Mesh& mesh) const;
+    // A line about the light that is selected, with short words where `letters` would be too few;
+    // empty: none is.
+    std::string light_line(const geom::Mesh& mesh, std::size_t letters) const;
 
 private:
     bool turning() const { return state_.look.turntable && !drag_; }

@@ -44,16 +44,21 @@ std::vector<scene::Light> Viewer::lights(const geom::Mesh& mesh) const {
     return moved;
 }
 
-std::string Viewer::light_line(const geom::Mesh& mesh) const {
+std::string Viewer::light_line(const geom::Mesh& mesh, std::size_t letters) const {
     if (!moves_light()) return {};
     const scene::Light light = lights(mesh)[static_cast<std::size_t>(state_.light)];
     const scene::LightPlace place = place_of(light, state_.look.up, mesh);
-    const std::string where = light.kind == scene::LightKind::ambient
-                                  ? ""
-                                  : fmt::format("  azimuth {:.0f}  elevation {:.0f}",
-                                                place.azimuth_degrees, place.elevation_degrees);
-    return fmt::format("light {} of {}: {}{}  power {:.3g}", state_.light + 1, lights_.size(),
-                       light.name, where, light.power);
+    const auto line = [&](std::string_view azimuth, std::string_view elevation) {
+        const std::string where =
+            light.kind == scene::LightKind::ambient
+                ? ""
+                : fmt::format("  {} {:.0f}  {} {:.0f}", azimuth, place.azimuth_degrees, elevation,
+                              place.elevation_degrees);
+        return fmt::format("light {} of {}: {}{}  power {:.3g}", state_.light + 1, lights_.size(),
+                           light.name, where, light.power);
+    };
+    const std::string whole = line("azimuth", "elevation");
+    return whole.size() <= letters ? whole : line("az", "el");
 }
 
 } // namespace scanout::app

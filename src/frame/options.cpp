@@ -9,6 +9,8 @@ namespace scanout::frame {
 
 namespace {
 
+constexpr std::string_view kSides[] = {"auto", "back", "front"}; // [Cull]
+
 // What is asked for on an axis; null where it has no option. Of const options, a const string.
 template <class Options>
 auto find_axis(Options& o, std::string_view axis) -> decltype(&o.texture) {
@@ -40,6 +42,12 @@ auto find_axis(Options& o, std::string_view axis) -> decltype(&o.texture) {
 } // namespace
 
 bool ask(FrameOptions& options, std::string_view axis, std::string_view technique) {
+    if (axis == "cull") {
+        const auto* const side = std::find(std::begin(kSides), std::end(kSides), technique);
+        if (side == std::end(kSides)) return false;
+        options.cull = static_cast<Cull>(side - std::begin(kSides));
+        return true;
+    }
     std::string* asked = find_axis(options, axis);
     if (asked == nullptr) return false;
     *asked = technique;
@@ -48,7 +56,6 @@ bool ask(FrameOptions& options, std::string_view axis, std::string_view techniqu
 }
 
 std::string asked_for(const FrameOptions& options, std::string_view axis) {
-    constexpr std::string_view kSides[] = {"auto", "back", "front"};
     if (axis == "cull") return std::string(kSides[static_cast<std::size_t>(options.cull)]);
     if (axis == "aa" && options.aa == "auto" && options.samples != 1)
         return fmt::format("samples_{}", options.samples);

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace scanout::image {
 namespace {
@@ -163,11 +164,16 @@ Plane length_of(const Plane& x, const Plane& y) {
     return out;
 }
 
+constexpr double kFeatureDeviation = 0.5 * kFeatureWidth * kPixelsPerDegree;
+constexpr int feature_radius() {
+    return static_cast<int>(3 * kFeatureDeviation) + 1;
+}
+
 Features features(Plane luminance) {
     for (double& y : luminance.value)
         y = (y + 16) / 116; // [0, 1]
-    const double deviation = 0.5 * kFeatureWidth * kPixelsPerDegree;
-    const int radius = static_cast<int>(3 * deviation) + 1;
+    constexpr double deviation = kFeatureDeviation;
+    constexpr int radius = feature_radius();
     std::vector<double> smooth, slope, bend;
     for (int x = -radius; x <= radius; ++x) {
         const double g = exponential(-(x * x) / (2 * deviation * deviation));
@@ -190,12 +196,8 @@ double magnitude_of_difference(double a, double b) {
     return a > b ? a - b : b - a;
 }
 
-} // namespace
-
-std::vector<float> flip_map(const Image& reference, const Image& test) {
-    CHECK(reference.width() == test.width() && reference.height() == test.height());
+std::vector<float> map_of_all(const Image& reference, const Image& test) {
     std::vector<float> map(reference.pixels().size());
-    if (map.empty() || reference == test) return map;
     const auto opponents_r = opponents(reference), opponents_t = opponents(test);
     const std::vector<Lab> seen_r = perceived(opponents_r), seen_t = perceived(opponents_t);
     const Features features_r = features(opponents_r[0]), features_t = features(opponents_t[0]);
@@ -209,6 +211,48 @@ std::vector<float> flip_map(const Image& reference, const Image& test) {
         const double feature_error = std::min(pow(feature / sqrt(2.0), kFeatureExponent), 1.0);
         map[i] = static_cast<float>(pow(colour, 1 - feature_error));
     }
+    return map;
+}
+
+// Where a difference can show, and what decides about it: filters reach one radius from a pixel
+// that differs, and pixels there see one radius further. Beyond, the map is 0.
+Rect surroundings_of_differences(const Image& reference, const Image& test) {
+    Rect box{reference.width(), reference.height(), 0, 0};
+    for (int y = 0; y < reference.height(); ++y)
+        for (int x = 0; x < reference.width(); ++x) {
+            if (reference.at(x, y) == test.at(x, y)) continue;
+            box = {std::min(box.x0, x), std::min(box.y0, y), std::max(box.x1, x + 1),
+                   std::max(box.y1, y + 1)};
+        }
+    const int reach = 2 * std::max(sensitivity_radius(), feature_radius());
+    return {std::max(box.x0 - reach, 0), std::max(box.y0 - reach, 0),
+            std::min(box.x1 + reach, reference.width()),
+            std::min(box.y1 + reach, reference.height())};
+}
+
+Image part_of(const Image& image, const Rect& area) {
+    Image part(area.width(), area.height());
+    for (int y = 0; y < area.height(); ++y)
+        for (int x = 0; x < area.width(); ++x)
+            part.at(x, y) = image.at(area.x0 + x, area.y0 + y);
+    return part;
+}
+
+} // namespace
+
+std::vector<float> flip_map(const Image& reference, const Image& test) {
+    CHECK(reference.width() == test.width() && reference.height() == test.height());
+    std::vector<float> map(reference.pixels().size());
+    if (map.empty() || reference == test) return map;
+    const Rect area = surroundings_of_differences(reference, test);
+    const std::vector<float> part = map_of_all(part_of(reference, area), part_of(test, area));
+    const auto width = static_cast<std::size_t>(area.width());
+    for (std::size_t y = 0; y < static_cast<std::size_t>(area.height()); ++y)
+        std::copy_n(part.begin() + static_cast<std::ptrdiff_t>(y * width), width,
+                    map.begin() + static_cast<std::ptrdiff_t>(
+                                      (static_cast<std::size_t>(area.y0) + y) *
+                                          static_cast<std::size_t>(reference.width()) +
+                                      static_cast<std::size_t>(area.x0)));
     return map;
 }
 

@@ -29,10 +29,22 @@ std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t no
     return material < 0 ? none : static_cast<std::size_t>(material);
 }
 
-// The cheapest technique of an axis of rungs: they stand in this order; empty for other axes.
-std::string_view cheapest_on(std::string_view axis) {
+// The technique that does least: of rungs the cheapest, which stands first; light beyond 1 is cut
+// off, and textures repeat. Empty for axes on which no technique is less than the others.
+std::string_view plainest_on(std::string_view axis) {
     for (const Technique* technique : frame::techniques())
-        if (technique->axis == axis && technique->kind == Kind::rung) return technique->name;
+        if (technique->axis == axis &&
+            (technique->kind == Kind::rung || axis == "tone" || axis == "wrap"))
+            return technique->name;
+    return {};
+}
+
+// The axis whose techniques an effect has; empty where it has none to choose from.
+std::string_view axis_of(const frame::Decision& effect, const frame::FramePlan& plan) {
+    if (effect.effect == "texture") return plan.source != nullptr ? "" : "texture";
+    if (effect.effect == "highlight") return "reflection";
+    if (effect.effect == "shadow") return "shadow";
+    if (effect.effect == "cut_out" || effect.effect == "blending") return "transparency";
     return {};
 }
 
@@ -134,6 +146,14 @@ Result<int> Explainer::special_rows() const {
     return special;
 }
 
+// The options without what is asked for on an axis; nothing where nothing is.
+std::optional<frame::FrameOptions> Explainer::automatic(std::string_view axis) const {
+    frame::FrameOptions options = options_;
+    if (frame::asked_for(options_, axis) == "auto" || !frame::ask(options, axis, "auto"))
+        return std::nullopt;
+    return options;
+}
+
 // The options with a row the other way round; nothing where there is no other way.
 std::optional<frame::FrameOptions> Explainer::switched(EffectRow& row) const {
     frame::FrameOptions options = options_;
@@ -142,17 +162,44 @@ std::optional<frame::FrameOptions> Explainer::switched(EffectRow& row) const {
         options.effects[d.effect] = !d.on();
         return options;
     }
-    const std::string_view cheapest = cheapest_on(d.effect);
-    if (!d.on() || cheapest.empty() || d.technique == cheapest ||
-        !frame::ask(options, d.effect, cheapest))
+    if (const auto unasked = automatic(d.effect)) {
+        const auto plan = frame::plan(*unasked, facts_, view_);
+        if (plan && plan->decision(d.effect)->technique != d.technique) {
+            row.compared_with = plan->decision(d.effect)->technique;
+            return unasked;
+        }
+    }
+    const std::string_view plainest = plainest_on(d.effect);
+    if (!d.on() || plainest.empty() || d.technique == plainest ||
+        !frame::ask(options, d.effect, plainest))
         return std::nullopt;
-    row.cheapest = cheapest;
+    row.compared_with = plainest;
     return options;
+}
+
+Change Explainer::change_to(const frame::FramePlan& other) {
+    return change_between(picture_, other_renderer_.render(scene_, view_, other));
+}
+
+// In turn: what else the machine does meets both alike. The first frame of each made room.
+std::optional<double> Explainer::milliseconds_against(const frame::FramePlan& other) {
+    if (!how_.times) return std::nullopt;
+    std::vector<double> differences;
+    const Stopwatch watch;
+    while (differences.size() < how_.fewest_pairs ||
+           (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
+        renderer_.render(scene_, view_, plan_);
+        other_renderer_.render(scene_, view_, other);
+        own_times_.push_back(renderer_.stats().total_ms);
+        differences.push_back(own_times_.back() - other_renderer_.stats().total_ms);
+    }
+    so_far_.milliseconds = median(own_times_);
+    return median(differences);
 }
 
 void Explainer::step() {
     EffectRow& row = so_far_.rows[measured_++];
-    const bool on = row.decision.on();
+    const frame::Decision& d = row.decision;
     const auto options = switched(row);
     if (!options) return;
     const auto other = frame::plan(*options, facts_, view_);
@@ -160,22 +207,18 @@ void Explainer::step() {
         row.refusal = other.error().what;
         return;
     }
-    row.change = change_between(picture_, other_renderer_.render(scene_, view_, *other));
-    if (!how_.times) return;
-    // In turn: what else the machine does meets both alike. The first frame of each made room.
-    std::vector<double> differences;
-    const Stopwatch watch;
-    while (differences.size() < how_.fewest_pairs ||
-           (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
-        renderer_.render(scene_, view_, plan_);
-        other_renderer_.render(scene_, view_, *other);
-        const double own = renderer_.stats().total_ms;
-        const double others = other_renderer_.stats().total_ms;
-        own_times_.push_back(own);
-        differences.push_back(on ? own - others : others - own);
-    }
-    row.milliseconds = median(differences);
-    so_far_.milliseconds = median(own_times_);
+    row.change = change_to(*other);
+    row.milliseconds = milliseconds_against(*other);
+    if (row.milliseconds && !d.on() && !d.choice) *row.milliseconds = -*row.milliseconds;
+    if (d.choice || !d.on()) return;
+    const auto unasked = automatic(axis_of(d, plan_));
+    if (!unasked) return;
+    const auto own_choice = frame::plan(*unasked, facts_, view_);
+    if (!own_choice) return;
+    const std::string& technique = own_choice->decision(d.effect)->technique;
+    if (technique == d.technique) return;
+    const Change change = change_to(*own_choice);
+    row.automatic = Alternative{technique, change, milliseconds_against(*own_choice)};
 }
 
 Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,

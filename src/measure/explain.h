@@ -29,6 +29,14 @@ struct Change {
     friend bool operator==(const Change&, const Change&) = default;
 };
 
+// What the plan would take by itself, and what the technique that runs changes and costs against
+// it.
+struct Alternative {
+    std::string technique;
+    Change change;
+    std::optional<double> milliseconds;
+};
+
 // What turns its back to the eye.
 struct FacesAway {
     std::size_t triangles = 0, of = 0; // whatever hides them
@@ -42,14 +50,16 @@ struct EffectRow {
     std::optional<double> pixel_share;
     std::optional<FacesAway> faces_away; // of two_sided where it is on
     std::uint64_t bytes = 0;             // that the effect holds
-    // When it is switched the other way, or, on an axis that has no "off", to its cheapest
-    // technique; or why it cannot be. Nothing where the cheapest one runs.
+    // When it is switched the other way, or, on an axis that has no "off", to another technique:
+    // what the plan would take by itself where the user names one, else the cheapest; or why it
+    // cannot be. Nothing where there is no other.
     std::optional<Change> change;
-    std::string cheapest; // the technique it is compared with; empty: on or off
+    std::string compared_with; // the other technique; empty: on or off
     std::string refusal;
-    // A frame with it minus one without (or with the cheapest), median of pairs; nothing without
-    // times or comparison.
+    // A frame with it minus one without (or with the other technique), median of pairs; nothing
+    // without times or comparison.
     std::optional<double> milliseconds;
+    std::optional<Alternative> automatic; // of an effect whose technique the user names
 };
 
 struct Explanation {
@@ -95,6 +105,9 @@ private:
     Result<void> count_pixels();
     Result<int> special_rows() const;
     std::optional<frame::FrameOptions> switched(EffectRow& row) const;
+    std::optional<frame::FrameOptions> automatic(std::string_view axis) const;
+    Change change_to(const frame::FramePlan& other);
+    std::optional<double> milliseconds_against(const frame::FramePlan& other);
 
     const scene::Scene& scene_;
     scene::View view_;

@@ -164,6 +164,23 @@ TEST_F(Session, XLaysThePlanOnThePictureAndTakesItAway) {
     EXPECT_NE(*image::load(open), rendered({}));
 }
 
+// What needs no clock is there at once, and the same in every run.
+TEST_F(Session, AReplayShowsThePlanWithItsFigures) {
+    const std::string first = folder.file("first.png"), again = folder.file("again.png");
+    for (const std::string& file : {first, again}) {
+        port::HeadlessDisplay display =
+            std::move(*port::HeadlessDisplay::create(1000, 700, image::PixelFormat{}));
+        ASSERT_TRUE(play("toggle_explain\nframe " + file + "\n", display));
+    }
+    EXPECT_EQ(*image::load(first), *image::load(again));
+    // The plan's reasons alone are narrower than a table with figures.
+    std::optional<port::HeadlessDisplay> display;
+    display.emplace(std::move(*port::HeadlessDisplay::create(1000, 700, image::PixelFormat{})));
+    const std::string moving = folder.file("moving.png");
+    ASSERT_TRUE(play("toggle_turntable\ntoggle_explain\nframe " + moving + "\n", *display));
+    EXPECT_NE(*image::load(moving), *image::load(first));
+}
+
 TEST_F(Session, XTurnsThePagesOfThePlanAndThenTakesItAway) {
     port::HeadlessDisplay display =
         std::move(*port::HeadlessDisplay::create(640, 480, image::PixelFormat{}));

@@ -402,19 +402,21 @@ TEST(ViewerLights, ADragIsTheSameInOneStepAndInMany) {
 
 TEST(ViewerLights, TheLineNamesTheOneThatIsSelected) {
     Bench bench;
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh), "");
+    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80), "");
     bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh),
+    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80),
               "light 1 of 3: key  azimuth -18  elevation 25  power 0.8");
+    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 54), // one letter less than it has
+              "light 1 of 3: key  az -18  el 25  power 0.8");
     bench.act(Id::light_next);
     bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh), "light 3 of 3: ambient  power 0.15");
+    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80), "light 3 of 3: ambient  power 0.15");
     Settings dark;
     dark.frame.lights.clear();
     Bench none(dark);
     none.act(Id::light_next);
     EXPECT_EQ(none.viewer.state().light, -1);
-    EXPECT_EQ(none.viewer.light_line(none.mesh), "");
+    EXPECT_EQ(none.viewer.light_line(none.mesh, 80), "");
 }
 
 } // namespace

@@ -140,6 +140,25 @@ TEST(Flip, IsWhatThePapersEquationsSay) {
     EXPECT_GT(largest, 0.5);
 }
 
+// What is far from every difference is not looked at, and nothing near one is forgotten.
+TEST(Flip, IsThatOfTheWholePictureWhereLittleOfItDiffers) {
+    const Image a = random_picture(64, 56, 3, true);
+    Image b = a;
+    b.at(30, 28) = {255, 0, 255, 255};
+    b.at(33, 26) = {0, 255, 0, 255};
+    const std::vector<float> got = flip_map(a, b);
+    int shown = 0;
+    for (int y = 0; y < a.height(); ++y)
+        for (int x = 0; x < a.width(); ++x) {
+            const float value = got[static_cast<std::size_t>(y * a.width() + x)];
+            const bool far = x < 19 || x > 44 || y < 15 || y > 39;
+            const double expected = far ? 0 : plain_flip(a, b, x, y);
+            ASSERT_NEAR(value, expected, far ? 0 : 5e-5) << x << ',' << y;
+            shown += value > 1e-4F ? 1 : 0;
+        }
+    EXPECT_GT(shown, 300) << "as far as the filters reach";
+}
+
 TEST(Flip, HasTheValuesThatFollowByHand) {
     const auto of = [](Rgba8 a, Rgba8 b) { return mean_flip(Image(40, 30, a), Image(40, 30, b)); };
     // Flat pictures have no features: the colour's part alone is left. The scale's end is green

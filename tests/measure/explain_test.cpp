@@ -127,17 +127,65 @@ TEST(Explain, SaysWhatChangesWhenAnEffectIsSwitched) {
 TEST(Explain, ComparesAnAxisThatHasNoOffWithItsCheapestTechnique) {
     Shot s = test::solids("balls");
     Explanation e = explained(s);
-    EXPECT_EQ(row(e, "shading").cheapest, "flat");
+    EXPECT_EQ(row(e, "shading").compared_with, "flat");
     Shot flat = s;
     flat.options.shading = "flat";
     ASSERT_TRUE(row(e, "shading").change);
     EXPECT_EQ(row(e, "shading").change->pixels,
               image::compare(test::draw(s), test::draw(flat)).differing_pixels);
     EXPECT_GT(row(e, "shading").change->pixels, 100);
-    e = explained(flat);
-    EXPECT_FALSE(row(e, "shading").change) << "nothing is cheaper";
-    EXPECT_EQ(row(e, "shading").cheapest, "");
-    EXPECT_EQ(row(e, "shading").refusal, "");
+    EXPECT_FALSE(row(e, "tone").change) << "nothing is less";
+    EXPECT_EQ(row(e, "tone").compared_with, "");
+}
+
+// Of a rung that the user names what counts is how far it is from what would be drawn without.
+TEST(Explain, ComparesATechniqueThatTheUserNamesWithTheAutomaticOne) {
+    Shot s = test::solids("balls");
+    const image::Image whole = test::draw(s);
+    const struct {
+        const char *axis, *technique, *automatic;
+        bool differs;
+    } rows[] = {
+        {"shading", "flat", "per_pixel", true},  {"shading", "gouraud", "per_pixel", true},
+        {"depth_test", "less", "greater", true}, {"stencil", "outline", "none", true},
+        {"tone", "filmic", "clamp", true},       {"convolution", "low_pass", "off", true},
+        {"encode", "power_2_2", "srgb", true},   {"interpolate", "affine", "perspective", true},
+        {"cull", "back", "none", false},         {"cull", "front", "none", true}};
+    for (const auto& asked : rows) {
+        SCOPED_TRACE(std::string(asked.axis) + " " + asked.technique);
+        Shot other = s;
+        ASSERT_TRUE(frame::ask(other.options, asked.axis, asked.technique));
+        const EffectRow found = row(explained(other), asked.axis);
+        EXPECT_EQ(found.decision.technique, asked.technique);
+        EXPECT_EQ(found.compared_with, asked.automatic);
+        ASSERT_TRUE(found.change);
+        const image::Difference d = image::compare(test::draw(other), whole);
+        EXPECT_EQ(found.change->pixels, d.differing_pixels);
+        EXPECT_EQ(found.change->largest_code, d.max_difference);
+        EXPECT_EQ(found.change->pixels > 0, asked.differs);
+    }
+}
+
+TEST(Explain, SaysOfAnEffectWhatItsAutomaticTechniqueWouldChange) {
+    Shot s = stripes();
+    const image::Image whole = test::draw(s);
+    EXPECT_FALSE(row(explained(s), "texture").automatic);
+    s.options.texture = "nearest";
+    ExplainOptions how;
+    how.seconds_a_row = 0;
+    const EffectRow texture = row(explained(s, how), "texture");
+    ASSERT_TRUE(texture.automatic);
+    EXPECT_EQ(texture.automatic->technique, "trilinear");
+    EXPECT_TRUE(texture.automatic->milliseconds);
+    const image::Difference d = image::compare(test::draw(s), whole);
+    EXPECT_EQ(texture.automatic->change.pixels, d.differing_pixels);
+    EXPECT_GT(d.differing_pixels, 100);
+    EXPECT_EQ(texture.compared_with, "") << "the columns say what it changes to have none";
+    s.options.texture = "trilinear"; // what it would have been
+    EXPECT_FALSE(row(explained(s), "texture").automatic);
+    s.options.effects = {{"texture", false}};
+    s.options.texture = "nearest";
+    EXPECT_FALSE(row(explained(s), "texture").automatic) << "none runs";
 }
 
 TEST(Explain, AForcedRowIsSwitchedBackToWhatTheSceneCallsFor) {
