@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <utility>
 
 namespace scanout::app {
@@ -51,7 +52,8 @@ Result<void> read_power(Light& light, std::string_view text) {
     return {};
 }
 Result<void> read_size(Light& light, std::string_view text) {
-    TRY(light.size, number_between(text, 0, 1e300));
+    const bool degrees = light.kind == LightKind::directional;
+    TRY(light.size, number_between(text, 0, degrees ? scene::kMostRimDegrees : 1e300));
     return {};
 }
 Result<void> read_shape(Light& light, std::string_view text) {
@@ -90,34 +92,39 @@ Result<void> read_cone(Light& light, std::string_view text) {
     return {};
 }
 
+enum class Lights : std::uint8_t { all, directed, spots };
 struct Field {
     std::string_view name;
     Result<void> (*read)(Light&, std::string_view);
-    bool of_spots = false;
+    Lights of = Lights::directed;
+    bool is_of(LightKind kind) const {
+        return of == Lights::all || kind == LightKind::spot ||
+               (of == Lights::directed && kind != LightKind::ambient);
+    }
 };
-constexpr auto kFields = std::to_array<Field>({{"colour", read_colour},
-                                               {"color", read_colour},
-                                               {"power", read_power},
+constexpr auto kFields = std::to_array<Field>({{"colour", read_colour, Lights::all},
+                                               {"color", read_colour, Lights::all},
+                                               {"power", read_power, Lights::all},
+                                               {"name", read_name, Lights::all},
                                                {"size", read_size},
                                                {"shape", read_shape},
                                                {"shadow", read_shadow},
                                                {"frame", read_frame},
-                                               {"name", read_name},
-                                               {"to", read_target, true},
-                                               {"cone", read_cone, true}});
+                                               {"to", read_target, Lights::spots},
+                                               {"cone", read_cone, Lights::spots}});
 
 Result<void> read_field(Light& light, std::string_view part) {
     const std::size_t equals = part.find('=');
     std::vector<std::string_view> known;
     for (const Field& field : kFields) {
-        if (field.of_spots && light.kind != LightKind::spot) continue;
+        if (!field.is_of(light.kind)) continue;
         known.push_back(field.name);
         if (equals == std::string_view::npos || part.substr(0, equals) != field.name) continue;
         const Result<void> read = field.read(light, part.substr(equals + 1));
         if (!read) return fail(read.error().exit, "{} {}", field.name, read.error().what);
         return {};
     }
-    return fail(Exit::usage, "'{}' is not NAME=VALUE{}; a {} light has {}", part,
+    return fail(Exit::usage, "'{}' is not NAME=VALUE{}; {} lights have {}", part,
                 did_you_mean(part.substr(0, equals), known), name_of(light.kind),
                 fmt::join(known, " "));
 }

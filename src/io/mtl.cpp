@@ -51,7 +51,8 @@ constexpr std::array<std::string_view, 12> kNotKept = {"Kt",      "Ps",      "Pc
                                                        "aniso",   "anisor",  "map_Ps",    "map_aat",
                                                        "map_RMA", "map_ORM", "sharpness", "Km"};
 
-constexpr double kMost = 1e6; // of colours, exponents and options
+constexpr double kMost = 1e6;    // of colours, exponents and options
+constexpr double kFarOff = 1e30; // what is beyond this is read as this
 
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
@@ -73,10 +74,13 @@ private:
 
     std::optional<double> number();
     void colour(std::string_view name, Vec3& colour);
-    double between(std::string_view name, double value, double least, double most);
+    template <class Number>
+    Number between(std::string_view name, Number value, double least, double most);
     bool map_option(Cursor& at, TextureMap& map) const;
     bool map_options(Cursor& at, TextureMap& map) const;
     void map_file(TextureMap& map);
+    bool skip_unknown_option();
+    void limit_options(std::string_view name, TextureMap& map);
     void note_map_options(const Material& material);
     void not_drawn(std::string_view what);
 
@@ -185,6 +189,7 @@ bool MtlReader::map_statement(std::string_view key) {
         TextureMap map;
         map_file(map);
         map.line = at_.line;
+        limit_options(known.name, map);
         if (map.path.empty())
             warn("MTL map", fmt::format("{} names no file", known.name));
         else
@@ -255,8 +260,9 @@ std::optional<double> MtlReader::number() {
 }
 
 // What a material cannot have becomes the nearest that it can, in one line a name, and counted.
-double MtlReader::between(std::string_view name, double value, double least, double most) {
-    const double taken = std::clamp(value, least, most);
+template <class Number>
+Number MtlReader::between(std::string_view name, Number value, double least, double most) {
+    const Number taken = std::clamp(value, static_cast<Number>(least), static_cast<Number>(most));
     if (taken != value)
         warn(fmt::format("MTL {}", name),
              fmt::format("{} is {}, which is not between {} and {}; {} is taken", name, value,
@@ -299,7 +305,7 @@ bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
         ahead.skip_blanks();
         double n = 0;
         if (ahead.number(n) != NumberFault::none) return false;
-        value = clamped(n, -kMost, kMost);
+        value = clamped(n, -kFarOff, kFarOff);
         at = ahead;
         return true;
     };
@@ -351,10 +357,43 @@ bool MtlReader::map_options(Cursor& at, TextureMap& map) const {
     return any;
 }
 
+// Over an option that is not known and the numbers behind it; unless that is all there is, and so
+// the file's name. Whether there was one.
+bool MtlReader::skip_unknown_option() {
+    Cursor ahead = at_;
+    const std::string_view option = ahead.word();
+    if (option.size() < 2 || option[0] != '-') return false;
+    double number = 0;
+    do
+        ahead.skip_blanks();
+    while (!ahead.at_statement_end() && ahead.number(number) == NumberFault::none);
+    if (ahead.at_statement_end()) return false;
+    warn("MTL map option", "an option of a map is not known; it is left out");
+    at_ = ahead;
+    return true;
+}
+
+void MtlReader::limit_options(std::string_view name, TextureMap& map) {
+    const auto limit = [&](std::string_view option, float& value) {
+        value = between(fmt::format("{} {}", name, option), value, -kMost, kMost);
+    };
+    limit("-bm", map.bump_multiplier);
+    limit("-boost", map.boost);
+    limit("-mm", map.base);
+    limit("-mm", map.gain);
+    for (int c = 0; c < 3; ++c) {
+        limit("-o", map.offset[c]);
+        limit("-s", map.scale[c]);
+        limit("-t", map.turbulence[c]);
+    }
+}
+
 // "[options] file name [options]": the name may hold blanks, and some exporters write options
 // behind it.
 void MtlReader::map_file(TextureMap& map) {
-    map_options(at_, map);
+    do
+        map_options(at_, map);
+    while (skip_unknown_option());
     std::string name = at_.rest();
     for (std::size_t i = name.find(" -"); i != std::string::npos; i = name.find(" -", i + 1)) {
         Cursor tail(std::string_view(name).substr(i));

@@ -99,7 +99,7 @@ ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) 
     if (light.kind == LightKind::ambient) return seen;
     if (light.kind == LightKind::directional) {
         seen.towards = Vec3(placer.direction(light.towards));
-        const double rim = std::clamp(light.size, 0.0, 80.0);
+        const double rim = std::clamp(light.size, 0.0, kMostRimDegrees);
         seen.size = static_cast<float>(sin_degrees(rim) / cos_degrees(rim));
         return seen;
     }

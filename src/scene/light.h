@@ -46,6 +46,7 @@ struct Light {
 };
 
 inline constexpr std::size_t kMostLights = 32;
+inline constexpr double kMostRimDegrees = 80; // of a directional light's size
 inline constexpr double kMostPower = 1e4;
 inline constexpr float kAmbient = 0.15F; // of Kd (DESIGN 1)
 

@@ -96,7 +96,14 @@ TEST(LightSpec, SaysWhatIsWrong) {
     EXPECT_THAT(refusal("point:1,2,3:powr=2"), HasSubstr("did you mean 'power'?"));
     EXPECT_THAT(refusal("point:1,2,3:power=-1"), HasSubstr("power wants 0 to"));
     EXPECT_THAT(refusal("point:1,2,3:power=nan"), HasSubstr("power"));
-    EXPECT_THAT(refusal("point:1,2,3:cone=1,2"), HasSubstr("a point light has"));
+    EXPECT_THAT(refusal("point:1,2,3:cone=1,2"), HasSubstr("point lights have"));
+    EXPECT_THAT(refusal("directional:1,2,3:size=90"), HasSubstr("size wants 0 to 80, not 90"));
+    EXPECT_THAT(refusal("camera:size=81"), HasSubstr("size wants 0 to 80"));
+    EXPECT_EQ(lights_of({"directional:1,2,3:size=80"}).back().size, 80);
+    EXPECT_EQ(lights_of({"point:1,2,3:size=81"}).back().size, 81);
+    for (const char* field : {"size=2", "shape=square", "shadow=on", "frame=camera", "to=1,2,3"})
+        EXPECT_THAT(refusal(std::string("ambient:0.3:") + field),
+                    HasSubstr("ambient lights have colour color power name"));
     EXPECT_THAT(refusal("spot:1,2,3:cone=30,20"), HasSubstr("INNER"));
     EXPECT_THAT(refusal("spot:1,2,3:to=1,2,3"), HasSubstr("move `to`"));
     EXPECT_THAT(refusal("spot:1,2,3:cone=0,181"), HasSubstr("180"));

@@ -135,13 +135,35 @@ TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
     EXPECT_EQ(read_one("map_Kd -s 1 1 1 01.png").first().map_diffuse.path, "01.png");
     EXPECT_EQ(read_one("map_Kd a -b.png").first().map_diffuse.path, "a -b.png");
     EXPECT_EQ(read_one("map_Kd a -s.png").first().map_diffuse.path, "a -s.png");
-    EXPECT_EQ(read_one("map_Kd -unknown 3 a.png").first().map_diffuse.path, "-unknown 3 a.png");
+    EXPECT_EQ(read_one("map_Kd -b.png").first().map_diffuse.path, "-b.png");
+    EXPECT_EQ(read_one("map_Kd -s.png 1 2").first().map_diffuse.path, "-s.png 1 2");
     EXPECT_EQ(read_one("map_Kd \"a b.png\"").first().map_diffuse.path, "a b.png");
     EXPECT_EQ(read_one("map_Kd .\\a.jpg").first().map_diffuse.path, ".\\a.jpg");
     const Read none = read_one("map_Kd\nmap_bump -bm 1");
     EXPECT_FALSE(none.first().map_diffuse.given());
     EXPECT_FALSE(none.first().map_bump.given());
     EXPECT_TRUE(warned(none.warnings, {"x.mtl:2: map_Kd names no file", "1 more"}));
+}
+
+TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
+    const Read r = read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
+    EXPECT_EQ(r.first().map_diffuse.path, "a.png");
+    EXPECT_EQ(r.first().map_diffuse.scale.x, 2);
+    EXPECT_TRUE(r.first().map_diffuse.clamp);
+    EXPECT_EQ(r.first().map_specular.path, "b.png");
+    EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: an option of a map is not known", "2 more"}))
+        << all_lines(r.warnings);
+}
+
+TEST(Mtl, NumbersOfOptionsThatAreTooLargeAreLimitedInOneLineAName) {
+    const Read r = read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
+    EXPECT_EQ(r.first().map_bump.bump_multiplier, 1e6F);
+    EXPECT_EQ(r.first().map_diffuse.scale, Vec3(3, -1e6F, 1));
+    EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: map_bump -bm is 1e+30", "1000000 is taken"}))
+        << all_lines(r.warnings);
+    EXPECT_TRUE(warned(r.warnings, {"x.mtl:3: map_Kd -s is -1000000000", "-1000000 is taken"}))
+        << all_lines(r.warnings);
+    EXPECT_EQ(all_lines(r.warnings).find("map_Ks"), std::string::npos);
 }
 
 TEST(Mtl, AMapWithoutAColourShowsItsOwnColours) {
