@@ -27,6 +27,13 @@ constexpr double kSteepest = 0x1p12;
 // that is more than it rises anywhere but in the last texel of its lit side.
 constexpr float kBeyond = 16;
 
+// In the map a face that the light meets edge-on is thinner than a texel. What covers it, as the
+// lid of a box does the wall that nearly contains the lamp, stands in texels on the face's lit
+// side alone; those behind it show what lies beyond, as if the light came in there. So from kBeyond
+// on, and wholly from here on, lookups move over to the lit side, where the plane falls, and ask
+// nothing behind.
+constexpr float kEdgeOn = 3 * kBeyond;
+
 // The lanes' triangles' planes in a map.
 struct MapPlane {
     F32x8 per_x, per_y;     // depth a texel
@@ -94,15 +101,17 @@ constexpr float kRise = 3;
 
 // Where the light grazes a face, the next one, which leans towards it by an angle, rises above the
 // face's plane by that angle times the slope's square: so much more hides nothing there, up to what
-// kBeyond allows. For six degrees.
+// kBeyond allows above the plane, or to the receiver's own depth: what is nearer to the light than
+// that covers it, however far the plane has fallen. For six degrees.
 constexpr float kFold = 0.1F;
 
 struct Receiver {
     F32x8 x, y; // texels
     F32x8 depth, per_x, per_y, bias;
-    F32x8 rise_x, rise_y; // depth that hides nothing, a texel aside
-    F32x8 nearest;        // of its triangle
-    F32x8 fold;           // rises more that hide nothing
+    F32x8 rise_x, rise_y;   // depth that hides nothing, a texel aside
+    F32x8 nearest;          // of its triangle
+    F32x8 fold;             // rises more that hide nothing
+    F32x8 aside_x, aside_y; // towards its lit side, a texel that a lookup reaches from its middle
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
@@ -139,7 +148,17 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
     r.rise_y = rise * F32x8(1.0F / m.scale_y);
     r.nearest = plane.nearest + r.bias;
     const F32x8 slope_x = r.per_x / r.rise_x, slope_y = r.per_y / r.rise_y; // of kRise
-    r.fold = (slope_x * slope_x + slope_y * slope_y) * F32x8(kFold * kRise);
+    const F32x8 steep = slope_x * slope_x + slope_y * slope_y;
+    r.fold = steep * F32x8(kFold * kRise);
+    constexpr float kFrom = kBeyond * kBeyond / (kRise * kRise),
+                    kTo = kEdgeOn * kEdgeOn / (kRise * kRise);
+    const F32x8 edge_on =
+        minimum(maximum((steep - F32x8(kFrom)) * F32x8(1 / (kTo - kFrom)), F32x8(0.0F)), one);
+    // Down the plane, as far as a square's corner is.
+    const F32x8 aside = edge_on * (abs(r.per_x) + abs(r.per_y)) /
+                        maximum(r.per_x * r.per_x + r.per_y * r.per_y, F32x8(0x1p-100F));
+    r.aside_x = F32x8(0.0F) - r.per_x * aside;
+    r.aside_y = F32x8(0.0F) - r.per_y * aside;
     return r;
 }
 
@@ -159,10 +178,18 @@ HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, I32x8 tx, I32x8 ty
     const F32x8 dx = (to_f32(tx) + F32x8(0.5F)) - r.x, dy = (to_f32(ty) + F32x8(0.5F)) - r.y;
     const F32x8 rise = r.rise_x * abs(dx) + r.rise_y * abs(dy);
     const F32x8 plane = (r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias;
-    const F32x8 own = minimum(plane + rise * r.fold,
-                              maximum(r.nearest, r.depth) + rise * F32x8(kBeyond / kRise)) +
-                      rise;
+    const F32x8 beyond = minimum(plane, r.nearest) + rise * F32x8(kBeyond / kRise);
+    const F32x8 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
     return {gather(m.depth, row * I32x8(m.size) + column), maximum(own, F32x8(0.0F))};
+}
+// The one that lies so far aside from the receiver.
+HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
+    const F32x8 half = 0.5F;
+    return texel(m, r, texel_of((r.x + half * r.aside_x) + dx),
+                 texel_of((r.y + half * r.aside_y) + dy));
+}
+HWY_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
+    return texel_at(m, r, F32x8(0.0F), F32x8(0.0F));
 }
 // 1 where something stands between the texel's part of the receiver's plane and the light.
 HWY_INLINE F32x8 hidden(const Texel& t) {
@@ -174,7 +201,7 @@ HWY_INLINE F32x8 hidden(const Texel& t) {
 // folded over, as the lips of a mouth about a lamp within). Without this a filter let in light from
 // as far behind as kRise forgives at its rim.
 HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
-    const Texel own = texel(m, r, texel_of(r.x), texel_of(r.y));
+    const Texel own = own_texel(m, r);
     const auto behind = own.depth > own.own;
     const F32x8 zero = 0.0F;
     r.rise_x = select(behind, zero, r.rise_x);
@@ -186,12 +213,13 @@ HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
 HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
     forgive_nothing_behind(m, r);
     const float wide = static_cast<float>(k);
-    const I32x8 left = texel_of(r.x - F32x8(wide * 0.5F)), top = texel_of(r.y - F32x8(wide * 0.5F));
+    const F32x8 reach = 0.5F * (wide + 1), x0 = (r.x + reach * r.aside_x) - F32x8(wide * 0.5F),
+                y0 = (r.y + reach * r.aside_y) - F32x8(wide * 0.5F);
+    const I32x8 left = texel_of(x0), top = texel_of(y0);
     const auto part = [](F32x8 a) HWY_ATTR {
         return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
     };
-    const F32x8 one = 1.0F, fx = part((r.x - F32x8(wide * 0.5F)) - to_f32(left)),
-                fy = part((r.y - F32x8(wide * 0.5F)) - to_f32(top));
+    const F32x8 one = 1.0F, fx = part(x0 - to_f32(left)), fy = part(y0 - to_f32(top));
     F32x8 sum = 0.0F;
     for (int y = 0; y <= k; ++y) {
         F32x8 row = 0.0F;

@@ -48,10 +48,6 @@ constexpr Lattice drawn_in(const Lattice& even) {
 }
 constexpr Lattice kSquareSearch = drawn_in(kSquare), kDiscSearch = drawn_in(kDisc);
 
-HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
-    return texel(m, r, texel_of(r.x + dx), texel_of(r.y + dy));
-}
-
 // No wider than the map is from its middle.
 HWY_INLINE F32x8 radius(const ShadowMap& m, float texels, F32x8 depth) {
     return minimum(F32x8(texels) * maximum(depth, F32x8(0.0F)), F32x8(m.half));
@@ -90,11 +86,16 @@ HWY_INLINE F32x8 hidden_soft(const ShadowMap& m, const Receiver& r, const LightS
     const auto wide = (lowest < F32x8(kNone)) &
                       (maximum(wide_x, wide_y) > F32x8(0.5F * static_cast<float>(filter)));
     if (!any(wide)) return sharp;
-    F32x8 hides = 0.0F;
-    for (int i = 0; i < lattice.count; ++i)
-        hides = hides +
-                hidden(texel_at(m, r, wide_x * F32x8(lattice.x[i]), wide_y * F32x8(lattice.y[i])));
-    return select(wide, hides / F32x8(static_cast<float>(lattice.count)), sharp);
+    // A point of the light that stands behind the receiver's plane does not shine on it.
+    const F32x8 one = 1.0F, zero = 0.0F;
+    F32x8 hides = 0.0F, shines = 0.0F;
+    for (int i = 0; i < lattice.count; ++i) {
+        const F32x8 dx = wide_x * F32x8(lattice.x[i]), dy = wide_y * F32x8(lattice.y[i]);
+        const auto above = r.per_x * dx + r.per_y * dy <= lowest;
+        shines = shines + select(above, one, zero);
+        hides = hides + select(above, hidden(texel_at(m, r, dx, dy)), zero);
+    }
+    return select(wide, hides / maximum(shines, one), sharp);
 }
 
 void map_soft_run(Block& b, const FrameState& frame) {
