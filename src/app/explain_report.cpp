@@ -97,11 +97,11 @@ std::string verdict(const Explanation& explanation) {
 
 std::string because(const EffectRow& row) {
     std::string text = row.decision.because;
-    if (row.pixel_share && (row.decision.on() || *row.pixel_share > 0))
+    if (row.pixel_share && (row.decision.on() || row.decision.needed))
         text += fmt::format(", {:.1f} % of pixels", *row.pixel_share * 100);
     if (const auto& away = row.faces_away)
-        text += fmt::format("; {} of {} triangles face away, in {} pixel{}", away->triangles,
-                            away->of, away->pixels, away->pixels == 1 ? "" : "s");
+        text += fmt::format("; {} of {} triangles face away, nearest of all in {} pixel{}",
+                            away->triangles, away->of, away->pixels, away->pixels == 1 ? "" : "s");
     if (row.decision.forced) text += " (forced)";
     if (!row.compared_with.empty()) text += "; compared with " + row.compared_with;
     if (const auto& other = row.automatic) {
@@ -215,10 +215,10 @@ ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t lett
         entries.push_back(
             entry_of(line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")),
                      effect + runs + 4, letters));
-    return page_of(line(kHeads[0], kHeads[1], kHeads.back()), entries,
-                   fmt::format("{}memory and changes: when the picture stands still",
-                               times ? "times, " : ""),
-                   letters, lines, page);
+    return page_of(
+        line(kHeads[0], kHeads[1], kHeads.back()), entries,
+        fmt::format("{}memory and changes: when the picture stands still", times ? "times, " : ""),
+        letters, lines, page);
 }
 
 } // namespace scanout::app

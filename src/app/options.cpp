@@ -206,8 +206,8 @@ const std::array kOptions = std::to_array<Option>({
      "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own"},
     {"mapping", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.mapping; }),
-     "how textures lie on the model (`list techniques`); auto: by its uv, or as on a box where it "
-     "has none"},
+     "how textures lie on the model (`list techniques`); auto: by its uv; without any its maps are "
+     "left out, and a --source lies as on a box"},
     {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
      Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
      "how surfaces reflect (`list techniques`)"},
@@ -267,7 +267,8 @@ const std::array kOptions = std::to_array<Option>({
      "the plane NX x + NY y + NZ z = D, in the file's coordinates, on whose triangles --shadow "
      "projected falls; ground: the largest flat side of the model's box"},
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
-     "instead of the default (key, fill and ambient:0.15); may be given again: none, key, fill, "
+     "instead of key and fill (ambient:0.15 stays until it is named); may be given again: none, "
+     "key, fill, "
      "ambient:POWER, "
      "directional:X,Y,Z (where it comes from), point:X,Y,Z, spot:X,Y,Z:to=X,Y,Z:cone=INNER,OUTER "
      "in the file's coordinates, camera:X,Y,Z (fixed to the camera); each may go on with "

@@ -1,5 +1,7 @@
 #include "frame/alpha_facts.h"
 
+#include "frame/mesh_sides.h"
+
 #include <algorithm>
 
 namespace scanout::frame {
@@ -69,8 +71,9 @@ private:
 AlphaFacts alpha_facts(const scene::Scene& scene) {
     AlphaFacts facts;
     std::vector<std::size_t> uses(scene.materials.size() + 1, 0);
-    for (const std::int32_t material : scene.mesh.material)
-        ++uses[static_cast<std::size_t>(material + 1)];
+    for (std::size_t t = 0; t < scene.mesh.triangles(); ++t)
+        if (!is_collapsed(scene.mesh, t))
+            ++uses[static_cast<std::size_t>(scene.mesh.material[t] + 1)];
     facts.of_material.assign(uses.size(), AlphaClass::opaque);
     facts.maps.resize(uses.size());
     TextureClasses textures(scene);

@@ -16,9 +16,13 @@ namespace {
 class Census {
 public:
     explicit Census(const scene::Scene& scene) : scene_(scene), uses_(scene.materials.size(), 0) {
-        for (const std::int32_t material : scene.mesh.material)
-            if (material >= 0) ++uses_[static_cast<std::size_t>(material)];
+        for (std::size_t t = 0; t < scene.mesh.triangles(); ++t) {
+            if (is_collapsed(scene.mesh, t)) continue;
+            const std::int32_t material = scene.mesh.material[t];
+            ++(material < 0 ? unnamed_ : uses_[static_cast<std::size_t>(material)]);
+        }
     }
+    bool all_have_materials() const { return unnamed_ == 0; }
 
     // Notes the materials for which `calls` holds under the effect's name; returns how many
     // triangles have one of them.
@@ -44,13 +48,9 @@ public:
         const auto largest = [](const Vec3& c) { return std::max({c.x, c.y, c.z}); };
         const geom::Mesh& mesh = scene_.mesh;
         float diffuse = 0, colour = mesh.colour.empty() ? 1.0F : 0.0F;
-        std::size_t named = 0;
-        for (std::size_t i = 0; i < uses_.size(); ++i) {
-            named += uses_[i];
+        for (std::size_t i = 0; i < uses_.size(); ++i)
             if (uses_[i] > 0) diffuse = std::max(diffuse, largest(scene_.materials[i].diffuse));
-        }
-        if (named < mesh.triangles())
-            diffuse = std::max(diffuse, largest(scene::Material().diffuse));
+        if (unnamed_ > 0) diffuse = std::max(diffuse, largest(scene::Material().diffuse));
         for (const Vec3& c : mesh.colour)
             colour = std::max(colour, largest(c));
         return std::min(diffuse * colour, 1.0F);
@@ -58,7 +58,8 @@ public:
 
 private:
     const scene::Scene& scene_;
-    std::vector<std::size_t> uses_; // triangles of each material
+    std::vector<std::size_t> uses_; // triangles of each material; collapsed ones are not counted
+    std::size_t unnamed_ = 0;       // and of none
 };
 
 } // namespace
@@ -186,7 +187,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
     facts.brightest = census.brightest();
     facts.black_by_maps =
-        census.count([](const scene::Material&) { return true; }) == facts.triangles &&
+        census.all_have_materials() &&
         census.count([&](const scene::Material& m) { return maps.reflects(m); }) == 0;
     for (std::size_t i = 0; i < shade::kMaps; ++i) {
         const auto map = static_cast<shade::Map>(i);

@@ -162,6 +162,12 @@ double near_reach(const scene::View& view) {
 
 } // namespace
 
+bool is_collapsed(const geom::Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* v = &mesh.index[triangle * 3];
+    const Vec3 &a = mesh.position[v[0]], &b = mesh.position[v[1]], &c = mesh.position[v[2]];
+    return a == b || b == c || c == a;
+}
+
 MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_through) {
     std::vector<std::uint64_t> number(mesh.position.size());
     for (std::size_t i = 0; i < number.size(); ++i)
@@ -175,7 +181,7 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
         parts.join(v[0], v[1]);
         parts.join(v[0], v[2]);
         const Triangle t(mesh, v);
-        sides.leaning += t.leans(mesh, v) ? 1 : 0;
+        sides.leaning += t.leans(mesh, v) && !is_collapsed(mesh, i / 3) ? 1 : 0;
         planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
     }
     std::vector<Part> of(number.size());

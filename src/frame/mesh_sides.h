@@ -24,7 +24,7 @@ struct MeshSides {
     bool closed = false;  // all parts are
     bool outward = false; // the volume of the closed parts is positive: not wound inside out
     // Triangles with a normal that does not lie clearly on the side from which they wind counter-
-    // clockwise; those without an area, too.
+    // clockwise; those without an area, too, but for collapsed ones.
     std::size_t leaning = 0;
     // No triangle throws a shadow on another: all lie in one plane, or the mesh is closed, wound
     // outwards, and nothing of it rises above any of its (few) planes.
@@ -33,6 +33,8 @@ struct MeshSides {
     PlaneSet open_planes;          // in which those lie: before all of them no back is seen
     std::vector<Box> closed_boxes; // of the closed parts; the last of all that come after it, too
 };
+// Two of the triangle's corners stand at one place: it is never drawn.
+bool is_collapsed(const geom::Mesh& mesh, std::size_t triangle);
 // lets_through: for each triangle; empty where none does.
 MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_through = {});
 

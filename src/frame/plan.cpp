@@ -1,7 +1,9 @@
 #include "frame/planner.h"
+#include "math/transcendental.h"
 #include "raster/sample_pattern.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -41,6 +43,27 @@ void put_in_order(std::vector<const shade::Stage*>& stages) {
                      [&](const auto* a, const auto* b) { return place(a) < place(b); });
 }
 
+// Whether something of the model may lie in the picture: its bounding sphere, with room for the
+// width of lines. A view without a near plane, as of a plan that knows none, is anywhere.
+bool may_be_seen(const scene::View& view) {
+    if (!(view.near_distance > 0)) return true;
+    constexpr double kRoom = 1.05;
+    double radius = 0; // the model is scaled along its axes, then turned
+    for (int axis = 0; axis < 3; ++axis)
+        radius = std::max(radius, scanout::sqrt(dot3(view.linear[axis], view.linear[axis])));
+    radius *= kRoom;
+    const DVec3& at = view.translation;
+    const auto beside = [&](double across, double half) {
+        const double edge = half * kRoom;
+        return view.projection == scene::Projection::orthographic
+                   ? std::abs(across) - radius > edge
+                   : std::abs(across) + edge * at.z > radius * scanout::sqrt(1 + edge * edge);
+    };
+    const bool behind =
+        view.projection == scene::Projection::perspective && -at.z + radius < view.near_distance;
+    return !(behind || beside(at.x, view.half_width) || beside(at.y, view.half_height));
+}
+
 // Effects that the user names must exist.
 Result<void> check_effects(const FrameOptions& options, const FramePlan& plan) {
     for (const auto& [name, on] : options.effects) {
@@ -71,9 +94,8 @@ std::string to_string(const Decision& d) {
                        d.forced ? " (forced)" : "");
 }
 
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
-                       const scene::View& view) {
-    TRY_VOID(check_numbers(options));
+static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFacts& facts,
+                                      const scene::View& view) {
     FramePlan plan;
     plan.options = options;
     if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
@@ -113,6 +135,17 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     TRY_VOID(check_effects(options, plan));
     if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering)
         plan_counts(plan);
+    return plan;
+}
+
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view) {
+    TRY_VOID(check_numbers(options));
+    if (may_be_seen(view)) return plan_of_seen(options, facts, view);
+    TRY(FramePlan plan, plan_of_seen(options, SceneFacts(), view));
+    plan.techniques.clear(); // no pixel is shaded
+    for (Decision& d : plan.decisions)
+        if (!d.on() || !d.needed) d.because = "nothing of the model is in view";
     return plan;
 }
 

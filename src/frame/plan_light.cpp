@@ -13,6 +13,7 @@ namespace {
 // Why no light shows on anything; null where some does.
 const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     if (facts.triangles == 0) return "nothing is lit: there are no triangles";
+    if (!some_light_shines(plan.options)) return kNoLight;
     if (facts.specular_triangles > 0) return nullptr;
     if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";
     const bool pictures = plan.decision("texture")->on() && plan.source == nullptr;
@@ -111,7 +112,7 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, Cull cull, const sce
                        ? fmt::format("{} of {} triangles have open edges or let light through: all "
                                      "show their fronts",
                                      sides.open, facts.triangles)
-                       : "the mesh is closed and its normals point outwards: no back can be seen"};
+                       : "the mesh is closed and, as a whole, wound outwards: no back can be seen"};
 }
 
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
@@ -181,11 +182,12 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : !floor
             ? "no triangle lies flat on a side of the model's box, to project shadows onto"
             : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
-    const bool possible = casting > 0 && throws && falls && floor && at_pixels;
-    if (possible && sized > 0) because += fmt::format("; {} with a size", sized);
-    if (possible && facts.alpha.blended_triangles > 0)
+    const bool possible = casting > 0 && throws && floor && at_pixels; // it can be forced on
+    const bool called = possible && falls;
+    if (called && sized > 0) because += fmt::format("; {} with a size", sized);
+    if (called && facts.alpha.blended_triangles > 0)
         because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
-    if (!planner.effect("shadow", name, possible, std::move(because)) || !possible) return {};
+    if (!planner.effect("shadow", name, called, std::move(because)) || !possible) return {};
     if (name == "attached") {
         planner.technique("shadow", name);
         return {};
@@ -199,6 +201,10 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
 }
 
 } // namespace
+
+bool some_light_shines(const FrameOptions& options) {
+    return !std::all_of(options.lights.begin(), options.lights.end(), scene::is_black);
+}
 
 bool has_directed_light(const FramePlan& plan) {
     return std::any_of(plan.lights.begin(), plan.lights.end(), [](const scene::Light& light) {

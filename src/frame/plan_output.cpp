@@ -74,8 +74,13 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     TRY(const std::string tone, choose("tone", options.tone, bright ? "shoulder" : "clamp"));
     plan.white = static_cast<float>(std::max(brightest, 1.0));
     const bool burns = !bright && plan.decision("highlight")->on();
+    const bool lamps = std::any_of(plan.lights.begin(), plan.lights.end(), [](const auto& light) {
+        return light.kind == scene::LightKind::point || light.kind == scene::LightKind::spot;
+    });
     planner.choice("tone", tone, options.tone,
-                   fmt::format("diffuse light is at most {:.2f}{}", brightest,
+                   fmt::format("diffuse light is at most {:.2f}{}{}{}", brightest,
+                               lamps ? " about the model's centre, nearer to a lamp more" : "",
+                               plan.decision("emission")->on() ? ", Ke comes on top of it" : "",
                                burns ? ", and highlights may burn out" : ""));
     // Codes end at 1 anyway.
     if (tone != "clamp" || exposed) planner.stage("tone", tone);

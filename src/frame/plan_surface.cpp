@@ -22,6 +22,18 @@ std::string alpha_from(const AlphaFacts& a) {
     return a.blended_by_maps == 0 ? d : fmt::format("{}, and {} in maps", d, a.blended_by_maps);
 }
 
+// Forced on where nothing calls for it, opaque triangles take the way of what is blended, and look
+// the same: where the nearest surface is seen and covers all behind it, and a pixel shows no more
+// than its own samples.
+bool opaque_may_blend(const FrameOptions& o) {
+    const auto usual = [](const std::string& asked, std::string_view name) {
+        return asked == "auto" || asked == name;
+    };
+    const AntiAliasing* const aa = find_anti_aliasing(o.aa);
+    return usual(o.depth_test, "greater") && usual(o.blend, "over") &&
+           (aa == nullptr || aa->weight == nullptr);
+}
+
 } // namespace
 
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
@@ -33,17 +45,24 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         return fail(Exit::usage, "--alpha-cut {}: choose 0 to 1", o.alpha_cut);
     const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
     const bool blends = a.blended_triangles > 0;
-    const bool cut =
-        planner.effect("cut_out", cut_name, cuts,
-                       cuts ? fmt::format("{} have alpha 0 in places, and else 1",
-                                          part(a.cut_out_materials + a.unseen_materials,
-                                               a.cut_out_triangles + a.unseen_triangles, facts))
-                            : "no triangle has alpha 0 in places, and else 1");
-    const bool blend = planner.effect(
+    // What would be blended for no reason must not change what is blended for one.
+    const bool may_blend = opaque_may_blend(o), cuts_by_blending = cut_name != "cut_out";
+    const bool cut_for_nothing = !cuts && (!cuts_by_blending || (may_blend && !blends));
+    const bool blend_for_nothing = !blends && may_blend && !(cuts && cuts_by_blending);
+    const std::string as_it_is = "; what is opaque stays as it is";
+    bool cut = planner.effect(
+        "cut_out", cut_name, cuts,
+        cuts ? fmt::format("{} have alpha 0 in places, and else 1",
+                           part(a.cut_out_materials + a.unseen_materials,
+                                a.cut_out_triangles + a.unseen_triangles, facts))
+             : "no triangle has alpha 0 in places, and else 1" + (cut_for_nothing ? "" : as_it_is));
+    bool blend = planner.effect(
         "blending", blend_name, blends,
         blends ? fmt::format("{} have alpha between 0 and 1, {}",
                              part(a.blended_materials, a.blended_triangles, facts), alpha_from(a))
-               : "no triangle's alpha is between 0 and 1");
+               : "no triangle's alpha is between 0 and 1" + (blend_for_nothing ? "" : as_it_is));
+    cut = cut && (cuts || cut_for_nothing);
+    blend = blend && (blends || blend_for_nothing);
     if (facts.triangles == 0 || !(cut || blend)) return {};
     TransparencyPlan& t = plan.transparency;
     const auto layer_by = [&](const std::string& name) {
@@ -54,8 +73,8 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     };
     const raster::Layer cut_layer = cut ? layer_by(cut_name) : raster::Layer::opaque;
     const raster::Layer blend_layer = blend ? layer_by(blend_name) : raster::Layer::opaque;
-    // Forced on where nothing calls for it: opaque triangles take that way, and look the same.
-    t.opaque_blended = blend && !blends && blend_layer == raster::Layer::blended;
+    t.opaque_blended = (blend && !blends && blend_layer == raster::Layer::blended) ||
+                       (cut && !cuts && cut_layer == raster::Layer::blended);
     const raster::Layer opaque_layer =
         blend && !blends ? blend_layer : (cut && !cuts ? cut_layer : raster::Layer::opaque);
     const raster::Layer layer_of_class[] = {opaque_layer, cut_layer, blend_layer,

@@ -140,7 +140,8 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
     const bool coordinates = has_coordinates(plan, facts);
     const bool readable =
         textured > 0 || (facts.readable_maps & shade::bit_of(shade::kDiffuseMap)) != 0;
-    const bool pictures = coordinates && textured > 0;
+    const bool lit = some_light_shines(options);
+    const bool pictures = coordinates && textured > 0 && lit;
     const bool on = planner.effect(
         "texture",
         plan.source != nullptr      ? name
@@ -150,7 +151,8 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
         plan.source != nullptr ? fmt::format("--source {} for all triangles", name)
         : pictures
             ? fmt::format("{} of {} triangles have a readable map_Kd", textured, facts.triangles)
-        : coordinates && readable ? "every readable map_Kd is white where Kd is not black"
+        : coordinates && textured > 0 ? kNoLight
+        : coordinates && readable     ? "every readable map_Kd is white where Kd is not black"
                                   : "no triangle has a readable map_Kd and texture coordinates");
     if (!on) plan.source = nullptr;
     // Forced on, a picture that changes nothing is read.

@@ -39,6 +39,9 @@ private:
 
 // map_Kd, or what is computed in its place.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Some light is not black; whether it reaches anything is another question.
+bool some_light_shines(const FrameOptions& options);
+inline constexpr const char* kNoLight = "no light shines";
 // Some light comes from a side. Ambient light alone is the same however a surface is turned.
 bool has_directed_light(const FramePlan& plan); // after plan_light
 inline constexpr const char* kNoDirection = "no light comes from a side: normals do not matter";

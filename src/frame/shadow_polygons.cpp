@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 #include <tuple>
 
@@ -125,13 +126,30 @@ struct VolumeBuilder {
         add_polygon(std::span(side).first(corners), transform, static_cast<float>(e.net),
                     CountSide::facing, raster::kNoPrimitive, out);
     }
+    // From within a closed part a lamp meets its backs first.
+    bool stands_outside() const {
+        if (parallel()) return true;
+        DVec3 low(INFINITY), high(-INFINITY);
+        for (const std::uint32_t v : mesh.index) {
+            const DVec3 at = position(v);
+            for (int c = 0; c < 3; ++c) {
+                low[c] = std::min(low[c], at[c]);
+                high[c] = std::max(high[c], at[c]);
+            }
+        }
+        bool outside = false;
+        for (int c = 0; c < 3; ++c)
+            outside = outside || place[c] < low[c] || place[c] > high[c];
+        return outside;
+    }
     void build() const {
+        const bool fronts_alone = welded.closed && stands_outside();
         std::vector<Edge> edges;
         for (std::size_t i = 0; i < mesh.triangles(); ++i) {
             if (casts[i] == 0) continue;
             std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
             const double front = facing(v);
-            if (!has_edges(v) || front == 0 || (welded.closed && front < 0)) continue;
+            if (!has_edges(v) || front == 0 || (fronts_alone && front < 0)) continue;
             if (front < 0) std::swap(v[1], v[2]); // its back faces the light
             add_caps(v, i);
             add_edges(v, edges);

@@ -54,8 +54,8 @@ struct ShadowPolygons {
 // The borders of the space that the triangles hide from the light: the triangles themselves, the
 // sides that the light draws from their edges, to infinity, and there their far ends. Counted
 // behind a point, those that leave the space less those that enter it are how often the point is
-// hidden. Of a closed mesh the triangles that face the light, otherwise all; edges between two of
-// them have no side.
+// hidden. Of a closed mesh that the light stands outside of the triangles that face it, otherwise
+// all; edges between two of them have no side.
 ShadowPolygons shadow_volumes(const Thrown& thrown, const Welded& welded);
 
 // A plane of view space, normal . p + offset = 0.

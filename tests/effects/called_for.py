@@ -9,6 +9,7 @@ highlight a material with Ks not black and Ns above 0
 cut_out   an alpha of 0 in places, and else 1; blending: an alpha between them. Alpha is d, times that of the texels of
           map_Kd. Tr alone is 1 - d, but Tr 1 alone is what exporters write of opaque materials.
 emission  a material with Ke not black
+Triangles with two corners at one place are never drawn, and call for nothing.
 """
 import json
 import os
@@ -105,7 +106,7 @@ class Material:
 def called_for(path):
     """(triangles, effect -> triangles that call for it)"""
     folder = os.path.dirname(path)
-    known, used, current = {}, {}, None
+    known, used, current, places, total = {}, {}, None, [], 0
     for line in open(path, encoding="latin-1"):
         words = line.split()
         if not words:
@@ -115,9 +116,14 @@ def called_for(path):
             known.update({n: Material(m, folder) for n, m in materials(library).items()})
         elif words[0] == "usemtl":
             current = " ".join(words[1:])
+        elif words[0] == "v":
+            places.append(struct.pack("3f", *map(float, words[1:4])))
         elif words[0] == "f":
             has_uv = all(len(corner.split("/")) > 1 and corner.split("/")[1] for corner in words[1:])
-            used[current, has_uv] = used.get((current, has_uv), 0) + len(words) - 3
+            total += len(words) - 3
+            at = [int(corner.split("/")[0]) for corner in words[1:]]
+            drawn = len(words) > 4 or len({places[i - 1 if i > 0 else i] for i in at}) == 3
+            used[current, has_uv] = used.get((current, has_uv), 0) + (len(words) - 3 if drawn else 0)
     count = dict.fromkeys(("texture", "highlight", "cut_out", "blending", "emission"), 0)
     for (name, has_uv), triangles in used.items():
         material = known.get(name) or Material({}, folder)
@@ -126,7 +132,7 @@ def called_for(path):
         count["cut_out"] += triangles if material.cut_out else 0
         count["blending"] += triangles if material.blended else 0
         count["emission"] += triangles if material.emission else 0
-    return sum(used.values()), count
+    return total, count
 
 
 def planned(path):

@@ -219,6 +219,15 @@ def coal(folder):
     model.write(folder, "coal")
 
 
+def block(folder):
+    """Convex: it throws no shadow on itself. And a collapsed triangle whose material says everything."""
+    model = Model(GREY, "Kd 1 0 0\nKs 1 1 1\nNs 9\nKe 1 1 1\nd 0.5")
+    model.box((0, 0, 0), 0.5, 0)
+    model.use(1)
+    model.lines.append("f 1/1 1/1 2/2")
+    model.write(folder, "block")
+
+
 def bumps(folder):
     png(os.path.join(folder, "waves.png"), 64, 64, lambda x, y: (int(127.5 + 127.5 * math.sin(x * math.pi / 8)),) * 3)
     png(os.path.join(folder, "flat.png"), 8, 8, lambda x, y: (90, 90, 90))
@@ -294,7 +303,8 @@ def everything(folder):
 def make(folder):
     os.makedirs(folder, exist_ok=True)
     for maker in (plain, wires, vertex_colours, checker_board, floor, opaque_alpha, fence, leaves, glass, gloss, black_ks,
-                  idle_maps, one_colour, coal, bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
+                  idle_maps, one_colour, coal, block,
+                  bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
         maker(folder)
 
 

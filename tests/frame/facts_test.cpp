@@ -231,6 +231,30 @@ TEST(Facts, TexturesOfOneColourHaveNoMipmapsAndTheCheapestFilter) {
     }
 }
 
+TEST(Facts, WhatIsNeverDrawnCallsForNothing) {
+    scene::Scene scene =
+        mapped(test::plain(Vec3(0.5F)), &scene::Material::map_diffuse, kWhite, kWhite);
+    const std::vector<std::string> before = effects_on(scene, {});
+    scene::Material rich = test::plain(Vec3(1), Vec3(1), 40);
+    rich.opacity = 0.5F;
+    rich.emission = Vec3(1);
+    rich.map_diffuse.texture = rich.map_normal.texture = 0;
+    scene.materials.push_back(rich);
+    scene.textures[0].image.pixels()[0] = kBlack;
+    scene.materials[0].map_diffuse.texture = -1;
+    const auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        scene.mesh.index.insert(scene.mesh.index.end(), {a, b, c});
+        scene.mesh.material.push_back(1);
+        scene.mesh.face.push_back(scene.mesh.face.back());
+    };
+    add_triangle(0, 1, 1);
+    add_triangle(1, 0, 1);
+    EXPECT_EQ(effects_on(scene, {}), before);
+    EXPECT_EQ(facts(scene).brightest, 0.5F);
+    add_triangle(0, 1, 2);
+    EXPECT_GT(effects_on(scene, {}).size(), before.size() + 3);
+}
+
 TEST(Facts, WhiteVertexColoursAreNoColours) {
     scene::Scene scene =
         mapped(test::plain(Vec3(0.5F)), &scene::Material::map_diffuse, kWhite, kWhite);

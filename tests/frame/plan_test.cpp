@@ -376,5 +376,114 @@ TEST(Plan, ComputesTexturesWhereTheUserAsks) {
     EXPECT_THAT(refused.error().what, HasSubstr("--source NAME"));
 }
 
+// HARD-CASES f: nothing in view, nothing to do.
+TEST(Plan, NothingRunsForAModelThatIsOutOfView) {
+    test::Shot s = test::solids("balls");
+    s.scene.materials[0].opacity = 0.5F;
+    const SceneFacts found = facts(s.scene);
+    FrameOptions options = s.options;
+    options.lights[0].casts = true;
+    int seen = 0;
+    for (const auto projection : {scene::Projection::perspective, scene::Projection::orthographic})
+        for (const DVec3& move : {DVec3(0), DVec3(9, 0, 0), DVec3(-9, 0, 0), DVec3(0, 9, 0),
+                                  DVec3(0, -9, 0), DVec3(0, 0, 90)}) {
+            s.camera.projection = projection;
+            s.camera.azimuth_degrees = s.camera.elevation_degrees = 0;
+            const auto view =
+                scene::make_view(s.scene.mesh, {}, {}, s.camera, {}, options.width, options.height);
+            ASSERT_TRUE(view);
+            scene::View moved = *view;
+            moved.translation += move;
+            const auto planned = plan(options, found, moved);
+            ASSERT_TRUE(planned);
+            const bool behind = move.z > 0 && projection == scene::Projection::orthographic;
+            if (move == DVec3(0) || behind) { // a parallel view has no front
+                ++seen;
+                EXPECT_TRUE(planned->decision("shadow")->on());
+                continue;
+            }
+            EXPECT_EQ(planned->shadow.stage, nullptr);
+            EXPECT_TRUE(planned->lights.empty());
+            for (const Decision& d : planned->decisions) {
+                if (d.choice) continue;
+                EXPECT_FALSE(d.on()) << d.effect;
+                EXPECT_EQ(d.because, "nothing of the model is in view");
+            }
+        }
+    EXPECT_EQ(seen, 3);
+}
+
+TEST(Plan, WithoutLightNoPictureIsRead) {
+    SceneFacts facts;
+    facts.triangles = facts.mapped_triangles[shade::kDiffuseMap] = 7;
+    facts.uv = true;
+    FrameOptions options;
+    for (scene::Light& light : options.lights)
+        light.power = 0;
+    EXPECT_EQ(to_string(*plan_of(facts, options).decision("texture")),
+              "texture off: no light shines");
+    EXPECT_FALSE(plan_of(facts, options).decision("two_sided")->on());
+    options.lights.back().power = 0.01;
+    EXPECT_TRUE(plan_of(facts, options).decision("texture")->on());
+}
+
+// What is forced on where nothing calls for it runs, or it says that it does not.
+TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
+    SceneFacts facts;
+    facts.triangles = 7;
+    facts.alpha.of_material = {AlphaClass::opaque};
+    facts.alpha.maps.resize(1);
+    const auto blends = [&](const FrameOptions& options) {
+        const FramePlan planned = plan_of(facts, options);
+        EXPECT_EQ(planned.transparency.blended == nullptr,
+                  planned.decision("blending")->because.find("stays as it is") !=
+                      std::string::npos);
+        return planned.transparency.blended != nullptr;
+    };
+    FrameOptions options;
+    options.effects = {{"blending", true}};
+    EXPECT_TRUE(blends(options));
+    for (const auto& [axis, name] : {std::pair("depth_test", "less"),
+                                     {"depth_test", "greater_equal"},
+                                     {"blend", "multiply"},
+                                     {"aa", "tent"},
+                                     {"aa", "gaussian"}}) {
+        FrameOptions other = options;
+        ASSERT_TRUE(ask(other, axis, name));
+        EXPECT_FALSE(blends(other)) << name;
+    }
+    options.transparency = "sorted";
+    options.effects = {{"cut_out", true}};
+    EXPECT_TRUE(plan_of(facts, options).transparency.opaque_blended);
+    options.aa = "tent";
+    EXPECT_EQ(plan_of(facts, options).transparency.blended, nullptr);
+}
+
+TEST(Plan, AShadowThatIsForcedOnIsDrawnWhereverOneCanBe) {
+    SceneFacts facts;
+    facts.triangles = 12;
+    facts.sides.closed = facts.sides.outward = facts.sides.convex = true;
+    facts.alpha.of_material = {AlphaClass::opaque};
+    FrameOptions options;
+    options.lights[0].casts = true;
+    scene::View outside;
+    outside.near_distance = 0.01;
+    outside.translation = {0, 0, -5};
+    outside.half_width = outside.half_height = 1;
+    auto planned = plan(options, facts, outside);
+    ASSERT_TRUE(planned);
+    EXPECT_FALSE(planned->decision("shadow")->on());
+    EXPECT_EQ(planned->shadow.stage, nullptr);
+    options.effects = {{"shadow", true}};
+    planned = plan(options, facts, outside);
+    ASSERT_TRUE(planned);
+    EXPECT_TRUE(planned->decision("shadow")->forced);
+    EXPECT_NE(planned->shadow.stage, nullptr);
+    options.lights[0].casts = false;
+    planned = plan(options, facts, outside);
+    ASSERT_TRUE(planned);
+    EXPECT_EQ(planned->shadow.stage, nullptr) << "no light casts";
+}
+
 } // namespace
 } // namespace scanout::frame

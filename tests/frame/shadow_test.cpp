@@ -225,6 +225,9 @@ TEST(Shadow, VolumesAreWhereRaysSayToTheLastPixel) {
     shots.push_back(ball_on_slab());
     shots.back().name = "closed, lamp";
     shots.back().options.lights = {lamp(LightKind::point)};
+    shots.push_back(shots.back());
+    shots.back().name = "closed, lamp within";
+    shots.back().options.lights[0].position = {0.12, 0.22, 0.03}; // all else is dark
     for (const Shot& s : shots) {
         const Count count = compare_with_rays(s, "volume", 0, alike_on_screen);
         EXPECT_EQ(count.wrong, 0) << s.name << " of " << count.compared;
