@@ -159,6 +159,8 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.triangles = mesh.triangles();
     facts.lines = mesh.lines();
     facts.points = mesh.points();
+    facts.centre = mesh.centre;
+    facts.exponent = mesh.exponent;
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
     facts.white_colours =

@@ -1,9 +1,8 @@
+#include "frame/bounding_sphere.h"
 #include "frame/planner.h"
-#include "math/transcendental.h"
 #include "raster/sample_pattern.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
@@ -41,27 +40,6 @@ void put_in_order(std::vector<const shade::Stage*>& stages) {
     };
     std::stable_sort(stages.begin(), stages.end(),
                      [&](const auto* a, const auto* b) { return place(a) < place(b); });
-}
-
-// Whether something of the model may lie in the picture: its bounding sphere, with room for the
-// width of lines. A view without a near plane, as of a plan that knows none, is anywhere.
-bool may_be_seen(const scene::View& view) {
-    if (!(view.near_distance > 0)) return true;
-    constexpr double kRoom = 1.05;
-    double radius = 0; // the model is scaled along its axes, then turned
-    for (int axis = 0; axis < 3; ++axis)
-        radius = std::max(radius, scanout::sqrt(dot3(view.linear[axis], view.linear[axis])));
-    radius *= kRoom;
-    const DVec3& at = view.translation;
-    const auto beside = [&](double across, double half) {
-        const double edge = half * kRoom;
-        return view.projection == scene::Projection::orthographic
-                   ? std::abs(across) - radius > edge
-                   : std::abs(across) + edge * at.z > radius * scanout::sqrt(1 + edge * edge);
-    };
-    const bool behind =
-        view.projection == scene::Projection::perspective && -at.z + radius < view.near_distance;
-    return !(behind || beside(at.x, view.half_width) || beside(at.y, view.half_height));
 }
 
 // Effects that the user names must exist.

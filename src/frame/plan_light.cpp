@@ -1,5 +1,6 @@
 // Lights, sides, reflection, shadows, and how often they are evaluated.
 #include "base/check.h"
+#include "frame/bounding_sphere.h"
 #include "frame/planner.h"
 
 #include <algorithm>
@@ -22,26 +23,41 @@ const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     return nullptr;
 }
 
+// Whether some of a light falls on the model.
+bool reaches(const scene::Light& light, const SceneFacts& facts, const scene::View& view) {
+    if (light.kind != scene::LightKind::spot || !(view.near_distance > 0)) return true;
+    geom::Mesh place; // all that lights ask of a mesh
+    place.centre = facts.centre;
+    place.exponent = facts.exponent;
+    return may_be_lit(in_view(light, view, place), view);
+}
+
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                 const shade::Stage& shading) {
+                 const scene::View& view, const shade::Stage& shading) {
     const FrameOptions& options = plan.options;
     for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
                             scene::LightKind::point, scene::LightKind::spot}) {
         std::string names;
         std::vector<scene::Light> shining;
+        bool elsewhere = false; // one shines, but not on the model
         for (const scene::Light& light : options.lights) {
             if (light.kind != kind || is_black(light)) continue;
+            if (!reaches(light, facts, view)) {
+                elsewhere = true;
+                continue;
+            }
             names += (names.empty() ? "" : ", ") + light.name;
             shining.push_back(light);
         }
         const char* const unlit = why_unlit(plan, facts);
         const bool lit = unlit == nullptr;
-        const std::string because = shining.empty()
-                                        ? fmt::format("there is no {} light", name_of(kind))
-                                    : !lit ? unlit
-                                           : fmt::format("{} light{}: {}", shining.size(),
-                                                         shining.size() == 1 ? "" : "s", names);
+        const std::string because =
+            shining.empty() && elsewhere ? "what is lit lies beside the model"
+            : shining.empty()            ? fmt::format("there is no {} light", name_of(kind))
+            : !lit                       ? unlit
+                   : fmt::format("{} light{}: {}", shining.size(), shining.size() == 1 ? "" : "s",
+                                 names);
         const bool on = planner.effect(fmt::format("{}_light", name_of(kind)), "on",
                                        lit && !shining.empty(), because);
         if (!on || !lit || shining.empty()) continue;
@@ -218,7 +234,7 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     TRY(const std::string name, choose("shading", asked, "per_pixel"));
     const shade::Stage* shading = shade::find_stage("shading", name);
     CHECK(shading != nullptr);
-    plan_lights(planner, plan, facts, *shading);
+    plan_lights(planner, plan, facts, view, *shading);
     plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, *shading));

@@ -158,5 +158,35 @@ TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
     EXPECT_THAT(shadow(), StartsWith("shadow off: nothing is lit"));
 }
 
+// A lamp that shines past the model is no light, casts nothing and calls for no tone curve.
+TEST(Plan, ASpotThatMissesTheModelIsOff) {
+    SceneFacts facts;
+    facts.triangles = facts.sides.open = 5;
+    facts.alpha.of_material = {AlphaClass::opaque};
+    scene::View view;
+    view.near_distance = 0.01;
+    view.translation = view.world_origin = {0, 0, -5};
+    FrameOptions options;
+    scene::Light spot;
+    spot.name = "spot";
+    spot.kind = scene::LightKind::spot;
+    spot.position = {4, 0, 0};
+    spot.outer_degrees = 10;
+    spot.power = 3;
+    options.lights.push_back(spot);
+    for (const bool hits : {true, false}) {
+        options.lights.back().target = hits ? DVec3(0) : DVec3(4, 4, 0);
+        const auto planned = plan(options, facts, view);
+        ASSERT_TRUE(planned);
+        EXPECT_EQ(planned->decision("spot_light")->on(), hits);
+        EXPECT_EQ(planned->decision("shadow")->on(), hits);
+        EXPECT_EQ(planned->decision("tone")->technique, hits ? "shoulder" : "clamp");
+        EXPECT_EQ(planned->lights.size(), hits ? 4U : 3U);
+        EXPECT_EQ(planned->decision("spot_light")->because,
+                  hits ? "1 light: spot" : "what is lit lies beside the model");
+    }
+    EXPECT_EQ(plan_of(facts, options).lights.size(), 4U) << "nothing is known of the view";
+}
+
 } // namespace
 } // namespace scanout::frame
