@@ -376,6 +376,24 @@ TEST(Plan, ComputesTexturesWhereTheUserAsks) {
     EXPECT_THAT(refused.error().what, HasSubstr("--source NAME"));
 }
 
+// Alpha is interpolated exactly, whatever the colours are.
+TEST(Plan, NamesEveryTechniqueThatRunsOnce) {
+    SceneFacts facts;
+    facts.triangles = facts.mapped_triangles[shade::kDiffuseMap] = 4;
+    facts.uv = true;
+    facts.alpha.cut_out_triangles = 4;
+    facts.alpha.of_material = {AlphaClass::opaque, AlphaClass::cut_out};
+    facts.alpha.maps = {{}, {true, false}};
+    for (const char* interpolate : {"auto", "affine"}) {
+        FrameOptions options;
+        options.interpolate = interpolate;
+        const std::vector<std::string> names = techniques(plan_of(facts, options));
+        for (const std::string& name : names)
+            EXPECT_EQ(std::count(names.begin(), names.end(), name), 1) << name;
+        EXPECT_THAT(names, testing::Contains("interpolate perspective"));
+    }
+}
+
 // HARD-CASES f: nothing in view, nothing to do.
 TEST(Plan, NothingRunsForAModelThatIsOutOfView) {
     test::Shot s = test::solids("balls");
