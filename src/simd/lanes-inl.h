@@ -23,6 +23,11 @@ HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
+// minps and its like give the second number where either is NaN and where both are zero; what other
+// machines have differs.
+constexpr bool kMinimumIsFirstIfLess =
+    HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR;
+
 // D: Highway's tag of float lanes. All types of a width share it.
 template <class D>
 struct Float;
@@ -84,9 +89,15 @@ struct Float {
     friend HWY_INLINE Float select(Mask<D> mask, Float yes, Float no) {
         return Float(hn::IfThenElse(mask.raw, yes.raw, no.raw));
     }
-    // b where a is NaN.
-    friend HWY_INLINE Float minimum(Float a, Float b) { return select(a < b, a, b); }
-    friend HWY_INLINE Float maximum(Float a, Float b) { return select(a > b, a, b); }
+    // b where either is NaN.
+    friend HWY_INLINE Float minimum(Float a, Float b) {
+        if constexpr (kMinimumIsFirstIfLess) return Float(hn::Min(a.raw, b.raw));
+        return select(a < b, a, b);
+    }
+    friend HWY_INLINE Float maximum(Float a, Float b) {
+        if constexpr (kMinimumIsFirstIfLess) return Float(hn::Max(a.raw, b.raw));
+        return select(a > b, a, b);
+    }
     friend HWY_INLINE Float sqrt(Float a) { return Float(hn::Sqrt(a.raw)); }
     friend HWY_INLINE Float abs(Float a) { return Float(hn::Abs(a.raw)); }
 };
@@ -196,9 +207,17 @@ struct Double {
     friend HWY_INLINE Double select(DoubleMask m, Double yes, Double no) {
         return {hn::IfThenElse(m.low, yes.low, no.low), hn::IfThenElse(m.high, yes.high, no.high)};
     }
-    // b where a is NaN.
-    friend HWY_INLINE Double minimum(Double a, Double b) { return select(a < b, a, b); }
-    friend HWY_INLINE Double maximum(Double a, Double b) { return select(a > b, a, b); }
+    // b where either is NaN.
+    friend HWY_INLINE Double minimum(Double a, Double b) {
+        if constexpr (kMinimumIsFirstIfLess)
+            return {hn::Min(a.low, b.low), hn::Min(a.high, b.high)};
+        return select(a < b, a, b);
+    }
+    friend HWY_INLINE Double maximum(Double a, Double b) {
+        if constexpr (kMinimumIsFirstIfLess)
+            return {hn::Max(a.low, b.low), hn::Max(a.high, b.high)};
+        return select(a > b, a, b);
+    }
     friend HWY_INLINE Double abs(Double a) { return {hn::Abs(a.low), hn::Abs(a.high)}; }
 };
 
