@@ -1,6 +1,7 @@
 #include "frame/renderer.h"
 
 #include "base/stopwatch.h"
+#include "frame/bare_tiles.h"
 #include "frame/lights.h"
 #include "frame/shadow_pass.h"
 #include "frame/stencil_marks.h"
@@ -96,6 +97,7 @@ struct Renderer::State {
     raster::Geometry geometry;
     shade::MipChains mips;
     image::Image back_buffer;
+    BareTiles bare;          // of it
     shade::WidePicture wide; // of filters that reach into neighbours
 
     void draw_tile(const Frame& frame, int tile, Worker& worker);
@@ -263,8 +265,10 @@ void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
     const image::Rect samples = geometry.tile_area(tile);
     const image::Rect area = {samples.x0 / aa.scale, samples.y0 / aa.scale, samples.x1 / aa.scale,
                               samples.y1 / aa.scale};
-    clear(area, f.plan.options.background, back_buffer);
-    if (f.visibility == nullptr && geometry.is_empty(tile)) return;
+    const bool empty = f.visibility == nullptr && geometry.is_empty(tile);
+    if (!empty || !bare.is_bare(tile)) clear(area, f.plan.options.background, back_buffer);
+    bare.set_bare(tile, empty);
+    if (empty) return;
     worker.visibility.reset(samples, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
@@ -360,6 +364,8 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     }
     const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
                   input.visibility, input.shadows};
+    bare.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
+                geometry.tiles(), plan.options.background});
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         Worker& worker = workers[static_cast<std::size_t>(number)];
         if (marks == nullptr)
@@ -394,8 +400,10 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                      shade::LinearPicture* linear) {
     State& s = *state_;
     const FrameOptions& o = plan.options;
-    if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height)
+    if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height) {
         s.back_buffer = image::Image(o.width, o.height);
+        s.bare.forget();
+    }
     const Stopwatch total;
     s.mips.update(scene, plan.mips, s.jobs);
     const AntiAliasing& aa = *plan.aa;
@@ -422,6 +430,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         s.draw_frame(input);
     if (plan.stencil != nullptr) show_marks(s.jobs, *plan.stencil, *s.marks, s.back_buffer);
     if (plan.convolution != nullptr) s.back_buffer = plan.convolution->run(s.back_buffer);
+    if (plan.stencil != nullptr || plan.convolution != nullptr || aa.weight != nullptr)
+        s.bare.forget(); // these write beside the tiles that show something
     s.stats = {};
     s.stats.total_ms = total.milliseconds();
     s.stats.geometry_ms = geometry_ms;
