@@ -50,15 +50,12 @@ HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, co
     out.top = shift_left<3>(shift_right<3>(out.block));
     const I32x8 corner_x = shift_left<kSubpixelBits>(out.left + I32x8(tile.area.x0));
     const I32x8 corner_y = shift_left<kSubpixelBits>(out.top + I32x8(tile.area.y0));
-    static_assert(sizeof(ScreenVertex) == 16);
-    const auto* whole = reinterpret_cast<const std::int32_t*>(list.vertices.data());
-    const auto* real = reinterpret_cast<const double*>(list.vertices.data());
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const I32x8 at = load<I32x8>(corner[k]), word = shift_left<2>(at);
-        const I32x8 x = gather(whole, word) - corner_x, y = gather(whole + 1, word) - corner_y;
+        const auto v = vertices_at<F32x8>(list.vertices.data(), corner[k]);
+        const I32x8 x = v.word(0) - corner_x, y = v.word(1) - corner_y;
         out.vertex[k].place = to_f64(shift_left<16>(y) + x);
-        out.vertex[k].depth = gather(real + 1, shift_left<1>(at));
+        out.vertex[k].depth = v.last_double();
     }
 }
 

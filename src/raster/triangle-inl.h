@@ -6,9 +6,21 @@
 #define SCANOUT_RASTER_TRIANGLE_INL_H
 #endif
 
-#include "simd/lanes-inl.h"
+#include "raster/screen.h"
+
+#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::raster)
+
+// x, y and, as the last double, depth of a vertex a lane: of index[0], index[step] and so on.
+template <class T>
+HWY_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices,
+                                                   const std::uint32_t* index, int step = 1) {
+    const auto* words = reinterpret_cast<const std::int32_t*>(vertices);
+    static_assert(sizeof(ScreenVertex) == 4 * sizeof *words);
+    return load_four<typename T::Tag>(
+        [&](int lane) HWY_ATTR { return words + std::size_t{index[lane * step]} * 4; });
+}
 
 // Where the mask holds the two change places.
 template <class M, class T>

@@ -124,15 +124,12 @@ HWY_INLINE void load_corners(const TriangleList& list, int begin, int count, Wal
     }
 }
 
-HWY_INLINE Corner corner_of(const ScreenVertex* vertices, I32x8 at) {
-    static_assert(sizeof(ScreenVertex) == 16);
-    const auto* whole = reinterpret_cast<const std::int32_t*>(vertices);
-    const auto* real = reinterpret_cast<const double*>(vertices);
-    const I32x8 word = shift_left<2>(at);
+HWY_INLINE Corner corner_of(const ScreenVertex* vertices, const std::uint32_t* index) {
+    const auto v = vertices_at<F32x8>(vertices, index);
     Corner c;
-    c.x = to_f64(gather(whole, word));
-    c.y = to_f64(gather(whole + 1, word));
-    c.depth = gather(real + 1, shift_left<1>(at));
+    c.x = to_f64(v.word(0));
+    c.y = to_f64(v.word(1));
+    c.depth = v.last_double();
     c.key = c.y * F64x8(0x1p26) + c.x; // |x| < 2^25
     return c;
 }
@@ -145,7 +142,7 @@ HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         Corner v[3];
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            v[k] = corner_of(vertices, load<I32x8>(w.corner[k] + i));
+            v[k] = corner_of(vertices, w.corner[k] + i);
         put_in_order(v);
         const F64x8 twice =
             (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);

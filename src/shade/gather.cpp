@@ -43,8 +43,9 @@ void bind_maps(Block& b, const GatherInput& in) {
     }
 }
 
-// Of a tile: with fewer pixels a run they are shaded as they come, where runs are many at all.
-constexpr int kScattered = 2, kManyRuns = 512;
+// Of a tile: with fewer pixels a run, on the mean, its lanes set up triangles of their own as the
+// pixels come; finding those of each triangle would take longer.
+constexpr int kScattered = 2;
 
 // Does a clipped triangle cover the point (1/256 pixel)?
 bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
@@ -152,63 +153,67 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     through_.push_back(background);
 }
 
-// Where triangles are as small as pixels, finding those of each takes longer than setting it up for
-// each pixel: then pixels are taken as they come.
-bool Gatherer::collect_scattered(const raster::VisibilityTile& tile, const GatherInput& in,
-                                 const TileRows& rows) {
-    if (!in.looks.only_material || !all_whole_ || tile.samples() > 1) return false;
-    const auto count = static_cast<std::size_t>(area_.height());
-    int ends = 0;
-    for (std::size_t row = 0; row < count; ++row)
-        ends += std::popcount(rows[row].ends);
-    if (ends < kManyRuns) return false;
-    ShownRows shown;
-    find_shown(tile, area_.height(), shown);
-    const std::uint64_t inside = ~std::uint64_t{0} >> (kTileSize - area_.width());
-    int runs = 0, pixels = 0;
-    for (std::size_t row = 0; row < count; ++row) {
-        shown[row] &= inside;
-        pixels += std::popcount(shown[row]);
-        runs += std::popcount(shown[row] & rows[row].ends);
+namespace {
+// The pixels of a tile that one primitive fills alone, as bits of its rows (RowBits).
+struct OwnPixels {
+    std::array<std::uint64_t, kTileSize> pixels, starts, ends; // ends: of runs, first and last
+    int count = 0, runs = 0;
+};
+} // namespace
+
+static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
+    const auto before = [](int x) { return x < kTileSize ? (std::uint64_t{1} << x) - 1 : ~0ULL; };
+    const std::uint64_t inside = before(part.x1) & ~before(part.x0);
+    OwnPixels own;
+    for (int y = part.y0; y < part.y1; ++y) {
+        const auto row = static_cast<std::size_t>(y);
+        const std::uint64_t pixels = rows[row].shown & ~rows[row].shared & inside;
+        const std::uint64_t ends = rows[row].ends | rows[row].shared >> 1 | ~(inside >> 1);
+        own.pixels[row] = pixels;
+        own.starts[row] = pixels & ~((pixels & ~ends) << 1);
+        own.ends[row] = ends;
+        if (pixels == 0) continue;
+        own.count += std::popcount(pixels);
+        own.runs += std::popcount(own.starts[row]);
     }
-    if (pixels >= kScattered * runs) return false;
-    for (std::size_t row = 0; row < count; ++row)
-        few_->add_row(*in.looks.only_material, tile.ids(0).data() + row * kTileSize,
-                      static_cast<int>(row) * kTileSize, shown[row]);
-    return true;
+    return own;
 }
 
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
                        const BlendedPixels* blended) {
-    const image::Rect& area = area_;
-    const image::Rect& part = blended != nullptr ? blended->part : area;
-    const int width = part.x1 - area.x0;
+    const image::Rect& whole = blended != nullptr ? blended->part : area_;
+    const image::Rect part = {whole.x0 - area_.x0, whole.y0 - area_.y0, whole.x1 - area_.x0,
+                              whole.y1 - area_.y0};
     TileRows rows;
-    find_runs(tile, part.y0 - area.y0, part.y1 - area.y0, rows);
-    if (blended == nullptr && collect_scattered(tile, in, rows)) return;
-    for (int row = part.y0 - area.y0; row < part.y1 - area.y0; ++row) {
-        RowBits& found = rows[static_cast<std::size_t>(row)];
-        const std::uint64_t layered =
-            blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
-        found.shared |= layered;
-        const std::uint32_t* ids = tile.ids(0).data() + static_cast<std::size_t>(row * kTileSize);
-        const std::uint64_t stop = found.ends | found.shared >> 1;
-        for (int x = part.x0 - area.x0; x < width;) {
-            if ((found.shared >> x & 1) != 0) {
-                if ((layered >> x & 1) != 0 && blended->composed != nullptr)
-                    collect_composed(tile, in, *blended, area.x0 + x, area.y0 + row);
-                else if ((layered >> x & 1) != 0)
-                    collect_blended(tile, in, *blended, area.x0 + x, area.y0 + row);
-                else
-                    collect_shared(tile, in, area.x0 + x, area.y0 + row);
-                ++x;
-                continue;
+    find_runs(tile, part.y0, part.y1, rows);
+    const auto layered = [&](int row) {
+        return blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
+    };
+    for (int row = part.y0; row < part.y1; ++row)
+        rows[static_cast<std::size_t>(row)].shared |= layered(row);
+    const OwnPixels own = find_own(rows, part);
+    const bool scattered =
+        in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
+    for (int y = part.y0; y < part.y1; ++y) {
+        const auto row = static_cast<std::size_t>(y);
+        const std::uint32_t* ids = tile.ids(0).data() + row * kTileSize;
+        if (scattered)
+            few_->add_row(*in.looks.only_material, ids, y * kTileSize, own.pixels[row]);
+        else
+            for (std::uint64_t rest = own.starts[row]; rest != 0; rest &= rest - 1) {
+                const int x = std::countr_zero(rest);
+                const int count = std::countr_zero(own.ends[row] >> x) + 1;
+                spans_->add(in.looks, ids[x], y * kTileSize + x, count);
             }
-            // The last pixel before another id, before a shared pixel, or of the tile.
-            const int last = std::min(x + std::countr_zero(stop >> x), width - 1);
-            if (const std::uint32_t id = ids[x]; id != raster::kNoPrimitive)
-                spans_->add(in.looks, id, row * kTileSize + x, last - x + 1);
-            x = last + 1;
+        for (std::uint64_t rest = rows[row].shared; rest != 0; rest &= rest - 1) {
+            const int x = std::countr_zero(rest);
+            if (x < part.x0 || x >= part.x1) continue;
+            if ((layered(y) >> x & 1) == 0)
+                collect_shared(tile, in, area_.x0 + x, area_.y0 + y);
+            else if (blended->composed != nullptr)
+                collect_composed(tile, in, *blended, area_.x0 + x, area_.y0 + y);
+            else
+                collect_blended(tile, in, *blended, area_.x0 + x, area_.y0 + y);
         }
     }
 }
@@ -351,13 +356,12 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
     image::Rgba8* const corner = &picture.at(area_.x0, area_.y0);
-    const auto width = static_cast<unsigned>(picture.width());
-    const unsigned own = static_cast<unsigned>(own_);
-    for (unsigned lane = 0; lane < own; ++lane) {
-        const auto pixel = static_cast<unsigned>(pixel_[lane]);
-        std::memcpy(static_cast<void*>(corner + (pixel / kTileSize * width + pixel % kTileSize)),
+    const std::int32_t* const pixel = pixel_.data();
+    const std::ptrdiff_t down = picture.width() - kTileSize; // besides a row of the tile
+    constexpr int kRowBits = std::countr_zero(unsigned{kTileSize});
+    for (int lane = 0, own = own_; lane < own; ++lane)
+        std::memcpy(static_cast<void*>(corner + (pixel[lane] + (pixel[lane] >> kRowBits) * down)),
                     code + lane, sizeof *code);
-    }
     for (int lane = own_; lane < b.count; ++lane) {
         const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
         sums_.red[shared] += b.colour[0][lane] * weight;

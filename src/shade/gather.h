@@ -115,8 +115,6 @@ private:
     struct Fragment;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input,
                  const BlendedPixels* blended);
-    bool collect_scattered(const raster::VisibilityTile& tile, const GatherInput& input,
-                           const TileRows& rows);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,

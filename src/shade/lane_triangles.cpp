@@ -7,52 +7,74 @@
 #include "simd/for_each_target.h"
 
 #include "raster/triangle-inl.h"
+#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::shade)
 
 using raster::HWY_NAMESPACE::exchange;
 using raster::HWY_NAMESPACE::is_top_left;
-using raster::HWY_NAMESPACE::put_in_order;
+using raster::HWY_NAMESPACE::vertices_at;
 
 using MaskX8 = Mask<F32x8::Tag>;
 
+using Blocks = WordBlocks<F32x8::Tag>;
+
 // Vertex k of a register of triangles.
 struct Vertices {
-    I32x8 index, x, y; // 1/256 pixel
+    I32x8 x, y; // 1/256 pixel
     F32x8 inverse_w;
 };
 
-HWY_INLINE void sort_two(Vertices& a, Vertices& b) {
-    const MaskX8 turn = (b.y < a.y) | ((b.y == a.y) & (b.x < a.x));
-    exchange(turn, a.index, b.index);
-    exchange(turn, a.x, b.x);
-    exchange(turn, a.y, b.y);
-    exchange(turn, a.inverse_w, b.inverse_w);
+// How the canonical order (raster/primitive.h) turns that of the file round: vertices 0 and 1, then
+// 1 and 2, then 0 and 1 change places where these hold.
+struct Turns {
+    MaskX8 of[3];
+};
+template <class T>
+HWY_INLINE void turn(const Turns& turns, T (&of_vertex)[3]) {
+    exchange(turns.of[0], of_vertex[0], of_vertex[1]);
+    exchange(turns.of[1], of_vertex[1], of_vertex[2]);
+    exchange(turns.of[2], of_vertex[0], of_vertex[1]);
+}
+HWY_INLINE MaskX8 sort_two(Vertices& a, Vertices& b) {
+    const MaskX8 later = (b.y < a.y) | ((b.y == a.y) & (b.x < a.x));
+    exchange(later, a.x, b.x);
+    exchange(later, a.y, b.y);
+    exchange(later, a.inverse_w, b.inverse_w);
+    return later;
+}
+HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
+    Turns turns;
+    turns.of[0] = sort_two(v[0], v[1]);
+    turns.of[1] = sort_two(v[1], v[2]);
+    turns.of[2] = sort_two(v[0], v[1]);
+    return turns;
 }
 
-// In file order. Lanes from `count` on repeat the last one. One number after the other,
-// here and below: gathers are no faster where they are fast.
-HWY_INLINE void load_vertices(const TriangleSource& source, const std::uint32_t* id, int count,
-                              Vertices (&v)[3]) {
-    std::uint32_t index[3][kLanesX8];
-    std::int32_t x[3][kLanesX8], y[3][kLanesX8];
-    float depth[3][kLanesX8];
+// Vertices in file order. Lanes from `count` on repeat the last one.
+struct Corners {
+    std::uint32_t of[3][kLanesX8];
+};
+HWY_INLINE Corners corners_of(const TriangleSource& source, const std::uint32_t* id, int count) {
+    Corners corner;
+    SIMD_UNROLL
     for (int lane = 0; lane < kLanesX8; ++lane) {
         const std::uint32_t triangle = id[lane < count ? lane : count - 1];
-        const std::uint32_t* corner = source.index + std::size_t{triangle} * 3;
         SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            const raster::ScreenVertex& at = source.vertex[corner[k]];
-            index[k][lane] = corner[k];
-            x[k][lane] = at.x;
-            y[k][lane] = at.y;
-            depth[k][lane] = static_cast<float>(at.depth);
-        }
+        for (int k = 0; k < 3; ++k)
+            corner.of[k][lane] = source.index[std::size_t{triangle} * 3 + std::size_t(k)];
     }
+    return corner;
+}
+
+HWY_INLINE void load_vertices(const TriangleSource& source, const Corners& corner,
+                              Vertices (&v)[3]) {
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        v[k] = {load<I32x8>(index[k]), load<I32x8>(x[k]), load<I32x8>(y[k]),
-                source.perspective ? load<F32x8>(depth[k]) : F32x8(1.0F)};
+    for (int k = 0; k < 3; ++k) {
+        const auto at = vertices_at<F32x8>(source.vertex, corner.of[k]);
+        v[k] = {at.word(0), at.word(1),
+                source.perspective ? to_f32(at.last_double()) : F32x8(1.0F)};
+    }
 }
 
 // Whole numbers of lanes: of 32 bits, or doubles.
@@ -81,9 +103,10 @@ struct Places {
     I32x8 sample_x, sample_y; // from there
 };
 
-// Areas opposite the vertices, exact, where the lanes are shaded; moves the lanes there.
+// Areas opposite the vertices, exact, where the lanes are shaded; moves the lanes there. Returns
+// which triangles wind clockwise on the screen, in this order of the vertices.
 template <class N, class Scalar>
-HWY_INLINE void find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3]) {
+HWY_INLINE MaskX8 find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3]) {
     const N zero = Scalar{0}, one = Scalar{1};
     const auto number = [](I32x8 whole) HWY_ATTR {
         N n;
@@ -94,22 +117,30 @@ HWY_INLINE void find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3])
                     number(v[1].y - v[0].y) * number(v[2].x - v[0].x);
     const N sign = select(twice < zero, N(Scalar{-1}), one);
     N a[3], b[3], e[3];
-    auto inside = zero == zero;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const Vertices &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
         a[k] = sign * number(from.y - to.y);
         b[k] = sign * number(to.x - from.x);
         e[k] = a[k] * number(at.x - from.x) + b[k] * number(at.y - from.y);
-        inside = inside & (e[k] >= select(is_top_left(a[k], b[k]), zero, one));
     }
-    const MaskX8 stays = narrow(inside);
-    const I32x8 move_x = select(stays, 0, at.sample_x), move_y = select(stays, 0, at.sample_y);
+    if (any(!((at.sample_x | at.sample_y) == I32x8(0)))) { // not all cover the centre
+        auto inside = zero == zero;
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            inside = inside & (e[k] >= select(is_top_left(a[k], b[k]), zero, one));
+        const MaskX8 stays = narrow(inside);
+        const I32x8 move_x = select(stays, 0, at.sample_x), move_y = select(stays, 0, at.sample_y);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            e[k] = e[k] + (a[k] * number(move_x) + b[k] * number(move_y));
+        at.x = at.x + move_x;
+        at.y = at.y + move_y;
+    }
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        area[k] = rounded(e[k] + (a[k] * number(move_x) + b[k] * number(move_y)));
-    at.x = at.x + move_x;
-    at.y = at.y + move_y;
+        area[k] = rounded(e[k]);
+    return narrow(twice > zero);
 }
 
 // No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
@@ -121,47 +152,52 @@ HWY_INLINE bool are_small(const Vertices (&v)[3]) {
                I32x8(1 << 14));
 }
 
-// Which triangles wind clockwise on the screen, in this order of the vertices.
-HWY_INLINE MaskX8 clockwise(const Vertices (&v)[3]) {
-    const auto side = [](I32x8 from, I32x8 to) HWY_ATTR { return to_f64(to - from); };
-    return narrow(side(v[0].x, v[1].x) * side(v[0].y, v[2].y) -
-                      side(v[0].y, v[1].y) * side(v[0].x, v[2].x) >
-                  F64x8(0.0));
-}
-
-// Vertices in canonical order.
-struct Indices {
-    std::uint32_t of[3][kLanesX8];
+// Attributes of kComponents floats a vertex, in canonical order: of[component][vertex].
+template <int kComponents>
+struct Attribute {
+    F32x8 of[kComponents][3];
 };
-
-// Attributes of kComponents floats a vertex.
-template <int kComponents, std::size_t kStride>
-HWY_INLINE void fetch(const float* from, const Indices& vertex,
-                      float (&to)[kComponents][3][kStride], int first) {
-    for (int lane = 0; lane < kLanesX8; ++lane)
-        SIMD_UNROLL
+template <int kComponents>
+HWY_INLINE Attribute<kComponents> fetch(const float* from, const Corners& corner,
+                                        const Turns& turns) {
+    const auto* words = reinterpret_cast<const std::int32_t*>(from);
+    Attribute<kComponents> fetched;
+    SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const float* own = from + std::size_t{vertex.of[k][lane]} * kComponents;
+        const auto at = [&](int lane) HWY_ATTR {
+            return words + std::size_t{corner.of[k][lane]} * kComponents;
+        };
+        const auto blocks =
+            kComponents == 2 ? load_two<F32x8::Tag>(at) : load_three<F32x8::Tag>(at);
         SIMD_UNROLL
         for (int c = 0; c < kComponents; ++c)
-            to[c][k][first + lane] = own[c];
+            fetched.of[c][k] = from_bits(blocks.word(c == 2 ? 3 : c));
     }
+    SIMD_UNROLL
+    for (int c = 0; c < kComponents; ++c)
+        turn(turns, fetched.of[c]);
+    return fetched;
+}
+template <int kComponents>
+HWY_INLINE void put(const Attribute<kComponents>& attribute, float (&to)[kComponents][3][kRoom],
+                    int lane) {
+    SIMD_UNROLL
+    for (int c = 0; c < kComponents; ++c)
+        SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        store(attribute.of[c][k], to[c][k] + lane);
 }
 
 // Where vertices stand in the mesh.
-struct MeshPlaces {
-    float of[3][3][kLanesX8];
-    HWY_INLINE F64x8 at(int component, int vertex) const {
-        return to_f64(load<F32x8>(of[component][vertex]));
-    }
-};
+using MeshPlaces = Attribute<3>;
 
 HWY_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place, LaneTriangles& out,
                               int lane) {
     for (int k = 0; k < 3; ++k)
         for (int r = 0; r < 3; ++r) {
-            const auto term = [&](int c)
-                                  HWY_ATTR { return F64x8(s.linear[r][c]) * place.at(c, k); };
+            const auto term = [&](int c) HWY_ATTR {
+                return F64x8(s.linear[r][c]) * to_f64(place.of[c][k]);
+            };
             const F64x8 turned = (term(0) + term(1)) + term(2);
             store(to_f32((turned + F64x8(s.translation[r])) * F64x8(s.scale)),
                   out.position[r][k] + lane);
@@ -173,8 +209,9 @@ HWY_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles
     F64x8 one[3], two[3], n[3];
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
-        one[c] = place.at(c, 1) - place.at(c, 0);
-        two[c] = place.at(c, 2) - place.at(c, 0);
+        const F64x8 from = to_f64(place.of[c][0]);
+        one[c] = to_f64(place.of[c][1]) - from;
+        two[c] = to_f64(place.of[c][2]) - from;
     }
     n[0] = one[1] * two[2] - one[2] * two[1];
     n[1] = one[2] * two[0] - one[0] * two[2];
@@ -185,6 +222,10 @@ HWY_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
         store(to_f32(n[c] / divisor), out.facing[c] + lane);
+}
+
+HWY_INLINE MaskX8 differ(MaskX8 a, MaskX8 b) {
+    return (a & !b) | (b & !a);
 }
 
 // Which way round the vertices wind on the screen. Behind: as seen where the view is no mirror.
@@ -199,52 +240,47 @@ HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, const
     store(select(s.sides == Sides::face ? behind.of_file : none, F32x8(-1.0F), F32x8(1.0F)),
           out.side + lane);
     if (!s.wants_facing()) return;
-    const MaskX8 differ = (behind.of_order & !behind.of_file) | (behind.of_file & !behind.of_order);
-    put_facing(place, s.sides == Sides::file ? differ : behind.of_order, out, lane);
+    put_facing(place,
+               s.sides == Sides::file ? differ(behind.of_order, behind.of_file) : behind.of_order,
+               out, lane);
 }
 
 // What the vertices carry.
-HWY_INLINE void put_attributes(const TriangleSource& s, const Vertices (&v)[3],
+HWY_INLINE void put_attributes(const TriangleSource& s, const Corners& corner, const Turns& turns,
                                const Windings& behind, LaneTriangles& out, int lane) {
-    Indices vertex;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        store(v[k].index, vertex.of[k]);
     MeshPlaces place;
-    if (s.wanted.position || s.wants_facing()) fetch(s.position, vertex, place.of, 0);
+    if (s.wanted.position || s.wants_facing()) place = fetch<3>(s.position, corner, turns);
     put_sides(s, behind, place, out, lane);
-    if (s.wanted.normal) fetch(s.normal, vertex, out.normal, lane);
-    if (s.wanted.uv) fetch(s.uv, vertex, out.uv, lane);
-    if (s.wanted.colour) fetch(s.colour, vertex, out.colour, lane);
+    if (s.wanted.normal) put(fetch<3>(s.normal, corner, turns), out.normal, lane);
+    if (s.wanted.uv) put(fetch<2>(s.uv, corner, turns), out.uv, lane);
+    if (s.wanted.colour) put(fetch<3>(s.colour, corner, turns), out.colour, lane);
     if (s.wanted.position) put_positions(s, place, out, lane);
 }
 
 void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int first, int count) {
     const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
-    const auto turned = [&](MaskX8 mask)
-                            HWY_ATTR { return (mask & !mirrored) | (mirrored & !mask); };
     for (int i = first; i < first + count; i += kLanesX8) {
         const int live = first + count - i;
+        const Corners corner = corners_of(s, out.id + i, live);
         Vertices v[3];
-        load_vertices(s, out.id + i, live, v);
-        Windings behind;
-        behind.of_file = turned(clockwise(v));
-        put_in_order(v);
-        behind.of_order = turned(clockwise(v));
+        load_vertices(s, corner, v);
+        const Turns turns = put_in_order(v);
         Places at = {load<I32x8>(b.x + i), load<I32x8>(b.y + i), load<I32x8>(out.sample_x + i),
                      load<I32x8>(out.sample_y + i)};
         F32x8 area[3];
-        if (are_small(v))
-            find_areas<I32x8, std::int32_t>(v, at, area);
-        else
-            find_areas<F64x8, double>(v, at, area);
+        const MaskX8 clockwise = are_small(v) ? find_areas<I32x8, std::int32_t>(v, at, area)
+                                              : find_areas<F64x8, double>(v, at, area);
         const MaskX8 mine = iota<I32x8>(0) < I32x8(live);
         store(select(mine, at.x, load<I32x8>(b.x + i)), b.x + i);
         store(select(mine, at.y, load<I32x8>(b.y + i)), b.y + i);
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             store(area[k] * v[k].inverse_w, out.weight[k] + i);
-        put_attributes(s, v, behind, out, i);
+        Windings behind;
+        behind.of_order = differ(clockwise, mirrored);
+        behind.of_file =
+            differ(behind.of_order, differ(turns.of[0], differ(turns.of[1], turns.of[2])));
+        put_attributes(s, corner, turns, behind, out, i);
     }
 }
 

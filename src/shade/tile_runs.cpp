@@ -8,10 +8,12 @@ SIMD_BEGIN(scanout::shade)
 // ids: the row in the first sample's plane; the others follow `plane` ids apart.
 HWY_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
     static_assert(raster::kTileSize == 64);
-    RowBits row{0, 0};
+    RowBits row{0, 0, 0};
+    const I32 none = static_cast<std::int32_t>(raster::kNoPrimitive);
     for (int x = 0; x < raster::kTileSize; x += kLanes) {
         const I32 here = load<I32>(ids + x), next = load<I32>(ids + x + 1);
         row.ends |= static_cast<std::uint64_t>(bits(!(here == next))) << x;
+        row.shown |= static_cast<std::uint64_t>(bits(!(here == none))) << x;
         if (samples == 1) continue;
         auto same = here == here;
         for (int s = 1; s < samples; ++s)
@@ -28,30 +30,16 @@ void find_all(const std::uint32_t* ids, int samples, std::size_t plane, int firs
         out[row] = find_bits(ids + std::ptrdiff_t{row} * raster::kTileSize, samples, plane);
 }
 
-void find_all_shown(const std::uint32_t* ids, int rows, std::uint64_t* out) {
-    const I32 none = static_cast<std::int32_t>(raster::kNoPrimitive);
-    for (int row = 0; row < rows; ++row, ids += raster::kTileSize) {
-        out[row] = 0;
-        for (int x = 0; x < raster::kTileSize; x += kLanes)
-            out[row] |= static_cast<std::uint64_t>(bits(!(load<I32>(ids + x) == none))) << x;
-    }
-}
-
 SIMD_END
 
 #if SIMD_ONCE
 namespace scanout::shade {
 
 SIMD_REGISTER(find_all);
-SIMD_REGISTER(find_all_shown);
 
 void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out) {
     SIMD_CALL(find_all)
     (tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first, end, out.data());
-}
-
-void find_shown(const raster::VisibilityTile& tile, int rows, ShownRows& out) {
-    SIMD_CALL(find_all_shown)(tile.ids(0).data(), rows, out.data());
 }
 
 } // namespace scanout::shade

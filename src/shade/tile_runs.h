@@ -1,4 +1,5 @@
-// Where runs of one id end in a row of a visibility tile, and which pixels several ids share.
+// Where runs of one id end in a row of a visibility tile, which pixels several ids share, and which
+// show something.
 #pragma once
 
 #include "raster/tile.h"
@@ -12,12 +13,10 @@ namespace scanout::shade {
 struct RowBits {
     std::uint64_t ends;   // the next pixel's first sample shows another id
     std::uint64_t shared; // not all samples show the same
+    std::uint64_t shown;  // the first sample shows something
 };
 // Of rows [first, end) of the tile: out[row].
 using TileRows = std::array<RowBits, raster::kTileSize>;
 void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out);
-// Of the first rows of the tile: whose first sample shows something.
-using ShownRows = std::array<std::uint64_t, raster::kTileSize>;
-void find_shown(const raster::VisibilityTile& tile, int rows, ShownRows& out);
 
 } // namespace scanout::shade
