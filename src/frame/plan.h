@@ -58,10 +58,10 @@ struct ShadowPlan {
 struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does. The usual
-    // culling, depth and depth test are not named.
+    // culling, depth and depth test, and one-sided light are not named.
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation, maps, lights, shadow, shading, emission,
-    // tone.
+    // exposure, tone.
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;                    // what has to be fetched for a block
     const shade::Filter* filter = nullptr;           // how maps are read; null where none is

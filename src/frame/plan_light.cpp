@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "frame/bounding_sphere.h"
 #include "frame/planner.h"
+#include "shade/sides.h"
 
 #include <algorithm>
 #include <utility>
@@ -145,9 +146,9 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                                           leaning, facts.triangles))
             : backs(facts, plan.options.cull, view);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
-    plan.sides = needed && !on ? shade::Sides::file
-                 : leaning > 0 ? shade::Sides::eye
-                               : shade::Sides::face;
+    const shade::LitSides& lit = needed && !on ? shade::sides::one_sided : shade::sides::two_sided;
+    plan.sides = leaning > 0 ? lit.leaning : lit.upright;
+    if (on) plan.techniques.push_back(&lit.card);
 }
 
 // From inside, a convex model's near side stands between the lights and its far side.
