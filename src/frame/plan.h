@@ -86,7 +86,8 @@ struct FramePlan {
     std::optional<shade::Wrap> wrap;           // of all textures; else as each map says
     const shade::Source* source = nullptr;     // what map_Kd is instead of its picture
     bool mapped = false;                       // u and v are made, not the model's
-    std::vector<Decision> decisions;           // one for each effect and axis, in a fixed order
+    bool lacks_uv = false; // no map is read, for the model has no coordinates and none are made
+    std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };

@@ -177,8 +177,8 @@ bool shadows_itself(const SceneFacts& facts, Cull cull, const scene::View& view)
 // Is some triangle neither blended, as things stand, nor clear?
 bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
     const auto asked = options.effects.find("blending");
-    const bool blends =
-        options.transparency != "cut_out" && (asked == options.effects.end() || asked->second);
+    const bool blends = options.transparency != "cut_out" && !blends_nothing(options) &&
+                        (asked == options.effects.end() || asked->second);
     return facts.alpha.unseen_triangles + (blends ? facts.alpha.blended_triangles : 0) <
            facts.triangles;
 }
