@@ -17,6 +17,7 @@
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
 #define SCANOUT_REFLECTION(X) X(lambert) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
+#define SCANOUT_SIDES(X) X(one_sided) X(two_sided)
 #define SCANOUT_CULL(X) X(none) X(back) X(front)
 #define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(reversed)
 #define SCANOUT_DEPTH_TEST(X)                                                                      \
@@ -29,6 +30,7 @@
     X(samples_2)                                                                                   \
     X(samples_4)                                                                                   \
     X(samples_8) X(samples_16) X(tent) X(gaussian) X(supersampling_2) X(supersampling_4) X(area)
+#define SCANOUT_EXPOSURE(X) X(none) X(stops)
 #define SCANOUT_TONE(X) X(clamp) X(shoulder) X(filmic)
 #define SCANOUT_BLEND_SPACE(X) X(encoded) X(linear)
 #define SCANOUT_ENCODE(X) X(square_root) X(power_2_2) X(srgb)

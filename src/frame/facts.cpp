@@ -193,9 +193,10 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
         census.count([&](const scene::Material& m) { return maps.reflects(m); }) == 0;
     for (std::size_t i = 0; i < shade::kMaps; ++i) {
         const auto map = static_cast<shade::Map>(i);
-        for (const scene::Material& m : scene.materials)
-            if ((m.*shade::map_slots()[i].map).texture >= 0)
-                facts.readable_maps |= shade::bit_of(map);
+        if (census.count([&](const scene::Material& m) {
+                return (m.*shade::map_slots()[i].map).texture >= 0;
+            }) > 0)
+            facts.readable_maps |= shade::bit_of(map);
         const auto matters = [&](const scene::Material& m) { return maps.matters(m, map); };
         const std::string_view effect = map_effect(map);
         facts.mapped_triangles[i] =

@@ -49,7 +49,7 @@ struct SceneFacts {
     AlphaFacts alpha;
     // Whose material has the map, and in it something that can change a pixel.
     std::array<std::size_t, shade::kMaps> mapped_triangles{};
-    shade::MapBits readable_maps = 0;   // some material has it, whatever it holds
+    shade::MapBits readable_maps = 0;   // some triangle's material has it, whatever it holds
     std::size_t emitting_triangles = 0; // Ke above 0, and map_Ke not black
     std::vector<TexturedSurface> textured_surfaces;
     float brightest = 1;        // Kd times vertex colour: no primitive reflects more; at most 1

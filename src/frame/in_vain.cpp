@@ -1,5 +1,7 @@
 #include "frame/in_vain.h"
 
+#include "frame/planner.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -56,7 +58,8 @@ void add_contradictions(const FramePlan& plan, Lines& lines) {
         {"mipmaps", o.texture == "nearest" || o.texture == "bilinear",
          fmt::format("--texture {} reads none; say another, or auto", o.texture)},
         {"blending", o.transparency == "cut_out",
-         "--transparency cut_out blends nothing; say another, or auto"}};
+         "--transparency cut_out blends nothing; say another, or auto"},
+        {"blending", blends_nothing(o), "--blend none blends nothing; say another, or auto"}};
     for (const auto& row : rows) {
         if (!row.in_vain || !asked_on(o, row.effect) || !plan.decision(row.effect)->on()) continue;
         // The contradiction is the better reason.
@@ -185,6 +188,10 @@ std::vector<std::string> asked_in_vain(const FramePlan& plan) {
     add_contradictions(plan, lines);
     add_details(plan, lines);
     add_lights(plan, lines);
+    if (plan.lacks_uv)
+        lines.emplace_back(
+            "maps are not shown: the model has no texture coordinates; --mapping box, "
+            "or another, makes them");
     return lines;
 }
 

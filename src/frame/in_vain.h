@@ -1,4 +1,4 @@
-// What the user asked for and a frame cannot show: one line each, with the reason.
+// What the user or the model asked for and a frame cannot show: one line each, with the reason.
 #pragma once
 
 #include "frame/plan.h"
@@ -8,7 +8,8 @@
 
 namespace scanout::frame {
 
-// Of effects that are forced on, techniques and numbers that nothing in this frame reads.
+// Of effects that are forced on, techniques and numbers that nothing in this frame reads, and of
+// maps that have no place on the model.
 std::vector<std::string> asked_in_vain(const FramePlan& plan);
 
 } // namespace scanout::frame

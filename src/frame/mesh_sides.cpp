@@ -1,5 +1,6 @@
 #include "frame/mesh_sides.h"
 
+#include "math/rotation.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 
 namespace scanout::frame {
 namespace {
@@ -35,6 +37,8 @@ std::uint64_t edge(std::uint64_t from, std::uint64_t to) {
     return from < to ? both : 0 - both;
 }
 
+constexpr double kOpposite = -0.99; // cosine
+
 // Which vertices hang together: a forest in which each points towards the root of its part.
 class Parts {
 public:
@@ -53,19 +57,27 @@ public:
         b = root(b);
         parent_[std::max(a, b)] = std::min(a, b);
     }
-    // Those at one place: the first is found again by its number.
-    void join_places(const std::vector<std::uint64_t>& number) {
+    // Those at one place: the first is found again by its number. Returns the places where some
+    // have normals that are opposite but for 8 degrees.
+    std::vector<std::uint64_t> join_places(const std::vector<std::uint64_t>& number,
+                                           const std::vector<Vec3>& normal) {
         constexpr std::uint32_t kFree = ~std::uint32_t{0};
         std::vector<std::uint32_t> table(std::bit_ceil(2 * number.size() + 1), kFree);
+        std::vector<std::uint64_t> opposite;
         for (std::uint32_t v = 0; v < number.size(); ++v) {
             std::size_t at = number[v] & (table.size() - 1);
             while (table[at] != kFree && number[table[at]] != number[v])
                 at = (at + 1) & (table.size() - 1);
-            if (table[at] == kFree)
+            if (table[at] == kFree) {
                 table[at] = v;
-            else
-                join(table[at], v);
+                continue;
+            }
+            join(table[at], v);
+            if (dot3(DVec3(normal[v]), DVec3(normal[table[at]])) < kOpposite)
+                opposite.push_back(number[v]);
         }
+        std::sort(opposite.begin(), opposite.end());
+        return opposite;
     }
 
 private:
@@ -103,14 +115,28 @@ void include(Box& box, const DVec3& low, const DVec3& high) {
 
 // By part: at the vertex that is its root.
 struct Part {
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::uint64_t open = 0; // sum of its edges; 0: closed
-    bool used = false;
-    std::uint32_t box = 0;
+    std::uint32_t solid = kNone;
+};
+
+// A closed part. The volume is six times its own, seen from one of its corners; more than rounding.
+struct Solid {
+    DVec3 corner;
+    double volume = 0, terms = 0;
+    std::size_t triangles = 0;
+    void add(const Triangle& t) {
+        const double term = dot3(DVec3(t.a) - corner, t.n);
+        volume += term;
+        terms += std::abs(term);
+        ++triangles;
+    }
+    bool outward() const { return volume > terms * 0x1p-40; }
 };
 
 // Where the parts are: the planes of open ones, the boxes of closed ones.
 void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<Part>& of) {
-    double volume = 0; // only its sign counts
+    std::vector<Solid> solids;
     for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
         const std::uint32_t* v = &mesh.index[i];
         const Triangle t(mesh, v);
@@ -120,18 +146,54 @@ void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<P
             sides.open_planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
             continue;
         }
-        volume += dot3(DVec3(t.a), t.n);
-        if (!part.used) {
+        if (part.solid == Part::kNone) {
+            part.solid = static_cast<std::uint32_t>(solids.size());
+            solids.push_back({DVec3(t.a)});
             if (sides.closed_boxes.size() < MeshSides::kMostBoxes)
                 sides.closed_boxes.push_back({DVec3(t.a), DVec3(t.a)});
-            part.box = static_cast<std::uint32_t>(sides.closed_boxes.size() - 1);
-            part.used = true;
         }
+        solids[part.solid].add(t);
+        Box& box = sides.closed_boxes[std::min<std::size_t>(part.solid, MeshSides::kMostBoxes - 1)];
         for (const Vec3* corner : {&t.a, &t.b, &t.c})
-            include(sides.closed_boxes[part.box], DVec3(*corner), DVec3(*corner));
+            include(box, DVec3(*corner), DVec3(*corner));
     }
-    sides.outward = volume > 0;
+    for (const Solid& solid : solids)
+        sides.inward += solid.outward() ? 0 : solid.triangles;
     sides.closed = sides.open == 0 && !mesh.index.empty();
+}
+
+// Does a face lie on the back of another? Then they share an edge that ends at one of the places,
+// run along it in opposite directions, and look in opposite ones.
+bool lie_back_to_back(const geom::Mesh& mesh, const std::vector<std::uint64_t>& number,
+                      const std::vector<std::uint64_t>& places) {
+    struct Edge {
+        std::uint64_t low, high; // ends
+        bool rises;
+        DVec3 normal;
+    };
+    std::vector<Edge> edges;
+    const auto listed = [&](std::uint64_t place) {
+        return std::binary_search(places.begin(), places.end(), place);
+    };
+    for (std::size_t i = 0; i + 2 < mesh.index.size() && !places.empty(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t from = number[v[k]], to = number[v[(k + 1) % 3]];
+            if (from != to && (listed(from) || listed(to)))
+                edges.push_back({std::min(from, to), std::max(from, to), from < to,
+                                 normalized(Triangle(mesh, v).n)});
+        }
+    }
+    const auto before = [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    };
+    std::sort(edges.begin(), edges.end(), before);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t k = i + 1; k < edges.size() && !before(edges[i], edges[k]); ++k)
+            if (edges[i].rises != edges[k].rises &&
+                dot3(edges[i].normal, edges[k].normal) < kOpposite)
+                return true;
+    return false;
 }
 
 bool is_flat(const std::vector<Plane>& planes) {
@@ -173,8 +235,8 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
     for (std::size_t i = 0; i < number.size(); ++i)
         number[i] = number_of(mesh.position[i]);
     Parts parts(number.size());
-    parts.join_places(number);
     MeshSides sides;
+    sides.back_to_back = lie_back_to_back(mesh, number, parts.join_places(number, mesh.normal));
     PlaneSet planes;
     for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
         const std::uint32_t* v = &mesh.index[i];
@@ -196,7 +258,7 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
     place(sides, mesh, parts, of);
     sides.flat = is_flat(planes.planes());
     sides.convex =
-        sides.closed && sides.outward && !planes.too_many() && is_convex(mesh, planes.planes());
+        sides.closed && sides.inward == 0 && !planes.too_many() && is_convex(mesh, planes.planes());
     return sides;
 }
 

@@ -21,8 +21,9 @@ struct Box {
 struct MeshSides {
     static constexpr std::size_t kMostBoxes = 64;
 
-    bool closed = false;  // all parts are
-    bool outward = false; // the volume of the closed parts is positive: not wound inside out
+    bool closed = false;       // all parts are
+    std::size_t inward = 0;    // triangles of closed parts that hold no volume, or less: inside out
+    bool back_to_back = false; // faces at one place look in opposite directions: either may be seen
     // Triangles with a normal that does not lie clearly on the side from which they wind counter-
     // clockwise; those without an area, too, but for collapsed ones.
     std::size_t leaning = 0;

@@ -31,8 +31,8 @@ Result<void> check_numbers(const FrameOptions& o) {
 // Maps change what light falls on, so they come before it; what a surface gives off by itself is
 // added to what it reflects, and no shadow darkens it.
 void put_in_order(std::vector<const shade::Stage*>& stages) {
-    constexpr std::string_view kOrder[] = {"interpolate", "mapping", "map",      "light",
-                                           "shadow",      "shading", "emission", "tone"};
+    constexpr std::string_view kOrder[] = {"interpolate", "mapping",  "map",      "light", "shadow",
+                                           "shading",     "emission", "exposure", "tone"};
     const auto place = [&](const shade::Stage* stage) {
         const Technique& card = stage->card;
         const std::string_view row = card.name == "emission" ? card.name : card.axis;

@@ -58,10 +58,10 @@ struct ShadowPlan {
 struct FramePlan {
     FrameOptions options;
     // Every technique that runs, in the order in which it was decided; no other one does. The usual
-    // culling, depth and depth test are not named.
+    // culling, depth and depth test, and one-sided light are not named.
     std::vector<const Technique*> techniques;
     // The stages of a block, in order: interpolation, maps, lights, shadow, shading, emission,
-    // tone.
+    // exposure, tone.
     std::vector<const shade::Stage*> stages;
     shade::Attributes attributes;                    // what has to be fetched for a block
     const shade::Filter* filter = nullptr;           // how maps are read; null where none is
@@ -86,7 +86,8 @@ struct FramePlan {
     std::optional<shade::Wrap> wrap;           // of all textures; else as each map says
     const shade::Source* source = nullptr;     // what map_Kd is instead of its picture
     bool mapped = false;                       // u and v are made, not the model's
-    std::vector<Decision> decisions;           // one for each effect and axis, in a fixed order
+    bool lacks_uv = false; // no map is read, for the model has no coordinates and none are made
+    std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
 };

@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "frame/bounding_sphere.h"
 #include "frame/planner.h"
+#include "shade/sides.h"
 
 #include <algorithm>
 #include <utility>
@@ -107,12 +108,28 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
 }
 
 // Why backs may be seen, or why not; of meshes whose normals lean to no back.
-std::pair<bool, std::string> backs(const SceneFacts& facts, Cull cull, const scene::View& view) {
+std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
+                                   const scene::View& view) {
     const MeshSides& sides = facts.sides;
+    const Cull cull = options.cull;
     if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
     if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
-    if (!sides.closed_boxes.empty() && !sides.outward)
-        return {true, "what is closed of the mesh is wound inside out"};
+    const auto usual = [](const std::string& asked, std::string_view name) {
+        return asked == "auto" || asked == name;
+    };
+    if (options.depth_test == "never" || options.depth_test == "equal")
+        return {false, fmt::format("--depth-test {} shows nothing", options.depth_test)};
+    if (!usual(options.depth_test, "greater"))
+        return {true, fmt::format("--depth-test {} may show backs", options.depth_test)};
+    if (!usual(options.depth, "reversed"))
+        return {true, fmt::format("--depth {} may take backs for as near as what hides them",
+                                  options.depth)};
+    if (sides.inward > 0)
+        return {true,
+                fmt::format("{} of {} triangles are of closed parts that are wound inside out",
+                            sides.inward, facts.triangles)};
+    if (sides.back_to_back)
+        return {true, "faces lie back to back: of two at one depth either may be seen"};
     switch (backs_in_view(sides, view)) {
     case Backs::of_open_parts:
         return {true, facts.alpha.see_through_triangles() > 0
@@ -128,7 +145,7 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, Cull cull, const sce
                        ? fmt::format("{} of {} triangles have open edges or let light through: all "
                                      "show their fronts",
                                      sides.open, facts.triangles)
-                       : "the mesh is closed and, as a whole, wound outwards: no back can be seen"};
+                       : "the mesh is closed and wound outwards: no back can be seen"};
 }
 
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
@@ -143,11 +160,11 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
             ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
                                           "their back",
                                           leaning, facts.triangles))
-            : backs(facts, plan.options.cull, view);
+            : backs(facts, plan.options, view);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
-    plan.sides = needed && !on ? shade::Sides::file
-                 : leaning > 0 ? shade::Sides::eye
-                               : shade::Sides::face;
+    const shade::LitSides& lit = needed && !on ? shade::sides::one_sided : shade::sides::two_sided;
+    plan.sides = leaning > 0 ? lit.leaning : lit.upright;
+    if (on) plan.techniques.push_back(&lit.card);
 }
 
 // From inside, a convex model's near side stands between the lights and its far side.
@@ -160,8 +177,8 @@ bool shadows_itself(const SceneFacts& facts, Cull cull, const scene::View& view)
 // Is some triangle neither blended, as things stand, nor clear?
 bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
     const auto asked = options.effects.find("blending");
-    const bool blends =
-        options.transparency != "cut_out" && (asked == options.effects.end() || asked->second);
+    const bool blends = options.transparency != "cut_out" && !blends_nothing(options) &&
+                        (asked == options.effects.end() || asked->second);
     return facts.alpha.unseen_triangles + (blends ? facts.alpha.blended_triangles : 0) <
            facts.triangles;
 }

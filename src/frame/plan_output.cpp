@@ -24,6 +24,13 @@ bool mixes_samples(const FramePlan& plan, const SceneFacts& facts) {
            ((aa.exact || aa.samples > 1) && facts.triangles > 0);
 }
 
+// Is no light as bright as 1, by more than rounding? Then a shoulder that ends there bends none.
+bool nothing_bends(const FramePlan& plan, const SceneFacts& facts, double brightest) {
+    const double plain = facts.lines + facts.points > 0 ? double{plan.exposure} : 0;
+    return std::max(brightest, plain) < 1 - 0x1p-16 && !plan.decision("highlight")->on() &&
+           !plan.decision("emission")->on();
+}
+
 } // namespace
 
 Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
@@ -44,11 +51,19 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     const auto* compare = raster::find_depth_test(test);
     const auto* mix = shade::find_blend(blend);
     CHECK(format != nullptr && compare != nullptr && mix != nullptr);
-    planner.choice("depth", depth, o.depth, std::string(format->card.blurb));
-    planner.choice("depth_test", test, o.depth_test, std::string(compare->card.blurb));
+    const bool drawn = facts.triangles + facts.lines + facts.points > 0;
+    const char* const nothing = "nothing is drawn that could be hidden";
+    planner.choice("depth", depth, o.depth, drawn ? std::string(format->card.blurb) : nothing,
+                   drawn);
+    planner.choice("depth_test", test, o.depth_test,
+                   drawn ? std::string(compare->card.blurb) : nothing, drawn);
     const bool blends = plan.transparency.blended != nullptr;
-    planner.choice("blend", blends ? blend : "off", o.blend,
-                   blends ? std::string(mix->card.blurb) : "nothing is blended", blends);
+    const auto asked = o.effects.find("blending");
+    const bool whole = facts.alpha.blended_triangles > 0 && blends_nothing(o) &&
+                       (asked == o.effects.end() || asked->second);
+    planner.choice("blend", blends || whole ? blend : "off", o.blend,
+                   blends || whole ? std::string(mix->card.blurb) : "nothing is blended",
+                   blends || whole);
     plan.visible = {compare->test, format->standard, format->steps};
     plan.transparency.blend = mix;
     if (!plan.visible.usual())
@@ -81,9 +96,10 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
                    fmt::format("diffuse light is at most {:.2f}{}{}{}", brightest,
                                lamps ? " about the model's centre, nearer to a lamp more" : "",
                                plan.decision("emission")->on() ? ", Ke comes on top of it" : "",
-                               burns ? ", and highlights may burn out" : ""));
-    // Codes end at 1 anyway.
-    if (tone != "clamp" || exposed) planner.stage("tone", tone);
+                               burns ? ", and highlights may burn out" : ""),
+                   !(tone == "shoulder" && nothing_bends(plan, facts, brightest)));
+    if (exposed) planner.stage("exposure", "stops");
+    if (tone != "clamp") planner.stage("tone", tone); // codes end at 1 anyway
     return {};
 }
 

@@ -22,19 +22,27 @@ std::string alpha_from(const AlphaFacts& a) {
     return a.blended_by_maps == 0 ? d : fmt::format("{}, and {} in maps", d, a.blended_by_maps);
 }
 
-// Forced on where nothing calls for it, opaque triangles take the way of what is blended, and look
-// the same: where the nearest surface is seen and covers all behind it, and a pixel shows no more
-// than its own samples.
-bool opaque_may_blend(const FrameOptions& o) {
-    const auto usual = [](const std::string& asked, std::string_view name) {
-        return asked == "auto" || asked == name;
-    };
+bool usual(const std::string& asked, std::string_view name) {
+    return asked == "auto" || asked == name;
+}
+
+// The nearest surface is seen, and a pixel shows no more than its own samples.
+bool nearest_alone(const FrameOptions& o) {
     const AntiAliasing* const aa = find_anti_aliasing(o.aa);
-    return usual(o.depth_test, "greater") && usual(o.blend, "over") &&
-           (aa == nullptr || aa->weight == nullptr);
+    return usual(o.depth_test, "greater") && (aa == nullptr || aa->weight == nullptr);
+}
+
+// Forced on where nothing calls for it, opaque triangles take the way of what is blended, and look
+// the same: where the nearest surface also covers all behind it.
+bool opaque_may_blend(const FrameOptions& o) {
+    return nearest_alone(o) && usual(o.blend, "over");
 }
 
 } // namespace
+
+bool blends_nothing(const FrameOptions& o) {
+    return o.blend == "none" && usual(o.transparency, "exact") && nearest_alone(o);
+}
 
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
@@ -44,7 +52,8 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     if (!(o.alpha_cut >= 0 && o.alpha_cut <= 1))
         return fail(Exit::usage, "--alpha-cut {}: choose 0 to 1", o.alpha_cut);
     const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
-    const bool blends = a.blended_triangles > 0;
+    const bool whole = blends_nothing(o) && a.blended_triangles > 0;
+    const bool blends = a.blended_triangles > 0 && !whole;
     // What would be blended for no reason must not change what is blended for one.
     const bool may_blend = opaque_may_blend(o), cuts_by_blending = cut_name != "cut_out";
     const bool cut_for_nothing = !cuts && (!cuts_by_blending || (may_blend && !blends));
@@ -58,9 +67,10 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
              : "no triangle has alpha 0 in places, and else 1" + (cut_for_nothing ? "" : as_it_is));
     bool blend = planner.effect(
         "blending", blend_name, blends,
-        blends ? fmt::format("{} have alpha between 0 and 1, {}",
-                             part(a.blended_materials, a.blended_triangles, facts), alpha_from(a))
-               : "no triangle's alpha is between 0 and 1" + (blend_for_nothing ? "" : as_it_is));
+        blends  ? fmt::format("{} have alpha between 0 and 1, {}",
+                              part(a.blended_materials, a.blended_triangles, facts), alpha_from(a))
+        : whole ? "--blend none shows the nearest surface whole"
+                : "no triangle's alpha is between 0 and 1" + (blend_for_nothing ? "" : as_it_is));
     cut = cut && (cuts || cut_for_nothing);
     blend = blend && (blends || blend_for_nothing);
     if (facts.triangles == 0 || !(cut || blend)) return {};

@@ -138,6 +138,7 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
     if (source->sample != nullptr && facts.triangles > 0) plan.source = source;
     const std::size_t textured = facts.mapped_triangles[shade::kDiffuseMap];
     const bool coordinates = has_coordinates(plan, facts);
+    plan.lacks_uv = !coordinates && facts.readable_maps != 0;
     const bool readable =
         textured > 0 || (facts.readable_maps & shade::bit_of(shade::kDiffuseMap)) != 0;
     const bool lit = some_light_shines(options);

@@ -56,6 +56,9 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
 // that reads a map is decided.
 Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                            const scene::View& view);
+// --blend none shows the nearest surface whole: as opaque ones are shown, and drawn as these, where
+// the nearest is seen, and a pixel shows no more than its own samples.
+bool blends_nothing(const FrameOptions& options);
 // What is blended throws no shadow: what comes through it would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
 // Which surfaces are seen, and how they are mixed: choices of the user's.

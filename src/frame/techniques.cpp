@@ -7,6 +7,7 @@
 #include "raster/cull.h"
 #include "raster/visible_rule.h"
 #include "shade/output.h"
+#include "shade/sides.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 
@@ -25,6 +26,8 @@ const std::vector<const Technique*>& techniques() {
             found.push_back(&wrapping->card);
         for (const shade::Stage* stage : shade::stages())
             found.push_back(&stage->card);
+        for (const shade::LitSides* sides : shade::lit_sides())
+            found.push_back(&sides->card);
         for (const raster::CullRow* cull : raster::cullings())
             found.push_back(&cull->card);
         for (const raster::DepthFormatRow* format : raster::depth_formats())

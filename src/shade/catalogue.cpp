@@ -1,5 +1,6 @@
 // Every stage and filter by name: techniques.h expanded once. A name without a file is a link
 // error.
+#include "shade/sides.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 #include "techniques.h"
@@ -30,6 +31,9 @@ SCANOUT_REFLECTION(SCANOUT_DECLARE)
 namespace shading {
 SCANOUT_SHADING(SCANOUT_DECLARE)
 }
+namespace exposure {
+SCANOUT_EXPOSURE(SCANOUT_DECLARE)
+}
 namespace tone {
 SCANOUT_TONE(SCANOUT_DECLARE)
 }
@@ -59,6 +63,18 @@ namespace wrap {
 SCANOUT_WRAP(SCANOUT_DECLARE)
 }
 #undef SCANOUT_DECLARE
+#define SCANOUT_DECLARE(name) extern const LitSides name;
+namespace sides {
+SCANOUT_SIDES(SCANOUT_DECLARE)
+}
+#undef SCANOUT_DECLARE
+
+std::span<const LitSides* const> lit_sides() {
+#define SCANOUT_ROW(name) &sides::name,
+    static constexpr auto kAll = std::to_array<const LitSides*>({SCANOUT_SIDES(SCANOUT_ROW)});
+#undef SCANOUT_ROW
+    return kAll;
+}
 
 std::span<const Stage* const> stages() {
     static constexpr auto kStages = std::to_array<const Stage*>({
@@ -83,8 +99,11 @@ std::span<const Stage* const> stages() {
 #define SCANOUT_ROW(name) &shading::name,
                                 SCANOUT_SHADING(SCANOUT_ROW)
 #undef SCANOUT_ROW
+#define SCANOUT_ROW(name) &exposure::name,
+                                    SCANOUT_EXPOSURE(SCANOUT_ROW)
+#undef SCANOUT_ROW
 #define SCANOUT_ROW(name) &tone::name,
-                                    SCANOUT_TONE(SCANOUT_ROW)
+                                        SCANOUT_TONE(SCANOUT_ROW)
 #undef SCANOUT_ROW
     });
     return kStages;

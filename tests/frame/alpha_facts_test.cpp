@@ -123,6 +123,26 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
     EXPECT_TRUE(plan_of(scene, options).transparency.layers.empty());
 }
 
+// The golden pictures and hashes of --blend none were drawn from sorted lists: they are the same.
+TEST(TransparencyPlan, ListsNothingWhereTheNearestIsShownWhole) {
+    const scene::Scene scene =
+        scene_of({test::plain(Vec3(1)), dissolved(test::plain(Vec3(1)), 0.5F)});
+    FrameOptions options;
+    options.blend = "none";
+    const FramePlan p = plan_of(scene, options);
+    EXPECT_EQ(p.transparency.blended, nullptr);
+    EXPECT_TRUE(p.transparency.layers.empty());
+    EXPECT_EQ(to_string(*p.decision("blending")),
+              "blending off: --blend none shows the nearest surface whole");
+    EXPECT_EQ(p.decision("blend")->technique, "none");
+    // Where the nearest triangle's order is not that of its samples, lists are needed.
+    options.transparency = "sorted";
+    EXPECT_NE(plan_of(scene, options).transparency.blended, nullptr);
+    options.transparency = "auto";
+    options.depth_test = "less";
+    EXPECT_NE(plan_of(scene, options).transparency.blended, nullptr);
+}
+
 TEST(TransparencyPlan, SaysWhereAlphaComesFrom) {
     const auto because = [](const std::vector<scene::Material>& materials) {
         const scene::Texture soft = texels({{1, 2, 3, 255}, {0, 0, 0, 254}});

@@ -41,6 +41,7 @@ const std::vector<Asked>& all_options() {
         {"--blend", [](FrameOptions& o) { o.blend = "add"; }},
         {"--alpha-cut", [](FrameOptions& o) { o.alpha_cut = 0.9; }},
         {"--blend-space", [](FrameOptions& o) { o.blend_space = "encoded"; }},
+        {"--tone", [](FrameOptions& o) { o.tone = "shoulder"; }},
         {"--shadow volume", [](FrameOptions& o) { o.shadow = "volume"; }},
         {"--shadow-size", [](FrameOptions& o) { o.shadow_size = 128; }},
         {"--shadow-filter", [](FrameOptions& o) { o.shadow_filter = 7; }},
@@ -134,6 +135,8 @@ std::vector<Undone> undone() {
          ask("reflection", "lambert")},
         {"--effect mipmaps=on changes nothing: --texture nearest", on("mipmaps"),
          ask("texture", "nearest")},
+        {"--effect blending=on changes nothing: --blend none", on("blending"),
+         ask("blend", "none")},
         {"--effect blending=on changes nothing: --transparency cut_out", on("blending"),
          ask("transparency", "cut_out")},
         {"--aa samples_4 changes nothing: the picture shows counts", ask("aa", "samples_4"),
@@ -226,6 +229,32 @@ TEST(InVain, WithoutForeshorteningAllInterpolationsAreAlike) {
         }
     }
     EXPECT_GT(said, 300);
+}
+
+TEST(InVain, WithNothingInViewDepthsChangeNothing) {
+    Shot s = solids("away");
+    s.camera.eye = DVec3(0, 0, 5);
+    s.camera.target = DVec3(0, 0, 9);
+    const image::Image empty = draw(s);
+    s.options.depth = "fixed_16";
+    s.options.depth_test = "less";
+    EXPECT_THAT(in_vain(s),
+                ElementsAre(HasSubstr("--depth fixed_16 changes nothing: nothing of the model"),
+                            HasSubstr("--depth-test less changes nothing: nothing of the model")));
+    EXPECT_EQ(draw(s), empty);
+}
+
+TEST(InVain, MapsOfAModelWithoutCoordinatesAreNamedOnce) {
+    Shot s = covered_solids("bare", "auto", "auto");
+    EXPECT_THAT(in_vain(s), IsEmpty());
+    s.scene.mesh.uv.clear();
+    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("the model has no texture coordinates")));
+    Shot boxed = s, unused = s;
+    boxed.options.mapping = "box";
+    EXPECT_THAT(in_vain(boxed), IsEmpty());
+    for (std::int32_t& material : unused.scene.mesh.material)
+        material = -1;
+    EXPECT_THAT(in_vain(unused), IsEmpty()) << "no triangle has the material";
 }
 
 TEST(InVain, PairsThatDoNotGoTogetherAreNamed) {

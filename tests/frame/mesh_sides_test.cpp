@@ -30,7 +30,7 @@ TEST(MeshSides, OfASolidAreClosedAndOutward) {
     test::add_cube(mesh, 0.3F); // vertices of its own at every face: joined by place
     const MeshSides sides = mesh_sides(mesh);
     EXPECT_TRUE(sides.closed);
-    EXPECT_TRUE(sides.outward);
+    EXPECT_EQ(sides.inward, 0U);
     EXPECT_EQ(sides.leaning, 0U);
 }
 
@@ -60,12 +60,63 @@ TEST(MeshSides, InsideOutIsNotOutward) {
     const std::size_t all = mesh.triangles();
     turn(mesh, true, true);
     EXPECT_TRUE(mesh_sides(mesh).closed);
-    EXPECT_FALSE(mesh_sides(mesh).outward);
+    EXPECT_EQ(mesh_sides(mesh).inward, all);
     EXPECT_EQ(mesh_sides(mesh).leaning, 0U);
     turn(mesh, false, true); // normals outwards, winding not
     EXPECT_EQ(mesh_sides(mesh).leaning, all);
     turn(mesh, true, false);
     EXPECT_EQ(mesh_sides(mesh).leaning, 0U);
+}
+
+TEST(MeshSides, EachClosedPartIsInsideOutOrNotByItself) {
+    geom::Mesh mesh = sphere();
+    const std::size_t large = mesh.index.size();
+    test::add_sphere(mesh, {-0.7F, 0.1F, 0}, 0.125F, 12, 6);
+    EXPECT_EQ(mesh_sides(mesh).inward, 0U);
+    for (std::size_t i = large; i < mesh.index.size(); i += 3) {
+        std::swap(mesh.index[i], mesh.index[i + 1]);
+        for (std::size_t k = 0; k < 3; ++k) {
+            Vec3& n = mesh.normal[mesh.index[i + k]];
+            const Vec3 out = mesh.position[mesh.index[i + k]] - Vec3(-0.7F, 0.1F, 0);
+            n = dot3(DVec3(n), DVec3(out)) > 0 ? -n : n;
+        }
+    }
+    const MeshSides sides = mesh_sides(mesh);
+    EXPECT_TRUE(sides.closed);
+    EXPECT_EQ(sides.leaning, 0U);
+    EXPECT_EQ(sides.inward, mesh.triangles() - large / 3);
+    test::Shot s = test::shot("balls");
+    s.scene.mesh = mesh;
+    s.scene.materials = {test::plain(Vec3(0.7F))};
+    const auto planned = plan(s.options, facts(s.scene));
+    ASSERT_TRUE(planned);
+    EXPECT_TRUE(planned->decision("two_sided")->needed);
+    EXPECT_NE(planned->decision("two_sided")->because.find("inside out"), std::string::npos);
+    const image::Image right = test::draw(s);
+    s.options.effects["two_sided"] = false;
+    EXPECT_NE(test::draw(s), right);
+}
+
+TEST(MeshSides, AFaceOnTheBackOfAnotherIsFound) {
+    // One sheet as exporters write it: the second time from its last corner on, so that diagonals
+    // cross. It holds no volume, and a body that it hangs on does not hide that.
+    for (const bool on_a_body : {false, true}) {
+        geom::Mesh mesh = empty_mesh();
+        if (on_a_body) test::add_cube(mesh, 0.25F);
+        const Vec3 a(0.25F), b(0.25F, 0.75F, 0.25F), c(0.75F, 0.75F, 0.25F), d(0.75F, 0.25F, 0.25F);
+        test::add_quad(mesh, {{a, b, c, d}}, {0, 0, -1});
+        test::add_quad(mesh, {{d, c, b, a}}, {0, 0, 1});
+        const MeshSides sides = mesh_sides(mesh);
+        EXPECT_TRUE(sides.closed);
+        EXPECT_EQ(sides.inward, on_a_body ? 0U : 4U);
+        EXPECT_TRUE(sides.back_to_back);
+    }
+    // Balls that touch at a point do not.
+    geom::Mesh touching = empty_mesh();
+    test::add_sphere(touching, {-0.5F, 0, 0}, 0.5F, 24, 12);
+    test::add_sphere(touching, {0.5F, 0, 0}, 0.5F, 24, 12);
+    EXPECT_FALSE(mesh_sides(touching).back_to_back);
+    EXPECT_FALSE(mesh_sides(sphere()).back_to_back);
 }
 
 TEST(MeshSides, ATriangleWithoutAnAreaHasNoSide) {

@@ -480,7 +480,7 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
 TEST(Plan, AShadowThatIsForcedOnIsDrawnWhereverOneCanBe) {
     SceneFacts facts;
     facts.triangles = 12;
-    facts.sides.closed = facts.sides.outward = facts.sides.convex = true;
+    facts.sides.closed = facts.sides.convex = true;
     facts.alpha.of_material = {AlphaClass::opaque};
     FrameOptions options;
     options.lights[0].casts = true;

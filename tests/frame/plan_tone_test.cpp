@@ -71,13 +71,14 @@ TEST(Tone, ClampsUnlessSurfacesGetBrighterThanWhite) {
     EXPECT_EQ(bright.decision("tone")->technique, "shoulder");
     EXPECT_THAT(bright.decision("tone")->because, HasSubstr("1.93"));
     EXPECT_EQ(bright.exposure, 2);
+    EXPECT_EQ(stages(bright).end()[-2], "exposure stops");
     EXPECT_NEAR(bright.white, 1.93, 0.005);
     EXPECT_EQ(stages(bright).back(), "tone shoulder");
     options.tone = "clamp";
-    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "exposure stops");
     options = {};
     options.exposure = -2;
-    EXPECT_EQ(stages(plan_of(facts, options)).back(), "tone clamp");
+    EXPECT_EQ(stages(plan_of(facts, options)).back(), "exposure stops");
     EXPECT_EQ(plan_of(facts, options).decision("tone")->technique, "clamp");
     options = {};
     options.lights.push_back(sun({0, 0, 1}, 0.5F));

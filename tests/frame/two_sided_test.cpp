@@ -57,6 +57,21 @@ TEST(TwoSided, IsNotNeededWhereNoBackCanBeSeenAndThenForcingItChangesNoBit) {
     }
 }
 
+// Where backs come to be seen by a choice of depths, the plan knows: without it they are dark.
+TEST(TwoSided, IsNeededWhereDepthsShowBacksOfClosedBodies) {
+    for (const auto& [axis, name] :
+         {std::pair("depth_test", "less"), {"depth_test", "always"}, {"depth", "fixed_16"}}) {
+        Shot s = solids("solids");
+        EXPECT_TRUE(frame::ask(s.options, axis, name));
+        const auto plan = frame::plan(s.options, frame::facts(s.scene));
+        ASSERT_TRUE(plan);
+        EXPECT_TRUE(plan->decision("two_sided")->needed) << name;
+        const image::Image both = draw(s);
+        s.options.effects["two_sided"] = false;
+        EXPECT_GT(image::compare(draw(s), both, 8).over_tolerance, 50) << name;
+    }
+}
+
 TEST(TwoSided, LightsTheInsideOfABowlAndLeavingItOutDoesNot) {
     Shot open = bowl("bowl", frame::Cull::none);
     const auto plan = frame::plan(open.options, frame::facts(open.scene));

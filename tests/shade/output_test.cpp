@@ -187,20 +187,23 @@ std::unique_ptr<Block> ramp(const scene::Material& material) {
     return b;
 }
 
-TEST(Tone, OfNoStopsIsNeutralToTheBit) {
+TEST(Exposure, OfNoStopsIsNeutralToTheBit) {
     const scene::Material material;
     const auto before = ramp(material);
-    auto b = ramp(material);
-    run_stage("tone", "clamp", *b, identity_frame());
-    EXPECT_TRUE(same_lanes(*b, *before, 0, b->count));
+    for (const auto& [axis, name] :
+         {std::pair("exposure", "none"), {"exposure", "stops"}, {"tone", "clamp"}}) {
+        auto b = ramp(material);
+        run_stage(axis, name, *b, identity_frame());
+        EXPECT_TRUE(same_lanes(*b, *before, 0, b->count)) << axis << ' ' << name;
+    }
 }
 
-TEST(Tone, ExposureIsAPowerOfTwo) {
+TEST(Exposure, IsAPowerOfTwo) {
     const scene::Material material;
     FrameState frame = identity_frame();
     frame.exposure = 0.25F;
     auto b = ramp(material);
-    run_stage("tone", "clamp", *b, frame);
+    run_stage("exposure", "stops", *b, frame);
     for (int i = 0; i < b->count; ++i)
         ASSERT_EQ(b->colour[1][i], static_cast<float>(i) / 32);
 }
@@ -211,6 +214,7 @@ TEST(Tone, FilmicRisesFromBlackToWhiteAsNarkowiczSays) {
         FrameState frame = identity_frame();
         frame.exposure = exposure;
         auto b = ramp(material);
+        run_stage("exposure", "stops", *b, frame);
         run_stage("tone", "filmic", *b, frame);
         for (int i = 0; i < b->count; ++i) {
             const double x = double{exposure} * i / 16;

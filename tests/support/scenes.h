@@ -229,8 +229,13 @@ inline Shot star(std::string name) {
     return s;
 }
 
-// What becomes of light: tones, blend spaces, encodings, dither.
+// What becomes of light: exposures, tones, blend spaces, encodings, dither.
 inline void add_output_shots(std::vector<Shot>& shots) {
+    for (const double stops : {0.0, -1.5}) { // darker: no light is cut off
+        shots.push_back(solids(stops == 0 ? "exposure_none" : "exposure_stops"));
+        shots.back().camera.azimuth_degrees = 120;
+        shots.back().options.exposure = stops;
+    }
     for (const char* tone : {"clamp", "shoulder", "filmic"}) {
         shots.push_back(solids("tone_" + std::string(tone)));
         shots.back().options.tone = tone;
@@ -372,6 +377,11 @@ inline std::vector<Shot> golden_shots() {
     }
     shots.push_back(bowl("two_sided_off", frame::Cull::none));
     shots.back().options.effects["two_sided"] = false;
+    for (const bool both : {false, true}) {
+        shots.push_back(bowl(both ? "sides_two_sided" : "sides_one_sided", frame::Cull::none));
+        shots.back().camera.elevation_degrees = 55;
+        shots.back().options.effects["two_sided"] = both;
+    }
     for (const char* technique : {"attached", "projected", "map", "map_pcf"})
         shots.push_back(shadowed("shadow_" + std::string(technique), technique));
     shots.back().options.shadow_filter = 5;

@@ -11,13 +11,11 @@
 
 SIMD_BEGIN(scanout::shade::tone)
 
-void filmic_run(Block& b, const FrameState& frame) {
-    const F32 exposure = frame.exposure;
+void filmic_run(Block& b) {
     for (auto& channel : b.colour)
         for (int i = 0; i < b.count; i += kLanes) {
             // Beyond 16 the curve is above 1 for good; its squares must not overflow.
-            const F32 light = load<F32>(channel + i) * exposure;
-            const F32 x = minimum(maximum(light, F32(0.0F)), F32(16.0F));
+            const F32 x = minimum(maximum(load<F32>(channel + i), F32(0.0F)), F32(16.0F));
             const F32 above = x * (F32(2.51F) * x + F32(0.03F));
             const F32 below = x * (F32(2.43F) * x + F32(0.59F)) + F32(0.14F);
             store(minimum(above / below, F32(1.0F)), channel + i);
@@ -38,8 +36,8 @@ constinit const Stage filmic{{.axis = "tone",
                               .source = "Narkowicz 2015, a fit of ACES",
                               .kind = Kind::model},
                              {},
-                             [](Block& block, const FrameState& frame) {
-                                 SIMD_CALL(filmic_run)(block, frame);
+                             [](Block& block, const FrameState& /*frame*/) {
+                                 SIMD_CALL(filmic_run)(block);
                              }};
 
 } // namespace scanout::shade::tone

@@ -16,10 +16,9 @@ SIMD_BEGIN(scanout::shade::tone)
 void shoulder_run(Block& b, const FrameState& frame) {
     const float white = frame.white, knee = 1.0F / white, room = 1.0F - knee,
                 inverse_square = 1.0F / ((white + 1.0F) * (white + 1.0F));
-    const F32 exposure = frame.exposure;
     for (auto& channel : b.colour)
         for (int i = 0; i < b.count; i += kLanes) {
-            const F32 x = minimum(load<F32>(channel + i) * exposure, F32(white));
+            const F32 x = minimum(load<F32>(channel + i), F32(white));
             const F32 above = maximum(x - F32(knee), F32(0.0F));
             // room * g(above / room). Where there is no room, no light is above the knee.
             const F32 rolled = F32(knee) + (above * (F32(room) + above * F32(inverse_square))) /

@@ -1,0 +1,15 @@
+// Exposure "none": light is shown as it is. No stage runs for it.
+#include "shade/stage.h"
+
+namespace scanout::shade::exposure {
+
+extern const Stage none;
+constinit const Stage none{{.axis = "exposure",
+                            .name = "none",
+                            .blurb = "light is shown as bright as it is",
+                            .source = "MTL's illum models",
+                            .kind = Kind::effect},
+                           {},
+                           [](Block& /*block*/, const FrameState& /*frame*/) {}};
+
+} // namespace scanout::shade::exposure
