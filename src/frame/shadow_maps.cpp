@@ -71,6 +71,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;
+    options.mirrored = in.view.mirrored;
     options.triangles_only = true;
     options.layers = in.plan.shadow.casters;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);

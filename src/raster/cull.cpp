@@ -133,7 +133,9 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     if (rest != 0) {
         std::uint32_t from[kLanes], to[kLanes];
         const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
-        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0, from);
+        const Mask32 away = o.mirrored ? area < F32(0.0F) : area > F32(0.0F);
+        const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
+        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back, from);
         store(shift_left<16>(y1) | x1, to);
         for (; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
