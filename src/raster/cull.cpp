@@ -113,9 +113,14 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const I32 extent = maximum(max_x - min_x, max_y - min_y);
     const Mask32 tiny = kept & (extent <= I32(kTiny * kSubpixel));
     if (!o.pattern.empty() && any(tiny)) {
-        const bool wide = any(tiny & ((across > I32(2)) | (down > I32(2))));
-        const int side = wide ? kTiny + 1 : 2;
-        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, side, side));
+        const auto most = [&](I32 pixels) HWY_ATTR {
+            int side = 2;
+            while (side <= kTiny && any(tiny & (pixels > I32(side))))
+                ++side;
+            return side;
+        };
+        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, most(across),
+                                          most(down)));
     }
 
     // Off the screen at one side with all corners, or not a number: gone without clipping.
