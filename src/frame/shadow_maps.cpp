@@ -7,6 +7,7 @@ namespace {
 
 // Texels around what throws shadows: the widest filter, and penumbrae (shade/shadow/map_soft.cpp).
 constexpr int kMargin = 8, kSoftMargin = 64;
+static_assert(kMostShadowFilter <= shade::kMostFilter);
 
 // unit: of positions and of the light (scene::to_floats).
 shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, double unit) {
@@ -71,6 +72,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;
+    options.mirrored = in.view.mirrored;
     options.triangles_only = true;
     options.layers = in.plan.shadow.casters;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);

@@ -113,9 +113,14 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const I32 extent = maximum(max_x - min_x, max_y - min_y);
     const Mask32 tiny = kept & (extent <= I32(kTiny * kSubpixel));
     if (!o.pattern.empty() && any(tiny)) {
-        const bool wide = any(tiny & ((across > I32(2)) | (down > I32(2))));
-        const int side = wide ? kTiny + 1 : 2;
-        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, side, side));
+        const auto most = [&](I32 pixels) HWY_ATTR {
+            int side = 2;
+            while (side <= kTiny && any(tiny & (pixels > I32(side))))
+                ++side;
+            return side;
+        };
+        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, most(across),
+                                          most(down)));
     }
 
     // Off the screen at one side with all corners, or not a number: gone without clipping.
@@ -133,7 +138,9 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     if (rest != 0) {
         std::uint32_t from[kLanes], to[kLanes];
         const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
-        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0, from);
+        const Mask32 away = o.mirrored ? area < F32(0.0F) : area > F32(0.0F);
+        const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
+        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back, from);
         store(shift_left<16>(y1) | x1, to);
         for (; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);

@@ -35,12 +35,14 @@ bool faces_as_wanted(const CullOptions& options, bool clockwise);
 // y1).
 struct KeptTriangle {
     std::uint32_t triangle;
-    std::uint32_t from, to; // x in the low half, y in the high one; `from` has kSmall, too
+    std::uint32_t from, to; // x in the low half, y in the high one; `from` has two flags, too
 
     static constexpr std::uint32_t kSmall = 1U << 31; // at most kSmallSide pixels each way
+    static constexpr std::uint32_t kAway = 1U << 15;  // a back, where fronts are kept as well
 
     bool small() const { return (from & kSmall) != 0; }
-    int x0() const { return static_cast<int>(from & 0xffff); }
+    bool away() const { return (from & kAway) != 0; }
+    int x0() const { return static_cast<int>(from & 0x7fff); }
     int y0() const { return static_cast<int>((from & ~kSmall) >> 16); }
     int x1() const { return static_cast<int>(to & 0xffff); }
     int y1() const { return static_cast<int>(to >> 16); }

@@ -14,8 +14,9 @@
 namespace scanout::raster {
 
 namespace {
-constexpr int kLarge = 16;           // pixels each way: some block of 8 x 8 may be covered whole
-constexpr std::size_t kChunk = 4096; // of vertices, triangles or clusters: a worker's next work
+constexpr int kLarge = 16;            // pixels each way: some block of 8 x 8 may be covered whole
+constexpr std::size_t kFewBacks = 64; // in a tile: drawn sooner than asked whether they are hidden
+constexpr std::size_t kChunk = 4096;  // of vertices, triangles or clusters: a worker's next work
 
 int chunks(std::size_t n) {
     return static_cast<int>((n + kChunk - 1) / kChunk);
@@ -38,6 +39,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.points.clear();
             bin.large.clear();
             bin.parts.clear();
+            bin.backs.clear();
         }
     }
 }
@@ -55,10 +57,12 @@ void Geometry::Batch::Bin::put_large_first() {
 
 template <class F>
 void Geometry::Batch::Bin::for_small(F&& f) const {
-    const std::uint32_t* last = nullptr; // parts of one triangle stand side by side
-    for (const BlockPart& part : parts) {
-        if (last == nullptr || *last != part.triangle) f(part.triangle);
-        last = &part.triangle;
+    for (const auto* all : {&parts, &backs}) {
+        const std::uint32_t* last = nullptr; // parts of one triangle stand side by side
+        for (const BlockPart& part : *all) {
+            if (last == nullptr || *last != part.triangle) f(part.triangle);
+            last = &part.triangle;
+        }
     }
 }
 
@@ -208,7 +212,7 @@ void Geometry::add_small(const BlockGrid& grid, std::span<Batch::Bin> bins, cons
     for (int y = y0 >> kSideBits; y <= (y1 - 1) >> kSideBits; ++y)
         for (int x = x0 >> kSideBits; x <= (x1 - 1) >> kSideBits; ++x) {
             const int tile = (y >> grid.tile_bits) * grid.across + (x >> grid.tile_bits);
-            bins[static_cast<std::size_t>(tile)].parts.push_back(
+            bins[static_cast<std::size_t>(tile)].parts_of(t).push_back(
                 BlockPart::of(t.triangle, (y & in_tile) << kSideBits | (x & in_tile),
                               std::max(x0 - x * kSide, 0), std::max(y0 - y * kSide, 0),
                               std::min(x1 - x * kSide, kSide), std::min(y1 - y * kSide, kSide)));
@@ -238,7 +242,7 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
         }
         const std::int32_t tile = batch.placed.tile[i];
         if (tile != PlacedParts::kNone)
-            bins[static_cast<std::size_t>(tile)].parts.push_back(
+            bins[static_cast<std::size_t>(tile)].parts_of(t).push_back(
                 {t.triangle, batch.placed.where[i]});
         else if (t.small())
             add_small(grid, bins, t);
@@ -336,8 +340,8 @@ image::Rect Geometry::tile_area(int tile) const {
 bool Geometry::is_empty(int tile) const {
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [](const Batch::Bin& bin) {
-        return bin.triangles.empty() && bin.parts.empty() && bin.pieces.empty() &&
-               bin.segments.empty() && bin.points.empty();
+        return bin.triangles.empty() && bin.parts.empty() && bin.backs.empty() &&
+               bin.pieces.empty() && bin.segments.empty() && bin.points.empty();
     };
     return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
         return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
@@ -379,8 +383,8 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
-        if (!bin.parts.empty() && out.rule().usual()) {
-            out.draw(BlockPartList{vertices_, mesh_->index, bin.parts});
+        if (out.rule().usual()) {
+            if (!bin.parts.empty()) out.draw(BlockPartList{vertices_, mesh_->index, bin.parts});
         } else {
             bin.for_small(add_whole);
             draw_some();
@@ -388,7 +392,22 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
         for (const std::uint32_t i : bin.pieces)
             out.draw(batch.pieces[i]);
     }
+    if (out.rule().usual()) draw_backs(tile, out);
     check_lanes(out);
+}
+
+void Geometry::draw_backs(int tile, VisibilityTile& out) const {
+    bool found = false;
+    for (const Batch& batch : batches_) {
+        const std::span<const BlockPart> backs = batch.bins[static_cast<std::size_t>(tile)].backs;
+        const BlockPartList list{vertices_, mesh_->index, backs};
+        if (backs.size() < kFewBacks) {
+            if (!backs.empty()) out.draw(list);
+            continue;
+        }
+        if (!std::exchange(found, true)) out.find_farthest();
+        out.draw_behind(list);
+    }
 }
 
 void Geometry::draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const {

@@ -76,11 +76,16 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
-            std::vector<BlockPart> parts; // of small triangles, those of one side by side
+            // Of small triangles, those of one side by side.
+            std::vector<BlockPart> parts;
+            std::vector<BlockPart> backs; // drawn last: fronts hide the most of them
             // Triangles that may cover whole blocks, by depth and id, until they are put before the
             // others, the nearest first: they hide what comes after them.
             std::vector<std::uint64_t> large;
             void put_large_first();
+            std::vector<BlockPart>& parts_of(const KeptTriangle& t) {
+                return t.away() ? backs : parts;
+            }
             // f(triangle) for those that have parts here.
             template <class F>
             void for_small(F&& f) const;
@@ -101,6 +106,7 @@ private:
     void add_large(Batch& batch, const KeptTriangle& triangle) const;
     static void add_small(const BlockGrid& grid, std::span<Batch::Bin> bins,
                           const KeptTriangle& triangle);
+    void draw_backs(int tile, VisibilityTile& out) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
     Layer layer_of(std::uint32_t triangle) const {

@@ -26,21 +26,46 @@ struct PartLanes {
     std::uint32_t name[kLanesX8];
 };
 
-// count: of the lanes; the last stands for what is missing.
-HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, const BlockPart* part,
-                           int count, PartLanes& out) {
-    std::uint32_t corner[3][kLanesX8], packed[kLanesX8];
+// The vertices of a register of parts.
+struct PartCorners {
+    std::uint32_t at[3][kLanesX8];
+};
+// Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
+// asked for, and the indices of those that are two registers further on.
+HWY_INLINE void read_corners(const BlockPartList& list, int first, PartCorners& out) {
+    const auto last = static_cast<int>(list.parts.size()) - 1;
+    if (first > last) return;
+    const auto index = [&](int i) {
+        return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].triangle} * 3;
+    };
     for (int i = 0; i < kLanesX8; ++i) {
-        const BlockPart& p = part[i < count ? i : count - 1];
-        const std::uint32_t* index = list.index.data() + std::size_t{p.triangle} * 3;
-        out.name[i] = p.triangle;
-        packed[i] = p.where;
+        const std::uint32_t* corner = index(first + i);
         SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            corner[k][i] = index[k];
+        for (int k = 0; k < 3; ++k) {
+            out.at[k][i] = corner[k];
+            __builtin_prefetch(list.vertices.data() + corner[k]);
+        }
+        __builtin_prefetch(index(first + i + 2 * kLanesX8));
     }
+}
+
+// A register of parts; the last stands for what is missing.
+struct StoredParts {
+    I32x8 triangle, where;
+};
+HWY_INLINE StoredParts stored_parts(const BlockPart* part, int count) {
+    static_assert(sizeof(BlockPart) == 8);
+    const I32x8 at = shift_left<1>(minimum(iota<I32x8>(0), I32x8(count - 1)));
+    const auto* stored = reinterpret_cast<const std::int32_t*>(part);
+    return {gather(stored, at), gather(stored + 1, at)};
+}
+
+HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, const BlockPart* part,
+                           int count, const PartCorners& corner, PartLanes& out) {
     using P = BlockPart;
-    const I32x8 where = load<I32x8>(packed);
+    const StoredParts s = stored_parts(part, count);
+    const I32x8 where = s.where;
+    store(s.triangle, out.name);
     out.column = shift_right<P::kFirstColumn>(where) & I32x8(15);
     out.end_column = shift_right<P::kEndColumn>(where) & I32x8(15);
     out.row = shift_right<P::kFirstRow>(where) & I32x8(15);
@@ -52,7 +77,7 @@ HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, co
     const I32x8 corner_y = shift_left<kSubpixelBits>(out.top + I32x8(tile.area.y0));
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const auto v = vertices_at<F32x8>(list.vertices.data(), corner[k]);
+        const auto v = vertices_at<F32x8>(list.vertices.data(), corner.at[k]);
         const I32x8 x = v.word(0) - corner_x, y = v.word(1) - corner_y;
         out.vertex[k].place = to_f64(shift_left<16>(y) + x);
         out.vertex[k].depth = v.last_double();
@@ -155,8 +180,9 @@ struct SetUpParts {
     std::uint32_t live; // has an area, and may be seen
 };
 HWY_INLINE void set_up_parts(const TilePlanes& tile, const BlockPartList& list,
-                             const BlockPart* first, int count, SetUpParts& s) {
-    load_parts(tile, list, first, count, s.part);
+                             const BlockPart* first, int count, const PartCorners& corner,
+                             SetUpParts& s) {
+    load_parts(tile, list, first, count, corner, s.part);
     put_in_order(s.part.vertex);
     s.edges = edges_of(s.part);
     F64x8 a[3], b[3], at_corner[3];
@@ -182,19 +208,22 @@ HWY_INLINE void store_rows(const PartLanes& part, Blocks& b) {
     store(part.top * I32x8(kTileSize) + part.left, b.place);
 }
 
-// Returns how many of them are steep: those are added to the list and not drawn.
-HWY_INLINE int draw_near_to_flat(const TilePlanes& tile, const BlockPartList& list,
-                                 const BlockPart* first, int count, I32x8& drawn,
-                                 BlockPart* steep) {
+// Returns how many of them are steep and few: those are added to the list and not drawn.
+HWY_INLINE int draw_most(const TilePlanes& tile, const BlockPartList& list, const BlockPart* first,
+                         int count, const PartCorners& corner, I32x8& drawn, BlockPart* steep) {
     SetUpParts s;
-    set_up_parts(tile, list, first, count, s);
-    int left = 0;
-    for (std::uint32_t rest = s.live & ~s.plane.flat; rest != 0; rest &= rest - 1)
-        steep[left++] = first[__builtin_ctz(rest)];
-    const std::uint32_t live = s.live & s.plane.flat;
-    if (live == 0) return left;
+    set_up_parts(tile, list, first, count, corner, s);
     Blocks b;
     store_rows(s.part, b);
+    int left = 0;
+    std::uint32_t rest = s.live & ~s.plane.flat;
+    if (__builtin_popcount(rest) >= kLanesX8 / 2)
+        draw_steep_samples(tile, s.part, s.edges, s.plane.share, rest, b, drawn);
+    else
+        for (; rest != 0; rest &= rest - 1)
+            steep[left++] = first[__builtin_ctz(rest)];
+    const std::uint32_t live = s.live & s.plane.flat;
+    if (live == 0) return left;
     const F32x8 base = to_f32(s.depth);
     store(base, b.base);
     store(to_f32(s.depth - to_f64(base)), b.rest);
@@ -206,10 +235,12 @@ HWY_INLINE int draw_near_to_flat(const TilePlanes& tile, const BlockPartList& li
     return left;
 }
 
-HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const BlockPartList& list,
-                                 const BlockPart* first, int count, I32x8& drawn) {
+// A register of them at most.
+HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const BlockPartList& list, I32x8& drawn) {
+    PartCorners corner;
+    read_corners(list, 0, corner);
     SetUpParts s;
-    set_up_parts(tile, list, first, count, s);
+    set_up_parts(tile, list, list.parts.data(), static_cast<int>(list.parts.size()), corner, s);
     Blocks b;
     store_rows(s.part, b);
     draw_steep_samples(tile, s.part, s.edges, s.plane.share, s.live, b, drawn);
@@ -219,19 +250,73 @@ bool draw_all_parts(const TilePlanes& tile, const BlockPartList& list) {
     I32x8 drawn = 0;
     BlockPart steep[2 * kLanesX8]; // until they fill a register
     int waiting = 0;
+    const auto draw_steep = [&](int count) HWY_ATTR {
+        const std::span<const BlockPart> some(steep, static_cast<std::size_t>(count));
+        draw_steep_parts(tile, {list.vertices, list.index, some}, drawn);
+    };
     const auto all = static_cast<int>(list.parts.size());
+    PartCorners corner, next;
+    read_corners(list, 0, next);
     for (int begin = 0; begin < all; begin += kLanesX8) {
         const int count = all - begin < kLanesX8 ? all - begin : kLanesX8;
+        corner = next;
+        read_corners(list, begin + kLanesX8, next);
         waiting +=
-            draw_near_to_flat(tile, list, list.parts.data() + begin, count, drawn, steep + waiting);
+            draw_most(tile, list, list.parts.data() + begin, count, corner, drawn, steep + waiting);
         if (waiting < kLanesX8) continue;
-        draw_steep_parts(tile, list, steep, kLanesX8, drawn);
+        draw_steep(kLanesX8);
         waiting -= kLanesX8;
         for (int i = 0; i < waiting; ++i)
             steep[i] = steep[kLanesX8 + i];
     }
-    if (waiting > 0) draw_steep_parts(tile, list, steep, waiting, drawn);
+    if (waiting > 0) draw_steep(waiting);
     return any(!(drawn == I32x8(0)));
+}
+
+// Parts that lie behind all that is seen in their blocks go; those that are left are counted.
+int drop_hidden(const TilePlanes& tile, const BlockPartList& list, BlockPart* out) {
+    const auto* real = reinterpret_cast<const double*>(list.vertices.data());
+    const auto all = static_cast<int>(list.parts.size());
+    int left = 0;
+    PartCorners corner, next;
+    read_corners(list, 0, next);
+    for (int begin = 0; begin < all; begin += kLanesX8) {
+        const BlockPart* part = list.parts.data() + begin;
+        const int count = all - begin < kLanesX8 ? all - begin : kLanesX8;
+        corner = next;
+        read_corners(list, begin + kLanesX8, next);
+        F64x8 nearest = 0.0;
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            nearest = maximum(nearest, gather(real + 1, shift_left<1>(load<I32x8>(corner.at[k]))));
+        const F32x8 farthest = gather(tile.farthest, stored_parts(part, count).where & I32x8(63));
+        std::uint32_t rest =
+            bits(to_f32(nearest * F64x8(1 + 0x1p-20)) >= farthest) & ((2U << (count - 1)) - 1);
+        for (; rest != 0; rest &= rest - 1)
+            out[left++] = part[__builtin_ctz(rest)];
+    }
+    return left;
+}
+
+void find_farthest_of_all(const TilePlanes& tile) {
+    constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
+    for (int y = 0; y < kBlocks; ++y) {
+        float column[kTileSize];
+        for (int x = 0; x < kTileSize; x += kLanesX8) {
+            const float* depth = tile.depth + y * kSide * kTileSize + x;
+            F32x8 least = load<F32x8>(depth);
+            for (std::size_t s = 0; s < tile.pattern.size(); ++s, depth += kTileSize * kTileSize)
+                for (int row = 0; row < kSide; ++row)
+                    least = minimum(least, load<F32x8>(depth + row * kTileSize));
+            store(least, column + x);
+        }
+        for (int x = 0; x < kBlocks; ++x) {
+            float least = column[x * kSide];
+            for (int i = 1; i < kSide; ++i)
+                least = column[x * kSide + i] < least ? column[x * kSide + i] : least;
+            tile.farthest[y * kBlocks + x] = least;
+        }
+    }
 }
 
 template <int kTileBits>
@@ -240,7 +325,8 @@ HWY_INLINE void place_lanes(const BlockGrid& grid, const std::uint32_t* triangle
     I32 name, from, to;
     load_interleaved(triangle, name, from, to);
     const I32 half = 0xffff, one = 1, in_block = BlockGrid::kSide - 1;
-    const I32 x0 = from & half, y0 = shift_right<16>(from) & I32(0x7fff);
+    const I32 below_flag = 0x7fff;
+    const I32 x0 = from & below_flag, y0 = shift_right<16>(from) & below_flag;
     const I32 x1 = to & half, y1 = shift_right<16>(to);
     const auto block_of = [](I32 pixel) { return shift_right<BlockGrid::kSideBits>(pixel); };
     const I32 block_x = block_of(x0), block_y = block_of(y0);
@@ -278,6 +364,8 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_all_parts);
+SIMD_REGISTER(drop_hidden);
+SIMD_REGISTER(find_farthest_of_all);
 SIMD_REGISTER(place_all);
 
 void place_parts(const BlockGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out) {
@@ -293,6 +381,18 @@ void place_parts(const BlockGrid& grid, std::span<const KeptTriangle> triangles,
 
 bool draw_parts(const TilePlanes& tile, const BlockPartList& list) {
     return SIMD_CALL(draw_all_parts)(tile, list);
+}
+
+void find_farthest(const TilePlanes& tile) {
+    SIMD_CALL(find_farthest_of_all)(tile);
+}
+
+bool draw_parts_behind(const TilePlanes& tile, const BlockPartList& list,
+                       std::vector<BlockPart>& room) {
+    if (room.size() < list.parts.size()) room.resize(list.parts.size());
+    const int left = SIMD_CALL(drop_hidden)(tile, list, room.data());
+    const auto seen = std::span<const BlockPart>(room).first(static_cast<std::size_t>(left));
+    return draw_parts(tile, {list.vertices, list.index, seen});
 }
 
 } // namespace scanout::raster

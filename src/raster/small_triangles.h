@@ -57,5 +57,11 @@ struct BlockPartList {
 
 // Did any of them show? By the usual rule; the same bits as draw_triangles.
 bool draw_parts(const TilePlanes& tile, const BlockPartList& list);
+// Makes tile.farthest as great as what is drawn there allows.
+void find_farthest(const TilePlanes& tile);
+// The same as draw_parts, for parts most of which that hides: they are told by their vertices'
+// depths alone. room: for those that are left.
+bool draw_parts_behind(const TilePlanes& tile, const BlockPartList& list,
+                       std::vector<BlockPart>& room);
 
 } // namespace scanout::raster

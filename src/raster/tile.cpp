@@ -52,6 +52,13 @@ bool VisibilityTile::draw(const BlockPartList& parts) {
     return shows;
 }
 
+bool VisibilityTile::draw_behind(const BlockPartList& parts) {
+    check_lanes(parts);
+    const bool shows = draw_parts_behind(planes(), parts, seen_);
+    touched_ |= shows;
+    return shows;
+}
+
 bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
     constexpr std::size_t kMost = 16;
     std::array<ScreenVertex, kMost * 3> vertex;

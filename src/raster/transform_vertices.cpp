@@ -51,10 +51,11 @@ HWY_INLINE Lanes transform(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
     const F64 divisor = select(on_screen, w, F64(1.0));
     const F64 none = ScreenVertex::kOffScreen;
     const F64 flags = select(finite, outside, F64(kNotFinite));
-    const F64 pixel_x = x / divisor, pixel_y = y / divisor;
+    const auto over_w = [&](F64 a) { return t.perspective ? a / divisor : a; }; // else w is 1
+    const F64 pixel_x = over_w(x), pixel_y = over_w(y);
     return {to_i32(select(on_screen, snap(pixel_x), none)),
             to_i32(select(on_screen, snap(pixel_y), flags)),
-            select(on_screen, z / divisor, F64(0.0)), pixel_x, pixel_y};
+            select(on_screen, over_w(z), F64(0.0)), pixel_x, pixel_y};
 }
 
 void transform_lanes(const ScreenTransform& t, const float* position, ScreenVertex* out, int first,

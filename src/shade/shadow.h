@@ -12,6 +12,8 @@
 
 namespace scanout::shade {
 
+inline constexpr int kMostFilter = 15; // texels a side that a filtered shadow asks
+
 // The depth of what a light sees, nearest first, in a square of texels; greater is nearer, 0 where
 // nothing is. Light space: the light at the origin (parallel light: beside its map), looks down -z,
 // x right, y up.

@@ -52,10 +52,11 @@ Soup soup(Random& random, int count, int most) {
     return soup;
 }
 
-std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool samples_only = true) {
+std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool samples_only = true,
+                             bool mirrored = false) {
     const auto pattern = sample_pattern(samples);
     CullResult found;
-    cull({kWidth, kHeight, keep, false, extent_of(pattern),
+    cull({kWidth, kHeight, keep, mirrored, extent_of(pattern),
           samples_only ? pattern : std::span<const SampleOffset>()},
          soup.vertices, soup.index, 1000, found);
     EXPECT_EQ(found.cut_count, 0U);
@@ -65,6 +66,10 @@ std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool sa
         EXPECT_TRUE(box.x0() < box.x1() && box.x1() <= kWidth);
         EXPECT_TRUE(box.y0() < box.y1() && box.y1() <= kHeight);
         EXPECT_TRUE(ids.insert(box.triangle - 1000).second);
+        const Corners& v = soup.triangles[box.triangle - 1000];
+        const bool clockwise =
+            (v[1].x - v[0].x) * (v[2].y - v[0].y) > (v[1].y - v[0].y) * (v[2].x - v[0].x);
+        EXPECT_EQ(box.away(), keep == Facing::any && clockwise != mirrored);
     }
     return ids;
 }
@@ -112,6 +117,7 @@ TEST(Cull, KeepsFrontsAndBacksApart) {
     const Soup all = soup(random, 5000, 3);
     const auto any = kept(all, 4, Facing::any), front = kept(all, 4, Facing::front),
                back = kept(all, 4, Facing::back);
+    EXPECT_EQ(kept(all, 4, Facing::any, true, true), any);
     std::set<std::uint32_t> both = front;
     both.insert(back.begin(), back.end());
     EXPECT_EQ(both, any);

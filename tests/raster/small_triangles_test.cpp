@@ -17,7 +17,7 @@ struct Soup {
 
 // About the tile at `corner` (pixels): from less than a pixel to 8 wide, on the grid of samples,
 // slivers and without area among them; in depth near to flat, steep, and nearly denormal.
-Soup soup(Random& random, int count, const Corner& corner) {
+Soup soup(Random& random, int count, const Corner& corner, double least = 0.01) {
     Soup soup;
     for (int i = 0; i < count; ++i) {
         const int size = 64 << random.whole(0, 5), grid = i % 3 == 0 ? ~15 : ~0;
@@ -27,7 +27,7 @@ Soup soup(Random& random, int count, const Corner& corner) {
         for (Corner& c : v)
             c = {(at.x + random.whole(0, size)) & grid, (at.y + random.whole(0, size)) & grid};
         if (i % 5 == 0) v[2] = {(v[0].x + v[1].x) / 2 + random.whole(-1, 1), (v[0].y + v[1].y) / 2};
-        const double nearest = i % 11 == 0 ? 0x1p-105 : random.in(0.01, 0.5);
+        const double nearest = least < 0.1 && i % 11 == 0 ? 0x1p-105 : random.in(least, 0.5);
         const double steepness = std::ldexp(1.0, -random.whole(1, 12));
         for (const Corner& c : v) {
             soup.index.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
@@ -93,6 +93,46 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirPartsOfBlocks) {
         }
         EXPECT_GT(steep, 2000);
         EXPECT_GT(seen, 100000);
+    });
+}
+
+TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
+    scanout::test::on_every_target([](const std::string&) {
+        Random random(72);
+        int shows = 0;
+        for (int round = 0; round < 20; ++round) {
+            const int samples = 1 << round % 5;
+            const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
+            const Soup front = soup(random, 1000, corner, 0.25);
+            const Soup behind = soup(random, 2000 + round, corner, 0.15);
+            const std::vector<BlockPart> first = parts_of(front, corner, samples),
+                                         rest = parts_of(behind, corner, samples);
+            // A wall that covers the tile, not as deep in one corner as in the others.
+            const auto wall = [&](int x, int y, double depth) {
+                return ScreenVertex{(corner.x + x) * 256, (corner.y + y) * 256, depth};
+            };
+            const std::vector<ScreenVertex> walls = {wall(-9, -9, 0.2), wall(200, -9, 0.24),
+                                                     wall(-9, 200, 0.24)};
+            const std::vector<std::uint32_t> corners = {0, 1, 2}, name = {0};
+            const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
+            VisibilityTile at_once, in_two;
+            for (VisibilityTile* tile : {&at_once, &in_two}) {
+                tile->reset(area, samples);
+                tile->draw(TriangleList{walls, corners, name, name});
+                tile->draw(BlockPartList{front.vertices, front.index, first});
+            }
+            in_two.find_farthest();
+            shows += at_once.draw(BlockPartList{behind.vertices, behind.index, rest}) ? 1 : 0;
+            in_two.draw_behind(BlockPartList{behind.vertices, behind.index, rest});
+            int differ = 0;
+            for (int s = 0; s < samples; ++s)
+                for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i)
+                    differ += in_two.ids(s)[i] != at_once.ids(s)[i] ||
+                              std::bit_cast<std::uint32_t>(in_two.depths(s)[i]) !=
+                                  std::bit_cast<std::uint32_t>(at_once.depths(s)[i]);
+            EXPECT_EQ(differ, 0) << samples << " samples";
+        }
+        EXPECT_EQ(shows, 20);
     });
 }
 

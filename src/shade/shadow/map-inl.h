@@ -172,21 +172,33 @@ struct Texel {
     F32x8 depth; // in the map; its border goes on for ever
     F32x8 own;   // of the receiver's plane at the texel's centre
 };
-HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, I32x8 tx, I32x8 ty) {
-    const I32x8 last = m.size - 1, zero = 0;
-    const I32x8 column = minimum(maximum(tx, zero), last), row = minimum(maximum(ty, zero), last);
-    const F32x8 dx = (to_f32(tx) + F32x8(0.5F)) - r.x, dy = (to_f32(ty) + F32x8(0.5F)) - r.y;
-    const F32x8 rise = r.rise_x * abs(dx) + r.rise_y * abs(dy);
-    const F32x8 plane = (r.depth + (r.per_x * dx + r.per_y * dy)) + r.bias;
+// What texels of a column, or of a row, have in common.
+struct Line {
+    I32x8 place; // in the map: the column; where the row begins
+    F32x8 rise, plane;
+};
+HWY_INLINE Line column(const ShadowMap& m, const Receiver& r, I32x8 x) {
+    const F32x8 aside = (to_f32(x) + F32x8(0.5F)) - r.x;
+    return {minimum(maximum(x, I32x8(0)), I32x8(m.size - 1)), r.rise_x * abs(aside),
+            r.per_x * aside};
+}
+HWY_INLINE Line row(const ShadowMap& m, const Receiver& r, I32x8 y) {
+    const F32x8 aside = (to_f32(y) + F32x8(0.5F)) - r.y;
+    return {minimum(maximum(y, I32x8(0)), I32x8(m.size - 1)) * I32x8(m.size), r.rise_y * abs(aside),
+            r.per_y * aside};
+}
+HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, const Line& column, const Line& row) {
+    const F32x8 rise = column.rise + row.rise;
+    const F32x8 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     const F32x8 beyond = minimum(plane, r.nearest) + rise * F32x8(kBeyond / kRise);
     const F32x8 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
-    return {gather(m.depth, row * I32x8(m.size) + column), maximum(own, F32x8(0.0F))};
+    return {gather(m.depth, row.place + column.place), maximum(own, F32x8(0.0F))};
 }
 // The one that lies so far aside from the receiver.
 HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
     const F32x8 half = 0.5F;
-    return texel(m, r, texel_of((r.x + half * r.aside_x) + dx),
-                 texel_of((r.y + half * r.aside_y) + dy));
+    return texel(m, r, column(m, r, texel_of((r.x + half * r.aside_x) + dx)),
+                 row(m, r, texel_of((r.y + half * r.aside_y) + dy)));
 }
 HWY_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
     return texel_at(m, r, F32x8(0.0F), F32x8(0.0F));
@@ -220,14 +232,18 @@ HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
         return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
     };
     const F32x8 one = 1.0F, fx = part(x0 - to_f32(left)), fy = part(y0 - to_f32(top));
+    Line columns[kMostFilter + 1];
+    for (int x = 0; x <= k; ++x)
+        columns[x] = column(m, r, left + I32x8(x));
     F32x8 sum = 0.0F;
     for (int y = 0; y <= k; ++y) {
-        F32x8 row = 0.0F;
+        const Line across = row(m, r, top + I32x8(y));
+        F32x8 in_row = 0.0F;
         for (int x = 0; x <= k; ++x) {
             const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;
-            row = row + weight * hidden(texel(m, r, left + I32x8(x), top + I32x8(y)));
+            in_row = in_row + weight * hidden(texel(m, r, columns[x], across));
         }
-        sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * row;
+        sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * in_row;
     }
     return sum / F32x8(wide * wide);
 }
