@@ -39,6 +39,8 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
             shade::mip_chain_bytes(scene.textures[static_cast<std::size_t>(use.texture)].image));
     if (plan.stencil != nullptr)
         add("stencil", StencilBuffer(plan.options.width, plan.options.height).bytes());
+    if (plan.convolution != nullptr)
+        add("convolution", plan.convolution->bytes(plan.options.width, plan.options.height));
     return bytes;
 }
 

@@ -27,11 +27,12 @@ public:
     // Notes the materials for which `calls` holds under the effect's name; returns how many
     // triangles have one of them.
     template <class Predicate>
-    std::size_t count(SceneFacts& facts, std::string_view effect, Predicate calls) const {
+    std::size_t count(SceneFacts::MaterialSets& sets, std::string_view effect,
+                      Predicate calls) const {
         MaterialSet set(uses_.size() + 1, false);
         for (std::size_t i = 0; i < uses_.size(); ++i)
             set[i] = calls(scene_.materials[i]);
-        facts.materials_of.emplace(effect, std::move(set));
+        sets.emplace(effect, std::move(set));
         return count(calls);
     }
     template <class Predicate>
@@ -44,13 +45,14 @@ public:
 
     // Of the materials that triangles have, times the brightest vertex colour. No surface gives
     // back more than it gets: what a file says beyond 1 counts as 1.
-    float brightest() const {
+    template <class Diffuse>
+    float brightest(Diffuse diffuse_of) const {
         const auto largest = [](const Vec3& c) { return std::max({c.x, c.y, c.z}); };
         const geom::Mesh& mesh = scene_.mesh;
         float diffuse = 0, colour = mesh.colour.empty() ? 1.0F : 0.0F;
         for (std::size_t i = 0; i < uses_.size(); ++i)
-            if (uses_[i] > 0) diffuse = std::max(diffuse, largest(scene_.materials[i].diffuse));
-        if (unnamed_ > 0) diffuse = std::max(diffuse, largest(scene::Material().diffuse));
+            if (uses_[i] > 0) diffuse = std::max(diffuse, largest(diffuse_of(scene_.materials[i])));
+        if (unnamed_ > 0) diffuse = std::max(diffuse, largest(diffuse_of(scene::Material())));
         for (const Vec3& c : mesh.colour)
             colour = std::max(colour, largest(c));
         return std::min(diffuse * colour, 1.0F);
@@ -172,8 +174,17 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     for (TexturedSurface& surface : facts.textured_surfaces)
         surface.constant = maps.constant(surface.texture.texture);
     const Census census(scene);
-    facts.specular_triangles =
-        census.count(facts, "highlight", [&](const scene::Material& m) { return maps.shines(m); });
+    facts.specular_triangles = census.count(
+        facts.materials_of, "highlight", [&](const scene::Material& m) { return maps.shines(m); });
+    SceneFacts::ByKs& by_ks = facts.by_ks;
+    by_ks.specular_triangles =
+        census.count(by_ks.materials_of, "highlight",
+                     [&](const scene::Material& m) { return maps.shines_by_ks(m); });
+    for (auto [map, triangles] : {std::pair(shade::kSpecularMap, &by_ks.specular_maps),
+                                  {shade::kShininessMap, &by_ks.gloss_maps}})
+        *triangles = census.count(
+            by_ks.materials_of, map_effect(map),
+            [&, map = map](const scene::Material& m) { return maps.matters_by_ks(m, map); });
     facts.physical_triangles = census.count(
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
     facts.only_material = only_material(mesh);
@@ -187,7 +198,9 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     };
     facts.materials_of.emplace("cut_out", materials(AlphaClass::cut_out, AlphaClass::unseen));
     facts.materials_of.emplace("blending", materials(AlphaClass::blended));
-    facts.brightest = census.brightest();
+    facts.brightest = census.brightest([](const scene::Material& m) { return m.diffuse; });
+    facts.brightest_mapped =
+        census.brightest([&](const scene::Material& m) { return maps.brightest(m); });
     facts.black_by_maps =
         census.all_have_materials() &&
         census.count([&](const scene::Material& m) { return maps.reflects(m); }) == 0;
@@ -199,11 +212,12 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
             facts.readable_maps |= shade::bit_of(map);
         const auto matters = [&](const scene::Material& m) { return maps.matters(m, map); };
         const std::string_view effect = map_effect(map);
-        facts.mapped_triangles[i] =
-            effect.empty() ? census.count(matters) : census.count(facts, effect, matters);
+        facts.mapped_triangles[i] = effect.empty()
+                                        ? census.count(matters)
+                                        : census.count(facts.materials_of, effect, matters);
     }
-    facts.emitting_triangles =
-        census.count(facts, "emission", [&](const scene::Material& m) { return maps.emits(m); });
+    facts.emitting_triangles = census.count(
+        facts.materials_of, "emission", [&](const scene::Material& m) { return maps.emits(m); });
     return facts;
 }
 

@@ -52,13 +52,20 @@ struct SceneFacts {
     shade::MapBits readable_maps = 0;   // some triangle's material has it, whatever it holds
     std::size_t emitting_triangles = 0; // Ke above 0, and map_Ke not black
     std::vector<TexturedSurface> textured_surfaces;
-    float brightest = 1;        // Kd times vertex colour: no primitive reflects more; at most 1
+    // Kd times vertex colour, and the same times map_Kd: no primitive reflects more; at most 1.
+    float brightest = 1, brightest_mapped = 1;
     bool black_by_maps = false; // no material reflects light evenly: what has a Kd has a black map
     Ground ground;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.
-    std::map<std::string, MaterialSet, std::less<>> materials_of;
+    using MaterialSets = std::map<std::string, MaterialSet, std::less<>>;
+    MaterialSets materials_of;
+    // Of highlights, map_Ks and map_Ns where the user has physical materials reflect by these, too.
+    struct ByKs {
+        std::size_t specular_triangles = 0, specular_maps = 0, gloss_maps = 0;
+        MaterialSets materials_of;
+    } by_ks;
 };
 // shadow_plane: what the user wants as the ground, in place of the one that is found.
 SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane = {});

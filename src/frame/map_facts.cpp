@@ -1,5 +1,7 @@
 #include "frame/map_facts.h"
 
+#include "math/srgb.h"
+
 #include <algorithm>
 
 namespace scanout::frame {
@@ -102,7 +104,11 @@ bool MapFacts::reflects(const scene::Material& m) const {
 }
 
 bool MapFacts::shines(const scene::Material& m) const {
-    if (surface_of(m) != scene::Surface::glossy) return surface_of(m) == scene::Surface::physical;
+    return surface_of(m) == scene::Surface::physical || shines_by_ks(m);
+}
+
+bool MapFacts::shines_by_ks(const scene::Material& m) const {
+    if (!has_highlight(m)) return false;
     const Range* const exponent = range(m, shade::kShininessMap);
     const bool dull = exponent != nullptr && coordinates_ &&
                       !any_channel(m.map_shininess, exponent->most, above_0);
@@ -111,6 +117,20 @@ bool MapFacts::shines(const scene::Material& m) const {
 
 bool MapFacts::emits(const scene::Material& m) const {
     return !is_black(m.emission, range(m, shade::kEmissionMap));
+}
+
+Vec3 MapFacts::brightest(const scene::Material& m) const {
+    const Range* const texels = range(m, shade::kDiffuseMap);
+    if (texels == nullptr) return m.diffuse;
+    const auto at_most = [&](std::size_t c) { return srgb_decode(texels->most[c]); };
+    return m.diffuse * Vec3(at_most(0), at_most(1), at_most(2));
+}
+
+bool MapFacts::matters_by_ks(const scene::Material& m, shade::Map map) const {
+    const Range* const texels = range(m, map);
+    if (texels == nullptr || !has_highlight(m)) return false;
+    return map == shade::kSpecularMap ? darkened(m.specular, texels->least)
+                                      : any_channel(m.map_shininess, texels->least, less_than_1);
 }
 
 bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
@@ -130,10 +150,8 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     case shade::kBumpMap:
         return lit && texels->least != texels->most && m.map_bump.bump_multiplier != 0;
     case shade::kSpecularMap:
-        return surface == scene::Surface::glossy && darkened(m.specular, texels->least);
     case shade::kShininessMap:
-        return surface == scene::Surface::glossy &&
-               any_channel(m.map_shininess, texels->least, less_than_1);
+        return surface == scene::Surface::glossy && matters_by_ks(m, map);
     case shade::kRoughnessMap:
         return surface == scene::Surface::physical && roughness_of(m) > 0 &&
                any_channel(m.map_roughness, texels->least, less_than_1);

@@ -22,12 +22,17 @@ public:
     explicit MapFacts(const scene::Scene& scene);
     // Whether leaving the map out could change a pixel of this material, whatever the view.
     bool matters(const scene::Material& material, shade::Map map) const;
+    // map_Ks or map_Ns, where Ks and Ns count whatever else the material says.
+    bool matters_by_ks(const scene::Material& material, shade::Map map) const;
     // Whether all texels of a texture are one colour, so that every filter gives the same.
     bool constant(std::int32_t texture) const;
     // Whether something is left of what a material says, after its maps.
     bool reflects(const scene::Material& material) const; // Kd
     bool shines(const scene::Material& material) const;   // a highlight
-    bool emits(const scene::Material& material) const;    // Ke
+    bool shines_by_ks(const scene::Material& material) const;
+    bool emits(const scene::Material& material) const; // Ke
+    // Kd times the greatest texel of map_Kd, in each channel; linear.
+    Vec3 brightest(const scene::Material& material) const;
 
 private:
     // The least and the greatest code of a texture's red, green, blue and alpha.

@@ -92,6 +92,10 @@ struct FramePlan {
     const Decision* decision(std::string_view effect) const; // null where there is none
 };
 
+// The materials that call for an effect of SceneFacts::materials_of, as the plan has them reflect.
+const MaterialSet& materials_calling(const SceneFacts& facts, const FramePlan& plan,
+                                     std::string_view effect);
+
 // Fails (Exit::usage) when the options name a technique or a size that does not exist. Without a
 // view, nothing counts as far away.
 Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,

@@ -79,17 +79,18 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     TRY(const std::string glossy, choose("reflection", asked, "blinn_phong"));
     TRY(const std::string physical, choose("reflection", asked, "ggx"));
     const std::size_t shiny = facts.specular_triangles, rough = facts.physical_triangles;
+    const std::size_t lobes = by_ks_alone(plan) ? facts.by_ks.specular_triangles : shiny;
     const bool highlight = planner.effect(
         "highlight",
         rough == 0 || glossy == physical ? glossy
         : rough == shiny                 ? physical
                                          : glossy + " and " + physical,
-        shiny > 0 && glossy != "lambert" && has_directed_light(plan),
-        shiny > 0 && !has_directed_light(plan)
+        lobes > 0 && glossy != "lambert" && has_directed_light(plan),
+        lobes > 0 && !has_directed_light(plan)
             ? kNoDirection
             : fmt::format(
                   "{} of {} triangles have a highlight (Ks and Ns above 0, with their maps{})",
-                  shiny, facts.triangles,
+                  lobes, facts.triangles,
                   rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
     // Each model that some surface has, once; lines and points go the way of the matt ones.
     const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
@@ -237,6 +238,11 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
 
 bool some_light_shines(const FrameOptions& options) {
     return !std::all_of(options.lights.begin(), options.lights.end(), scene::is_black);
+}
+
+bool by_ks_alone(const FramePlan& plan) {
+    const std::string& asked = plan.options.reflection;
+    return asked != "auto" && asked != "ggx";
 }
 
 bool has_directed_light(const FramePlan& plan) {

@@ -83,8 +83,10 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
         options.exposure != 0 ? fmt::format("{:+} stops are asked for", options.exposure)
                               : "no exposure is asked for");
     plan.exposure = static_cast<float>(exposed ? exp2(options.exposure) : 1.0);
-    const double brightest =
-        double{facts.brightest} * greatest_light(plan.lights) * double{plan.exposure};
+    const bool pictures =
+        plan.source == nullptr && (plan.attributes.maps & shade::bit_of(shade::kDiffuseMap)) != 0;
+    const double brightest = double{pictures ? facts.brightest_mapped : facts.brightest} *
+                             greatest_light(plan.lights) * double{plan.exposure};
     const bool bright = brightest > kBright && facts.triangles > 0;
     TRY(const std::string tone, choose("tone", options.tone, bright ? "shoulder" : "clamp"));
     plan.white = static_cast<float>(std::max(brightest, 1.0));

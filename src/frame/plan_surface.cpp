@@ -32,10 +32,16 @@ bool nearest_alone(const FrameOptions& o) {
     return usual(o.depth_test, "greater") && (aa == nullptr || aa->weight == nullptr);
 }
 
-// Forced on where nothing calls for it, opaque triangles take the way of what is blended, and look
-// the same: where the nearest surface also covers all behind it.
+// Forced on where nothing calls for it, opaque triangles take the way of what is cut out, or of
+// what is blended, and look the same: where pixels are made of samples, which areas are not...
+bool opaque_may_be_cut(const FrameOptions& o) {
+    const AntiAliasing* const aa = find_anti_aliasing(o.aa);
+    return aa == nullptr || !aa->exact;
+}
+// ...and where the nearest surface also covers all behind it, in whatever order they come.
 bool opaque_may_blend(const FrameOptions& o) {
-    return nearest_alone(o) && usual(o.blend, "over");
+    return opaque_may_be_cut(o) && nearest_alone(o) && usual(o.blend, "over") &&
+           o.transparency != "sorted";
 }
 
 } // namespace
@@ -56,7 +62,8 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     const bool blends = a.blended_triangles > 0 && !whole;
     // What would be blended for no reason must not change what is blended for one.
     const bool may_blend = opaque_may_blend(o), cuts_by_blending = cut_name != "cut_out";
-    const bool cut_for_nothing = !cuts && (!cuts_by_blending || (may_blend && !blends));
+    const bool cut_for_nothing =
+        !cuts && (cuts_by_blending ? may_blend && !blends : opaque_may_be_cut(o));
     const bool blend_for_nothing = !blends && may_blend && !(cuts && cuts_by_blending);
     const std::string as_it_is = "; what is opaque stays as it is";
     bool cut = planner.effect(

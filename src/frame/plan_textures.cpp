@@ -178,9 +178,7 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
                coordinates = has_coordinates(plan, facts);
     const Decision* highlight = plan.decision("highlight");
     const bool shiny = highlight != nullptr && highlight->on() && pixels;
-    const shade::Stage* mirrors =
-        plan.reflection[static_cast<std::size_t>(scene::Surface::physical)];
-    const bool physical = shiny && mirrors != nullptr && mirrors->card.name == "ggx";
+    const bool physical = shiny && !by_ks_alone(plan);
     const char* const unlit = directed ? "light is not evaluated at pixels" : kNoDirection;
     const char* const matt = pixels ? "no highlight is drawn" : unlit;
     const char* const dull = pixels ? "no physical material reflects as one" : unlit;
@@ -199,14 +197,20 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
          dull},
         {shade::kMetalnessMap, "metalness", "Pm above 0 and a map_Pm that is not white", physical,
          dull}};
+    const auto mapped = [&](shade::Map map) {
+        const bool by_ks = by_ks_alone(plan);
+        return by_ks && map == shade::kSpecularMap    ? facts.by_ks.specular_maps
+               : by_ks && map == shade::kShininessMap ? facts.by_ks.gloss_maps
+                                                      : facts.mapped_triangles[map];
+    };
     for (const auto& row : rows) {
-        const std::size_t triangles = coordinates ? facts.mapped_triangles[row.map] : 0;
-        const bool on = planner.effect(
-            std::string(map_effect(row.map)), "on", triangles > 0 && row.shown,
-            !coordinates && facts.mapped_triangles[row.map] > 0 ? "there are no texture coordinates"
-            : row.shown
-                ? fmt::format("{} of {} triangles have {}", triangles, facts.triangles, row.what)
-                : row.hidden);
+        const std::size_t triangles = coordinates ? mapped(row.map) : 0;
+        const bool on =
+            planner.effect(std::string(map_effect(row.map)), "on", triangles > 0 && row.shown,
+                           !coordinates && mapped(row.map) > 0 ? "there are no texture coordinates"
+                           : row.shown ? fmt::format("{} of {} triangles have {}", triangles,
+                                                     facts.triangles, row.what)
+                                       : row.hidden);
         if (on && row.shown && coordinates && facts.triangles > 0 &&
             (facts.readable_maps & shade::bit_of(row.map)) != 0)
             planner.stage("map", row.stage);

@@ -41,6 +41,8 @@ private:
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Some light is not black; whether it reaches anything is another question.
 bool some_light_shines(const FrameOptions& options);
+// Does the user have physical materials reflect by Ks and Ns, as the others do?
+bool by_ks_alone(const FramePlan& plan);
 inline constexpr const char* kNoLight = "no light shines";
 // Some light comes from a side. Ambient light alone is the same however a surface is turned.
 bool has_directed_light(const FramePlan& plan); // after plan_light

@@ -445,6 +445,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     s.count_work();
     s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
+    s.stats.wide_bytes = s.wide.bytes();
     return s.back_buffer;
 }
 

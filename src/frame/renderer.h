@@ -31,6 +31,7 @@ struct FrameStats {
     std::uint64_t shadow_bytes = 0;  // that the pass of the shadows holds
     std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
     std::uint64_t mipmap_bytes = 0;  // held; 0 where no texture is minified
+    std::uint64_t wide_bytes = 0;    // held for filters that reach into neighbours; 0 without
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every

@@ -6,6 +6,7 @@
 #include "image/image.h"
 #include "image/plane.h"
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -14,6 +15,12 @@ namespace scanout::image {
 struct Convolution {
     Technique card;
     Image (*run)(const Image& picture);
+    int planes; // it holds so many at the most, and the picture that it makes
+
+    std::uint64_t bytes(int width, int height) const {
+        return (static_cast<std::uint64_t>(planes) * sizeof(double) + sizeof(Rgba8)) *
+               static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    }
 };
 
 // In the order of techniques.h; null where there is no such name.

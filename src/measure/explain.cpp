@@ -85,6 +85,7 @@ Result<void> Explainer::begin() {
     const frame::FrameStats& stats = renderer_.stats();
     if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
     if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
+    if (stats.wide_bytes > 0) bytes["aa"] = stats.wide_bytes;
     for (const frame::Decision& decision : plan_.decisions) {
         EffectRow row;
         row.decision = decision;
@@ -123,7 +124,8 @@ Result<void> Explainer::count_pixels() {
     }
     const double pixels = static_cast<double>(options_.width) * options_.height;
     so_far_.covered_share = static_cast<double>(covered) / pixels;
-    for (const auto& [effect, materials] : facts_.materials_of) {
+    for (const auto& [effect, by_default] : facts_.materials_of) {
+        const frame::MaterialSet& materials = frame::materials_calling(facts_, plan_, effect);
         std::int64_t calling = 0;
         for (std::size_t i = 0; i <= none; ++i)
             calling += materials[i] ? shown[i] : 0;

@@ -158,21 +158,27 @@ struct Attribute {
     F32x8 of[kComponents][3];
 };
 template <int kComponents>
+HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t (&index)[kLanesX8], int vertex,
+                             Attribute<kComponents>& to) {
+    const auto at = [&](int lane) HWY_ATTR {
+        return reinterpret_cast<const std::int32_t*>(from) + std::size_t{index[lane]} * kComponents;
+    };
+    WordBlocks<F32x8::Tag> blocks;
+    if constexpr (kComponents == 2)
+        blocks = load_two<F32x8::Tag>(at);
+    else
+        blocks = load_three<F32x8::Tag>(at);
+    SIMD_UNROLL
+    for (int c = 0; c < kComponents; ++c)
+        to.of[c][vertex] = from_bits(blocks.word(c == 2 ? 3 : c));
+}
+template <int kComponents>
 HWY_INLINE Attribute<kComponents> fetch(const float* from, const Corners& corner,
                                         const Turns& turns) {
-    const auto* words = reinterpret_cast<const std::int32_t*>(from);
     Attribute<kComponents> fetched;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const auto at = [&](int lane) HWY_ATTR {
-            return words + std::size_t{corner.of[k][lane]} * kComponents;
-        };
-        const auto blocks =
-            kComponents == 2 ? load_two<F32x8::Tag>(at) : load_three<F32x8::Tag>(at);
-        SIMD_UNROLL
-        for (int c = 0; c < kComponents; ++c)
-            fetched.of[c][k] = from_bits(blocks.word(c == 2 ? 3 : c));
-    }
+    fetch_vertex(from, corner.of[0], 0, fetched);
+    fetch_vertex(from, corner.of[1], 1, fetched);
+    fetch_vertex(from, corner.of[2], 2, fetched);
     SIMD_UNROLL
     for (int c = 0; c < kComponents; ++c)
         turn(turns, fetched.of[c]);

@@ -27,6 +27,13 @@ WideFilter::WideFilter(std::span<const raster::SampleOffset> pattern,
     }
 }
 
+std::size_t WidePicture::bytes() const {
+    std::size_t all = own.pixel.size() * sizeof own.pixel[0] + part.size() * sizeof part[0];
+    for (const std::vector<WideParts>& parts : of_tile)
+        all += parts.size() * sizeof(WideParts);
+    return all;
+}
+
 void WidePicture::reset(int width, int height, int tile, int across, int tiles) {
     own = LinearPicture(width, height);
     part.assign(own.pixel.size(), -1);

@@ -50,6 +50,7 @@ struct WidePicture {
     int tile_size = 64, tiles_across = 0;
 
     void reset(int width, int height, int tile, int across, int tiles);
+    std::size_t bytes() const; // that hold the last picture
     std::size_t tile_of(int x, int y) const {
         return static_cast<std::size_t>(y / tile_size * tiles_across + x / tile_size);
     }

@@ -1,6 +1,7 @@
 // What a scene's data call for.
 #include "frame/plan.h"
 #include "frame/plans.h"
+#include "math/srgb.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -99,6 +100,57 @@ TEST(Facts, CountWhatTheDataCallsFor) {
     EXPECT_EQ(facts(scene).brightest, 0.5F);
     scene.materials[0].diffuse = Vec3(7);
     EXPECT_EQ(facts(scene).brightest, 1); // no surface gives back more than it gets
+}
+
+TEST(Facts, TheBrightestTexelCountsWhereMapsAreRead) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    scene.textures = {{"dim.png", image::Image(2, 2, {150, 20, 0, 255})}};
+    scene::Material dim = test::textured(0);
+    dim.diffuse = {0.5F, 1, 1};
+    scene.materials = {dim, test::plain(Vec3(0.125F))};
+    test::add_square(scene.mesh, 1, 0, 0);
+    test::add_square(scene.mesh, 1, 0, 1);
+    EXPECT_EQ(facts(scene).brightest, 1);
+    EXPECT_EQ(facts(scene).brightest_mapped, 0.5F * srgb_decode(std::uint8_t{150}));
+    scene.materials[1].diffuse = Vec3(0.75F); // has no map
+    EXPECT_EQ(facts(scene).brightest_mapped, 0.75F);
+}
+
+// With Pr a material reflects by its roughness, unless the user has it reflect by Ks and Ns.
+TEST(Facts, MapsOfKsAndNsCountWherePhysicalMaterialsReflectByThem) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    scene.textures = {test::checkers()};
+    scene::Material rough = test::plain(Vec3(0.3F), Vec3(0.8F), 20);
+    rough.roughness = 0.4F;
+    scene::Material mapped = rough;
+    mapped.map_specular = mapped.map_shininess = test::textured(0).map_diffuse;
+    scene::Material matt = mapped;
+    matt.specular = Vec3(0);
+    scene.materials = {mapped, rough, matt};
+    for (const int material : {0, 1, 1, 2})
+        test::add_square(scene.mesh, 1, 0, material);
+    const SceneFacts found = facts(scene);
+    const auto on = [&](const char* effect, const char* reflection) {
+        FrameOptions options;
+        options.reflection = reflection;
+        return plan_of(found, options).decision(effect)->on();
+    };
+    for (const char* effect : {"specular_map", "gloss_map"}) {
+        for (const char* model : {"phong", "blinn_phong", "blinn_phong_normalised"})
+            EXPECT_TRUE(on(effect, model)) << effect << ' ' << model;
+        for (const char* model : {"auto", "ggx", "lambert"})
+            EXPECT_FALSE(on(effect, model)) << effect << ' ' << model;
+    }
+    EXPECT_EQ(found.specular_triangles, 8U);
+    EXPECT_EQ(found.by_ks.specular_triangles, 6U);
+    FrameOptions options;
+    EXPECT_THAT(materials_calling(found, plan_of(found, options), "gloss_map"),
+                ElementsAre(false, false, false, false));
+    options.reflection = "phong";
+    EXPECT_THAT(materials_calling(found, plan_of(found, options), "gloss_map"),
+                ElementsAre(true, false, false, false));
 }
 
 // A material with one map, the picture of which is of one colour but for its first texel.

@@ -81,7 +81,7 @@ TEST(Plan, ChoosesAModelForEachKindOfSurface) {
     };
     SceneFacts facts;
     facts.triangles = 10;
-    facts.specular_triangles = 7;
+    facts.specular_triangles = facts.by_ks.specular_triangles = 7;
     facts.physical_triangles = 3;
     EXPECT_THAT(models(facts), ElementsAre("lambert", "blinn_phong", "ggx"));
     EXPECT_THAT(models(facts, "phong"), ElementsAre("lambert", "phong", "phong"));
@@ -464,17 +464,26 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
     for (const auto& [axis, name] : {std::pair("depth_test", "less"),
                                      {"depth_test", "greater_equal"},
                                      {"blend", "multiply"},
+                                     {"transparency", "sorted"},
+                                     {"aa", "area"},
                                      {"aa", "tent"},
                                      {"aa", "gaussian"}}) {
         FrameOptions other = options;
         ASSERT_TRUE(ask(other, axis, name));
         EXPECT_FALSE(blends(other)) << name;
     }
-    options.transparency = "sorted";
-    options.effects = {{"cut_out", true}};
-    EXPECT_TRUE(plan_of(facts, options).transparency.opaque_blended);
-    options.aa = "tent";
-    EXPECT_EQ(plan_of(facts, options).transparency.blended, nullptr);
+    const auto cuts = [&](const char* transparency, const char* aa) {
+        options.transparency = transparency;
+        options.aa = aa;
+        options.effects = {{"cut_out", true}};
+        return !plan_of(facts, options).transparency.layers.empty();
+    };
+    EXPECT_TRUE(cuts("auto", "auto"));
+    EXPECT_TRUE(cuts("auto", "tent"));
+    EXPECT_FALSE(cuts("auto", "area"));
+    EXPECT_TRUE(cuts("exact", "auto"));
+    EXPECT_FALSE(cuts("exact", "tent"));
+    EXPECT_FALSE(cuts("sorted", "auto"));
 }
 
 TEST(Plan, AShadowThatIsForcedOnIsDrawnWhereverOneCanBe) {

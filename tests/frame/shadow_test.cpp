@@ -27,6 +27,7 @@ scene::Light lamp(LightKind kind) {
 std::vector<double> shares(Shot s, const std::string& technique) {
     shade::LinearPicture with, without;
     s.options.shadow = technique;
+    s.options.effects["shadow"] = true; // where the plan sees no need for it, too
     draw(s, {.linear = &with});
     s.options.effects["shadow"] = false;
     draw(s, {.linear = &without});

@@ -2,6 +2,7 @@
 #include "image/flip.h"
 #include "measure/explain.h"
 #include "measure/median.h"
+#include "shade/wide_filter.h"
 #include "support/scenes.h"
 
 #include <gmock/gmock.h>
@@ -232,6 +233,30 @@ TEST(Explain, CountsTheListsOfWhatIsBlendedAndTheSameOnAnyThreads) {
     EXPECT_GT(row(explained(s), "blending").bytes, before * 9 / 5);
     s.scene.materials[0].opacity = 1;
     EXPECT_EQ(row(explained(s), "blending").bytes, 0U);
+}
+
+TEST(Explain, CountsWhatWideFiltersAndConvolutionsHold) {
+    Shot s = stripes();
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(s.options.width) * static_cast<std::uint64_t>(s.options.height);
+    EXPECT_EQ(row(explained(s), "aa").bytes, 0U);
+    EXPECT_EQ(row(explained(s), "convolution").bytes, 0U);
+    s.options.aa = "tent";
+    // A colour and its share, and the place of its parts; these are more by the length of edges.
+    const std::uint64_t held = row(explained(s), "aa").bytes;
+    EXPECT_GE(held, pixels * 20);
+    EXPECT_LT(held, pixels * 20 + pixels / 2 * sizeof(shade::WideParts));
+    for (int threads = 1; threads <= 3; ++threads) {
+        frame::FrameStats stats;
+        test::draw(s, {.threads = threads, .stats = &stats});
+        EXPECT_EQ(stats.wide_bytes, held) << threads;
+    }
+    s.options.aa = "auto";
+    for (const auto& [name, planes] : {std::pair("low_pass", 6), {"high_pass", 5}}) {
+        s.options.convolution = name; // three or four channels of doubles, and two on the way
+        EXPECT_EQ(row(explained(s), "convolution").bytes,
+                  pixels * (static_cast<std::uint64_t>(planes) * 8 + 4));
+    }
 }
 
 TEST(Explain, APlainSceneHasNothingSpecial) {

@@ -47,7 +47,8 @@ constinit const Convolution high_pass{{.axis = "convolution",
                                        .blurb = "shows what a low-pass takes away: edges",
                                        .source = "[C 6], identity less the binomial",
                                        .kind = Kind::model},
-                                      rest};
+                                      rest,
+                                      3 + 2}; // two while one is convolved
 
 } // namespace convolution
 } // namespace scanout::image

@@ -47,7 +47,8 @@ constinit const Convolution low_pass{{.axis = "convolution",
                                       .blurb = "smooths what varies within 5 x 5 pixels",
                                       .source = "[C 6], binomial weights",
                                       .kind = Kind::model},
-                                     smoothed};
+                                     smoothed,
+                                     4 + 2}; // two while one is convolved
 
 } // namespace convolution
 } // namespace scanout::image
