@@ -41,13 +41,22 @@ HWY_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* in
 // in one pixel more, each way, at most.
 constexpr int kTiny = 3;
 
-// Does the triangle, tiny and not without area, cover no sample of the pixels from (x0, y0) on,
-// `across` by `down` of them? Edges as in raster/primitive.h, whole numbers below 2^23.
+// The pixels that a triangle may touch: from (x0, y0) on, `across` by `down` of them.
+struct Box {
+    I32 x0, y0, across, down;
+};
+
+// Does the triangle, tiny and not without area, cover no sample of its box? No lane's box is larger
+// than most_across by most_down. The box cuts the triangle only at the picture's edge: only for
+// lanes that lie there (at_edge: some do) is a sample outside the box told from one within, so that
+// what a lane says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers
+// below 2^23.
 HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
-                             Mask32 negative, I32 x0, I32 y0, int across, int down) {
+                             Mask32 negative, const Box& box, int most_across, int most_down,
+                             bool at_edge) {
     const I32 x[3] = {c.x[0], select(negative, c.x[2], c.x[1]), select(negative, c.x[1], c.x[2])};
     const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
-    const I32 left = shift_left<kSubpixelBits>(x0), top = shift_left<kSubpixelBits>(y0);
+    const I32 left = shift_left<kSubpixelBits>(box.x0), top = shift_left<kSubpixelBits>(box.y0);
     I32 first[3], a[3], b[3]; // at the first pixel's corner, and a step of a pixel
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -67,10 +76,12 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
             step[k] = shift_left<kSubpixelBits>(a[k]);
             down_step[k] = shift_left<kSubpixelBits>(b[k]);
         }
-        for (int j = 0; j < down; ++j) {
+        for (int j = 0; j < most_down; ++j) {
             I32 e[3] = {row[0], row[1], row[2]};
-            for (int i = 0; i < across; ++i) {
-                outside = outside & (e[0] | e[1] | e[2]);
+            for (int i = 0; i < most_across; ++i) {
+                I32 misses = e[0] | e[1] | e[2];
+                if (at_edge) misses = misses | (box.across - I32(i + 1)) | (box.down - I32(j + 1));
+                outside = outside & misses;
                 SIMD_UNROLL
                 for (int k = 0; k < 3; ++k)
                     e[k] = e[k] + step[k];
@@ -119,8 +130,9 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
                 ++side;
             return side;
         };
-        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), x0, y0, most(across),
-                                          most(down)));
+        const bool at_edge = any(tiny & ((x1 == o.width) | (y1 == o.height)));
+        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), {x0, y0, across, down},
+                                          most(across), most(down), at_edge));
     }
 
     // Off the screen at one side with all corners, or not a number: gone without clipping.
