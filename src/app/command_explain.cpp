@@ -38,6 +38,7 @@ Result<Exit> run_explain(const Settings& settings) {
     std::optional<ProgressBar> bar(std::in_place, "explaining " + model.scene.path, settings.quiet);
     measure::ExplainOptions how;
     how.times = !settings.no_times;
+    how.display = settings.pixel_format;
     how.progress = [&](double share) { bar->show(share); };
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));

@@ -16,8 +16,7 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
 constexpr unsigned kList = static_cast<unsigned>(Command::list);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
-constexpr unsigned kShow = kView | kRender; // to someone, or into a file
-constexpr unsigned kDraw = kShow | kExplain;
+constexpr unsigned kDraw = kView | kRender | kExplain;
 constexpr unsigned kAll = kDraw | kCompare | kList;
 
 std::vector<std::string_view> words(std::string_view text) {
@@ -168,9 +167,10 @@ const std::array kOptions = std::to_array<Option>({
          s.picture_format = kFormats[i];
      }),
      "the file's format, where its extension does not say it"},
-    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kShow, Parsed(read_pixel_format),
-     "the bytes of a display (`list formats`): raw files hold them, other pictures and hashes show "
-     "what such a display would show"},
+    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
+     "the bytes of a display (`list formats`): raw files hold them; other pictures, hashes and "
+     "what "
+     "explain compares are as such a display shows them"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},

@@ -422,6 +422,7 @@ Result<void> ViewSession::explain_a_row() {
     TRY(const scene::View view, viewer_.view(model_->scene.mesh));
     measure::ExplainOptions how;
     how.times = !steady_;
+    how.display = parts_.display.info().format;
     how.seconds_a_row = 0.05;
     how.fewest_pairs = 1; // keys wait for a row
     TRY(explainer_,

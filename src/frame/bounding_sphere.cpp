@@ -1,6 +1,7 @@
 #include "frame/bounding_sphere.h"
 
 #include "frame/light_view.h"
+#include "math/rotation.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -10,10 +11,6 @@ namespace scanout::frame {
 namespace {
 
 constexpr double kRoom = 1.05;
-
-double length(const DVec3& v) {
-    return scanout::sqrt(dot3(v, v));
-}
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "frame/brightness.h"
 
+#include "math/rotation.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -24,10 +25,6 @@ std::vector<DVec3> vectors(std::span<const scene::Light> lights, scene::LightFra
                         (double{light.colour[channel]} * light.power / sqrt(dot3(scaled, scaled))));
     }
     return found;
-}
-
-double length(const DVec3& v) {
-    return sqrt(dot3(v, v));
 }
 
 double greatest(const std::vector<DVec3>& lights) {

@@ -134,8 +134,9 @@ struct Solid {
     bool outward() const { return volume > terms * 0x1p-40; }
 };
 
-// Where the parts are: the planes of open ones, the boxes of closed ones.
-void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<Part>& of) {
+// Where the parts are: the planes of open ones, the boxes of closed ones. Returns these.
+std::vector<Solid> place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts,
+                         std::vector<Part>& of) {
     std::vector<Solid> solids;
     for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
         const std::uint32_t* v = &mesh.index[i];
@@ -160,6 +161,7 @@ void place(MeshSides& sides, const geom::Mesh& mesh, Parts& parts, std::vector<P
     for (const Solid& solid : solids)
         sides.inward += solid.outward() ? 0 : solid.triangles;
     sides.closed = sides.open == 0 && !mesh.index.empty();
+    return solids;
 }
 
 // Does a face lie on the back of another? Then they share an edge that ends at one of the places,
@@ -202,12 +204,56 @@ bool is_flat(const std::vector<Plane>& planes) {
             std::abs(planes[0].offset + planes[1].offset) < kFlat);
 }
 
-bool is_convex(const geom::Mesh& mesh, const std::vector<Plane>& planes) {
-    return std::none_of(mesh.index.begin(), mesh.index.end(), [&](std::uint32_t v) {
+// MeshSides::bodies.
+std::vector<Box> bodies(const geom::Mesh& mesh, Parts& parts, const std::vector<Part>& of,
+                        const std::vector<Solid>& solids) {
+    struct Body {
+        std::uint32_t root;
+        PlaneSet planes;
+        Box box;
+    };
+    std::vector<Body> found;
+    const auto find = [&](std::uint32_t vertex) {
+        const std::uint32_t root = parts.root(vertex);
+        return std::find_if(found.begin(), found.end(),
+                            [&](const Body& body) { return body.root == root; });
+    };
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        const Triangle t(mesh, v);
+        if (dot3(t.n, t.n) == 0) continue; // covers nothing
+        auto body = find(v[0]);
+        if (body == found.end()) {
+            if (found.size() == MeshSides::kMostBodies) return {};
+            body = found.insert(body, {parts.root(v[0]), {}, {DVec3(t.a), DVec3(t.a)}});
+        }
+        body->planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+        if (body->planes.too_many()) return {};
+        for (const Vec3* corner : {&t.a, &t.b, &t.c})
+            include(body->box, DVec3(*corner), DVec3(*corner));
+    }
+    const auto outward = [&](const Body& body) {
+        const Part& part = of[body.root];
+        return part.open == 0 && solids[part.solid].outward();
+    };
+    if (!std::all_of(found.begin(), found.end(), [&](const Body& body) {
+            return is_flat(body.planes.planes()) || outward(body);
+        }))
+        return {};
+    const auto rises = [&](std::uint32_t v) {
+        const auto body = find(v);
+        if (body == found.end()) return false;
+        const auto& planes = body->planes.planes();
         const DVec4 at(DVec3(mesh.position[v]), 1);
-        return std::any_of(planes.begin(), planes.end(),
+        return !is_flat(planes) &&
+               std::any_of(planes.begin(), planes.end(),
                            [&](const Plane& plane) { return height(at, plane) > kFlat; });
-    });
+    };
+    if (std::any_of(mesh.index.begin(), mesh.index.end(), rises)) return {};
+    std::vector<Box> boxes;
+    for (const Body& body : found)
+        boxes.push_back(body.box);
+    return boxes;
 }
 
 // How far from the eye the near plane's corners are, in mesh coordinates, at most.
@@ -220,6 +266,12 @@ double near_reach(const scene::View& view) {
     const double corner =
         1 + view.half_width * view.half_width + view.half_height * view.half_height;
     return view.near_distance * sqrt(corner / least);
+}
+
+// Nothing where it may be anywhere, or the model is flattened.
+std::optional<DVec4> known_eye_of(const scene::View& view) {
+    const bool known = view.projection == scene::Projection::orthographic || view.near_distance > 0;
+    return known ? eye_of(view) : std::nullopt;
 }
 
 } // namespace
@@ -255,34 +307,36 @@ MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_throu
     }
     for (std::size_t t = 0; t < lets_through.size(); ++t)
         if (lets_through[t]) of[parts.root(mesh.index[3 * t])].open = 1;
-    place(sides, mesh, parts, of);
+    const std::vector<Solid> solids = place(sides, mesh, parts, of);
     sides.flat = is_flat(planes.planes());
-    sides.convex =
-        sides.closed && sides.inward == 0 && !planes.too_many() && is_convex(mesh, planes.planes());
+    sides.bodies = bodies(mesh, parts, of, solids);
     return sides;
 }
 
-Backs backs_in_view(const MeshSides& sides, const scene::View& view) {
-    const bool known = view.projection == scene::Projection::orthographic || view.near_distance > 0;
-    const std::optional<DVec4> eye = known ? eye_of(view) : std::nullopt;
-    if (!eye) return sides.open > 0 ? Backs::of_open_parts : Backs::none;
+bool may_be_inside(const MeshSides& sides, const scene::View& view) {
+    const std::optional<DVec4> eye = known_eye_of(view);
+    if (!eye || eye->w == 0) return false; // from so far away that all is outside
     const DVec3 at(*eye);
+    const double reach = near_reach(view);
+    return std::any_of(sides.closed_boxes.begin(), sides.closed_boxes.end(), [&](const Box& box) {
+        bool inside = true;
+        for (int axis = 0; axis < 3; ++axis)
+            inside =
+                inside && at[axis] > box.low[axis] - reach && at[axis] < box.high[axis] + reach;
+        return inside;
+    });
+}
+
+Backs backs_in_view(const MeshSides& sides, const scene::View& view) {
+    const std::optional<DVec4> eye = known_eye_of(view);
+    if (!eye) return sides.open > 0 ? Backs::of_open_parts : Backs::none;
     const auto& planes = sides.open_planes.planes();
     const bool shown = sides.open_planes.too_many() ||
                        std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) {
                            return height(*eye, plane) < -0x1p-40;
                        });
     if (shown) return Backs::of_open_parts;
-    if (eye->w == 0) return Backs::none; // from so far away that all is outside
-    const double reach = near_reach(view);
-    for (const Box& box : sides.closed_boxes) {
-        bool inside = true;
-        for (int axis = 0; axis < 3; ++axis)
-            inside =
-                inside && at[axis] > box.low[axis] - reach && at[axis] < box.high[axis] + reach;
-        if (inside) return Backs::from_inside;
-    }
-    return Backs::none;
+    return may_be_inside(sides, view) ? Backs::from_inside : Backs::none;
 }
 
 std::vector<bool> turned_away(const geom::Mesh& mesh, const scene::View& view) {

@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "frame/bounding_sphere.h"
 #include "frame/planner.h"
+#include "frame/shadow_reach.h"
 #include "shade/sides.h"
 
 #include <algorithm>
@@ -24,13 +25,18 @@ const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     return nullptr;
 }
 
-// Whether some of a light falls on the model.
-bool reaches(const scene::Light& light, const SceneFacts& facts, const scene::View& view) {
-    if (light.kind != scene::LightKind::spot || !(view.near_distance > 0)) return true;
+scene::ViewLight in_view(const scene::Light& light, const scene::View& view,
+                         const SceneFacts& facts) {
     geom::Mesh place; // all that lights ask of a mesh
     place.centre = facts.centre;
     place.exponent = facts.exponent;
-    return may_be_lit(in_view(light, view, place), view);
+    return in_view(light, view, place);
+}
+
+// Whether some of a light falls on the model.
+bool reaches(const scene::Light& light, const SceneFacts& facts, const scene::View& view) {
+    return light.kind != scene::LightKind::spot || !(view.near_distance > 0) ||
+           may_be_lit(in_view(light, view, facts), view);
 }
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
@@ -168,11 +174,16 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
     if (on) plan.techniques.push_back(&lit.card);
 }
 
-// From inside, a convex model's near side stands between the lights and its far side.
-bool shadows_itself(const SceneFacts& facts, Cull cull, const scene::View& view) {
+// From inside, a convex body's near side stands between the lights and its far side.
+bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const scene::View& view) {
     const MeshSides& sides = facts.sides;
     if (sides.flat) return false;
-    return !sides.convex || cull == Cull::front || backs_in_view(sides, view) != Backs::none;
+    if (sides.bodies.empty() || plan.options.cull == Cull::front || may_be_inside(sides, view))
+        return true;
+    const ShadowTexels map{plan.options.shadow_size, plan.options.shadow_filter};
+    return std::any_of(plan.lights.begin(), plan.lights.end(), [&](const scene::Light& light) {
+        return light.casts && !stand_apart(sides.bodies, in_view(light, view, facts), view, map);
+    });
 }
 
 // Is some triangle neither blended, as things stand, nor clear?
@@ -201,13 +212,17 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     TRY(const std::string name,
         choose("shadow", plan.options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
     const bool floor = name != "projected" || facts.ground.triangles > 0;
-    const bool falls = name == "attached" || shadows_itself(facts, plan.options.cull, view);
+    const bool falls = name == "attached" || shadows_itself(plan, facts, view);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     const bool throws = name == "attached" || something_throws(plan.options, facts);
     std::string because =
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
         : casting == 0                    ? "no light that reaches anything casts shadows"
-        : !throws    ? "every triangle is blended or clear, and those throw none"
+        : !throws ? "every triangle is blended or clear, and those throw none"
+        : !falls && facts.sides.bodies.size() > 1
+            ? fmt::format("its {} parts, flat or convex, stand clear of one another in the light: "
+                          "they throw none",
+                          facts.sides.bodies.size())
         : !falls     ? "the model is flat or convex: it throws none on itself"
         : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
                                    shading.card.name)

@@ -32,6 +32,10 @@ double determinant(const DMat3& m) {
     return dot3(m[0], cross3(m[1], m[2]));
 }
 
+double length(const DVec3& v) {
+    return scanout::sqrt(dot3(v, v));
+}
+
 DVec3 normalized(const DVec3& v, const DVec3& fallback) {
     double largest = 0;
     for (int i = 0; i < 3; ++i) {

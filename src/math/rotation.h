@@ -16,6 +16,8 @@ DMat3 cofactor(const DMat3& m);
 
 double determinant(const DMat3& m);
 
+// |v|, of lengths whose square neither overflows nor underflows.
+double length(const DVec3& v);
 // v / |v|; a zero, NaN or infinite vector gives `fallback`.
 DVec3 normalized(const DVec3& v, const DVec3& fallback = DVec3(0, 0, 1));
 

@@ -73,7 +73,7 @@ Explainer::create(const scene::Scene& scene, frame::SceneFacts facts, const scen
 
 Result<void> Explainer::begin() {
     TRY(plan_, frame::plan(options_, facts_, view_));
-    picture_ = renderer_.render(scene_, view_, plan_);
+    picture_ = shown(renderer_.render(scene_, view_, plan_), plan_);
     so_far_.width = options_.width;
     so_far_.height = options_.height;
     so_far_.techniques = plan_.techniques;
@@ -179,8 +179,16 @@ std::optional<frame::FrameOptions> Explainer::switched(EffectRow& row) const {
     return options;
 }
 
+// A display of fewer than 8 bits dithers unless it is asked not to.
+image::Image Explainer::shown(const image::Image& picture, const frame::FramePlan& plan) const {
+    if (!how_.display) return picture;
+    const bool dithered = plan.options.dither != "none";
+    return image::as_displayed(*how_.display,
+                               dithered ? picture : image::without_dither(*how_.display, picture));
+}
+
 Change Explainer::change_to(const frame::FramePlan& other) {
-    return change_between(picture_, other_renderer_.render(scene_, view_, other));
+    return change_between(picture_, shown(other_renderer_.render(scene_, view_, other), other));
 }
 
 // In turn: what else the machine does meets both alike. The first frame of each made room.

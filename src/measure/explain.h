@@ -8,6 +8,7 @@
 #include "base/result.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
+#include "image/pixel_format.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
@@ -74,6 +75,8 @@ struct Explanation {
 };
 
 struct ExplainOptions {
+    // What is compared: the pictures that such a display shows; else as they are rendered.
+    std::optional<image::PixelFormat> display;
     bool times = true;
     double seconds_a_row = 0.25; // of measuring time, about
     std::size_t fewest_pairs = 3;
@@ -106,6 +109,7 @@ private:
     Result<int> special_rows() const;
     std::optional<frame::FrameOptions> switched(EffectRow& row) const;
     std::optional<frame::FrameOptions> automatic(std::string_view axis) const;
+    image::Image shown(const image::Image& picture, const frame::FramePlan& plan) const;
     Change change_to(const frame::FramePlan& other);
     std::optional<double> milliseconds_against(const frame::FramePlan& other);
 

@@ -206,16 +206,24 @@ TEST(MeshSides, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
     EXPECT_FALSE(mesh_sides(mesh).flat);
     geom::Mesh cube = empty_mesh();
     test::add_cube(cube, 0.25F);
-    EXPECT_TRUE(mesh_sides(cube).convex);
+    EXPECT_EQ(mesh_sides(cube).bodies.size(), 1U);
     EXPECT_FALSE(mesh_sides(cube).flat);
     geom::Mesh open = cube; // its inside is dark
     open.index.resize(open.index.size() - 6);
-    EXPECT_FALSE(mesh_sides(open).convex);
+    EXPECT_TRUE(mesh_sides(open).bodies.empty());
     test::add_cube(cube, 0.1F);
     for (std::size_t i = 24; i < cube.position.size(); ++i)
         cube.position[i].x += 0.5F;
-    EXPECT_FALSE(mesh_sides(cube).convex) << "one shades the other";
-    EXPECT_FALSE(mesh_sides(sphere()).convex) << "not known: too many planes";
+    const auto bodies = mesh_sides(cube).bodies;
+    ASSERT_EQ(bodies.size(), 2U) << "one may shade the other";
+    EXPECT_EQ(bodies[0].low, DVec3(-0.25));
+    EXPECT_EQ(bodies[1].high.y, double{0.1F});
+    EXPECT_TRUE(mesh_sides(sphere()).bodies.empty()) << "not known: too many planes";
+    test::add_square(cube, 0.25F, 0.75F);
+    EXPECT_EQ(mesh_sides(cube).bodies.size(), 3U);
+    for (std::size_t i = 0; i < MeshSides::kMostBodies - 2; ++i)
+        test::add_square(cube, 0.01F, 0.8F + 0.001F * static_cast<float>(i));
+    EXPECT_TRUE(mesh_sides(cube).bodies.empty()) << "too many";
 }
 
 // And no bit of the picture has one: volumes, which are exact, against none.

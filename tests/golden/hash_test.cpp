@@ -30,7 +30,8 @@ std::vector<Shot> hashed_shots() {
             // beside the line's is as far from their border as from the middle along the line, and
             // so the outline, whose slope is at most 1, passes it on the far side. Eight do.
             s.options.samples = samples > 1 && s.name == "lines_on_faces" ? 8 : samples;
-            if (s.name == "samples_8" || s.name == "interpolate_wall") continue;
+            // At this size adaptive interpolation is exact.
+            if (s.name == "samples_8" || s.name == "interpolate_perspective") continue;
             // A number of samples is said above; the others have their own.
             if (s.options.aa != "auto" &&
                 (samples > 1 || s.options.aa == "none" || s.options.aa.starts_with("samples")))

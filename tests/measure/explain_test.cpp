@@ -54,6 +54,36 @@ Shot stripes() {
     return s;
 }
 
+// On a display of 5 and 6 bits the pictures are those that it shows.
+TEST(Explain, ComparesWhatTheDisplayShows) {
+    Shot s = test::glossy("ball", "lambert");
+    ExplainOptions how = without_times();
+    EXPECT_FALSE(row(explained(s, how), "dither").change);
+    const auto narrow = image::pixel_format("rgb565");
+    ASSERT_TRUE(narrow);
+    how.display = *narrow;
+    s.options.bits = image::fewest_bits(*narrow);
+    const image::Image picture = test::draw(s);
+    const Explanation e = explained(s, how);
+    const EffectRow& dither = row(e, "dither");
+    EXPECT_EQ(dither.decision.technique, "bayer");
+    EXPECT_THAT(dither.decision.because, testing::HasSubstr("5 bits"));
+    EXPECT_EQ(dither.compared_with, "none");
+    const image::Difference d =
+        image::compare(image::as_displayed(*narrow, picture),
+                       image::as_displayed(*narrow, image::without_dither(*narrow, picture)));
+    ASSERT_TRUE(dither.change);
+    EXPECT_GT(d.differing_pixels, 100);
+    EXPECT_EQ(dither.change->pixels, d.differing_pixels);
+    EXPECT_EQ(dither.change->largest_code, d.max_difference);
+    // A step of the display is 8 codes: no other row is told in finer ones.
+    EXPECT_GE(row(e, "directional_light").change->largest_code, 8);
+    s.options.dither = "none";
+    const Explanation plain = explained(s, how);
+    EXPECT_EQ(row(plain, "dither").change->pixels, d.differing_pixels);
+    EXPECT_EQ(row(plain, "dither").compared_with, "bayer");
+}
+
 TEST(Explain, HasARowForEveryEffectOfThePlanAsThePlanDecidedIt) {
     const Shot s = stripes();
     const Explanation e = explained(s);

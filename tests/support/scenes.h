@@ -277,11 +277,10 @@ inline Shot wall(std::string name) {
 }
 
 inline void add_interpolation_shots(std::vector<Shot>& shots) {
-    for (const char* name : {"affine", "affine_16", "affine_8", "adaptive"}) {
+    for (const char* name : {"affine", "affine_16", "affine_8", "adaptive", "perspective"}) {
         shots.push_back(wall("interpolate_" + std::string(name)));
         shots.back().options.interpolate = name;
     }
-    shots.push_back(wall("interpolate_wall")); // the same, exactly
 }
 
 inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
@@ -349,10 +348,8 @@ inline std::vector<Shot> map_shots() {
 
 inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
-    shots.push_back(textured_cube("texture_nearest", "nearest"));
-    shots.push_back(textured_cube("texture_bilinear", "bilinear"));
-    for (const char* filter : {"mipmap", "trilinear", "anisotropic_2", "anisotropic_4",
-                               "anisotropic_8", "anisotropic_16"})
+    for (const char* filter : {"nearest", "bilinear", "mipmap", "trilinear", "anisotropic_2",
+                               "anisotropic_4", "anisotropic_8", "anisotropic_16"})
         shots.push_back(noisy_floor(std::string("texture_") + filter, filter));
     for (const char* wrap : {"repeat", "mirror", "clamp"})
         shots.push_back(wrapped_square(std::string("wrap_") + wrap, wrap));
@@ -395,7 +392,7 @@ inline std::vector<Shot> golden_shots() {
             shadowed_panes("see_through_" + std::string(technique), technique, lamp, ambient));
     }
     // A floor in perspective: affine interpolation would bend its lines at the diagonal.
-    shots.push_back(near_clip("interpolate_perspective"));
+    shots.push_back(near_clip("floor"));
     shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);
     shots.push_back(near_clip("near_clip"));
     shots.push_back(bowl("cull_none", frame::Cull::none));

@@ -41,7 +41,7 @@ extern const Stage blinn_phong_normalised;
 constinit const Stage blinn_phong_normalised{
     {.axis = "reflection",
      .name = "blinn_phong_normalised",
-     .blurb = "Blinn-Phong that reflects no more light than arrives",
+     .blurb = "Blinn-Phong whose highlight reflects no more than Ks of the light; Kd adds to it",
      .source = "Blinn 1977, Giesen 2009",
      .kind = Kind::model},
     {.normal = true, .ray = true},
