@@ -148,7 +148,8 @@ void add_details(const FramePlan& plan, Lines& lines) {
     } rows[] = {
         {o.texture != "auto" && filter == nullptr, "--texture " + o.texture,
          why_off(plan, "texture", "no texture is read")},
-        {o.reflection != "auto" && o.reflection != "lambert" &&
+        // Without their own model physical materials lose what they say.
+        {o.reflection != "auto" && o.reflection != "lambert" && !plan.physical &&
              !(highlight.needed && highlight.on()),
          "--reflection " + o.reflection, why_off(plan, "highlight", highlight.because)},
         {o.transparency != "auto" && !see_through, "--transparency " + o.transparency,

@@ -127,11 +127,13 @@ Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
     return plan;
 }
 
-const MaterialSet& materials_calling(const SceneFacts& facts, const FramePlan& plan,
+const MaterialSet* materials_calling(const SceneFacts& facts, const FramePlan& plan,
                                      std::string_view effect) {
     const auto& by_ks = facts.by_ks.materials_of;
     const auto found = by_ks_alone(plan) ? by_ks.find(effect) : by_ks.end();
-    return found != by_ks.end() ? found->second : facts.materials_of.find(effect)->second;
+    if (found != by_ks.end()) return &found->second;
+    const auto other = facts.materials_of.find(effect);
+    return other != facts.materials_of.end() ? &other->second : nullptr;
 }
 
 } // namespace scanout::frame

@@ -76,6 +76,10 @@ struct FramePlan {
     raster::VisibleRule visible;      // which of several surfaces is seen
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
+    // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:
+    // nowhere.
+    std::vector<std::uint8_t> matt;
+    bool physical = false; // some material says roughness or metalness
     // Where light is not evaluated at pixels: the light stages that run over vertices or faces.
     std::vector<const shade::Stage*> corner_lights;
     bool corner_normals = false;
@@ -92,8 +96,9 @@ struct FramePlan {
     const Decision* decision(std::string_view effect) const; // null where there is none
 };
 
-// The materials that call for an effect of SceneFacts::materials_of, as the plan has them reflect.
-const MaterialSet& materials_calling(const SceneFacts& facts, const FramePlan& plan,
+// The materials that call for an effect of SceneFacts::materials_of, as the plan has them reflect;
+// null where the facts do not say.
+const MaterialSet* materials_calling(const SceneFacts& facts, const FramePlan& plan,
                                      std::string_view effect);
 
 // Fails (Exit::usage) when the options name a technique or a size that does not exist. Without a

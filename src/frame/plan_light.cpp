@@ -108,6 +108,10 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
         planner.called("reflection", name,
                        shading.needs.corners ? shade::Attributes{} : model->needs);
     };
+    plan.physical = rough > 0;
+    if (const MaterialSet* calling = materials_calling(facts, plan, "highlight"))
+        std::transform(calling->begin(), calling->end(), std::back_inserter(plan.matt),
+                       [](bool calls) { return calls ? 0 : 1; });
     use(scene::Surface::matt, "lambert", shiny < facts.triangles || facts.triangles == 0);
     use(scene::Surface::glossy, highlight ? glossy : "lambert", shiny > rough);
     use(scene::Surface::physical, highlight ? physical : "lambert", rough > 0);

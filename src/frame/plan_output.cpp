@@ -99,7 +99,7 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
                                lamps ? " about the model's centre, nearer to a lamp more" : "",
                                plan.decision("emission")->on() ? ", Ke comes on top of it" : "",
                                burns ? ", and highlights may burn out" : ""),
-                   !(tone == "shoulder" && nothing_bends(plan, facts, brightest)));
+                   !(tone == "shoulder" && !lamps && nothing_bends(plan, facts, brightest)));
     if (exposed) planner.stage("exposure", "stops");
     if (tone != "clamp") planner.stage("tone", tone); // codes end at 1 anyway
     return {};

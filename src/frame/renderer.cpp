@@ -128,6 +128,7 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.attributes = plan.attributes;
     frame.filter = plan.filter;
     frame.reflection = plan.reflection;
+    frame.matt = plan.matt;
     frame.sides = plan.sides;
     frame.corner_normals = plan.corner_normals;
     frame.corner_lights = plan.corner_lights;

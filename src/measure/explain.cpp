@@ -125,7 +125,7 @@ Result<void> Explainer::count_pixels() {
     const double pixels = static_cast<double>(options_.width) * options_.height;
     so_far_.covered_share = static_cast<double>(covered) / pixels;
     for (const auto& [effect, by_default] : facts_.materials_of) {
-        const frame::MaterialSet& materials = frame::materials_calling(facts_, plan_, effect);
+        const frame::MaterialSet& materials = *frame::materials_calling(facts_, plan_, effect);
         std::int64_t calling = 0;
         for (std::size_t i = 0; i <= none; ++i)
             calling += materials[i] ? shown[i] : 0;
@@ -220,7 +220,7 @@ void Explainer::step() {
     row.change = change_to(*other);
     row.milliseconds = milliseconds_against(*other);
     if (row.milliseconds && !d.on() && !d.choice) *row.milliseconds = -*row.milliseconds;
-    if (d.choice || !d.on()) return;
+    if (d.choice || (!d.on() && d.forced)) return;
     const auto unasked = automatic(axis_of(d, plan_));
     if (!unasked) return;
     const auto own_choice = frame::plan(*unasked, facts_, view_);

@@ -262,7 +262,11 @@ void Gatherer::begin_look(const GatherInput& in, const Look& look, image::Image&
     look_ = look;
     b.lit = look.lit;
     b.material = &in.material(look.material);
-    const auto surface = b.lit ? surface_of(*b.material) : scene::Surface::matt;
+    const auto& matt = in.frame->matt;
+    const std::size_t number =
+        look.material < 0 ? matt.size() - 1 : static_cast<std::size_t>(look.material);
+    const bool dull = !b.lit || (!matt.empty() && matt[number] != 0);
+    const auto surface = dull ? scene::Surface::matt : surface_of(*b.material);
     b.model = in.frame->reflection[static_cast<std::size_t>(surface)];
     bind_maps(b, in);
 }

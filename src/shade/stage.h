@@ -238,6 +238,8 @@ struct FrameState {
     const Source* source = nullptr; // what map_Kd is, instead of the picture that the file names
     bool mapped = false;            // a mapping stage writes u and v; they are not the model's
     std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
+    // By material, the default one last: 1 where its maps leave no highlight. Empty: nowhere.
+    std::span<const std::uint8_t> matt;
     Sides sides = Sides::eye;
     bool corner_normals = false;                 // vertices' normals are unit, in view space
     std::span<const Stage* const> corner_lights; // the light stages that run over vertices

@@ -203,6 +203,16 @@ def idle_maps(folder):
     model.write(folder, "idle_maps")
 
 
+def dull_maps(folder):
+    """Wide highlights of which black maps leave nothing; the third ball's is whole."""
+    png(os.path.join(folder, "black.png"), 8, 8, lambda x, y: (0, 0, 0))
+    model = Model("Kd 0.5 0.3 0.1\nKs 1 1 1\nNs 10\nmap_Ks black.png",
+                  "Kd 0.2 0.3 0.5\nKs 1 1 1\nNs 10\nmap_Ns black.png", "Kd 0.3 0.4 0.2\nKs 0.5 0.5 0.5\nNs 10")
+    for i in range(3):
+        model.sphere((1.1 * (i - 1), 0, 0), 0.5, i)
+    model.write(folder, "dull_maps")
+
+
 def one_colour(folder):
     """A map of one colour, far more texels than pixels: the same at every size and under every filter."""
     png(os.path.join(folder, "sand.png"), 64, 64, lambda x, y: (200, 170, 90))
@@ -303,7 +313,7 @@ def everything(folder):
 def make(folder):
     os.makedirs(folder, exist_ok=True)
     for maker in (plain, wires, vertex_colours, checker_board, floor, opaque_alpha, fence, leaves, glass, gloss, black_ks,
-                  idle_maps, one_colour, coal, block,
+                  idle_maps, dull_maps, one_colour, coal, block,
                   bumps, normals, glow, gloss_maps, metal, metal_maps, open_box, everything):
         maker(folder)
 

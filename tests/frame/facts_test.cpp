@@ -146,10 +146,10 @@ TEST(Facts, MapsOfKsAndNsCountWherePhysicalMaterialsReflectByThem) {
     EXPECT_EQ(found.specular_triangles, 8U);
     EXPECT_EQ(found.by_ks.specular_triangles, 6U);
     FrameOptions options;
-    EXPECT_THAT(materials_calling(found, plan_of(found, options), "gloss_map"),
+    EXPECT_THAT(*materials_calling(found, plan_of(found, options), "gloss_map"),
                 ElementsAre(false, false, false, false));
     options.reflection = "phong";
-    EXPECT_THAT(materials_calling(found, plan_of(found, options), "gloss_map"),
+    EXPECT_THAT(*materials_calling(found, plan_of(found, options), "gloss_map"),
                 ElementsAre(true, false, false, false));
 }
 

@@ -68,7 +68,15 @@ TEST(InVain, AnOptionThatAPlainSceneHasNoUseForIsNamed) {
 
 TEST(InVain, WhatIsSaidToChangeNothingChangesNoBit) {
     int said = 0;
-    for (const Shot& s : golden_shots()) {
+    std::vector<Shot> shots = golden_shots();
+    shots.push_back(glossy("metal alone", "auto"));
+    shots.back().scene.materials[0].specular = Vec3(0);
+    shots.back().scene.materials[0].metalness = 1;
+    shots.push_back(solids("near a lamp")); // brighter there than about the model's centre
+    scene::Light lamp = light_of(scene::LightKind::point, 0.5);
+    lamp.position = {0.45, 0.8, 0.3};
+    shots.back().options.lights = {lamp};
+    for (const Shot& s : shots) {
         if (s.options.stencil != "auto") continue;
         const image::Image picture = draw(s);
         for (const Asked& asked : all_options()) {
