@@ -53,8 +53,8 @@ void check_lanes(const TriangleList& triangles) {
         }
 }
 
-void check_lanes(const BlockPartList& list) {
-    for (const BlockPart& part : list.parts)
+void check_lanes(const TilePartList& list) {
+    for (const TilePart& part : list.parts)
         check_lanes(
             TriangleList{list.vertices, list.index, {&part.triangle, 1}, {&part.triangle, 1}});
 }

@@ -23,7 +23,7 @@ inline void check_before_snap(const ClipVertex& v, std::size_t vertex) {
 void check_before_rounding(const ClipVertex& vertex);     // of a piece
 void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
 void check_lanes(const TriangleList& triangles);          // to be set up
-void check_lanes(const BlockPartList& parts);             // likewise
+void check_lanes(const TilePartList& parts);              // likewise
 void check_lanes(const Piece& piece);                     // likewise
 void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
@@ -36,7 +36,7 @@ inline void check_before_snap(const ClipVertex&, std::size_t) {}
 inline void check_before_rounding(const ClipVertex&) {}
 inline void check_lanes(std::span<const ScreenVertex>) {}
 inline void check_lanes(const TriangleList&) {}
-inline void check_lanes(const BlockPartList&) {}
+inline void check_lanes(const TilePartList&) {}
 inline void check_lanes(const Piece&) {}
 inline void check_lanes(const Segment&) {}
 inline void check_lanes(const Point&) {}

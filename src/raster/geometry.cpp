@@ -57,13 +57,9 @@ void Geometry::Batch::Bin::put_large_first() {
 
 template <class F>
 void Geometry::Batch::Bin::for_small(F&& f) const {
-    for (const auto* all : {&parts, &backs}) {
-        const std::uint32_t* last = nullptr; // parts of one triangle stand side by side
-        for (const BlockPart& part : *all) {
-            if (last == nullptr || *last != part.triangle) f(part.triangle);
-            last = &part.triangle;
-        }
-    }
+    for (const auto* all : {&parts, &backs})
+        for (const TilePart& part : *all)
+            f(part.triangle);
 }
 
 template <class F>
@@ -205,18 +201,16 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
               [&](std::size_t tile) { batch.bins[tile].large.push_back(key); });
 }
 
-void Geometry::add_small(const BlockGrid& grid, std::span<Batch::Bin> bins, const KeptTriangle& t) {
-    constexpr int kSide = BlockGrid::kSide, kSideBits = BlockGrid::kSideBits;
-    const int x0 = t.x0(), y0 = t.y0(), x1 = t.x1(), y1 = t.y1();
-    const int in_tile = (1 << grid.tile_bits) - 1;
-    for (int y = y0 >> kSideBits; y <= (y1 - 1) >> kSideBits; ++y)
-        for (int x = x0 >> kSideBits; x <= (x1 - 1) >> kSideBits; ++x) {
-            const int tile = (y >> grid.tile_bits) * grid.across + (x >> grid.tile_bits);
-            bins[static_cast<std::size_t>(tile)].parts_of(t).push_back(
-                BlockPart::of(t.triangle, (y & in_tile) << kSideBits | (x & in_tile),
-                              std::max(x0 - x * kSide, 0), std::max(y0 - y * kSide, 0),
-                              std::min(x1 - x * kSide, kSide), std::min(y1 - y * kSide, kSide)));
-        }
+void Geometry::add_small(Batch& batch, const KeptTriangle& t) const {
+    for_tiles(t.x0(), t.y0(), t.x1(), t.y1(), [&](std::size_t tile) {
+        const image::Rect area = tile_area(static_cast<int>(tile));
+        const auto clamped = [&](int at, int begin) {
+            return std::clamp(at - begin, 0, tile_size_);
+        };
+        batch.bins[tile].parts_of(t).push_back(
+            TilePart::of(t.triangle, clamped(t.x0(), area.x0), clamped(t.y0(), area.y0),
+                         clamped(t.x1(), area.x0), clamped(t.y1(), area.y0)));
+    });
 }
 
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
@@ -224,8 +218,7 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
     cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
     const auto kept = std::span<const KeptTriangle>(found.kept).first(found.kept_count);
-    const BlockGrid grid{tile_bits_ - BlockGrid::kSideBits, across_};
-    place_parts(grid, kept, batch.placed);
+    place_parts({tile_bits_, across_}, kept, batch.placed);
     const std::span<Batch::Bin> bins = batch.bins;
     const bool layered = !layers_.empty();
     for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -245,7 +238,7 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
             bins[static_cast<std::size_t>(tile)].parts_of(t).push_back(
                 {t.triangle, batch.placed.where[i]});
         else if (t.small())
-            add_small(grid, bins, t);
+            add_small(batch, t);
         else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
             add_large(batch, t);
         else
@@ -384,7 +377,7 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
         if (out.rule().usual()) {
-            if (!bin.parts.empty()) out.draw(BlockPartList{vertices_, mesh_->index, bin.parts});
+            if (!bin.parts.empty()) out.draw(TilePartList{vertices_, mesh_->index, bin.parts});
         } else {
             bin.for_small(add_whole);
             draw_some();
@@ -399,8 +392,8 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
 void Geometry::draw_backs(int tile, VisibilityTile& out) const {
     bool found = false;
     for (const Batch& batch : batches_) {
-        const std::span<const BlockPart> backs = batch.bins[static_cast<std::size_t>(tile)].backs;
-        const BlockPartList list{vertices_, mesh_->index, backs};
+        const std::span<const TilePart> backs = batch.bins[static_cast<std::size_t>(tile)].backs;
+        const TilePartList list{vertices_, mesh_->index, backs};
         if (backs.size() < kFewBacks) {
             if (!backs.empty()) out.draw(list);
             continue;

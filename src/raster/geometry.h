@@ -77,13 +77,13 @@ private:
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
             // Of small triangles, those of one side by side.
-            std::vector<BlockPart> parts;
-            std::vector<BlockPart> backs; // drawn last: fronts hide the most of them
+            std::vector<TilePart> parts;
+            std::vector<TilePart> backs; // drawn last: fronts hide the most of them
             // Triangles that may cover whole blocks, by depth and id, until they are put before the
             // others, the nearest first: they hide what comes after them.
             std::vector<std::uint64_t> large;
             void put_large_first();
-            std::vector<BlockPart>& parts_of(const KeptTriangle& t) {
+            std::vector<TilePart>& parts_of(const KeptTriangle& t) {
                 return t.away() ? backs : parts;
             }
             // f(triangle) for those that have parts here.
@@ -104,8 +104,7 @@ private:
     void add_seen(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_large(Batch& batch, const KeptTriangle& triangle) const;
-    static void add_small(const BlockGrid& grid, std::span<Batch::Bin> bins,
-                          const KeptTriangle& triangle);
+    void add_small(Batch& batch, const KeptTriangle& triangle) const;
     void draw_backs(int tile, VisibilityTile& out) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;

@@ -7,7 +7,7 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// A vertex relative to the corner of a block: x + 2^16 y, both below 2^14, and its depth.
+// A vertex relative to the corner of the first block: x + 2^16 y, both below 2^14, and its depth.
 struct NearCorner {
     F64x8 place, depth;
 };
@@ -18,10 +18,10 @@ HWY_INLINE void sort_two(NearCorner& a, NearCorner& b) {
     exchange(turn, a.depth, b.depth);
 }
 
-// The parts of a register.
+// The parts of a register, in pixels of the tile.
 struct PartLanes {
-    I32x8 column, end_column, row, end_row; // pixels of the block
-    I32x8 block, left, top;                 // pixels of the tile
+    I32x8 x0, y0, x1, y1; // what may hold samples
+    I32x8 left, top;      // of the first block
     NearCorner vertex[3];
     std::uint32_t name[kLanesX8];
 };
@@ -32,7 +32,7 @@ struct PartCorners {
 };
 // Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
 // asked for, and the indices of those that are two registers further on.
-HWY_INLINE void read_corners(const BlockPartList& list, int first, PartCorners& out) {
+HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners& out) {
     const auto last = static_cast<int>(list.parts.size()) - 1;
     if (first > last) return;
     const auto index = [&](int i) {
@@ -53,26 +53,24 @@ HWY_INLINE void read_corners(const BlockPartList& list, int first, PartCorners& 
 struct StoredParts {
     I32x8 triangle, where;
 };
-HWY_INLINE StoredParts stored_parts(const BlockPart* part, int count) {
-    static_assert(sizeof(BlockPart) == 8);
+HWY_INLINE StoredParts stored_parts(const TilePart* part, int count) {
+    static_assert(sizeof(TilePart) == 8);
     const I32x8 at = shift_left<1>(minimum(iota<I32x8>(0), I32x8(count - 1)));
     const auto* stored = reinterpret_cast<const std::int32_t*>(part);
     return {gather(stored, at), gather(stored + 1, at)};
 }
 
-HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, const BlockPart* part,
+HWY_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
                            int count, const PartCorners& corner, PartLanes& out) {
-    using P = BlockPart;
+    using P = TilePart;
     const StoredParts s = stored_parts(part, count);
-    const I32x8 where = s.where;
     store(s.triangle, out.name);
-    out.column = shift_right<P::kFirstColumn>(where) & I32x8(15);
-    out.end_column = shift_right<P::kEndColumn>(where) & I32x8(15);
-    out.row = shift_right<P::kFirstRow>(where) & I32x8(15);
-    out.end_row = shift_right<P::kEndRow>(where);
-    out.block = where & I32x8(63);
-    out.left = shift_left<3>(where & I32x8(7));
-    out.top = shift_left<3>(shift_right<3>(out.block));
+    out.x0 = s.where & I32x8(63);
+    out.y0 = shift_right<P::kFirstRow>(s.where) & I32x8(63);
+    out.x1 = shift_right<P::kEndColumn>(s.where) & I32x8(127);
+    out.y1 = shift_right<P::kEndRow>(s.where);
+    out.left = out.x0 & I32x8(-8);
+    out.top = out.y0 & I32x8(-8);
     const I32x8 corner_x = shift_left<kSubpixelBits>(out.left + I32x8(tile.area.x0));
     const I32x8 corner_y = shift_left<kSubpixelBits>(out.top + I32x8(tile.area.y0));
     SIMD_UNROLL
@@ -84,11 +82,17 @@ HWY_INLINE void load_parts(const TilePlanes& tile, const BlockPartList& list, co
     }
 }
 
-// Edge functions a x + b y + c, positive inside, from the corner of the block on; below 2^28.
+// Edge functions a x + b y + c, positive inside, from the corner of the first block on; below 2^28.
+// bias: the top-left rule.
 struct PartEdges {
-    I32x8 a[3], b[3], c[3];
+    I32x8 a[3], b[3], c[3], bias[3];
     I32x8 area; // twice the triangle's
 };
+
+// The top-left rule.
+HWY_INLINE I32x8 bias_of(I32x8 a, I32x8 b) {
+    return select(is_top_left(a, b), I32x8(0), I32x8(-1));
+}
 
 HWY_INLINE PartEdges edges_of(const PartLanes& part) {
     I32x8 x[3], y[3];
@@ -109,64 +113,46 @@ HWY_INLINE PartEdges edges_of(const PartLanes& part) {
         e.a[k] = select(turned, I32x8(0) - a, a);
         e.b[k] = select(turned, I32x8(0) - b, b);
         e.c[k] = I32x8(0) - (e.a[k] * x[from] + e.b[k] * y[from]);
+        e.bias[k] = bias_of(e.a[k], e.b[k]);
     }
     return e;
 }
 
-// The top-left rule.
-HWY_INLINE I32x8 bias_of(I32x8 a, I32x8 b) {
-    return select(is_top_left(a, b), I32x8(0), I32x8(-1));
-}
-
-// The samples of one place in the pattern.
-HWY_INLINE void set_up_samples(const PartEdges& e, SampleOffset at, I32x8 begin, Blocks& out) {
+// The samples of one place in the pattern, of a block. corner: the edges at its corner.
+HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
+                               I32x8 begin, Blocks& out) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const I32x8 per_y = shift_left<kSubpixelBits>(e.b[k]);
-        const I32x8 first =
-            (e.c[k] + bias_of(e.a[k], e.b[k])) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
+        const I32x8 first = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
         store(first + per_y * begin, out.first[k]);
         store(shift_left<kSubpixelBits>(e.a[k]), out.per_x[k]);
         store(per_y, out.per_y[k]);
     }
 }
 
-HWY_INLINE void draw_samples(const TilePlanes& tile, const PartLanes& part, const PartEdges& edges,
-                             const Few& few, std::uint32_t live, Blocks& b, I32x8& drawn) {
-    std::size_t plane = 0;
-    for (const SampleOffset* at = tile.pattern.data();
-         at != tile.pattern.data() + tile.pattern.size();
-         ++at, plane += std::size_t{kTileSize} * kTileSize) {
-        set_up_samples(edges, *at, part.row, b);
-        if (few.lanes != 0)
-            draw_few(b, few, *at, part.name, tile.depth + plane, tile.id + plane, drawn);
-        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
-            const int lane = __builtin_ctz(rest);
-            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
-            draw_rows<true>(tile.rule, b, lane, *at, part.name[lane], tile.depth + first,
-                            tile.id + first, drawn);
-        }
-    }
-}
-
 // Depth by the edge functions at every sample, in double (coverage.h).
 HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part,
                                    const PartEdges& edges, const F64x8 (&share)[3],
-                                   std::uint32_t live, Blocks& b, I32x8& drawn) {
+                                   std::uint32_t live, I32x8& drawn) {
+    Blocks b;
+    const I32x8 row = part.y0 - part.top;
+    store(row, b.begin);
+    store(part.top * I32x8(kTileSize) + part.left, b.place);
     std::size_t plane = 0;
-    const Few few{live, part.column, part.end_column - part.column, part.end_row - part.row};
+    const Few all{live, part.x0 - part.left, part.x1 - part.x0, part.y1 - part.y0};
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::size_t{kTileSize} * kTileSize) {
-        set_up_samples(edges, *at, part.row, b);
+        set_up_samples(edges, edges.c, *at, row, b);
         const auto depth = [&](const I32x8(&edge)[3], int, int) HWY_ATTR {
             F64x8 term[3];
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
-                term[k] = to_f64(edge[k] - bias_of(edges.a[k], edges.b[k])) * share[k];
+                term[k] = to_f64(edge[k] - edges.bias[k]) * share[k];
             return to_f32((term[0] + term[1]) + term[2]);
         };
-        draw_pixels(b, few, BlockWalk::kSide, depth, part.name, tile.depth + plane, tile.id + plane,
+        draw_pixels(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane, tile.id + plane,
                     drawn);
     }
 }
@@ -176,82 +162,141 @@ struct SetUpParts {
     PartLanes part;
     PartEdges edges;
     DepthPlane plane;
-    F64x8 depth;        // at the block's corner
-    std::uint32_t live; // has an area, and may be seen
+    std::uint32_t live; // has an area
 };
-HWY_INLINE void set_up_parts(const TilePlanes& tile, const BlockPartList& list,
-                             const BlockPart* first, int count, const PartCorners& corner,
+HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
+                             const TilePart* first, int count, const PartCorners& corner,
                              SetUpParts& s) {
     load_parts(tile, list, first, count, corner, s.part);
     put_in_order(s.part.vertex);
     s.edges = edges_of(s.part);
-    F64x8 a[3], b[3], at_corner[3];
+    F64x8 a[3], b[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         a[k] = to_f64(s.edges.a[k]);
         b[k] = to_f64(s.edges.b[k]);
-        at_corner[k] = to_f64(s.edges.c[k]);
     }
     const NearCorner(&v)[3] = s.part.vertex;
     s.plane =
         depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b, to_f64(maximum(s.edges.area, 1)));
-    const F64x8(&share)[3] = s.plane.share;
-    s.depth = (at_corner[0] * share[0] + at_corner[1] * share[1]) + at_corner[2] * share[2];
     s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
-    if (tile.farthest != nullptr)
-        s.live &= ~hidden(tile, s.part.block, s.depth, reach_of(s.plane.per_x, s.plane.per_y));
 }
 
-HWY_INLINE void store_rows(const PartLanes& part, Blocks& b) {
-    store(part.row, b.begin);
-    store(part.end_row, b.end);
-    store(part.top * I32x8(kTileSize) + part.left, b.place);
+// Blocks of flat parts, one a lane.
+struct PartBlocks {
+    I32x8 left, top; // pixels of the tile
+    I32x8 edge[3];   // at the corner
+    F64x8 depth;     // likewise
+};
+
+HWY_INLINE void draw_flat_blocks(const TilePlanes& tile, const SetUpParts& s, const PartBlocks& at,
+                                 std::uint32_t live, Blocks& b, I32x8& drawn) {
+    const PartLanes& part = s.part;
+    const F32x8 base = to_f32(at.depth);
+    store(base, b.base);
+    store(to_f32(at.depth - to_f64(base)), b.rest);
+    constexpr int kSide = BlockWalk::kSide;
+    const I32x8 column = maximum(part.x0 - at.left, 0), row = maximum(part.y0 - at.top, 0);
+    const I32x8 end = minimum(part.y1 - at.top, kSide);
+    store(row, b.begin);
+    store(end, b.end);
+    store(at.top * I32x8(kTileSize) + at.left, b.place);
+    Few few{0, column, minimum(part.x1 - at.left, kSide) - column, end - row};
+    few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & live;
+    std::size_t plane = 0;
+    for (const SampleOffset* sample = tile.pattern.data();
+         sample != tile.pattern.data() + tile.pattern.size();
+         ++sample, plane += std::size_t{kTileSize} * kTileSize) {
+        set_up_samples(s.edges, at.edge, *sample, row, b);
+        if (few.lanes != 0)
+            draw_few(b, few, *sample, part.name, tile.depth + plane, tile.id + plane, drawn);
+        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
+            draw_rows<true>(tile.rule, b, lane, *sample, part.name[lane], tile.depth + first,
+                            tile.id + first, drawn);
+        }
+    }
+}
+
+// Each lane walks over the blocks of its part.
+HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
+                                I32x8& drawn) {
+    const PartEdges& e = s.edges;
+    Blocks b;
+    store(to_f32(s.plane.per_x), b.per_pixel_x);
+    store(to_f32(s.plane.per_y), b.per_pixel_y);
+    const Reach reach = reach_of(s.plane.per_x, s.plane.per_y);
+    constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
+    I32x8 highest[3]; // that an edge is above its value at a block's corner, at any sample
+    const SampleExtent extent = extent_of(tile.pattern);
+    constexpr std::int32_t kAcross = (kSide - 1) * kSubpixel;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        highest[k] =
+            e.bias[k] +
+            maximum(e.a[k] * I32x8(extent.low.x), e.a[k] * I32x8(kAcross + extent.high.x)) +
+            maximum(e.b[k] * I32x8(extent.low.y), e.b[k] * I32x8(kAcross + extent.high.y));
+    I32x8 x = 0, y = 0; // from the first block's corner
+    while (live != 0) {
+        PartBlocks at;
+        at.left = s.part.left + x;
+        at.top = s.part.top + y;
+        F64x8 term[3];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k) {
+            at.edge[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * x + e.b[k] * y);
+            term[k] = to_f64(at.edge[k]) * s.plane.share[k];
+        }
+        at.depth = (term[0] + term[1]) + term[2];
+        const I32x8 beside =
+            (at.edge[0] + highest[0]) | (at.edge[1] + highest[1]) | (at.edge[2] + highest[2]);
+        std::uint32_t show = live & ~bits(beside < I32x8(0));
+        if (tile.farthest != nullptr) {
+            const I32x8 block = at.top + shift_right<3>(at.left);      // eight a row
+            const I32x8 there = minimum(block, kBlocks * kBlocks - 1); // also of lanes at their end
+            show &= ~hidden(tile, there, at.depth, reach);
+        }
+        if (show != 0) draw_flat_blocks(tile, s, at, show, b, drawn);
+        x = x + I32x8(kSide);
+        const MaskX8 next = s.part.left + x >= s.part.x1;
+        x = select(next, I32x8(0), x);
+        y = select(next, y + I32x8(kSide), y);
+        live &= bits(s.part.top + y < s.part.y1);
+    }
 }
 
 // Returns how many of them are steep and few: those are added to the list and not drawn.
-HWY_INLINE int draw_most(const TilePlanes& tile, const BlockPartList& list, const BlockPart* first,
-                         int count, const PartCorners& corner, I32x8& drawn, BlockPart* steep) {
+HWY_INLINE int draw_most(const TilePlanes& tile, const TilePartList& list, const TilePart* first,
+                         int count, const PartCorners& corner, I32x8& drawn, TilePart* steep) {
     SetUpParts s;
     set_up_parts(tile, list, first, count, corner, s);
-    Blocks b;
-    store_rows(s.part, b);
     int left = 0;
     std::uint32_t rest = s.live & ~s.plane.flat;
     if (__builtin_popcount(rest) >= kLanesX8 / 2)
-        draw_steep_samples(tile, s.part, s.edges, s.plane.share, rest, b, drawn);
+        draw_steep_samples(tile, s.part, s.edges, s.plane.share, rest, drawn);
     else
         for (; rest != 0; rest &= rest - 1)
             steep[left++] = first[__builtin_ctz(rest)];
-    const std::uint32_t live = s.live & s.plane.flat;
-    if (live == 0) return left;
-    const F32x8 base = to_f32(s.depth);
-    store(base, b.base);
-    store(to_f32(s.depth - to_f64(base)), b.rest);
-    store(to_f32(s.plane.per_x), b.per_pixel_x);
-    store(to_f32(s.plane.per_y), b.per_pixel_y);
-    Few few{0, s.part.column, s.part.end_column - s.part.column, s.part.end_row - s.part.row};
-    few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & live;
-    draw_samples(tile, s.part, s.edges, few, live, b, drawn);
+    draw_flat_parts(tile, s, s.live & s.plane.flat, drawn);
     return left;
 }
 
 // A register of them at most.
-HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const BlockPartList& list, I32x8& drawn) {
+HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
     PartCorners corner;
     read_corners(list, 0, corner);
     SetUpParts s;
     set_up_parts(tile, list, list.parts.data(), static_cast<int>(list.parts.size()), corner, s);
-    Blocks b;
-    store_rows(s.part, b);
-    draw_steep_samples(tile, s.part, s.edges, s.plane.share, s.live, b, drawn);
+    draw_steep_samples(tile, s.part, s.edges, s.plane.share, s.live, drawn);
 }
 
-bool draw_all_parts(const TilePlanes& tile, const BlockPartList& list) {
+bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
     I32x8 drawn = 0;
-    BlockPart steep[2 * kLanesX8]; // until they fill a register
+    TilePart steep[2 * kLanesX8]; // until they fill a register
     int waiting = 0;
     const auto draw_steep = [&](int count) HWY_ATTR {
-        const std::span<const BlockPart> some(steep, static_cast<std::size_t>(count));
+        const std::span<const TilePart> some(steep, static_cast<std::size_t>(count));
         draw_steep_parts(tile, {list.vertices, list.index, some}, drawn);
     };
     const auto all = static_cast<int>(list.parts.size());
@@ -273,15 +318,33 @@ bool draw_all_parts(const TilePlanes& tile, const BlockPartList& list) {
     return any(!(drawn == I32x8(0)));
 }
 
+// Of the blocks that parts may touch the one with the farthest depth.
+HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
+    using P = TilePart;
+    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
+    const auto block_of = [](I32x8 pixel) { return shift_right<3>(pixel); };
+    const I32x8 x0 = block_of(where & I32x8(63)),
+                y0 = block_of(shift_right<P::kFirstRow>(where) & I32x8(63)),
+                x1 = block_of((shift_right<P::kEndColumn>(where) & I32x8(127)) - I32x8(1)),
+                y1 = block_of(shift_right<P::kEndRow>(where) - I32x8(1));
+    F32x8 farthest = gather(tile.farthest, y0 * I32x8(kBlocks) + x0);
+    for (int j = 0; j * BlockWalk::kSide < kSmallSide + BlockWalk::kSide; ++j)
+        for (int i = 0; i * BlockWalk::kSide < kSmallSide + BlockWalk::kSide; ++i) {
+            const I32x8 x = minimum(x0 + I32x8(i), x1), y = minimum(y0 + I32x8(j), y1);
+            farthest = minimum(farthest, gather(tile.farthest, y * I32x8(kBlocks) + x));
+        }
+    return farthest;
+}
+
 // Parts that lie behind all that is seen in their blocks go; those that are left are counted.
-int drop_hidden(const TilePlanes& tile, const BlockPartList& list, BlockPart* out) {
+int drop_hidden(const TilePlanes& tile, const TilePartList& list, TilePart* out) {
     const auto* real = reinterpret_cast<const double*>(list.vertices.data());
     const auto all = static_cast<int>(list.parts.size());
     int left = 0;
     PartCorners corner, next;
     read_corners(list, 0, next);
     for (int begin = 0; begin < all; begin += kLanesX8) {
-        const BlockPart* part = list.parts.data() + begin;
+        const TilePart* part = list.parts.data() + begin;
         const int count = all - begin < kLanesX8 ? all - begin : kLanesX8;
         corner = next;
         read_corners(list, begin + kLanesX8, next);
@@ -289,7 +352,7 @@ int drop_hidden(const TilePlanes& tile, const BlockPartList& list, BlockPart* ou
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             nearest = maximum(nearest, gather(real + 1, shift_left<1>(load<I32x8>(corner.at[k]))));
-        const F32x8 farthest = gather(tile.farthest, stored_parts(part, count).where & I32x8(63));
+        const F32x8 farthest = farthest_of(tile, stored_parts(part, count).where);
         std::uint32_t rest =
             bits(to_f32(nearest * F64x8(1 + 0x1p-20)) >= farthest) & ((2U << (count - 1)) - 1);
         for (; rest != 0; rest &= rest - 1)
@@ -320,42 +383,36 @@ void find_farthest_of_all(const TilePlanes& tile) {
 }
 
 template <int kTileBits>
-HWY_INLINE void place_lanes(const BlockGrid& grid, const std::uint32_t* triangle,
-                            std::int32_t* tile, std::uint32_t* where) {
+HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle, std::int32_t* tile,
+                            std::uint32_t* where) {
     I32 name, from, to;
     load_interleaved(triangle, name, from, to);
-    const I32 half = 0xffff, one = 1, in_block = BlockGrid::kSide - 1;
-    const I32 below_flag = 0x7fff;
+    const I32 half = 0xffff, one = 1, below_flag = 0x7fff;
     const I32 x0 = from & below_flag, y0 = shift_right<16>(from) & below_flag;
     const I32 x1 = to & half, y1 = shift_right<16>(to);
-    const auto block_of = [](I32 pixel) { return shift_right<BlockGrid::kSideBits>(pixel); };
-    const I32 block_x = block_of(x0), block_y = block_of(y0);
-    const auto one_block = (block_x == block_of(x1 - one)) & (block_y == block_of(y1 - one));
-    const I32 in_tile = (1 << kTileBits) - 1;
-    const I32 block = shift_left<BlockGrid::kSideBits>(block_y & in_tile) | (block_x & in_tile);
-    const I32 left = x0 & in_block, top = y0 & in_block;
-    store(block | shift_left<BlockPart::kFirstColumn>(left) |
-              shift_left<BlockPart::kEndColumn>(left + (x1 - x0)) |
-              shift_left<BlockPart::kFirstRow>(top) |
-              shift_left<BlockPart::kEndRow>(top + (y1 - y0)),
+    const I32 tile_x = shift_right<kTileBits>(x0), tile_y = shift_right<kTileBits>(y0);
+    const auto one_tile =
+        (tile_x == shift_right<kTileBits>(x1 - one)) & (tile_y == shift_right<kTileBits>(y1 - one));
+    const I32 left = shift_left<kTileBits>(tile_x), top = shift_left<kTileBits>(tile_y);
+    store((x0 - left) | shift_left<TilePart::kFirstRow>(y0 - top) |
+              shift_left<TilePart::kEndColumn>(x1 - left) | shift_left<TilePart::kEndRow>(y1 - top),
           where);
-    const I32 number =
-        shift_right<kTileBits>(block_y) * I32(grid.across) + shift_right<kTileBits>(block_x);
-    store(select(one_block & (from < I32(0)), number, I32(PlacedParts::kNone)), tile);
+    const I32 number = tile_y * I32(grid.across) + tile_x;
+    store(select(one_tile & (from < I32(0)), number, I32(PlacedParts::kNone)), tile);
 }
 
 template <int kTileBits>
-HWY_INLINE void place_each(const BlockGrid& grid, const std::uint32_t* triangle, int count,
+HWY_INLINE void place_each(const TileGrid& grid, const std::uint32_t* triangle, int count,
                            std::int32_t* tile, std::uint32_t* where) {
     for (int i = 0; i < count; i += kLanes)
         place_lanes<kTileBits>(grid, triangle + std::ptrdiff_t{i} * 3, tile + i, where + i);
 }
-void place_all(const BlockGrid& grid, const std::uint32_t* triangle, int count, std::int32_t* tile,
+void place_all(const TileGrid& grid, const std::uint32_t* triangle, int count, std::int32_t* tile,
                std::uint32_t* where) {
-    if (grid.tile_bits == 3) place_each<3>(grid, triangle, count, tile, where);
-    if (grid.tile_bits == 2) place_each<2>(grid, triangle, count, tile, where);
-    if (grid.tile_bits == 1) place_each<1>(grid, triangle, count, tile, where);
-    if (grid.tile_bits == 0) place_each<0>(grid, triangle, count, tile, where);
+    if (grid.bits == 6) place_each<6>(grid, triangle, count, tile, where);
+    if (grid.bits == 5) place_each<5>(grid, triangle, count, tile, where);
+    if (grid.bits == 4) place_each<4>(grid, triangle, count, tile, where);
+    if (grid.bits == 3) place_each<3>(grid, triangle, count, tile, where);
 }
 
 SIMD_END
@@ -368,7 +425,7 @@ SIMD_REGISTER(drop_hidden);
 SIMD_REGISTER(find_farthest_of_all);
 SIMD_REGISTER(place_all);
 
-void place_parts(const BlockGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out) {
+void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out) {
     static_assert(sizeof(KeptTriangle) == 3 * sizeof(std::uint32_t));
     if (out.tile.size() < triangles.size() + kRegisterRoom) {
         out.tile.resize(triangles.size() + kRegisterRoom);
@@ -379,7 +436,7 @@ void place_parts(const BlockGrid& grid, std::span<const KeptTriangle> triangles,
      out.where.data());
 }
 
-bool draw_parts(const TilePlanes& tile, const BlockPartList& list) {
+bool draw_parts(const TilePlanes& tile, const TilePartList& list) {
     return SIMD_CALL(draw_all_parts)(tile, list);
 }
 
@@ -387,11 +444,11 @@ void find_farthest(const TilePlanes& tile) {
     SIMD_CALL(find_farthest_of_all)(tile);
 }
 
-bool draw_parts_behind(const TilePlanes& tile, const BlockPartList& list,
-                       std::vector<BlockPart>& room) {
+bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,
+                       std::vector<TilePart>& room) {
     if (room.size() < list.parts.size()) room.resize(list.parts.size());
     const int left = SIMD_CALL(drop_hidden)(tile, list, room.data());
-    const auto seen = std::span<const BlockPart>(room).first(static_cast<std::size_t>(left));
+    const auto seen = std::span<const TilePart>(room).first(static_cast<std::size_t>(left));
     return draw_parts(tile, {list.vertices, list.index, seen});
 }
 

@@ -1,6 +1,6 @@
-// Triangles a few pixels wide and high, the most of a fine mesh: cut up by the blocks of 8 x 8
-// pixels that they may touch when they are handed to the tiles, and drawn a block a lane.
-// Everything about their edges is a whole number of 32 bits, relative to the block.
+// Triangles a few pixels wide and high, the most of a fine mesh: set up and drawn side by side, one
+// a lane, and each walked over in the blocks of 8 x 8 pixels that it may touch. Everything about
+// their edges is a whole number of 32 bits, relative to the first of these blocks.
 #pragma once
 
 #include "raster/block_walk.h"
@@ -13,55 +13,52 @@
 
 namespace scanout::raster {
 
-inline constexpr int kSmallSide = 8; // pixels from the first to the last vertex, each way
+inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
-// What one block has of such a triangle.
-struct BlockPart {
+// What one tile has of such a triangle.
+struct TilePart {
     std::uint32_t triangle;
     std::uint32_t where;
 
-    static constexpr int kFirstColumn = 6, kEndColumn = 10, kFirstRow = 14, kEndRow = 18; // bits
+    static constexpr int kFirstRow = 6, kEndColumn = 12, kEndRow = 19; // bits
 
-    // block: of the tile, eight a row; then the pixels of the block that may hold samples: columns
-    // [x0, x1), rows [y0, y1).
-    static BlockPart of(std::uint32_t triangle, int block, int x0, int y0, int x1, int y1) {
-        return {triangle, static_cast<std::uint32_t>(block | x0 << kFirstColumn | x1 << kEndColumn |
-                                                     y0 << kFirstRow | y1 << kEndRow)};
+    // The pixels of the tile that may hold its samples: columns [x0, x1), rows [y0, y1).
+    static TilePart of(std::uint32_t triangle, int x0, int y0, int x1, int y1) {
+        return {triangle, static_cast<std::uint32_t>(x0 | y0 << kFirstRow | x1 << kEndColumn |
+                                                     y1 << kEndRow)};
     }
 };
 
-// How blocks lie in the tiles of a picture.
-struct BlockGrid {
-    static constexpr int kSide = BlockWalk::kSide, kSideBits = 3;
-    static_assert(kSide == 1 << kSideBits);
-    int tile_bits; // a tile has 1 << tile_bits blocks a side
-    int across;    // tiles in a row of the picture
+// How the tiles of a picture lie.
+struct TileGrid {
+    int bits;   // a tile has 1 << bits pixels a side
+    int across; // tiles in a row of the picture
 };
 
-// Of each triangle of a list the part that lies in one block alone, which most are, and its tile;
-// kNone where the triangle is not small or lies in several blocks. They grow to have room for all.
-// The list is that of a CullResult: whole registers of it are read.
+// Of each triangle of a list the part that lies in one tile alone, which most do, and the tile;
+// kNone where the triangle is not small or lies in several. They grow to have room for all. The
+// list is that of a CullResult: whole registers of it are read.
 struct PlacedParts {
     static constexpr std::int32_t kNone = -1;
     std::vector<std::int32_t> tile;
-    std::vector<std::uint32_t> where; // of a BlockPart
+    std::vector<std::uint32_t> where; // of a TilePart
 };
-void place_parts(const BlockGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out);
+void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out);
 
 // index: three vertices a triangle, all of which stand on the screen.
-struct BlockPartList {
+struct TilePartList {
     std::span<const ScreenVertex> vertices;
     std::span<const std::uint32_t> index;
-    std::span<const BlockPart> parts;
+    std::span<const TilePart> parts;
 };
 
 // Did any of them show? By the usual rule; the same bits as draw_triangles.
-bool draw_parts(const TilePlanes& tile, const BlockPartList& list);
+bool draw_parts(const TilePlanes& tile, const TilePartList& list);
 // Makes tile.farthest as great as what is drawn there allows.
 void find_farthest(const TilePlanes& tile);
 // The same as draw_parts, for parts most of which that hides: they are told by their vertices'
 // depths alone. room: for those that are left.
-bool draw_parts_behind(const TilePlanes& tile, const BlockPartList& list,
-                       std::vector<BlockPart>& room);
+bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,
+                       std::vector<TilePart>& room);
 
 } // namespace scanout::raster

@@ -45,14 +45,14 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
     return shows;
 }
 
-bool VisibilityTile::draw(const BlockPartList& parts) {
+bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
     const bool shows = draw_parts(planes(), parts);
     touched_ |= shows;
     return shows;
 }
 
-bool VisibilityTile::draw_behind(const BlockPartList& parts) {
+bool VisibilityTile::draw_behind(const TilePartList& parts) {
     check_lanes(parts);
     const bool shows = draw_parts_behind(planes(), parts, seen_);
     touched_ |= shows;

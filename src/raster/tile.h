@@ -23,10 +23,10 @@ public:
 
     // Triangles: does any of them show? Pixels beyond area() count, too.
     bool draw(const TriangleList& triangles);
-    bool draw(const BlockPartList& parts); // by the usual rule
+    bool draw(const TilePartList& parts); // by the usual rule
     // The same, when what hides the most of them is drawn: find_farthest(), then these.
     void find_farthest() { raster::find_farthest(planes()); }
-    bool draw_behind(const BlockPartList& parts);
+    bool draw_behind(const TilePartList& parts);
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
     bool draw(const Piece& piece);
@@ -105,7 +105,7 @@ private:
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
     std::array<float, (kTileSize / 8) * (kTileSize / 8)> farthest_{}; // TilePlanes
-    std::vector<BlockPart> seen_;                                     // of draw_behind
+    std::vector<TilePart> seen_;                                      // of draw_behind
     std::vector<float> ground_depth_; // empty until lines or points come
     std::vector<std::uint32_t> ground_id_;
 };

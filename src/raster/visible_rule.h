@@ -2,8 +2,8 @@
 // which format they are kept. As a rule the greatest reversed depth in a float, at a tie the lower
 // id; everything else is a choice of the user's, and takes a way of its own through the kernels.
 // With every rule the choice is the same in whatever order primitives are drawn: the tests are
-// those of a depth buffer that is drawn into in the order of ids. "Not equal" is not among them: what
-// it shows is a matter of all that was drawn before, not of two surfaces.
+// those of a depth buffer that is drawn into in the order of ids. "Not equal" is not among them:
+// what it shows is a matter of all that was drawn before, not of two surfaces.
 #pragma once
 
 #include "base/technique.h"

@@ -1,4 +1,4 @@
-// Small triangles drawn by the parts that blocks have of them: the same bits as whole triangles.
+// Small triangles drawn by the parts that a tile has of them: the same bits as whole triangles.
 #include "raster/exact.h"
 #include "raster/small_triangles.h"
 #include "support/targets.h"
@@ -15,12 +15,13 @@ struct Soup {
     std::size_t triangles() const { return index.size() / 3; }
 };
 
-// About the tile at `corner` (pixels): from less than a pixel to 8 wide, on the grid of samples,
-// slivers and without area among them; in depth near to flat, steep, and nearly denormal.
+// About the tile at `corner` (pixels): from less than a pixel to kSmallSide wide, on the grid of
+// samples, slivers and without area among them; in depth near to flat, steep, and nearly denormal.
 Soup soup(Random& random, int count, const Corner& corner, double least = 0.01) {
     Soup soup;
     for (int i = 0; i < count; ++i) {
-        const int size = 64 << random.whole(0, 5), grid = i % 3 == 0 ? ~15 : ~0;
+        const int size = std::min(64 << random.whole(0, 6), kSmallSide * 256),
+                  grid = i % 3 == 0 ? ~15 : ~0;
         const Corner at{corner.x * 256 + random.whole(-256, 65 * 256 - size),
                         corner.y * 256 + random.whole(-256, 65 * 256 - size)};
         Corners v;
@@ -38,9 +39,9 @@ Soup soup(Random& random, int count, const Corner& corner, double least = 0.01) 
 }
 
 // What the geometry stage hands to the tile at `corner`.
-std::vector<BlockPart> parts_of(const Soup& soup, const Corner& corner, int samples) {
+std::vector<TilePart> parts_of(const Soup& soup, const Corner& corner, int samples) {
     const SampleExtent extent = extent_of(sample_pattern(samples));
-    std::vector<BlockPart> parts;
+    std::vector<TilePart> parts;
     for (std::size_t t = 0; t < soup.triangles(); ++t) {
         const auto* v = soup.vertices.data() + t * 3;
         const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
@@ -49,18 +50,15 @@ std::vector<BlockPart> parts_of(const Soup& soup, const Corner& corner, int samp
         const int x1 = ((right + 256 - extent.low.x) >> 8) - corner.x;
         const int y0 = ((top + 255 - extent.high.y) >> 8) - corner.y;
         const int y1 = ((bottom + 256 - extent.low.y) >> 8) - corner.y;
-        for (int block = 0; block < 64; ++block) {
-            const int x = block % 8 * 8, y = block / 8 * 8;
-            const auto inside = [](int at, int begin) { return std::clamp(at - begin, 0, 8); };
-            if (inside(x0, x) < inside(x1, x) && inside(y0, y) < inside(y1, y))
-                parts.push_back(BlockPart::of(static_cast<std::uint32_t>(t), block, inside(x0, x),
-                                              inside(y0, y), inside(x1, x), inside(y1, y)));
-        }
+        const auto inside = [](int at) { return std::clamp(at, 0, 64); };
+        if (inside(x0) < inside(x1) && inside(y0) < inside(y1))
+            parts.push_back(TilePart::of(static_cast<std::uint32_t>(t), inside(x0), inside(y0),
+                                         inside(x1), inside(y1)));
     }
     return parts;
 }
 
-TEST(SmallTriangles, DrawTheSameBitsByTheirPartsOfBlocks) {
+TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
         int steep = 0, seen = 0;
@@ -78,8 +76,8 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirPartsOfBlocks) {
             VisibilityTile by_parts, by_triangles;
             by_parts.reset(area, samples);
             by_triangles.reset(area, samples);
-            const std::vector<BlockPart> parts = parts_of(all, corner, samples);
-            EXPECT_EQ(by_parts.draw(BlockPartList{all.vertices, all.index, parts}),
+            const std::vector<TilePart> parts = parts_of(all, corner, samples);
+            EXPECT_EQ(by_parts.draw(TilePartList{all.vertices, all.index, parts}),
                       by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole}));
             int differ = 0;
             for (int s = 0; s < samples; ++s)
@@ -105,8 +103,8 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
             const Soup front = soup(random, 1000, corner, 0.25);
             const Soup behind = soup(random, 2000 + round, corner, 0.15);
-            const std::vector<BlockPart> first = parts_of(front, corner, samples),
-                                         rest = parts_of(behind, corner, samples);
+            const std::vector<TilePart> first = parts_of(front, corner, samples),
+                                        rest = parts_of(behind, corner, samples);
             // A wall that covers the tile, not as deep in one corner as in the others.
             const auto wall = [&](int x, int y, double depth) {
                 return ScreenVertex{(corner.x + x) * 256, (corner.y + y) * 256, depth};
@@ -119,11 +117,11 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             for (VisibilityTile* tile : {&at_once, &in_two}) {
                 tile->reset(area, samples);
                 tile->draw(TriangleList{walls, corners, name, name});
-                tile->draw(BlockPartList{front.vertices, front.index, first});
+                tile->draw(TilePartList{front.vertices, front.index, first});
             }
             in_two.find_farthest();
-            shows += at_once.draw(BlockPartList{behind.vertices, behind.index, rest}) ? 1 : 0;
-            in_two.draw_behind(BlockPartList{behind.vertices, behind.index, rest});
+            shows += at_once.draw(TilePartList{behind.vertices, behind.index, rest}) ? 1 : 0;
+            in_two.draw_behind(TilePartList{behind.vertices, behind.index, rest});
             int differ = 0;
             for (int s = 0; s < samples; ++s)
                 for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i)
@@ -136,16 +134,19 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
     });
 }
 
-TEST(SmallTriangles, ThatLieInOneBlockArePlacedThere) {
+TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(72);
-        for (int bits = 0; bits < 4; ++bits) {
-            const BlockGrid grid{bits, 37};
+        for (int bits = 3; bits < 7; ++bits) {
+            const TileGrid grid{bits, 37};
             std::vector<KeptTriangle> list(1000 + kRegisterRoom);
             const auto place = [&] { return static_cast<std::uint32_t>(random.whole(0, 36 * 8)); };
             for (KeptTriangle& t : list) {
                 const std::uint32_t x = place(), y = place();
-                const auto side = [&] { return static_cast<std::uint32_t>(random.whole(1, 9)); };
+                const auto side = [&] {
+                    return static_cast<std::uint32_t>(
+                        random.whole(1, random.whole(1, kSmallSide + 1)));
+                };
                 t = {static_cast<std::uint32_t>(random.bits()), y << 16 | x,
                      (y + side()) << 16 | (x + side())};
                 if (random.whole(0, 9) > 0) t.from |= KeptTriangle::kSmall;
@@ -157,16 +158,16 @@ TEST(SmallTriangles, ThatLieInOneBlockArePlacedThere) {
             int alone = 0;
             for (std::size_t i = 0; i < live.size(); ++i) {
                 const KeptTriangle& t = live[i];
-                const int x = t.x0() / 8, y = t.y0() / 8, side = 1 << bits;
-                if (!t.small() || (t.x1() - 1) / 8 != x || (t.y1() - 1) / 8 != y) {
+                const int side = 1 << bits, x = t.x0() / side, y = t.y0() / side;
+                if (!t.small() || (t.x1() - 1) / side != x || (t.y1() - 1) / side != y) {
                     EXPECT_EQ(placed.tile[i], PlacedParts::kNone);
                     continue;
                 }
                 ++alone;
-                EXPECT_EQ(placed.tile[i], y / side * 37 + x / side);
+                EXPECT_EQ(placed.tile[i], y * 37 + x);
                 EXPECT_EQ(placed.where[i],
-                          BlockPart::of(t.triangle, y % side * 8 + x % side, t.x0() - x * 8,
-                                        t.y0() - y * 8, t.x1() - x * 8, t.y1() - y * 8)
+                          TilePart::of(t.triangle, t.x0() - x * side, t.y0() - y * side,
+                                       t.x1() - x * side, t.y1() - y * side)
                               .where);
             }
             EXPECT_GT(alone, 100);
