@@ -128,7 +128,7 @@ Vec3 MapFacts::brightest(const scene::Material& m) const {
 
 bool MapFacts::matters_by_ks(const scene::Material& m, shade::Map map) const {
     const Range* const texels = range(m, map);
-    if (texels == nullptr || !has_highlight(m)) return false;
+    if (texels == nullptr || !shines_by_ks(m)) return false;
     return map == shade::kSpecularMap ? darkened(m.specular, texels->least)
                                       : any_channel(m.map_shininess, texels->least, less_than_1);
 }
@@ -138,7 +138,7 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     if (texels == nullptr) return false;
     const scene::Surface surface = surface_of(m);
     // Something of what falls on the surface comes back, in a way that depends on its direction.
-    const bool lit = m.diffuse != Vec3(0) || surface != scene::Surface::matt;
+    const bool lit = m.diffuse != Vec3(0) || shines(m);
     switch (map) {
     case shade::kDiffuseMap:
         return darkened(m.diffuse, texels->least);
