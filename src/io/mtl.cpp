@@ -343,7 +343,10 @@ bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
     } else if (option == "-texres") {
         float texels = 0;
         good = number(texels);
-        map.resolution = static_cast<int>(texels);
+        constexpr float kMostTexels =
+            65536; // of a texture's side; beyond it, or not a number: that
+        const bool fits = -kMostTexels <= texels && texels <= kMostTexels;
+        map.resolution = static_cast<int>(fits ? texels : kMostTexels);
     } else
         good = false;
     if (!good) at = before;

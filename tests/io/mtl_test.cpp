@@ -131,6 +131,16 @@ TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
                             "map_Kd -blendv off", "map_Kd -texres"));
 }
 
+TEST(Mtl, AResolutionOfAnySizeIsOne) {
+    const auto resolution = [](const std::string& texels) {
+        return read_one("map_Kd -texres " + texels + " a.png").first().map_diffuse.resolution;
+    };
+    EXPECT_EQ(resolution("65536"), 65536);
+    EXPECT_EQ(resolution("-7.5"), -7);
+    for (const char* beyond : {"65537", "55555555555512", "1e30", "-1e30", "1e300"})
+        EXPECT_EQ(resolution(beyond), 65536) << beyond;
+}
+
 TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
     EXPECT_EQ(read_one("map_Kd -s 1 1 1 01.png").first().map_diffuse.path, "01.png");
     EXPECT_EQ(read_one("map_Kd a -b.png").first().map_diffuse.path, "a -b.png");
