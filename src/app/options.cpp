@@ -168,9 +168,8 @@ const std::array kOptions = std::to_array<Option>({
      }),
      "the file's format, where its extension does not say it"},
     {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
-     "the bytes of a display (`list formats`): raw files hold them; other pictures, hashes and "
-     "what "
-     "explain compares are as such a display shows them"},
+     "the bytes of a display (`list formats`): raw files hold them; other pictures, hashes "
+     "and what explain compares are as such a display shows them"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},

@@ -270,8 +270,7 @@ double near_reach(const scene::View& view) {
 
 // Nothing where it may be anywhere, or the model is flattened.
 std::optional<DVec4> known_eye_of(const scene::View& view) {
-    const bool known = view.projection == scene::Projection::orthographic || view.near_distance > 0;
-    return known ? eye_of(view) : std::nullopt;
+    return is_known(view) ? eye_of(view) : std::nullopt;
 }
 
 } // namespace

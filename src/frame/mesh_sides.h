@@ -41,8 +41,7 @@ bool is_collapsed(const geom::Mesh& mesh, std::size_t triangle);
 // lets_through: for each triangle; empty where none does.
 MeshSides mesh_sides(const geom::Mesh& mesh, const std::vector<bool>& lets_through = {});
 
-// Whether the eye may be inside of a closed part. A view without a near plane, as of a plan that
-// knows none, is anywhere: outside.
+// Whether the eye may be inside of a closed part; not in a view that is not known.
 bool may_be_inside(const MeshSides& sides, const scene::View& view);
 // What of a mesh may show its back in a view. That other triangles hide it all is not known before
 // they are drawn.

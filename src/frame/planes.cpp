@@ -29,6 +29,10 @@ void PlaneSet::add(const DVec3& a, const DVec3& b, const DVec3& c) {
     planes_ = {};
 }
 
+bool is_known(const scene::View& view) {
+    return view.projection == scene::Projection::orthographic || view.near_distance > 0;
+}
+
 std::optional<DVec4> eye_of(const scene::View& view) {
     const DMat3& m = view.linear;
     const DVec3 rows[] = {cross3(m[1], m[2]), cross3(m[2], m[0]), cross3(m[0], m[1])};

@@ -31,6 +31,8 @@ private:
     bool too_many_ = false;
 };
 
+// A view without a near plane, as of a plan that knows none, is anywhere.
+bool is_known(const scene::View& view);
 // The eye in mesh coordinates; w is 0 in an orthographic view, whose eye is a direction. Nothing
 // where the model is flattened.
 std::optional<DVec4> eye_of(const scene::View& view);

@@ -66,10 +66,9 @@ bool stand_apart(std::span<const Box> bodies, const scene::ViewLight& light,
                  const scene::View& view, const ShadowTexels& map) {
     if (bodies.size() < 2) return true;
     if (light.kind == scene::LightKind::ambient) return true;
-    const bool known = view.projection == scene::Projection::orthographic || view.near_distance > 0;
     const int texels = map.filter + 4;
     const double inner = map.size / 4.0 - texels; // as of one of six views (light_views)
-    if (!known || light.size > 0 || inner < 1) return false;
+    if (!is_known(view) || light.size > 0 || inner < 1) return false;
     const bool directional = light.kind == scene::LightKind::directional;
     constexpr double kWidest = 1.75; // tangent of half the angle of a view, at most
     const double texel = (directional ? radius_of(view) : kWidest) / inner;

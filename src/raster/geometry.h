@@ -76,7 +76,7 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
-            // Of small triangles, those of one side by side.
+            // Of small triangles.
             std::vector<TilePart> parts;
             std::vector<TilePart> backs; // drawn last: fronts hide the most of them
             // Triangles that may cover whole blocks, by depth and id, until they are put before the

@@ -318,7 +318,9 @@ bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
     return any(!(drawn == I32x8(0)));
 }
 
-// Of the blocks that parts may touch the one with the farthest depth.
+// Of the blocks that parts may touch, each way at most kMostBlocks, the one with the farthest
+// depth.
+constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
 HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
     using P = TilePart;
     constexpr int kBlocks = kTileSize / BlockWalk::kSide;
@@ -327,9 +329,9 @@ HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
                 y0 = block_of(shift_right<P::kFirstRow>(where) & I32x8(63)),
                 x1 = block_of((shift_right<P::kEndColumn>(where) & I32x8(127)) - I32x8(1)),
                 y1 = block_of(shift_right<P::kEndRow>(where) - I32x8(1));
-    F32x8 farthest = gather(tile.farthest, y0 * I32x8(kBlocks) + x0);
-    for (int j = 0; j * BlockWalk::kSide < kSmallSide + BlockWalk::kSide; ++j)
-        for (int i = 0; i * BlockWalk::kSide < kSmallSide + BlockWalk::kSide; ++i) {
+    F32x8 farthest = 0x1p127F;
+    for (int j = 0; j < kMostBlocks; ++j)
+        for (int i = 0; i < kMostBlocks; ++i) {
             const I32x8 x = minimum(x0 + I32x8(i), x1), y = minimum(y0 + I32x8(j), y1);
             farthest = minimum(farthest, gather(tile.farthest, y * I32x8(kBlocks) + x));
         }

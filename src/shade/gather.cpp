@@ -262,11 +262,8 @@ void Gatherer::begin_look(const GatherInput& in, const Look& look, image::Image&
     look_ = look;
     b.lit = look.lit;
     b.material = &in.material(look.material);
-    const auto& matt = in.frame->matt;
-    const std::size_t number =
-        look.material < 0 ? matt.size() - 1 : static_cast<std::size_t>(look.material);
-    const bool dull = !b.lit || (!matt.empty() && matt[number] != 0);
-    const auto surface = dull ? scene::Surface::matt : surface_of(*b.material);
+    const bool matt = !b.lit || in.frame->is_matt(look.material);
+    const auto surface = matt ? scene::Surface::matt : surface_of(*b.material);
     b.model = in.frame->reflection[static_cast<std::size_t>(surface)];
     bind_maps(b, in);
 }

@@ -240,6 +240,10 @@ struct FrameState {
     std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]
     // By material, the default one last: 1 where its maps leave no highlight. Empty: nowhere.
     std::span<const std::uint8_t> matt;
+    bool is_matt(std::int32_t material) const { // -1: the default one
+        return !matt.empty() &&
+               matt[material < 0 ? matt.size() - 1 : static_cast<std::size_t>(material)] != 0;
+    }
     Sides sides = Sides::eye;
     bool corner_normals = false;                 // vertices' normals are unit, in view space
     std::span<const Stage* const> corner_lights; // the light stages that run over vertices

@@ -109,9 +109,13 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             const auto wall = [&](int x, int y, double depth) {
                 return ScreenVertex{(corner.x + x) * 256, (corner.y + y) * 256, depth};
             };
-            const std::vector<ScreenVertex> walls = {wall(-9, -9, 0.2), wall(200, -9, 0.24),
-                                                     wall(-9, 200, 0.24)};
-            const std::vector<std::uint32_t> corners = {0, 1, 2}, name = {0};
+            // Two nearer ones end between blocks: next to what they hide is what they do not.
+            const std::vector<ScreenVertex> walls = {
+                wall(-9, -9, 0.2),   wall(200, -9, 0.24), wall(-9, 200, 0.24),
+                wall(24, -200, 0.5), wall(24, 200, 0.5),  wall(-300, 0, 0.5),
+                wall(-200, 40, 0.4), wall(200, 40, 0.4),  wall(0, -300, 0.4)};
+            const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5, 6, 7, 8},
+                                             name = {0, 1, 2};
             const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
             VisibilityTile at_once, in_two;
             for (VisibilityTile* tile : {&at_once, &in_two}) {
