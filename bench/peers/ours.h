@@ -3,6 +3,7 @@
 
 #include "base/jobs.h"
 #include "bench/peers/load.h"
+#include "frame/bare_tiles.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
 #include "raster/geometry.h"
@@ -27,7 +28,8 @@ public:
 
 private:
     // The renderer always shades. What it runs before that, and writes in its passes of shadow
-    // maps, is here by itself: geometry, then the tiles' depths copied to a frame of floats.
+    // maps, is here by itself: geometry, then the tiles' depths copied to a frame of floats, of
+    // which, as in a picture, tiles are left alone that were empty and are.
     void draw_depth(const scene::View& view);
 
     Jobs& jobs_;
@@ -40,6 +42,7 @@ private:
     raster::Geometry geometry_;
     std::vector<raster::VisibilityTile> tiles_; // one a worker
     std::vector<float> depth_;
+    frame::BareTiles bare_;
 };
 
 } // namespace scanout::bench

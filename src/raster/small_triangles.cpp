@@ -182,87 +182,189 @@ HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
     s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
 }
 
-// Blocks of flat parts, one a lane.
-struct PartBlocks {
-    I32x8 left, top; // pixels of the tile
-    I32x8 edge[3];   // at the corner
-    F64x8 depth;     // likewise
+// Each way at most as many blocks hold a part.
+constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
+
+// Strips of flat parts, one a lane: as wide as a block, from a column of the part on. So most parts
+// are one register a row, wherever in their blocks they lie. Depth still starts from the corner of
+// the block that a pixel lies in.
+struct Strips {
+    std::int32_t across[kLanesX8], down[kLanesX8]; // pixels
+    std::int32_t column[kLanesX8], row[kLanesX8];  // of the first pixel, in its block
+    float base[kMostBlocks][2][kLanesX8];          // at the corners of blocks, downwards and
+    float rest[kMostBlocks][2][kLanesX8];          // across (Blocks)
 };
 
-HWY_INLINE void draw_flat_blocks(const TilePlanes& tile, const SetUpParts& s, const PartBlocks& at,
-                                 std::uint32_t live, Blocks& b, I32x8& drawn) {
+// The blocks' depths. Returns the lanes of which something may be seen.
+HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
+                                      I32x8 x1, std::uint32_t live, Strips& out) {
+    constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
     const PartLanes& part = s.part;
-    const F32x8 base = to_f32(at.depth);
-    store(base, b.base);
-    store(to_f32(at.depth - to_f64(base)), b.rest);
+    const I32x8 left = x0 & I32x8(-kSide), right = left + I32x8(kSide);
+    const Reach reach = reach_of(s.plane.per_x, s.plane.per_y);
+    I32x8 edge[3], step[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        step[k] = shift_left<kSubpixelBits>(s.edges.a[k]);
+        edge[k] = s.edges.c[k] + step[k] * (left - part.left);
+    }
+    std::uint32_t seen = tile.farthest == nullptr ? live : 0;
+    I32x8 top = part.top;
+    for (int down = 0; down < kMostBlocks; ++down) {
+        const std::uint32_t here = live & bits(top < part.y1);
+        if (here == 0) break;
+        const std::uint32_t in_column[] = {here, here & bits(right < x1)};
+        SIMD_UNROLL
+        for (int across = 0; across < 2; ++across) {
+            F64x8 term[3];
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                term[k] = to_f64(across == 0 ? edge[k] : edge[k] + step[k] * I32x8(kSide)) *
+                          s.plane.share[k];
+            const F64x8 depth = (term[0] + term[1]) + term[2];
+            const F32x8 base = to_f32(depth);
+            store(base, out.base[down][across]);
+            store(to_f32(depth - to_f64(base)), out.rest[down][across]);
+            if (tile.farthest == nullptr) continue;
+            const I32x8 block = top + shift_right<3>(across == 0 ? left : right); // eight a row
+            const I32x8 safe = minimum(block, kBlocks * kBlocks - 1); // of lanes past their end
+            seen |= in_column[across] & ~hidden(tile, safe, depth, reach);
+        }
+        top = top + I32x8(kSide);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            edge[k] = edge[k] + shift_left<kSubpixelBits>(s.edges.b[k]) * I32x8(kSide);
+    }
+    return seen;
+}
+
+// Row by row. depth, id: of the first pixel.
+HWY_INLINE void draw_strip(const Blocks& b, const Strips& s, int lane, SampleOffset at,
+                           std::uint32_t name, float* depth, std::uint32_t* id, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
-    const I32x8 column = maximum(part.x0 - at.left, 0), row = maximum(part.y0 - at.top, 0);
-    const I32x8 end = minimum(part.y1 - at.top, kSide);
-    store(row, b.begin);
-    store(end, b.end);
-    store(at.top * I32x8(kTileSize) + at.left, b.place);
-    Few few{0, column, minimum(part.x1 - at.left, kSide) - column, end - row};
-    few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & live;
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
+    I32x8 edge[3][kRegisters], down[3];
+    F32x8 across[kRegisters];
+    MaskX8 right[kRegisters];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        down[k] = I32x8(b.per_y[k][lane]);
+    SIMD_UNROLL
+    for (int r = 0; r < kRegisters; ++r) {
+        const I32x8 from_first = iota<I32x8>(r * kLanesX8);
+        const I32x8 column = from_first + I32x8(s.column[lane]);
+        right[r] = column >= I32x8(kSide);
+        across[r] = (to_f32(column & I32x8(kSide - 1)) + sample_x) * per_pixel_x;
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            edge[k][r] = I32x8(b.first[k][lane]) + I32x8(b.per_x[k][lane]) * from_first;
+        const I32x8 outside = -(1 << 30); // and stays so: rows add less than 2^25
+        edge[0][r] = select(from_first < I32x8(s.across[lane]), edge[0][r], outside);
+    }
+    I32x8 shows = 0;
+    int row = s.row[lane];
+    const int end = row + s.down[lane];
+    F32x8 y = (static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel);
+    for (int block = 0; row < end; ++block) {
+        F32x8 base[kRegisters], rest[kRegisters];
+        SIMD_UNROLL
+        for (int r = 0; r < kRegisters; ++r) {
+            base[r] =
+                select(right[r], F32x8(s.base[block][1][lane]), F32x8(s.base[block][0][lane]));
+            rest[r] =
+                select(right[r], F32x8(s.rest[block][1][lane]), F32x8(s.rest[block][0][lane]));
+        }
+        const int last = (block + 1) * kSide < end ? (block + 1) * kSide : end;
+        for (; row < last; ++row, depth += kTileSize, id += kTileSize) {
+            const F32x8 down_here = y * per_pixel_y;
+            SIMD_UNROLL
+            for (int r = 0; r < kRegisters; ++r) {
+                const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
+                show(inside, base[r] + (rest[r] + (across[r] + down_here)), name,
+                     depth + r * kLanesX8, id + r * kLanesX8, shows);
+                SIMD_UNROLL
+                for (int k = 0; k < 3; ++k)
+                    edge[k][r] = edge[k][r] + down[k];
+            }
+            y = y + F32x8(1.0F);
+        }
+        y = y - F32x8(kSide);
+    }
+    drawn = drawn | shows;
+}
+
+// Pixel by pixel, with a strip a lane: the same bits.
+HWY_INLINE void draw_few_of(const Blocks& b, const Strips& s, const Few& few, SampleOffset at,
+                            const std::uint32_t* name, float* depth, std::uint32_t* id,
+                            I32x8& drawn) {
+    constexpr int kSide = BlockWalk::kSide;
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
+    const I32x8 first_column = load<I32x8>(s.column), first_row = load<I32x8>(s.row);
+    const auto depth_at = [&](const I32x8(&)[3], int i, int j) HWY_ATTR {
+        const I32x8 column = first_column + I32x8(i), row = first_row + I32x8(j);
+        const MaskX8 right = column >= I32x8(kSide), below = row >= I32x8(kSide);
+        const auto at_corner = [&](const float(&corner)[kMostBlocks][2][kLanesX8]) HWY_ATTR {
+            const auto in = [&](int block) HWY_ATTR {
+                return select(right, load<F32x8>(corner[block][1]), load<F32x8>(corner[block][0]));
+            };
+            return select(below, in(1), in(0));
+        };
+        const F32x8 across = (to_f32(column & I32x8(kSide - 1)) + sample_x) * per_pixel_x;
+        const F32x8 down = (to_f32(row & I32x8(kSide - 1)) + sample_y) * per_pixel_y;
+        return at_corner(s.base) + (at_corner(s.rest) + (across + down));
+    };
+    draw_pixels(b, few, kFew, depth_at, name, depth, id, drawn);
+}
+
+HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
+                            std::uint32_t live, Blocks& b, I32x8& drawn) {
+    constexpr int kSide = BlockWalk::kSide;
+    const PartLanes& part = s.part;
+    const I32x8 x1 = minimum(part.x1, x0 + I32x8(kSide));
+    Strips strips;
+    const std::uint32_t seen = set_up_depth(tile, s, x0, x1, live, strips);
+    if (seen == 0) return;
+    store(x1 - x0, strips.across);
+    store(part.y1 - part.y0, strips.down);
+    store(x0 & I32x8(kSide - 1), strips.column);
+    store(part.y0 - part.top, strips.row);
+    store(part.y0 * I32x8(kTileSize) + x0, b.place);
+    I32x8 first[3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        first[k] = s.edges.c[k] + shift_left<kSubpixelBits>(s.edges.a[k] * (x0 - part.left) +
+                                                            s.edges.b[k] * (part.y0 - part.top));
+    Few few{0, 0, x1 - x0, part.y1 - part.y0};
+    few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & seen;
     std::size_t plane = 0;
     for (const SampleOffset* sample = tile.pattern.data();
          sample != tile.pattern.data() + tile.pattern.size();
          ++sample, plane += std::size_t{kTileSize} * kTileSize) {
-        set_up_samples(s.edges, at.edge, *sample, row, b);
+        set_up_samples(s.edges, first, *sample, 0, b);
         if (few.lanes != 0)
-            draw_few(b, few, *sample, part.name, tile.depth + plane, tile.id + plane, drawn);
-        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
+            draw_few_of(b, strips, few, *sample, part.name, tile.depth + plane, tile.id + plane,
+                        drawn);
+        for (std::uint32_t rest = seen & ~few.lanes; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
-            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
-            draw_rows<true>(tile.rule, b, lane, *sample, part.name[lane], tile.depth + first,
-                            tile.id + first, drawn);
+            const std::size_t at = plane + static_cast<std::size_t>(b.place[lane]);
+            draw_strip(b, strips, lane, *sample, part.name[lane], tile.depth + at, tile.id + at,
+                       drawn);
         }
     }
 }
 
-// Each lane walks over the blocks of its part.
 HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
                                 I32x8& drawn) {
-    const PartEdges& e = s.edges;
     Blocks b;
+    store(I32x8(0), b.begin);
     store(to_f32(s.plane.per_x), b.per_pixel_x);
     store(to_f32(s.plane.per_y), b.per_pixel_y);
-    const Reach reach = reach_of(s.plane.per_x, s.plane.per_y);
-    constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
-    I32x8 highest[3]; // that an edge is above its value at a block's corner, at any sample
-    const SampleExtent extent = extent_of(tile.pattern);
-    constexpr std::int32_t kAcross = (kSide - 1) * kSubpixel;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        highest[k] =
-            e.bias[k] +
-            maximum(e.a[k] * I32x8(extent.low.x), e.a[k] * I32x8(kAcross + extent.high.x)) +
-            maximum(e.b[k] * I32x8(extent.low.y), e.b[k] * I32x8(kAcross + extent.high.y));
-    I32x8 x = 0, y = 0; // from the first block's corner
-    while (live != 0) {
-        PartBlocks at;
-        at.left = s.part.left + x;
-        at.top = s.part.top + y;
-        F64x8 term[3];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            at.edge[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * x + e.b[k] * y);
-            term[k] = to_f64(at.edge[k]) * s.plane.share[k];
-        }
-        at.depth = (term[0] + term[1]) + term[2];
-        const I32x8 beside =
-            (at.edge[0] + highest[0]) | (at.edge[1] + highest[1]) | (at.edge[2] + highest[2]);
-        std::uint32_t show = live & ~bits(beside < I32x8(0));
-        if (tile.farthest != nullptr) {
-            const I32x8 block = at.top + shift_right<3>(at.left);      // eight a row
-            const I32x8 there = minimum(block, kBlocks * kBlocks - 1); // also of lanes at their end
-            show &= ~hidden(tile, there, at.depth, reach);
-        }
-        if (show != 0) draw_flat_blocks(tile, s, at, show, b, drawn);
-        x = x + I32x8(kSide);
-        const MaskX8 next = s.part.left + x >= s.part.x1;
-        x = select(next, I32x8(0), x);
-        y = select(next, y + I32x8(kSide), y);
-        live &= bits(s.part.top + y < s.part.y1);
+    for (I32x8 x = s.part.x0; live != 0; live &= bits(x < s.part.x1)) {
+        draw_strips(tile, s, x, live, b, drawn);
+        x = x + I32x8(BlockWalk::kSide);
     }
 }
 
@@ -318,9 +420,7 @@ bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
     return any(!(drawn == I32x8(0)));
 }
 
-// Of the blocks that parts may touch, each way at most kMostBlocks, the one with the farthest
-// depth.
-constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
+// Of the blocks that parts may touch the one with the farthest depth.
 HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
     using P = TilePart;
     constexpr int kBlocks = kTileSize / BlockWalk::kSide;

@@ -19,8 +19,8 @@ void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRu
     pattern_ = sample_pattern(samples);
     touched_ = false;
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
-    depth_.assign(size, 0.0F);
-    id_.assign(size + 16, kNoPrimitive);
+    depth_.assign(size + kRegisterRoom, 0.0F);
+    id_.assign(size + kRegisterRoom, kNoPrimitive);
     farthest_.fill(0);
     ground_depth_.clear();
     ground_id_.clear();

@@ -56,7 +56,7 @@ public:
     // x, y: a pixel of the picture inside area().
     std::uint32_t id(int x, int y, int sample = 0) const { return id_[offset(x, y, sample)]; }
     float depth(int x, int y, int sample = 0) const { return depth_[offset(x, y, sample)]; }
-    // A sample's plane from the tile's corner on, kTileSize pixels a row. Kernels may read a
+    // A sample's plane from the tile's corner on, kTileSize pixels a row. Kernels may touch a
     // register beyond the last plane.
     static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
     std::span<const std::uint32_t> ids(int sample) const {
