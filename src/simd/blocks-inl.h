@@ -29,16 +29,16 @@ struct WordBlocks {
     }
     // Words 2 and 3.
     HWY_INLINE Double<D> last_double() const {
-        const typename Double<D>::Tag tag;
+        const typename Double<D>::HalfTag tag;
         const auto pair = [&](int i) HWY_ATTR {
             return hn::InterleaveUpper(tag, hn::BitCast(tag, row[i]), hn::BitCast(tag, row[i + 1]));
         };
         static_assert(Int<D>::kLanes <= 8);
         if constexpr (Int<D>::kLanes == 4)
-            return {pair(0), pair(2)};
+            return Double<D>::of_halves(pair(0), pair(2));
         else
-            return {hn::ConcatLowerLower(tag, pair(2), pair(0)),
-                    hn::ConcatUpperUpper(tag, pair(2), pair(0))};
+            return Double<D>::of_halves(hn::ConcatLowerLower(tag, pair(2), pair(0)),
+                                        hn::ConcatUpperUpper(tag, pair(2), pair(0)));
     }
 };
 

@@ -17,24 +17,17 @@
 #include <cstddef>
 #include <cstdint>
 
-#include <hwy/highway.h>
+#include "simd/doubles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
-
-// minps and its like give the second number where either is NaN and where both are zero; what other
-// machines have differs.
-constexpr bool kMinimumIsFirstIfLess =
-    HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR;
 
 // D: Highway's tag of float lanes. All types of a width share it.
 template <class D>
 struct Float;
 template <class D>
 struct Int;
-template <class D>
-struct Double;
 
 // Which lanes: of Float and Int.
 template <class D>
@@ -145,82 +138,6 @@ HWY_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
     return Int<D>(hn::ShiftRight<kCount>(a.raw));
 }
 
-// --- double: as many lanes as Float<D>, in two halves
-
-template <class D>
-struct Double {
-    using Tag = hn::Repartition<double, D>;
-    using Raw = hn::Vec<Tag>;
-    Raw low, high;
-
-    static constexpr std::size_t kLanes = hn::MaxLanes(D());
-
-    struct DoubleMask {
-        hn::Mask<Tag> low, high;
-        friend HWY_INLINE DoubleMask operator&(DoubleMask a, DoubleMask b) {
-            return {hn::And(a.low, b.low), hn::And(a.high, b.high)};
-        }
-        friend HWY_INLINE DoubleMask operator|(DoubleMask a, DoubleMask b) {
-            return {hn::Or(a.low, b.low), hn::Or(a.high, b.high)};
-        }
-        friend HWY_INLINE DoubleMask operator!(DoubleMask a) {
-            return {hn::Not(a.low), hn::Not(a.high)};
-        }
-        friend HWY_INLINE std::uint32_t bits(DoubleMask a) {
-            std::uint8_t bits_low[8] = {}, bits_high[8] = {};
-            hn::StoreMaskBits(Tag(), a.low, bits_low);
-            hn::StoreMaskBits(Tag(), a.high, bits_high);
-            return bits_low[0] | static_cast<std::uint32_t>(bits_high[0]) << (kLanes / 2);
-        }
-    };
-
-    Double() = default;
-    HWY_INLINE Double(double value) : low(hn::Set(Tag(), value)), high(low) {}
-    HWY_INLINE Double(Raw l, Raw h) : low(l), high(h) {}
-
-    friend HWY_INLINE Double operator+(Double a, Double b) {
-        return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
-    }
-    friend HWY_INLINE Double operator-(Double a, Double b) {
-        return {hn::Sub(a.low, b.low), hn::Sub(a.high, b.high)};
-    }
-    friend HWY_INLINE Double operator*(Double a, Double b) {
-        return {hn::Mul(a.low, b.low), hn::Mul(a.high, b.high)};
-    }
-    friend HWY_INLINE Double operator/(Double a, Double b) {
-        return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
-    }
-    friend HWY_INLINE Double operator-(Double a) { return {hn::Neg(a.low), hn::Neg(a.high)}; }
-    // False where either side is NaN.
-    friend HWY_INLINE DoubleMask operator<(Double a, Double b) {
-        return {hn::Lt(a.low, b.low), hn::Lt(a.high, b.high)};
-    }
-    friend HWY_INLINE DoubleMask operator>(Double a, Double b) { return b < a; }
-    friend HWY_INLINE DoubleMask operator<=(Double a, Double b) {
-        return {hn::Le(a.low, b.low), hn::Le(a.high, b.high)};
-    }
-    friend HWY_INLINE DoubleMask operator>=(Double a, Double b) { return b <= a; }
-    friend HWY_INLINE DoubleMask operator==(Double a, Double b) {
-        return {hn::Eq(a.low, b.low), hn::Eq(a.high, b.high)};
-    }
-
-    friend HWY_INLINE Double select(DoubleMask m, Double yes, Double no) {
-        return {hn::IfThenElse(m.low, yes.low, no.low), hn::IfThenElse(m.high, yes.high, no.high)};
-    }
-    // b where either is NaN.
-    friend HWY_INLINE Double minimum(Double a, Double b) {
-        if constexpr (kMinimumIsFirstIfLess)
-            return {hn::Min(a.low, b.low), hn::Min(a.high, b.high)};
-        return select(a < b, a, b);
-    }
-    friend HWY_INLINE Double maximum(Double a, Double b) {
-        if constexpr (kMinimumIsFirstIfLess)
-            return {hn::Max(a.low, b.low), hn::Max(a.high, b.high)};
-        return select(a > b, a, b);
-    }
-    friend HWY_INLINE Double abs(Double a) { return {hn::Abs(a.low), hn::Abs(a.high)}; }
-};
-
 // --- conversions
 
 // Round to nearest, ties to even.
@@ -230,15 +147,13 @@ HWY_INLINE Float<D> to_f32(Int<D> a) {
 }
 template <class D>
 HWY_INLINE Float<D> to_f32(Double<D> a) {
-    const auto demote = [](Double<D> x) HWY_ATTR {
-        const hn::Half<D> half;
-        return Float<D>(hn::Combine(D(), hn::DemoteTo(half, x.high), hn::DemoteTo(half, x.low)));
-    };
+    const D tag;
 #if HWY_TARGET == HWY_EMU128 // saturates where every CPU gives infinity
     const auto past = abs(a) >= Double<D>(0x1.ffffffp127);
-    return demote(a) * demote(select(past, Double<D>(2.0), Double<D>(1.0)));
+    return Float<D>(a.demoted(tag)) *
+           Float<D>(select(past, Double<D>(2.0), Double<D>(1.0)).demoted(tag));
 #else
-    return demote(a);
+    return Float<D>(a.demoted(tag));
 #endif
 }
 // Towards zero; the value must be a number within +-(2^31 - 1).
@@ -248,24 +163,16 @@ HWY_INLINE Int<D> to_i32(Float<D> a) {
 }
 template <class D>
 HWY_INLINE Int<D> to_i32(Double<D> a) {
-    const typename Int<D>::Tag tag;
-    const hn::Half<decltype(tag)> half;
-    return Int<D>(hn::Combine(tag, hn::DemoteTo(half, a.high), hn::DemoteTo(half, a.low)));
+    return Int<D>(a.demoted(typename Int<D>::Tag()));
 }
 // Exact.
 template <class D>
 HWY_INLINE Double<D> to_f64(Float<D> a) {
-    const hn::Half<D> half;
-    const typename Double<D>::Tag tag;
-    return {hn::PromoteTo(tag, hn::LowerHalf(half, a.raw)),
-            hn::PromoteTo(tag, hn::UpperHalf(half, a.raw))};
+    return Double<D>::promoted(D(), a.raw);
 }
 template <class D>
 HWY_INLINE Double<D> to_f64(Int<D> a) {
-    const hn::Half<typename Int<D>::Tag> half;
-    const typename Double<D>::Tag tag;
-    return {hn::PromoteTo(tag, hn::LowerHalf(half, a.raw)),
-            hn::PromoteTo(tag, hn::UpperHalf(half, a.raw))};
+    return Double<D>::promoted(typename Int<D>::Tag(), a.raw);
 }
 template <class D>
 HWY_INLINE Int<D> bits_of(Float<D> a) {
@@ -293,8 +200,7 @@ HWY_INLINE T load(const std::uint32_t* from) { // bits as they are
 }
 template <class T>
 HWY_INLINE T load(const double* from) {
-    const typename T::Tag tag;
-    return {hn::LoadU(tag, from), hn::LoadU(tag, from + T::kLanes / 2)};
+    return T::loaded(from);
 }
 template <class D>
 HWY_INLINE void store(Float<D> a, float* to) {
@@ -311,9 +217,7 @@ HWY_INLINE void store(Int<D> a, std::uint32_t* to) {
 }
 template <class D>
 HWY_INLINE void store(Double<D> a, double* to) {
-    const typename Double<D>::Tag tag;
-    hn::StoreU(a.low, tag, to);
-    hn::StoreU(a.high, tag, to + Double<D>::kLanes / 2);
+    a.store_to(to);
 }
 // base[index] in every lane; index >= 0.
 template <class D>
@@ -326,11 +230,7 @@ HWY_INLINE Int<D> gather(const std::int32_t* base, Int<D> index) {
 }
 template <class D>
 HWY_INLINE Double<D> gather(const double* base, Int<D> index) {
-    const typename Double<D>::Tag tag;
-    const hn::RebindToSigned<decltype(tag)> wide;
-    const hn::Half<typename Int<D>::Tag> half;
-    return {hn::GatherIndex(tag, base, hn::PromoteTo(wide, hn::LowerHalf(half, index.raw))),
-            hn::GatherIndex(tag, base, hn::PromoteTo(wide, hn::UpperHalf(half, index.raw)))};
+    return Double<D>::gathered(base, typename Int<D>::Tag(), index.raw);
 }
 // from[0], from[3], ... into x, from[1], from[4], ... into y, and so on.
 template <class D>

@@ -5,17 +5,11 @@
 
 SIMD_BEGIN(scanout::test)
 
-template <class D>
-HWY_INLINE D load_double(const double* from) {
-    const typename D::Tag tag;
-    return D(hn::LoadU(tag, from), hn::LoadU(tag, from + D::kLanes / 2));
-}
-
 template <class F, class I, class D>
 HWY_INLINE void operations(const Operands& in, Results& out) {
     const F a = load<F>(in.a), b = load<F>(in.b), c = load<F>(in.c);
     const I i = load<I>(in.i), j = load<I>(in.j);
-    const D p = load_double<D>(in.p), q = load_double<D>(in.q), r = load_double<D>(in.r);
+    const D p = load<D>(in.p), q = load<D>(in.q), r = load<D>(in.r);
     out.lanes = static_cast<int>(F::kLanes);
     int row = 0;
 #define STORE_FLOAT(formula) store(formula, out.f[row++]);
