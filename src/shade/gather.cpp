@@ -161,9 +161,14 @@ struct OwnPixels {
 };
 } // namespace
 
-static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
+// The columns of a part of a tile.
+static std::uint64_t columns_of(const image::Rect& part) {
     const auto before = [](int x) { return x < kTileSize ? (std::uint64_t{1} << x) - 1 : ~0ULL; };
-    const std::uint64_t inside = before(part.x1) & ~before(part.x0);
+    return before(part.x1) & ~before(part.x0);
+}
+
+static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
+    const std::uint64_t inside = columns_of(part);
     OwnPixels own;
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
@@ -194,6 +199,9 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     const OwnPixels own = find_own(rows, part);
     const bool scattered =
         in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
+    const std::uint64_t inside = columns_of(part);
+    by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
+               sink_.filter == nullptr; // which asks what samples a fragment shows at
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
         const std::uint32_t* ids = tile.ids(0).data() + row * kTileSize;
@@ -205,9 +213,13 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
                 const int count = std::countr_zero(own.ends[row] >> x) + 1;
                 spans_->add(in.looks, ids[x], y * kTileSize + x, count);
             }
-        for (std::uint64_t rest = rows[row].shared; rest != 0; rest &= rest - 1) {
+        const std::uint64_t shared = rows[row].shared & inside;
+        if (by_rows_) {
+            collect_row(y, shared);
+            continue;
+        }
+        for (std::uint64_t rest = shared; rest != 0; rest &= rest - 1) {
             const int x = std::countr_zero(rest);
-            if (x < part.x0 || x >= part.x1) continue;
             if ((layered(y) >> x & 1) == 0)
                 collect_shared(tile, in, area_.x0 + x, area_.y0 + y);
             else if (blended->composed != nullptr)
@@ -363,11 +375,15 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     for (int lane = 0, own = own_; lane < own; ++lane)
         std::memcpy(static_cast<void*>(corner + (pixel[lane] + (pixel[lane] >> kRowBits) * down)),
                     code + lane, sizeof *code);
-    for (int lane = own_; lane < b.count; ++lane) {
-        const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
-        sums_.red[shared] += b.colour[0][lane] * weight;
-        sums_.green[shared] += b.colour[1][lane] * weight;
-        sums_.blue[shared] += b.colour[2][lane] * weight;
+    const Share* const share = share_.get();
+    float *const red = sums_.red.data(), *const green = sums_.green.data(),
+                 *const blue = sums_.blue.data();
+    for (int lane = own_, end = b.count; lane < end; ++lane) {
+        const std::uint16_t shared = share[lane].shared;
+        const float weight = share[lane].weight;
+        red[shared] += b.colour[0][lane] * weight;
+        green[shared] += b.colour[1][lane] * weight;
+        blue[shared] += b.colour[2][lane] * weight;
     }
 }
 
@@ -426,14 +442,24 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
                               image::Image& picture, const BlendedPixels* blended) {
     begin(in, tile.area(), tile.samples(), blended);
     collect(tile, in, blended);
-    return shade_collected(in, picture);
+    begin_blocks(in);
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += by_rows_ ? shade_rows(tile, in, picture) : shade_fragments(in, picture);
+    finish_block(in, picture);
+    finish_pixels(in, picture);
+    return lanes;
 }
 
 std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
                               image::Image& picture) {
     begin(in, tile.area(), 1, nullptr);
     collect(tile, in);
-    return shade_collected(in, picture);
+    begin_blocks(in);
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += shade_fragments(in, picture);
+    finish_block(in, picture);
+    finish_pixels(in, picture);
+    return lanes;
 }
 
 std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
@@ -488,7 +514,7 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
     }
 }
 
-std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture) {
+void Gatherer::begin_blocks(const GatherInput& in) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
     if (sink_.filter != nullptr)
@@ -504,15 +530,16 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
     look_.reset();
-    std::uint64_t lanes = shade_spans(in, picture);
-    lanes += shade_fragments(in, picture);
-    finish_block(in, picture);
+}
+
+// When all blocks are done.
+void Gatherer::finish_pixels(const GatherInput& in, image::Image& picture) {
+    const Block& b = *block_;
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
     else if (!shared_.empty() && sink_.own == nullptr)
         resolve_shared(in, picture);
-    return lanes;
 }
 
 } // namespace scanout::shade
