@@ -82,9 +82,10 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : spans_(std::make_unique<Spans>()), few_(std::make_unique<FewPixels>()),
-      primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()),
-      triangles_(std::make_unique<LaneTriangles>()), share_(std::make_unique<Share[]>(kLanes)) {
+    : spans_(std::make_unique<Spans>()), many_(raster::VisibilityTile::kPlane + Spans::kBeyond),
+      few_(std::make_unique<FewPixels>()), primitives_(std::make_unique<Primitives>()),
+      block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
+      share_(std::make_unique<Share[]>(kLanes)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -286,7 +287,7 @@ const Primitive& Gatherer::primitive(const GatherInput& in, std::uint32_t id,
         finish_block(in, picture);
         primitives_->clear();
     }
-    return primitives_->get(in, id);
+    return set_up_later_ ? primitives_->get_later(id) : primitives_->get(in, id);
 }
 
 // The next pixels of pixel_.
@@ -338,7 +339,10 @@ void Gatherer::place_block() {
 void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     if (b.count == 0) return;
-    if (b.lit) place_block();
+    if (b.lit) {
+        if (set_up_later_) primitives_->set_up(source_);
+        place_block();
+    }
     if (b.lit && in.frame->attributes.ray) set_rays(b, in.rays);
     check_rays(b, *in.frame);
     for (const Stage* stage : in.stages) {
@@ -428,6 +432,7 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
                      const BlendedPixels* blended) {
     if (in.frame->own_triangles) source_ = triangle_source(in);
     all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
+    set_up_later_ = all_whole_ && in.frame->steps == nullptr;
     few_->clear();
     area_ = area;
     samples_ = samples;
@@ -465,28 +470,34 @@ std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
 std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     spans_->arrange();
-    const std::int32_t* pixel = spans_->pixels();
     std::uint64_t lanes = 0;
     for (const Spans::Group& group : spans_->groups()) {
         if (group.count <= FewPixels::kMost && has_own_lanes(in, group.id)) {
-            few_->add(group.look.material, group.id, pixel, group.count);
-            pixel += group.count;
+            spans_->put_pixels(group, few_->add(group.look.material, group.id, group.count));
             continue;
         }
         lanes += group.count;
         if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
-        for (int rest = group.count; rest > 0;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            const int count = std::min(rest, kLanes - b.count);
-            std::copy_n(pixel, count, pixel_.data() + b.count);
+        const auto add = [&](int count) {
             if (of != nullptr)
                 add_lit(*of, count);
             else
                 add_unlit(in, group.id, count);
             own_ = b.count;
-            pixel += count;
-            rest -= count;
+        };
+        if (b.count + group.count <= kLanes) {
+            spans_->put_pixels(group, pixel_.data() + b.count);
+            add(group.count);
+            continue;
+        }
+        spans_->put_pixels(group, many_.data()); // too many for what is left of the block
+        for (int done = 0; done < group.count;) {
+            if (b.count == kLanes) finish_block(in, picture);
+            const int count = std::min(group.count - done, kLanes - b.count);
+            std::copy_n(many_.data() + done, count, pixel_.data() + b.count);
+            add(count);
+            done += count;
         }
     }
     shade_few(in, picture);

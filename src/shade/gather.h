@@ -166,9 +166,11 @@ private:
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<Spans> spans_;
+    std::vector<std::int32_t> many_; // pixels of one of them
     std::unique_ptr<FewPixels> few_;
     TriangleSource source_{};
-    bool all_whole_ = false; // every triangle may have lanes of its own
+    bool all_whole_ = false;    // every triangle may have lanes of its own
+    bool set_up_later_ = false; // primitives, with their block
     std::vector<Fragment> fragments_;
     // Where all that is drawn looks alike and every lane may have a triangle of its own, pixels
     // that are shared are no fragments of a list: bits of the tile's rows.
