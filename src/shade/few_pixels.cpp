@@ -4,7 +4,7 @@
 
 namespace scanout::shade {
 
-FewPixels::FewPixels() : pixel_(kPixels), id_(kPixels) {}
+FewPixels::FewPixels() : pixel_(kPixels + (kRoom - kLanes)), id_(kPixels) {}
 
 void FewPixels::clear() {
     size_ = 0;

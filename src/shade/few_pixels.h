@@ -4,6 +4,7 @@
 #include "raster/coverage.h"
 #include "shade/stage.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -17,16 +18,16 @@ public:
 
     FewPixels();
     void clear();
-    // Pixels by their numbers in the tile, each once at most.
-    void add(std::int32_t material, std::uint32_t id, const std::int32_t* pixel, int count) {
-        for (int k = 0; k < count; ++k) {
-            pixel_[size_ + static_cast<std::size_t>(k)] = pixel[k];
-            id_[size_ + static_cast<std::size_t>(k)] = id;
-        }
+    // Pixels of one triangle. Returns where their numbers in the tile go, and a few more may be
+    // written behind them; each pixel once at most.
+    std::int32_t* add(std::int32_t material, std::uint32_t id, int count) {
+        std::int32_t* const pixels = pixel_.data() + size_;
+        std::fill_n(id_.data() + size_, count, id);
         if (parts_.empty() || parts_.back().material != material)
             parts_.push_back({material, size_, 0});
         size_ += static_cast<std::size_t>(count);
         parts_.back().end = size_;
+        return pixels;
     }
 
     // Those pixels of a row whose bit is set, `first` and those after it, each with its own

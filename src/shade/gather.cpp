@@ -82,9 +82,10 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : spans_(std::make_unique<Spans>()), few_(std::make_unique<FewPixels>()),
-      primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()),
-      triangles_(std::make_unique<LaneTriangles>()), share_(std::make_unique<Share[]>(kLanes)) {
+    : spans_(std::make_unique<Spans>()), many_(raster::VisibilityTile::kPlane + Spans::kBeyond),
+      few_(std::make_unique<FewPixels>()), primitives_(std::make_unique<Primitives>()),
+      block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
+      share_(std::make_unique<Share[]>(kLanes)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -161,9 +162,14 @@ struct OwnPixels {
 };
 } // namespace
 
-static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
+// The columns of a part of a tile.
+static std::uint64_t columns_of(const image::Rect& part) {
     const auto before = [](int x) { return x < kTileSize ? (std::uint64_t{1} << x) - 1 : ~0ULL; };
-    const std::uint64_t inside = before(part.x1) & ~before(part.x0);
+    return before(part.x1) & ~before(part.x0);
+}
+
+static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
+    const std::uint64_t inside = columns_of(part);
     OwnPixels own;
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
@@ -194,6 +200,9 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     const OwnPixels own = find_own(rows, part);
     const bool scattered =
         in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
+    const std::uint64_t inside = columns_of(part);
+    by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
+               sink_.filter == nullptr; // which asks what samples a fragment shows at
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
         const std::uint32_t* ids = tile.ids(0).data() + row * kTileSize;
@@ -205,9 +214,13 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
                 const int count = std::countr_zero(own.ends[row] >> x) + 1;
                 spans_->add(in.looks, ids[x], y * kTileSize + x, count);
             }
-        for (std::uint64_t rest = rows[row].shared; rest != 0; rest &= rest - 1) {
+        const std::uint64_t shared = rows[row].shared & inside;
+        if (by_rows_) {
+            collect_row(y, shared);
+            continue;
+        }
+        for (std::uint64_t rest = shared; rest != 0; rest &= rest - 1) {
             const int x = std::countr_zero(rest);
-            if (x < part.x0 || x >= part.x1) continue;
             if ((layered(y) >> x & 1) == 0)
                 collect_shared(tile, in, area_.x0 + x, area_.y0 + y);
             else if (blended->composed != nullptr)
@@ -274,7 +287,7 @@ const Primitive& Gatherer::primitive(const GatherInput& in, std::uint32_t id,
         finish_block(in, picture);
         primitives_->clear();
     }
-    return primitives_->get(in, id);
+    return set_up_later_ ? primitives_->get_later(id) : primitives_->get(in, id);
 }
 
 // The next pixels of pixel_.
@@ -326,7 +339,10 @@ void Gatherer::place_block() {
 void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     if (b.count == 0) return;
-    if (b.lit) place_block();
+    if (b.lit) {
+        if (set_up_later_) primitives_->set_up(source_);
+        place_block();
+    }
     if (b.lit && in.frame->attributes.ray) set_rays(b, in.rays);
     check_rays(b, *in.frame);
     for (const Stage* stage : in.stages) {
@@ -363,11 +379,15 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     for (int lane = 0, own = own_; lane < own; ++lane)
         std::memcpy(static_cast<void*>(corner + (pixel[lane] + (pixel[lane] >> kRowBits) * down)),
                     code + lane, sizeof *code);
-    for (int lane = own_; lane < b.count; ++lane) {
-        const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
-        sums_.red[shared] += b.colour[0][lane] * weight;
-        sums_.green[shared] += b.colour[1][lane] * weight;
-        sums_.blue[shared] += b.colour[2][lane] * weight;
+    const Share* const share = share_.get();
+    float *const red = sums_.red.data(), *const green = sums_.green.data(),
+                 *const blue = sums_.blue.data();
+    for (int lane = own_, end = b.count; lane < end; ++lane) {
+        const std::uint16_t shared = share[lane].shared;
+        const float weight = share[lane].weight;
+        red[shared] += b.colour[0][lane] * weight;
+        green[shared] += b.colour[1][lane] * weight;
+        blue[shared] += b.colour[2][lane] * weight;
     }
 }
 
@@ -412,6 +432,7 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
                      const BlendedPixels* blended) {
     if (in.frame->own_triangles) source_ = triangle_source(in);
     all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
+    set_up_later_ = all_whole_ && in.frame->steps == nullptr;
     few_->clear();
     area_ = area;
     samples_ = samples;
@@ -426,41 +447,57 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
                               image::Image& picture, const BlendedPixels* blended) {
     begin(in, tile.area(), tile.samples(), blended);
     collect(tile, in, blended);
-    return shade_collected(in, picture);
+    begin_blocks(in);
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += by_rows_ ? shade_rows(tile, in, picture) : shade_fragments(in, picture);
+    finish_block(in, picture);
+    finish_pixels(in, picture);
+    return lanes;
 }
 
 std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
                               image::Image& picture) {
     begin(in, tile.area(), 1, nullptr);
     collect(tile, in);
-    return shade_collected(in, picture);
+    begin_blocks(in);
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += shade_fragments(in, picture);
+    finish_block(in, picture);
+    finish_pixels(in, picture);
+    return lanes;
 }
 
 std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     spans_->arrange();
-    const std::int32_t* pixel = spans_->pixels();
     std::uint64_t lanes = 0;
     for (const Spans::Group& group : spans_->groups()) {
         if (group.count <= FewPixels::kMost && has_own_lanes(in, group.id)) {
-            few_->add(group.look.material, group.id, pixel, group.count);
-            pixel += group.count;
+            spans_->put_pixels(group, few_->add(group.look.material, group.id, group.count));
             continue;
         }
         lanes += group.count;
         if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
-        for (int rest = group.count; rest > 0;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            const int count = std::min(rest, kLanes - b.count);
-            std::copy_n(pixel, count, pixel_.data() + b.count);
+        const auto add = [&](int count) {
             if (of != nullptr)
                 add_lit(*of, count);
             else
                 add_unlit(in, group.id, count);
             own_ = b.count;
-            pixel += count;
-            rest -= count;
+        };
+        if (b.count + group.count <= kLanes) {
+            spans_->put_pixels(group, pixel_.data() + b.count);
+            add(group.count);
+            continue;
+        }
+        spans_->put_pixels(group, many_.data()); // too many for what is left of the block
+        for (int done = 0; done < group.count;) {
+            if (b.count == kLanes) finish_block(in, picture);
+            const int count = std::min(group.count - done, kLanes - b.count);
+            std::copy_n(many_.data() + done, count, pixel_.data() + b.count);
+            add(count);
+            done += count;
         }
     }
     shade_few(in, picture);
@@ -488,7 +525,7 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
     }
 }
 
-std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture) {
+void Gatherer::begin_blocks(const GatherInput& in) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
     if (sink_.filter != nullptr)
@@ -504,15 +541,16 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
     look_.reset();
-    std::uint64_t lanes = shade_spans(in, picture);
-    lanes += shade_fragments(in, picture);
-    finish_block(in, picture);
+}
+
+// When all blocks are done.
+void Gatherer::finish_pixels(const GatherInput& in, image::Image& picture) {
+    const Block& b = *block_;
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
     else if (!shared_.empty() && sink_.own == nullptr)
         resolve_shared(in, picture);
-    return lanes;
 }
 
 } // namespace scanout::shade

@@ -17,6 +17,7 @@
 #include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
+#include "shade/shared_row.h"
 #include "shade/spans.h"
 #include "shade/stage.h"
 #include "shade/tile_runs.h"
@@ -123,16 +124,22 @@ private:
     void collect_samples(const raster::VisibilityTile& tile, const GatherInput& input,
                          std::uint16_t pixel);
     void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
+    void collect_row(int row, std::uint64_t shared);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
     bool has_own_lanes(const GatherInput& input, std::uint32_t id) const;
     void begin(const GatherInput& input, const image::Rect& area, int samples,
                const BlendedPixels* blended);
-    std::uint64_t shade_collected(const GatherInput& input, image::Image& picture);
+    void begin_blocks(const GatherInput& input);
+    void finish_pixels(const GatherInput& input, image::Image& picture);
     std::uint64_t shade_spans(const GatherInput& input, image::Image& picture);
     void shade_few(const GatherInput& input, image::Image& picture);
     std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);
     void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
+    std::uint64_t shade_rows(const raster::VisibilityTile& tile, const GatherInput& input,
+                             image::Image& picture);
+    int add_shares(const raster::VisibilityTile& tile, int row, int sample, const SharedRow& found,
+                   const GatherInput& input, image::Image& picture);
     void place_block();
     void begin_look(const GatherInput& input, const Look& look, image::Image& picture);
     const Primitive& primitive(const GatherInput& input, std::uint32_t id, image::Image& picture);
@@ -159,11 +166,18 @@ private:
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<Spans> spans_;
+    std::vector<std::int32_t> many_; // pixels of one of them
     std::unique_ptr<FewPixels> few_;
     TriangleSource source_{};
-    bool all_whole_ = false; // every triangle may have lanes of its own
+    bool all_whole_ = false;    // every triangle may have lanes of its own
+    bool set_up_later_ = false; // primitives, with their block
     std::vector<Fragment> fragments_;
-    struct Seen; // a fragment of one pixel
+    // Where all that is drawn looks alike and every lane may have a triangle of its own, pixels
+    // that are shared are no fragments of a list: bits of the tile's rows.
+    bool by_rows_ = false;
+    std::array<std::uint64_t, raster::kTileSize> shared_bits_{};
+    std::array<std::uint16_t, raster::kTileSize> place_of_{}; // of a row's, in the list of them
+    struct Seen;                                              // a fragment of one pixel
     std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;

@@ -121,6 +121,68 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
     return fragments_.size();
 }
 
+void Gatherer::collect_row(int row, std::uint64_t shared) {
+    shared_bits_[static_cast<std::size_t>(row)] = shared;
+    std::size_t place = shared_.size();
+    shared_.resize(place + static_cast<std::size_t>(std::popcount(shared)));
+    for (; shared != 0; shared &= shared - 1)
+        shared_[place++] = static_cast<std::uint16_t>(row * kTileSize + std::countr_zero(shared));
+}
+
+// What a row's shared pixels show first at a sample, as lanes. Returns how many.
+int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample,
+                         const SharedRow& found, const GatherInput& in, image::Image& picture) {
+    Block& b = *block_;
+    const auto s = static_cast<std::size_t>(sample);
+    const int count = std::popcount(found.first[s]);
+    if (count == 0) return 0;
+    if (b.count + count > kLanes) finish_block(in, picture);
+    const std::uint32_t* ids = tile.ids(sample).data() + std::ptrdiff_t{row} * kTileSize;
+    const float* shares = found.share[s];
+    const raster::SampleOffset at = tile.pattern()[s];
+    const std::int32_t right = at.x - raster::kPixelCentre.x, down = at.y - raster::kPixelCentre.y;
+    LaneTriangles& t = *triangles_;
+    std::int32_t* const pixel = pixel_.data();
+    Share* const share = share_.get();
+    int lane = b.count;
+    for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {
+        const int x = std::countr_zero(rest);
+        t.id[lane] = ids[x];
+        t.sample_x[lane] = right;
+        t.sample_y[lane] = down;
+        pixel[lane] = row * kTileSize + x;
+        share[lane] = {place_of_[static_cast<std::size_t>(x)], 0, shares[x], kNoLayer};
+    }
+    add_lanes(b, nullptr, count);
+    return count;
+}
+
+// A pixel's sum takes what it shows in the order of the samples that show it first, as from the
+// list of fragments.
+std::uint64_t Gatherer::shade_rows(const raster::VisibilityTile& tile, const GatherInput& in,
+                                   image::Image& picture) {
+    if (shared_.empty()) return 0;
+    const Look look = {*in.looks.only_material, true};
+    if (look_ != look) begin_look(in, look, picture);
+    through_.resize(shared_.size());
+    std::uint64_t lanes = 0;
+    std::uint16_t place = 0;
+    for (int row = 0; row < area_.height(); ++row) {
+        const std::uint64_t shared = shared_bits_[static_cast<std::size_t>(row)];
+        if (shared == 0) continue;
+        SharedRow found;
+        find_shares(tile, row, shared, found);
+        for (std::uint64_t rest = shared; rest != 0; rest &= rest - 1) {
+            const int x = std::countr_zero(rest);
+            place_of_[static_cast<std::size_t>(x)] = place;
+            through_[place++] = found.through[x];
+        }
+        for (int s = 0; s < tile.samples(); ++s)
+            lanes += static_cast<std::uint64_t>(add_shares(tile, row, s, found, in, picture));
+    }
+    return lanes;
+}
+
 void Gatherer::resolve_shared(const GatherInput& in, image::Image& picture) {
     check_sums(sums_, shared_.size());
     codes_.resize(shared_.size() + (kRoom - kLanes));

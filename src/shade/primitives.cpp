@@ -5,6 +5,7 @@
 #include "raster/piece.h"
 #include "shade/check_lanes.h"
 #include "shade/interpolation_step.h"
+#include "shade/primitive_lanes.h"
 
 #include <algorithm>
 #include <array>
@@ -233,10 +234,23 @@ float between(double from, double to, double share) {
         std::clamp(from + share * (to - from), std::min(from, to), std::max(from, to)));
 }
 
-Gatherer::Primitives::Primitives() : pool_(kRoom), slot_(kSlots) {}
+Gatherer::Primitives::Primitives()
+    : pool_(kRoom), room_(std::make_unique<LaneTriangles>()), slot_(kSlots) {}
 
 void Gatherer::Primitives::clear() {
-    used_ = 0;
+    used_ = ready_ = 0;
+}
+
+const Primitive& Gatherer::Primitives::add_later(std::uint32_t triangle) {
+    CHECK(!full());
+    slot_[triangle % kSlots] = static_cast<std::uint16_t>(used_);
+    return next(triangle, false);
+}
+
+void Gatherer::Primitives::set_up(const TriangleSource& source) {
+    set_up_primitives(source, *room_, pool_.data() + ready_, static_cast<int>(used_ - ready_));
+    for (; ready_ < used_; ++ready_)
+        check_primitive(pool_[ready_], source.wanted);
 }
 
 Primitive& Gatherer::Primitives::next(std::uint32_t triangle, bool clipped) {

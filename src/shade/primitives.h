@@ -5,6 +5,7 @@
 #include "shade/gather.h"
 
 #include <array>
+#include <memory>
 #include <vector>
 
 namespace scanout::shade {
@@ -21,18 +22,28 @@ public:
         const std::uint16_t slot = slot_[triangle % kSlots];
         return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add(input, triangle);
     }
+    // The same where all its vertices stand on the screen, in frames whose lanes may set up
+    // triangles of their own: it is set up when set_up() is next called, side by side with others.
+    const Primitive& get_later(std::uint32_t triangle) {
+        const std::uint16_t slot = slot_[triangle % kSlots];
+        return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add_later(triangle);
+    }
+    void set_up(const TriangleSource& source);
     // What of a triangle covers a sample that shows it (1/256 pixel).
     static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y);
 
 private:
     const Primitive& add(const GatherInput& input, std::uint32_t triangle);
+    const Primitive& add_later(std::uint32_t triangle);
     void add_pieces(const GatherInput& input, std::uint32_t triangle,
                     const std::array<std::uint32_t, 3>& corner);
     static constexpr std::size_t kRoom = 512, kSlots = 1024;
     Primitive& next(std::uint32_t triangle, bool clipped);
     std::vector<Primitive> pool_; // in use: the first `used_`
     std::size_t used_ = 0;
-    std::vector<std::uint16_t> slot_; // by id modulo kSlots: place in the pool
+    std::size_t ready_ = 0;               // those behind are yet to be set up
+    std::unique_ptr<LaneTriangles> room_; // of set_up_primitives
+    std::vector<std::uint16_t> slot_;     // by id modulo kSlots: place in the pool
 };
 
 // Never outside the range of its ends.

@@ -1,7 +1,6 @@
 #include "shade/spans.h"
 
 #include "raster/coverage.h"
-#include "shade/stage.h"
 
 #include <algorithm>
 #include <tuple>
@@ -15,8 +14,7 @@ Look Looks::of_mesh(std::uint32_t id) const {
     return {line < lines ? mesh->line_material[line] : mesh->point_material[line - lines], false};
 }
 
-Spans::Spans()
-    : span_(std::size_t{raster::kTileSize} * raster::kTileSize), pixels_(span_.size() + kRoom) {
+Spans::Spans() : span_(std::size_t{raster::kTileSize} * raster::kTileSize) {
     groups_.reserve(span_.size());
 }
 
@@ -39,15 +37,6 @@ void Spans::arrange() {
             return std::tuple(a.look.lit, a.look.material, a.first) <
                    std::tuple(b.look.lit, b.look.material, b.first);
         });
-    std::int32_t* to = pixels_.data();
-    for (const Group& group : groups_)
-        for (std::uint16_t i = group.first; i != kNone; i = span_[i].next) {
-            const Span span = span_[i];
-            for (int k = 0; k < span.count; k += 4) // most are no longer
-                for (int lane = k; lane < k + 4; ++lane)
-                    to[lane] = span.pixel + lane;
-            to += span.count;
-        }
 }
 
 } // namespace scanout::shade

@@ -57,12 +57,20 @@ public:
         group.last = at;
         group.count = static_cast<std::uint16_t>(group.count + count);
     }
-    // Groups that look alike stand together, and pixels() in the groups' order. add() may not
-    // follow.
+    // Groups that look alike stand together. add() may not follow.
     void arrange();
     std::span<const Group> groups() const { return groups_; }
-    // Their numbers. Kernels may read a register beyond the last.
-    const std::int32_t* pixels() const { return pixels_.data(); }
+    // The numbers of a group's pixels; writes up to kBeyond more.
+    static constexpr int kBeyond = 3;
+    void put_pixels(const Group& group, std::int32_t* to) const {
+        for (std::uint16_t i = group.first; i != kNone; i = span_[i].next) {
+            const Span span = span_[i];
+            for (int k = 0; k < span.count; k += 4) // most are no longer
+                for (int lane = k; lane < k + 4; ++lane)
+                    to[lane] = span.pixel + lane;
+            to += span.count;
+        }
+    }
 
 private:
     static constexpr std::size_t kSlots = 1024;
@@ -78,7 +86,6 @@ private:
     std::vector<Group> groups_;
     std::array<std::uint16_t, kSlots> group_of_{}; // by id modulo kSlots: the last group there
     bool one_look_ = true;
-    std::vector<std::int32_t> pixels_;
 };
 
 } // namespace scanout::shade

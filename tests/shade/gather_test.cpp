@@ -111,5 +111,78 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
     }
 }
 
+// Light that is another in each triangle and at each sample, so that sums tell their order.
+float speckle(std::uint32_t id, int x, int y, std::uint32_t channel) {
+    const std::uint32_t mixed = (id * 0x9e3779b9U ^ static_cast<std::uint32_t>(x * 40503 + y)) *
+                                (0x85ebca6bU + 2 * channel);
+    return static_cast<float>(mixed >> 8) * 0x1p-24F;
+}
+const Stage kSpeckled{{.axis = "test", .name = "speckled", .blurb = "", .source = ""},
+                      {},
+                      [](Block& block, const FrameState&) {
+                          for (int r = 0; r < block.runs; ++r) {
+                              const auto& [primitive, first, count] = block.run[r];
+                              for (int i = first; i < first + count; ++i)
+                                  for (std::uint32_t c = 0; c < 3; ++c)
+                                      block.albedo[c][i] = block.colour[c][i] =
+                                          speckle(primitive != nullptr ? primitive->id
+                                                                       : block.triangles->id[i],
+                                                  block.x[i], block.y[i], c);
+                          }
+                      }};
+
+// Triangles of all sizes before the eye, of one material.
+geom::Mesh many_triangles(Random& random, int triangles) {
+    geom::Mesh mesh;
+    for (int i = 0; i < triangles; ++i) {
+        const double size = std::exp2(random.in(-8, 0));
+        const DVec3 middle = random.in_cube(0.5);
+        for (int k = 0; k < 3; ++k) {
+            const DVec3 p = middle + random.in_cube(size);
+            mesh.index.push_back(static_cast<std::uint32_t>(mesh.position.size()));
+            mesh.position.emplace_back(p.x, p.y, p.z * 0.1 - 1.5);
+            mesh.normal.emplace_back(0, 0, 1);
+        }
+        mesh.material.push_back(-1);
+    }
+    return mesh;
+}
+
+TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
+    Jobs jobs(1);
+    Random random(2);
+    scene::View view;
+    view.half_width = view.half_height = 0.5;
+    view.near_distance = 0x1p-8;
+    const raster::ScreenTransform transform(view, kSide, kSide);
+    Gatherer listed, by_rows; // from tile to tile, as in frames
+    const Stage* stages[] = {&kSpeckled};
+    FrameState frame;
+    frame.own_triangles = true;
+    for (int i = 0; i < 200; ++i) {
+        const geom::Mesh mesh = many_triangles(random, 1 << i % 9);
+        const Drawn all(jobs, mesh, transform, 2 << i % 4);
+        ASSERT_TRUE(all.geometry.all_whole());
+        GatherInput in;
+        in.mesh = &mesh;
+        in.looks.mesh = &mesh;
+        in.set_view(view);
+        in.geometry = &all.geometry;
+        in.transform = &transform;
+        in.stages = stages;
+        in.frame = &frame;
+        in.background = {10, 200, 30, 128};
+        image::Image one(kSide, kSide), other(kSide, kSide);
+        LinearPicture one_light(kSide, kSide), other_light(kSide, kSide);
+        in.linear = &one_light;
+        const std::uint64_t lanes = listed.shade(all.tile, in, one);
+        in.looks.only_material = -1;
+        in.linear = &other_light;
+        EXPECT_EQ(by_rows.shade(all.tile, in, other), lanes);
+        ASSERT_EQ(one, other) << i;
+        ASSERT_EQ(one_light, other_light) << i;
+    }
+}
+
 } // namespace
 } // namespace scanout::shade::test

@@ -1,5 +1,6 @@
 // A lane that sets up its own triangle has the same bits as a lane of a triangle that is set up
-// once: a million random triangles, on every target.
+// once, and that one the same whether it is set up alone or with others: a million random
+// triangles, on every target.
 #include "base/jobs.h"
 #include "shade/gather.h"
 #include "shade/lane_triangles.h"
@@ -9,6 +10,7 @@
 
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include <gtest/gtest.h>
@@ -88,6 +90,47 @@ void expect_same(const GatherInput& in, const Primitive& p, const Lanes& before,
     }
 }
 
+// Set up alone and with others.
+void expect_same(const GatherInput& in, const Primitive& alone, const Primitive& together) {
+    ASSERT_EQ(alone.id, together.id);
+    ASSERT_EQ(alone.whole, together.whole);
+    ASSERT_EQ(alone.clipped, together.clipped);
+    ASSERT_EQ(alone.across, together.across);
+    ASSERT_EQ(alone.step, together.step);
+    const auto same = [](const auto& one, const auto& other) {
+        return std::memcmp(&one, &other, sizeof one) == 0;
+    };
+    ASSERT_TRUE(same(alone.a, together.a));
+    ASSERT_TRUE(same(alone.b, together.b));
+    ASSERT_TRUE(same(alone.c, together.c));
+    ASSERT_TRUE(same(alone.whole_a, together.whole_a));
+    ASSERT_TRUE(same(alone.whole_b, together.whole_b));
+    ASSERT_TRUE(same(alone.whole_c, together.whole_c));
+    ASSERT_TRUE(same(alone.least, together.least));
+    ASSERT_TRUE(same(alone.inverse_w, together.inverse_w));
+    if (triangle_source(in).wants_facing()) {
+        ASSERT_TRUE(same(alone.facing, together.facing));
+    }
+    ASSERT_TRUE(same(alone.normal, together.normal));
+    ASSERT_TRUE(same(alone.uv, together.uv));
+    ASSERT_TRUE(same(alone.colour, together.colour));
+    ASSERT_TRUE(same(alone.position, together.position));
+}
+
+// As many at once as there are lanes, which fill registers or do not.
+void check_together(const GatherInput& in, const Lanes& lanes, Gatherer::Primitives& alone) {
+    auto primitives = std::make_unique<Gatherer::Primitives>();
+    const int count = lanes.block->count;
+    for (int lane = 0; lane < count; ++lane) {
+        primitives->get_later(lanes.triangles->id[lane]);
+        if (lane == count / 3 || lane == count - 1) primitives->set_up(triangle_source(in));
+    }
+    for (int lane = 0; lane < count && !testing::Test::HasFatalFailure(); ++lane) {
+        const std::uint32_t id = lanes.triangles->id[lane];
+        expect_same(in, alone.get(in, id), primitives->get_later(id));
+    }
+}
+
 struct Counts {
     int lanes = 0, moved = 0, large = 0, turned = 0;
 };
@@ -111,6 +154,7 @@ void check(const GatherInput& in, const Lanes& lanes, Counts& counts) {
             counts.large += p.whole ? 0 : 1;
             counts.turned += own.triangles->side[lane] < 0 ? 1 : 0;
         }
+        check_together(in, lanes, *once);
     });
 }
 
