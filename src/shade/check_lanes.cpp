@@ -95,6 +95,9 @@ void check_triangles(const LaneTriangles& t, const Attributes& wanted, int first
         }
         for (const auto& component : t.facing)
             check_one(component[i], "facing");
+        if (wanted.uv && wanted.footprint)
+            for (const auto& slope : t.slope)
+                check_one(slope[i], "slope of u or v");
     }
 }
 

@@ -10,7 +10,7 @@
 #define SCANOUT_SHADE_FOOTPRINT_INL_H
 #endif
 
-#include "shade/stage.h"
+#include "shade/lane_triangles.h"
 
 #include "math/transcendental-inl.h"
 
@@ -25,43 +25,52 @@ struct OnPlane {
 // With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i,
 // f = N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex
 // 0, to which f is relative, the difference cancels by the ratio of distances.
-template <int kCount>
+// Number: double, of one triangle; or lanes of them, of each lane's own.
+template <int kCount, class Number>
 class PlaneOf {
 public:
-    // f: of the vertices.
-    PlaneOf(const Primitive& t, const float (&f)[kCount][3]) : t_(t) {
+    // Of the weights, how they change in 1/256 pixel to the right and down; 1 / w and f of the
+    // vertices.
+    HWY_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
+                       const Number (&f)[kCount][3]) {
+        sum_x_ = sum_y_ = Number(0.0);
+        SIMD_UNROLL
+        for (int n = 0; n < kCount; ++n) {
+            f0_[n] = f[n][0];
+            f_x_[n] = f_y_[n] = Number(0.0);
+        }
+        SIMD_UNROLL
         for (int k = 0; k < 3; ++k) {
-            const double a = t.a[k] * 256 * double{t.inverse_w[k]}; // a pixel is 256 units
-            const double b = t.b[k] * 256 * double{t.inverse_w[k]};
-            sum_x_ += a;
-            sum_y_ += b;
+            inverse_w_[k] = inverse_w[k];
+            const Number pixel = 256.0;
+            const Number right = a[k] * pixel * inverse_w[k], down = b[k] * pixel * inverse_w[k];
+            sum_x_ = sum_x_ + right;
+            sum_y_ = sum_y_ + down;
+            SIMD_UNROLL
             for (int n = 0; n < kCount; ++n) {
-                f_[n][k] = double{f[n][k]} - double{f[n][0]};
-                f_x_[n] += a * f_[n][k];
-                f_y_[n] += b * f_[n][k];
+                f_[n][k] = f[n][k] - f[n][0];
+                f_x_[n] = f_x_[n] + right * f_[n][k];
+                f_y_[n] = f_y_[n] + down * f_[n][k];
             }
         }
-        for (int n = 0; n < kCount; ++n)
-            f0_[n] = double{f[n][0]};
     }
 
-    // x, y: of the sample, 1/256 pixel. Slopes within +-2^60, which also stands for those without
-    // end, or not a number.
+    // weight: at the sample. Slopes within +-2^60, which also stands for those without end, or not
+    // a number.
     template <class D>
-    HWY_INLINE OnPlane<kCount, D> at(Int<D> x, Int<D> y) const {
+    HWY_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
-        const F64s px = to_f64(x), py = to_f64(y);
         const auto share = [&](int k) HWY_ATTR {
-            const F64s weight = (F64s(t_.a[k]) * px + F64s(t_.b[k]) * py) + F64s(t_.c[k]);
-            return maximum(weight, F64s(0.0)) * F64s(double{t_.inverse_w[k]}); // as interpolated
+            return maximum(weight[k], F64s(0.0)) * F64s(inverse_w_[k]); // as interpolated
         };
         const F64s p0 = share(0), p1 = share(1), p2 = share(2);
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2);
-        const auto slope = [&](double n_slope, F64s f, double d_slope) HWY_ATTR {
+        const auto slope = [&](Number n_slope, F64s f, Number d_slope) HWY_ATTR {
             const F64s exact = (F64s(n_slope) - f * F64s(d_slope)) * inverse;
             return to_f32(minimum(maximum(exact, F64s(-0x1p60)), F64s(0x1p60)));
         };
         OnPlane<kCount, D> found;
+        SIMD_UNROLL
         for (int n = 0; n < kCount; ++n) {
             const F64s f = (p1 * F64s(f_[n][1]) + p2 * F64s(f_[n][2])) * inverse;
             found.value[n] = to_f32(F64s(f0_[n]) + f);
@@ -72,9 +81,45 @@ public:
     }
 
 private:
+    Number inverse_w_[3];
+    Number f0_[kCount], f_[kCount][3];                 // of the vertices, from vertex 0
+    Number f_x_[kCount], f_y_[kCount], sum_x_, sum_y_; // of N and D, a pixel
+};
+
+// The plane of a primitive.
+template <int kCount>
+class PrimitivePlane {
+public:
+    // f: of the vertices.
+    HWY_INLINE PrimitivePlane(const Primitive& t, const float (&f)[kCount][3])
+        : t_(t), plane_(plane_of(t, f)) {}
+
+    // x, y: of the sample, 1/256 pixel.
+    template <class D>
+    HWY_INLINE OnPlane<kCount, D> at(Int<D> x, Int<D> y) const {
+        using F64s = Double<D>;
+        const F64s px = to_f64(x), py = to_f64(y);
+        F64s weight[3];
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            weight[k] = (F64s(t_.a[k]) * px + F64s(t_.b[k]) * py) + F64s(t_.c[k]);
+        return plane_.at(weight);
+    }
+
+private:
+    static HWY_INLINE PlaneOf<kCount, double> plane_of(const Primitive& t,
+                                                       const float (&f)[kCount][3]) {
+        double inverse_w[3], wide[kCount][3];
+        for (int k = 0; k < 3; ++k) {
+            inverse_w[k] = double{t.inverse_w[k]};
+            for (int n = 0; n < kCount; ++n)
+                wide[n][k] = double{f[n][k]};
+        }
+        return {t.a, t.b, inverse_w, wide};
+    }
+
     const Primitive& t_;
-    double f0_[kCount], f_[kCount][3]; // of the vertices, from vertex 0
-    double f_x_[kCount] = {}, f_y_[kCount] = {}, sum_x_ = 0, sum_y_ = 0; // of N and D, a pixel
+    PlaneOf<kCount, double> plane_;
 };
 
 // A pixel to the right, and a pixel down.
@@ -83,10 +128,25 @@ struct UvSlopes {
     Float<D> u_x, v_x, u_y, v_y;
 };
 
+// Lanes with triangles of their own have found theirs with these.
+HWY_INLINE void copy_slopes(Block& b, const Run& run) {
+    const auto& slope = b.triangles->slope;
+    for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
+        store(load<F32x8>(slope[0] + i), b.u_x + i);
+        store(load<F32x8>(slope[1] + i), b.v_x + i);
+        store(load<F32x8>(slope[2] + i), b.u_y + i);
+        store(load<F32x8>(slope[3] + i), b.v_y + i);
+    }
+}
+
 // Of every lane of a block, for an interpolation stage to call when the frame wants it.
 HWY_INLINE void write_slopes(Block& b) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
-        const PlaneOf<2> plane(*run->primitive, run->primitive->uv);
+        if (run->primitive == nullptr) {
+            copy_slopes(b, *run);
+            continue;
+        }
+        const PrimitivePlane<2> plane(*run->primitive, run->primitive->uv);
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
             const auto at = plane.at(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
             store(at.right[0], b.u_x + i);

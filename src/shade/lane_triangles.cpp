@@ -6,6 +6,7 @@
 #define SIMD_FILE "shade/lane_triangles.cpp"
 #include "simd/for_each_target.h"
 
+#include "shade/footprint-inl.h"
 #include "shade/triangle_lanes-inl.h"
 
 SIMD_BEGIN(scanout::shade)
@@ -33,10 +34,24 @@ struct Places {
     I32x8 sample_x, sample_y; // from there
 };
 
-// Areas opposite the vertices, exact, where the lanes are shaded; moves the lanes there. Returns
-// which triangles wind clockwise on the screen, in this order of the vertices.
+// Areas opposite the vertices, where the lanes are shaded; exact, how they change in 1/256 pixel to
+// the right and down, and the same areas, if they are wanted.
+struct Areas {
+    F32x8 rounded[3];
+    F64x8 right[3], down[3], exact[3];
+};
+
+HWY_INLINE F64x8 wide(I32x8 a) {
+    return to_f64(a);
+}
+HWY_INLINE F64x8 wide(F64x8 a) {
+    return a;
+}
+
+// Moves the lanes where they are shaded. Returns which triangles wind clockwise on the screen, in
+// this order of the vertices.
 template <class N, class Scalar>
-HWY_INLINE MaskX8 find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3]) {
+HWY_INLINE MaskX8 find_areas(const Vertices (&v)[3], bool wants_exact, Places& at, Areas& area) {
     const N zero = Scalar{0}, one = Scalar{1};
     const auto number = [](I32x8 whole) HWY_ATTR {
         N n;
@@ -69,7 +84,13 @@ HWY_INLINE MaskX8 find_areas(const Vertices (&v)[3], Places& at, F32x8 (&area)[3
     }
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        area[k] = rounded(e[k]);
+        area.rounded[k] = rounded(e[k]);
+    if (wants_exact) SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        area.right[k] = wide(a[k]);
+        area.down[k] = wide(b[k]);
+        area.exact[k] = wide(e[k]);
+    }
     return narrow(twice > zero);
 }
 
@@ -82,6 +103,25 @@ HWY_INLINE bool are_small(const Vertices (&v)[3]) {
                I32x8(1 << 14));
 }
 
+// How u and v change on the screen (footprint-inl.h).
+HWY_INLINE void put_slopes(const Attribute<2>& uv, const Vertices (&v)[3], const Areas& area,
+                           LaneTriangles& out, int lane) {
+    F64x8 inverse_w[3], f[2][3];
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        inverse_w[k] = to_f64(v[k].inverse_w);
+        f[0][k] = to_f64(uv.of[0][k]);
+        f[1][k] = to_f64(uv.of[1][k]);
+    }
+    const texture::HWY_NAMESPACE::PlaneOf<2, F64x8> plane(area.right, area.down, inverse_w, f);
+    const auto at = plane.at(area.exact);
+    SIMD_UNROLL
+    for (int c = 0; c < 2; ++c) {
+        store(at.right[c], out.slope[c] + lane);
+        store(at.down[c], out.slope[2 + c] + lane);
+    }
+}
+
 void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int first, int count) {
     const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
     for (int i = first; i < first + count; i += kLanesX8) {
@@ -92,16 +132,21 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int
         const Turns turns = put_in_order(v);
         Places at = {load<I32x8>(b.x + i), load<I32x8>(b.y + i), load<I32x8>(out.sample_x + i),
                      load<I32x8>(out.sample_y + i)};
-        F32x8 area[3];
-        const MaskX8 clockwise = are_small(v) ? find_areas<I32x8, std::int32_t>(v, at, area)
-                                              : find_areas<F64x8, double>(v, at, area);
+        const bool sloped = s.wanted.uv && s.wanted.footprint;
+        Areas area;
+        const MaskX8 clockwise = are_small(v) ? find_areas<I32x8, std::int32_t>(v, sloped, at, area)
+                                              : find_areas<F64x8, double>(v, sloped, at, area);
         const MaskX8 mine = iota<I32x8>(0) < I32x8(live);
         store(select(mine, at.x, load<I32x8>(b.x + i)), b.x + i);
         store(select(mine, at.y, load<I32x8>(b.y + i)), b.y + i);
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            store(area[k] * v[k].inverse_w, out.weight[k] + i);
+            store(area.rounded[k] * v[k].inverse_w, out.weight[k] + i);
         put_attributes(s, corner, turns, windings_of(clockwise, turns, mirrored), out, i);
+        if (!s.wanted.uv) continue;
+        const Attribute<2> uv = fetch<2>(s.uv, corner, turns);
+        put(uv, out.uv, i);
+        if (sloped) put_slopes(uv, v, area, out, i);
     }
 }
 

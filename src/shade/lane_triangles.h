@@ -28,6 +28,7 @@ struct LaneTriangles {
     alignas(64) float facing[3][kRoom];
     alignas(64) float normal[3][3][kRoom], uv[2][3][kRoom], colour[3][3][kRoom];
     alignas(64) float position[3][3][kRoom];
+    alignas(64) float slope[4][kRoom]; // u_x, v_x, u_y, v_y of the block
 };
 
 // What the frame's triangles are made of.

@@ -38,26 +38,14 @@ public:
         t = image_.unit(t);
         const auto whole = level == I32(0);
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
-        const I32 width = gather(chain_->width, level), height = gather(chain_->height, level);
-        const I32 begin = gather(chain_->begin, level);
-        const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
-        const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
-        const auto row = [&](I32 from_bottom) HWY_ATTR {
-            return begin + (height - I32(1) - image_.address(from_bottom, height)) * width;
-        };
-        const Around at = {image_.address(x0, width),
-                           image_.address(x0 + I32(1), width),
-                           row(y0),
-                           row(y0 + I32(1)),
-                           x - to_f32(x0),
-                           y - to_f32(y0)};
-        const float* const texels = chain_->texels.data() + (kChannels == 1 ? 3 : 0);
+        const Around at = around_in_chain(s, t, level);
+        const float* const first = texels<kChannels>();
         const auto read = [&](I32 place) HWY_ATTR {
             // Lanes of level 0 read what is discarded below.
             const I32 at_texel = shift_left<2>(select(whole, I32(0), place));
             Texel<kChannels> texel;
             for (int c = 0; c < kChannels; ++c)
-                texel.channel[c] = gather(texels + c, at_texel);
+                texel.channel[c] = gather(first + c, at_texel);
             return texel;
         };
         Texel<kChannels> found = blend<kChannels>(at, read);
@@ -78,6 +66,29 @@ public:
         if (all(share == F32(0.0F))) return near; // nowhere minified, above all
         const I32 blurred = minimum(sharp + I32(1), to_i32(F32(last())));
         return mix(share, near, bilinear<kChannels>(s, t, blurred));
+    }
+
+    // For filters that read the chain themselves: around s and t, in [0, 1], in levels of 1 to
+    // last; texels are numbered through all levels.
+    HWY_INLINE Around around_in_chain(F32 s, F32 t, I32 level) const {
+        const I32 width = gather(chain_->width, level), height = gather(chain_->height, level);
+        const I32 begin = gather(chain_->begin, level);
+        const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
+        const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
+        const auto row = [&](I32 from_bottom) HWY_ATTR {
+            return begin + (height - I32(1) - image_.address(from_bottom, height)) * width;
+        };
+        return {image_.address(x0, width),
+                image_.address(x0 + I32(1), width),
+                row(y0),
+                row(y0 + I32(1)),
+                x - to_f32(x0),
+                y - to_f32(y0)};
+    }
+    // The first channel that is read of texel 0; those of a texel stand side by side, four a texel.
+    template <int kChannels>
+    const float* texels() const {
+        return chain_->texels.data() + (kChannels == 1 ? 3 : 0);
     }
 
 private:

@@ -84,6 +84,7 @@ void set_up_all(const TriangleSource& s, LaneTriangles& room, Primitive* first, 
         find_edges(v, twice, edges);
         put_attributes(s, corner, turns, windings_of(narrow(twice > F64x8(0.0)), turns, mirrored),
                        room, 0);
+        if (s.wanted.uv) put(fetch<2>(s.uv, corner, turns), room.uv, 0);
         for (int lane = 0; lane < live; ++lane)
             put_primitive(s, edges, room, lane, first[i + lane]);
     }

@@ -71,7 +71,7 @@ constexpr Attributes operator|(Attributes a, Attributes b) {
 
 // Does some stage read what a run's lanes share? Then no lane sets up a triangle of its own.
 constexpr bool reads_primitives(const Attributes& a) {
-    return a.primitive || a.corners || a.footprint || a.object;
+    return a.primitive || a.corners || a.object;
 }
 
 // What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.

@@ -188,14 +188,13 @@ HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, const
                out, lane);
 }
 
-// What the vertices carry.
+// What the vertices carry, besides u and v.
 HWY_INLINE void put_attributes(const TriangleSource& s, const Corners& corner, const Turns& turns,
                                const Windings& behind, LaneTriangles& out, int lane) {
     MeshPlaces place;
     if (s.wanted.position || s.wants_facing()) place = fetch<3>(s.position, corner, turns);
     put_sides(s, behind, place, out, lane);
     if (s.wanted.normal) put(fetch<3>(s.normal, corner, turns), out.normal, lane);
-    if (s.wanted.uv) put(fetch<2>(s.uv, corner, turns), out.uv, lane);
     if (s.wanted.colour) put(fetch<3>(s.colour, corner, turns), out.colour, lane);
     if (s.wanted.position) put_positions(s, place, out, lane);
 }

@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade::texture)
 template <class D>
 HWY_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
                           const std::int32_t* y, int count, float* out) {
-    const PlaneOf<2> plane(t, t.uv);
+    const PrimitivePlane<2> plane(t, t.uv);
     for (int i = 0; i < count; i += static_cast<int>(Int<D>::kLanes)) {
         const auto at = plane.at(load<Int<D>>(x + i), load<Int<D>>(y + i));
         store(level_of_detail<D>({at.right[0] * width, at.right[1] * height, at.down[0] * width,

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include <gtest/gtest.h>
 
@@ -131,6 +132,40 @@ void check_together(const GatherInput& in, const Lanes& lanes, Gatherer::Primiti
     }
 }
 
+// The block's lanes at triangles that are set up once; lanes `own` to `end` at their own.
+std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives& once,
+                                    const Lanes& set_up, int own, int end) {
+    auto block = std::make_unique<Block>(*set_up.block);
+    const scene::Material material;
+    block->material = &material;
+    block->triangles = set_up.triangles.get();
+    const int count = std::exchange(block->count, 0);
+    while (block->count < count) {
+        const int lane = block->count;
+        if (lane == own && own < end)
+            add_lanes(*block, nullptr, end - own);
+        else
+            add_lanes(*block, &once.get(in, set_up.triangles->id[lane]), 1);
+    }
+    find_stage("interpolate", "perspective")->run(*block, *in.frame);
+    return block;
+}
+
+// What stages read of u and v; lanes of both kinds side by side in the block.
+void expect_same_uv(const GatherInput& in, Gatherer::Primitives& once, const Lanes& set_up) {
+    const int count = set_up.block->count;
+    const auto expected = interpolated(in, once, set_up, 0, 0);
+    const auto got = interpolated(in, once, set_up, count / 5, count - count / 7);
+    for (int lane = 0; lane < count; ++lane) {
+        ASSERT_EQ(bits(got->u[lane]), bits(expected->u[lane])) << lane;
+        ASSERT_EQ(bits(got->v[lane]), bits(expected->v[lane])) << lane;
+        ASSERT_EQ(bits(got->u_x[lane]), bits(expected->u_x[lane])) << lane;
+        ASSERT_EQ(bits(got->v_x[lane]), bits(expected->v_x[lane])) << lane;
+        ASSERT_EQ(bits(got->u_y[lane]), bits(expected->u_y[lane])) << lane;
+        ASSERT_EQ(bits(got->v_y[lane]), bits(expected->v_y[lane])) << lane;
+    }
+}
+
 struct Counts {
     int lanes = 0, moved = 0, large = 0, turned = 0;
 };
@@ -155,6 +190,7 @@ void check(const GatherInput& in, const Lanes& lanes, Counts& counts) {
             counts.turned += own.triangles->side[lane] < 0 ? 1 : 0;
         }
         check_together(in, lanes, *once);
+        if (!testing::Test::HasFatalFailure()) expect_same_uv(in, *once, own);
     });
 }
 
@@ -183,7 +219,9 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         geometry.run(jobs, mesh, transform, options);
         FrameState frame;
         frame.attributes = {.normal = true, .uv = true, .colour = true, .position = true};
+        frame.attributes.footprint = true;
         frame.attributes.facing = round % 7 < 3;
+        frame.source = find_source("checker"); // wants u and v
         frame.sides = std::array{Sides::eye, Sides::face, Sides::file}[round % 3];
         GatherInput in;
         in.mesh = &mesh;

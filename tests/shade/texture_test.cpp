@@ -414,6 +414,38 @@ TEST(Texture, MipmapReadsTheNearestLevelAndTrilinearBothWithTheirShares) {
     }
 }
 
+// Registers that are minified in all lanes are read another way than others.
+TEST(Texture, TrilinearReadsTheSameBitsBesideLanesThatAreNotMinified) {
+    Random random(17);
+    scene::Texture texture = noise(37, 64, 18);
+    for (image::Rgba8& p : texture.image.pixels())
+        p.a = static_cast<std::uint8_t>(random.bits());
+    const Filter* const trilinear = find_filter("trilinear");
+    scanout::test::on_every_target([&](const std::string& target) {
+        for (int round = 0; round < 90; ++round) {
+            Sampler all(texture, kWraps[round % 3]), half(texture, kWraps[round % 3]);
+            const std::vector<Vec2> uv = random_uv(random, 3);
+            all.block->count = half.block->count = random.whole(1, kLanes);
+            for (int i = 0; i < kLanes; ++i) {
+                // The whole block in one level, or each lane in its own, up to beyond the last.
+                const double level = round % 2 == 0 ? random.in(1.01, 9) : 1.5 + round / 10;
+                const float size = static_cast<float>(std::exp2(level) / 37);
+                all.set_slopes(i, {{size, 0}, {0, size / 64}});
+                half.set_slopes(i, i % 2 == 0 ? Slopes{{size, 0}, {0, size / 64}} : Slopes{});
+                all.block->u[i] = half.block->u[i] = uv[static_cast<std::size_t>(i)].x;
+                all.block->v[i] = half.block->v[i] = uv[static_cast<std::size_t>(i)].y;
+            }
+            for (const TexelKind kind : {TexelKind::colour, TexelKind::alpha})
+                for (const Sampler* s : {&all, &half})
+                    trilinear->sample(*s->block, s->block->map[kDiffuseMap], kind);
+            for (int i = 0; i < all.block->count; i += 2)
+                for (int c = 0; c < 4; ++c)
+                    ASSERT_EQ(all.block->sampled[c][i], half.block->sampled[c][i])
+                        << target << ", lane " << i << ", channel " << c;
+        }
+    });
+}
+
 // A footprint of n texels by one: n probes of one texel each, in a line.
 TEST(Texture, AnisotropicIsTheMeanAlongTheFootprint) {
     Random random(12);

@@ -10,7 +10,7 @@
 #define SCANOUT_SHADE_TANGENT_INL_H
 #endif
 
-#include "shade/stage.h"
+#include "shade/lane_triangles.h"
 
 #include "simd/lanes-inl.h"
 
@@ -77,13 +77,17 @@ HWY_INLINE Steps steps_on(const Vector8& plane, const Vector8& ray, bool orthogr
 HWY_INLINE void write_tangents(Block& b, const FrameState& frame) {
     const F32x8 zero = 0.0F, one = 1.0F;
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
-        const float* f = run->primitive->facing;
-        const auto row = [&](int r) HWY_ATTR {
-            const auto& m = frame.normal_matrix[r];
-            return F32x8((m[0] * f[0] + m[1] * f[1]) + m[2] * f[2]);
-        };
-        const Vector8 plane = {row(0), row(1), row(2)};
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
+            const auto facing = [&](int c) HWY_ATTR {
+                return run->primitive != nullptr ? F32x8(run->primitive->facing[c])
+                                                 : load<F32x8>(b.triangles->facing[c] + i);
+            };
+            const F32x8 f[3] = {facing(0), facing(1), facing(2)};
+            const auto row = [&](int r) HWY_ATTR {
+                const auto& m = frame.normal_matrix[r];
+                return (F32x8(m[0]) * f[0] + F32x8(m[1]) * f[1]) + F32x8(m[2]) * f[2];
+            };
+            const Vector8 plane = {row(0), row(1), row(2)};
             const Vector8 ray = {load<F32x8>(b.ray_x + i), load<F32x8>(b.ray_y + i), -one};
             const Steps step = steps_on(plane, ray, frame.orthographic);
             const F32x8 u_x = load<F32x8>(b.u_x + i), v_x = load<F32x8>(b.v_x + i),

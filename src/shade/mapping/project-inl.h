@@ -39,7 +39,7 @@ template <class Project>
 HWY_INLINE void project_lanes(Block& b, const FrameState& frame, Project project) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
-        const texture::HWY_NAMESPACE::PlaneOf<3> plane(t, t.object);
+        const texture::HWY_NAMESPACE::PrimitivePlane<3> plane(t, t.object);
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
             const auto at = plane.at(load<I32x8>(b.x + i), load<I32x8>(b.y + i));
             const Projected p =

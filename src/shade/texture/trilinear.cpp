@@ -11,16 +11,80 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
+// Four texels around each lane of a block, in one level a lane.
+struct Corners {
+    std::int32_t place[4][kRoom]; // of floats: bottom left and right, top left and right
+    float x[kRoom], y[kRoom];
+
+    HWY_INLINE void put(const Around& at, int lane) {
+        store(shift_left<2>(at.bottom + at.left), place[0] + lane);
+        store(shift_left<2>(at.bottom + at.right), place[1] + lane);
+        store(shift_left<2>(at.top + at.left), place[2] + lane);
+        store(shift_left<2>(at.top + at.right), place[3] + lane);
+        store(at.x, x + lane);
+        store(at.y, y + lane);
+    }
+    HWY_INLINE F32 bilinear(const float* channel, int lane) const {
+        const auto read = [&](int k)
+                              HWY_ATTR { return gather(channel, load<I32>(place[k] + lane)); };
+        const F32 across = load<F32>(x + lane);
+        return mix(load<F32>(y + lane), mix(across, read(0), read(1)),
+                   mix(across, read(2), read(3)));
+    }
+};
+
+// Registers of lanes that are all minified: places are found for the whole block before the first
+// texel is read, and then the channels one after the other. A register that is read by itself waits
+// for memory, two fifths of the filter's time; so those behind it wait with it. The other channels
+// are near when their turn comes.
+template <int kChannels>
+class Minified {
+public:
+    // s and t in turns of the texture, level in [1, last].
+    HWY_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int lane) {
+        s = reader.image().unit(s);
+        t = reader.image().unit(t);
+        const I32 sharp = to_i32(level);
+        const I32 blurred = minimum(sharp + I32(1), to_i32(F32(reader.last())));
+        near_.put(reader.around_in_chain(s, t, sharp), lane);
+        far_.put(reader.around_in_chain(s, t, blurred), lane);
+        store(level - to_f32(sharp), share_ + lane);
+        lane_[count_++] = lane;
+    }
+    HWY_INLINE void read(const MipReader& reader, Block& b) const {
+        if (count_ == 0) return;
+        for (int c = 0; c < kChannels; ++c) {
+            const float* const channel = reader.texels<kChannels>() + c;
+            float* const to = b.sampled[kChannels == 1 ? 3 : c];
+            for (int i = 0; i < count_; ++i) {
+                const int lane = lane_[i];
+                const F32 share = load<F32>(share_ + lane);
+                store(mix(share, near_.bilinear(channel, lane), far_.bilinear(channel, lane)),
+                      to + lane);
+            }
+        }
+    }
+
+private:
+    Corners near_, far_;
+    float share_[kRoom];
+    int lane_[kRoom / kLanes], count_ = 0;
+};
+
 template <int kChannels>
 HWY_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
+    Minified<kChannels> minified;
     for (int i = 0; i < b.count; i += kLanes) {
-        const F32 level = level_of_detail(reader.slopes(b, i));
+        const F32 detail = level_of_detail(reader.slopes(b, i));
+        const F32 level = minimum(maximum(detail, F32(0.0F)), F32(reader.last()));
         const F32 s = reader.image().turns_x(load<F32>(b.u + i));
         const F32 t = reader.image().turns_y(load<F32>(b.v + i));
-        store_sample(reader.trilinear<kChannels>(
-                         s, t, minimum(maximum(level, F32(0.0F)), F32(reader.last()))),
-                     b, i);
+        if (any(level < F32(1.0F)))
+            store_sample(reader.trilinear<kChannels>(s, t, level), b, i);
+        else
+            minified.add(reader, s, t, level, i);
     }
+    minified.read(reader, b);
 }
 
 void trilinear_sample(Block& b, const BoundMap& map, TexelKind kind) {
