@@ -144,7 +144,27 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
     }
     std::int32_t corner[kLanesX8];
     store(load<I32x8>(b.place) + load<I32x8>(b.begin) * I32x8(kTileSize) + few.column, corner);
+    // Samples wait here, a bit each, until several steps of the walk are done: one loop over all of
+    // them ends but once where none could foretell it.
+    constexpr int kSteps = 64 / kLanesX8;
+    std::uint64_t waiting = 0;
+    float depths[kSteps][kLanesX8];
+    std::int32_t offset[kSteps];
+    int steps = 0;
     bool shows = false;
+    const auto draw_waiting = [&]() HWY_ATTR {
+        for (; waiting != 0; waiting &= waiting - 1) {
+            const int bit = __builtin_ctzll(waiting), step = bit / kLanesX8, lane = bit % kLanesX8;
+            const std::ptrdiff_t place = corner[lane] + offset[step];
+            const float z = depths[step][lane], old = depth[place];
+            if (z > old || (z == old && name[lane] < id[place])) {
+                depth[place] = z;
+                id[place] = name[lane];
+                shows = true;
+            }
+        }
+        steps = 0;
+    };
     for (int j = 0; j < most; ++j) {
         const MaskX8 in_row = I32x8(j) < few.down;
         if ((bits(in_row) & few.lanes) == 0) break;
@@ -152,21 +172,13 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
         for (int i = 0; i < most; ++i) {
             const MaskX8 in_column = I32x8(i) < few.across;
             if ((bits(in_column) & few.lanes) == 0) break;
-            const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) >= I32x8(0));
-            std::uint32_t here = bits(inside) & few.lanes;
-            if (here != 0) {
-                float depths[kLanesX8];
-                store(depth_at(edge, i, j), depths);
-                for (; here != 0; here &= here - 1) {
-                    const int lane = __builtin_ctz(here);
-                    const std::ptrdiff_t place = corner[lane] + j * kTileSize + i;
-                    const float z = depths[lane], old = depth[place];
-                    if (z > old || (z == old && name[lane] < id[place])) {
-                        depth[place] = z;
-                        id[place] = name[lane];
-                        shows = true;
-                    }
-                }
+            const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) > I32x8(-1));
+            const std::uint32_t here = bits(inside) & few.lanes;
+            if (most <= kFew || here != 0) { // whether there are some can't be foretold, either
+                waiting |= std::uint64_t{here} << (steps * kLanesX8);
+                store(depth_at(edge, i, j), depths[steps]);
+                offset[steps] = j * kTileSize + i;
+                if (++steps == kSteps) draw_waiting();
             }
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
@@ -176,6 +188,7 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
         for (int k = 0; k < 3; ++k)
             start[k] = start[k] + below[k];
     }
+    draw_waiting();
     if (shows) drawn = I32x8(-1);
 }
 

@@ -47,7 +47,11 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 
 bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
-    const bool shows = draw_parts(planes(), parts);
+    TilePlanes to = planes();
+    const bool hides =
+        std::any_of(farthest_.begin(), farthest_.end(), [](float f) { return f > 0; });
+    if (!hides) to.farthest = nullptr; // no part need be asked
+    const bool shows = draw_parts(to, parts);
     touched_ |= shows;
     return shows;
 }
