@@ -374,11 +374,16 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
     image::Rgba8* const corner = &picture.at(area_.x0, area_.y0);
     const std::int32_t* const pixel = pixel_.data();
-    const std::ptrdiff_t down = picture.width() - kTileSize; // besides a row of the tile
+    // Besides a row of the tile; modulo 2^64, as are all places: no sign is extended in the loop.
+    const auto down = static_cast<std::size_t>(picture.width()) - kTileSize;
     constexpr int kRowBits = std::countr_zero(unsigned{kTileSize});
-    for (int lane = 0, own = own_; lane < own; ++lane)
-        std::memcpy(static_cast<void*>(corner + (pixel[lane] + (pixel[lane] >> kRowBits) * down)),
-                    code + lane, sizeof *code);
+    const auto own = static_cast<std::size_t>(own_);
+#pragma GCC unroll 4
+    for (std::size_t lane = 0; lane < own; ++lane) {
+        const auto at = static_cast<std::uint32_t>(pixel[lane]);
+        std::memcpy(static_cast<void*>(corner + (at + (at >> kRowBits) * down)), code + lane,
+                    sizeof *code);
+    }
     const Share* const share = share_.get();
     float *const red = sums_.red.data(), *const green = sums_.green.data(),
                  *const blue = sums_.blue.data();
