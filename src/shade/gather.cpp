@@ -452,24 +452,14 @@ std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherIn
                               image::Image& picture, const BlendedPixels* blended) {
     begin(in, tile.area(), tile.samples(), blended);
     collect(tile, in, blended);
-    begin_blocks(in);
-    std::uint64_t lanes = shade_spans(in, picture);
-    lanes += by_rows_ ? shade_rows(tile, in, picture) : shade_fragments(in, picture);
-    finish_block(in, picture);
-    finish_pixels(in, picture);
-    return lanes;
+    return shade_collected(in, picture, by_rows_ ? &tile : nullptr);
 }
 
 std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
                               image::Image& picture) {
     begin(in, tile.area(), 1, nullptr);
     collect(tile, in);
-    begin_blocks(in);
-    std::uint64_t lanes = shade_spans(in, picture);
-    lanes += shade_fragments(in, picture);
-    finish_block(in, picture);
-    finish_pixels(in, picture);
-    return lanes;
+    return shade_collected(in, picture, nullptr);
 }
 
 std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
@@ -530,7 +520,9 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
     }
 }
 
-void Gatherer::begin_blocks(const GatherInput& in) {
+// rows: of what tile shared pixels are bits of rows; null: they are fragments.
+std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture,
+                                        const raster::VisibilityTile* rows) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
     if (sink_.filter != nullptr)
@@ -546,16 +538,15 @@ void Gatherer::begin_blocks(const GatherInput& in) {
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
     look_.reset();
-}
-
-// When all blocks are done.
-void Gatherer::finish_pixels(const GatherInput& in, image::Image& picture) {
-    const Block& b = *block_;
+    std::uint64_t lanes = shade_spans(in, picture);
+    lanes += rows != nullptr ? shade_rows(*rows, in, picture) : shade_fragments(in, picture);
+    finish_block(in, picture);
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
     else if (!shared_.empty() && sink_.own == nullptr)
         resolve_shared(in, picture);
+    return lanes;
 }
 
 } // namespace scanout::shade

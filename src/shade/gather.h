@@ -130,8 +130,8 @@ private:
     bool has_own_lanes(const GatherInput& input, std::uint32_t id) const;
     void begin(const GatherInput& input, const image::Rect& area, int samples,
                const BlendedPixels* blended);
-    void begin_blocks(const GatherInput& input);
-    void finish_pixels(const GatherInput& input, image::Image& picture);
+    std::uint64_t shade_collected(const GatherInput& input, image::Image& picture,
+                                  const raster::VisibilityTile* rows);
     std::uint64_t shade_spans(const GatherInput& input, image::Image& picture);
     void shade_few(const GatherInput& input, image::Image& picture);
     std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);

@@ -50,12 +50,31 @@ struct Drawn {
     }
 };
 
-TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
-    Jobs jobs(1);
-    Random random(1);
+scene::View view_from_origin() {
     scene::View view;
     view.half_width = view.half_height = 0.5;
     view.near_distance = 0x1p-8;
+    return view;
+}
+
+GatherInput input_of(const geom::Mesh& mesh, const scene::View& view,
+                     const raster::ScreenTransform& transform, const Drawn& drawn,
+                     std::span<const Stage* const> stages, const FrameState& frame) {
+    GatherInput in;
+    in.mesh = &mesh;
+    in.looks.mesh = &mesh;
+    in.set_view(view);
+    in.geometry = &drawn.geometry;
+    in.transform = &transform;
+    in.stages = stages;
+    in.frame = &frame;
+    return in;
+}
+
+TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
+    Jobs jobs(1);
+    Random random(1);
+    const scene::View view = view_from_origin();
     const raster::ScreenTransform transform(view, kSide, kSide);
     int at_centre[2] = {}, elsewhere[2] = {};
     for (int i = 0; i < 3000; ++i) {
@@ -76,16 +95,8 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
                                           [](const auto& v) { return v.on_screen(); });
         const Stage* stages[] = {&kNoting};
         FrameState frame;
-        GatherInput in;
-        in.mesh = &mesh;
-        in.looks.mesh = &mesh;
-        in.set_view(view);
-        // On both ways from a triangle to lanes.
-        frame.own_triangles = i / 2 % 2 == 0;
-        in.geometry = &all.geometry;
-        in.transform = &transform;
-        in.stages = stages;
-        in.frame = &frame;
+        frame.own_triangles = i / 2 % 2 == 0; // on both ways from a triangle to lanes
+        const GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         image::Image picture(kSide, kSide);
         shaded().clear();
         Gatherer().shade(all.tile, in, picture);
@@ -151,9 +162,7 @@ geom::Mesh many_triangles(Random& random, int triangles) {
 TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
     Jobs jobs(1);
     Random random(2);
-    scene::View view;
-    view.half_width = view.half_height = 0.5;
-    view.near_distance = 0x1p-8;
+    const scene::View view = view_from_origin();
     const raster::ScreenTransform transform(view, kSide, kSide);
     Gatherer listed, by_rows; // from tile to tile, as in frames
     const Stage* stages[] = {&kSpeckled};
@@ -163,14 +172,7 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
         const geom::Mesh mesh = many_triangles(random, 1 << i % 9);
         const Drawn all(jobs, mesh, transform, 2 << i % 4);
         ASSERT_TRUE(all.geometry.all_whole());
-        GatherInput in;
-        in.mesh = &mesh;
-        in.looks.mesh = &mesh;
-        in.set_view(view);
-        in.geometry = &all.geometry;
-        in.transform = &transform;
-        in.stages = stages;
-        in.frame = &frame;
+        GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         in.background = {10, 200, 30, 128};
         image::Image one(kSide, kSide), other(kSide, kSide);
         LinearPicture one_light(kSide, kSide), other_light(kSide, kSide);
