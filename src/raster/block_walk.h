@@ -15,6 +15,32 @@ struct BlockWalk {
     static constexpr int kSide = 8;
 };
 
+// Of a triangle in the blocks of a tile, by their column and row: what no edge function (times any
+// number above 0) and no depth is greater than, at the tile's first block and its steps a block.
+struct BlockBounds {
+    double edge[3], across[3], down[3];
+    double depth, depth_across, depth_down;
+    int x0, y0, x1, y1; // the blocks asked about
+    // What is added up in float, over all of a tile, is rounded by far less than this of its terms.
+    static constexpr double kMargin = 0x1p-18;
+};
+struct BlockList {
+    static constexpr int kRow = kTileSize / BlockWalk::kSide;
+    std::int32_t x[kRow * kRow + BlockWalk::kSide], y[kRow * kRow + BlockWalk::kSide];
+    int count;
+};
+
+// The three edge functions of a piece over a block, at the samples of one place in the pattern: at
+// the first pixel and their steps a pixel, rounded to double, and how far what lanes make of these
+// may lie from the truth, anywhere in the block; none where the block holds no other sign.
+struct PieceBlockEdges {
+    double first[3], per_x[3], per_y[3], error[3];
+};
+// Bit 8 y + x. unsure: pixels whose sign the errors leave open.
+struct PieceBlockSigns {
+    std::uint64_t inside, unsure;
+};
+
 // The pixels of a block in which a piece of a triangle covers a sample, and its depth there: what
 // is left to do for the lanes.
 struct PieceBlock {

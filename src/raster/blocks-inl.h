@@ -7,7 +7,7 @@
 #define SCANOUT_RASTER_BLOCKS_INL_H
 #endif
 
-#include "raster/show-inl.h"
+#include "raster/find_blocks-inl.h"
 #include "raster/walks-inl.h"
 
 SIMD_BEGIN(scanout::raster)
@@ -82,7 +82,7 @@ template <bool kUsual>
 HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
                           std::uint32_t primitive, float* depth, std::uint32_t* id, I32x8& drawn) {
     const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const float sample_y = static_cast<float>(at.y) / kSubpixel;
+    const float sample_y = static_cast<float>(at.y) / kSubpixel, per_row = b.per_pixel_y[lane];
     const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
     I32x8 edge[3][kRegisters], down[3];
     F32x8 across[kRegisters];
@@ -100,8 +100,9 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
     const int begin = b.begin[lane], end = b.end[lane];
     float* depth_row = depth + begin * kTileSize;
     std::uint32_t* id_row = id + begin * kTileSize;
-    for (int y = begin; y < end; ++y, depth_row += kTileSize, id_row += kTileSize) {
-        const F32x8 down_here = (static_cast<float>(y) + sample_y) * b.per_pixel_y[lane];
+    float row = static_cast<float>(begin) + sample_y; // a whole number of 1/256: exact
+    for (int y = begin; y < end; ++y, row += 1.0F, depth_row += kTileSize, id_row += kTileSize) {
+        const F32x8 down_here = row * per_row;
         SIMD_UNROLL
         for (int r = 0; r < kRegisters; ++r) {
             const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32x8(0);
@@ -246,21 +247,12 @@ HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 
     return at;
 }
 
-// Depth over a block is depth at its corner and up to this, each way; 2^-20 of it is far more than
-// all that is rounded on the way.
-struct Reach {
-    F64x8 back, front;
-};
-HWY_INLINE Reach reach_of(F64x8 per_x, F64x8 per_y) {
+// Nothing of a triangle in blocks is nearer than this; depth: at their corners. 2^-20 of it is far
+// more than all that is rounded on the way.
+HWY_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
     const F64x8 side = double{BlockWalk::kSide}, zero = 0.0;
-    return {(minimum(per_x, zero) + minimum(per_y, zero)) * side,
-            (maximum(per_x, zero) + maximum(per_y, zero)) * side};
-}
-// Of these blocks of the tile, which are all behind what is there? depth: at their corners.
-HWY_INLINE std::uint32_t hidden(const TilePlanes& tile, I32x8 block, F64x8 depth,
-                                const Reach& reach) {
-    const F64x8 nearest = (depth + reach.front) * F64x8(1 + 0x1p-20);
-    return bits(to_f32(nearest) < gather(tile.farthest, block));
+    const F64x8 reach = (maximum(per_x, zero) + maximum(per_y, zero)) * side;
+    return to_f32((depth + reach) * F64x8(1 + 0x1p-20));
 }
 
 // Of the live lanes those whose block the triangle may touch, and not all behind what is there.
@@ -271,26 +263,16 @@ HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const 
     for (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
     if (!kUsual || live == 0 || tile.farthest == nullptr) return live;
-    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
-    const I32x8 block = shift_right<3>(at.top) * I32x8(kBlocks) + shift_right<3>(at.left);
-    // Lanes that are not live may lie anywhere.
-    const I32x8 safe = minimum(maximum(block, 0), kBlocks * kBlocks - 1);
-    return live & ~hidden(tile, safe, at.depth, reach_of(w.per_x, w.per_y));
-}
-
-// The blocks of these lanes are covered whole.
-HWY_INLINE void keep_farthest(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
-                              const Blocks& b, std::uint32_t lanes) {
-    if (tile.farthest == nullptr || lanes == 0) return;
-    float depth[kLanesX8];
-    store(to_f32((at.depth + reach_of(w.per_x, w.per_y).back) * F64x8(1 - 0x1p-20)), depth);
-    for (; lanes != 0; lanes &= lanes - 1) {
-        const int lane = __builtin_ctz(lanes);
-        constexpr int kSide = BlockWalk::kSide;
-        float& there = tile.farthest[b.place[lane] / (kTileSize * kSide) * (kTileSize / kSide) +
-                                     b.place[lane] % kTileSize / kSide];
-        if (depth[lane] > there) there = depth[lane];
+    std::int32_t x[kLanesX8], y[kLanesX8];
+    float nearest[kLanesX8];
+    store(shift_right<3>(at.left), x);
+    store(shift_right<3>(at.top), y);
+    store(nearest_in(at.depth, w.per_x, w.per_y), nearest);
+    for (std::uint32_t ask = live; ask != 0; ask &= ask - 1) {
+        const int lane = __builtin_ctz(ask);
+        if (hides(tile, x[lane], y[lane], nearest[lane])) live &= ~(1U << lane);
     }
+    return live;
 }
 
 // Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
@@ -333,7 +315,6 @@ HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBl
                                   tile.id + first, drawn);
         }
     }
-    if constexpr (kUsual) keep_farthest(tile, w, block, b, covered);
 }
 
 SIMD_END

@@ -32,38 +32,48 @@ HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::u
     }
 }
 
-// Blocks are many: those of a row side by side.
+HWY_INLINE BlockBounds bounds_of(const TilePlanes& tile, const Walks& w, int i) {
+    constexpr int kSide = BlockWalk::kSide;
+    constexpr double kBlock = kSide * kSubpixel;
+    BlockBounds b;
+    b.depth = 0;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const double corner =
+            (w.a[k][i] * (tile.area.x0 * kSubpixel) + w.b[k][i] * (tile.area.y0 * kSubpixel)) +
+            w.c[k][i];
+        b.across[k] = w.a[k][i] * kBlock;
+        b.down[k] = w.b[k][i] * kBlock;
+        const double terms = (std::abs(corner) + std::abs(w.highest[k][i])) +
+                             BlockList::kRow * (std::abs(b.across[k]) + std::abs(b.down[k]));
+        b.edge[k] = (corner + w.highest[k][i]) + terms * BlockBounds::kMargin;
+        b.depth += (corner + terms * BlockBounds::kMargin) * w.share[k][i];
+    }
+    b.depth_across = w.per_x[i] * kSide;
+    b.depth_down = w.per_y[i] * kSide;
+    b.depth += (b.depth_across > 0 ? b.depth_across : 0) + (b.depth_down > 0 ? b.depth_down : 0);
+    b.x0 = w.x0[i] / kSide;
+    b.y0 = w.y0[i] / kSide;
+    b.x1 = (w.x1[i] + kSide - 1) / kSide;
+    b.y1 = (w.y1[i] + kSide - 1) / kSide;
+    return b;
+}
+
+// Blocks are many: those of one triangle side by side.
 template <bool kUsual>
-HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id,
+HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const BlockList& list,
                            I32x8& drawn) {
     WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
     lanes.x0 = w.x0[i];
     lanes.y0 = w.y0[i];
     lanes.x1 = w.x1[i];
     lanes.y1 = w.y1[i];
-    // Those that show first, then these packed: most lanes of a register have work then.
-    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
-    std::int32_t show_x[kBlocks * kBlocks + kLanesX8], show_y[kBlocks * kBlocks + kLanesX8];
-    int shown = 0;
-    const int x1 = (w.x1[i] + 7) / 8, y1 = (w.y1[i] + 7) / 8;
-    for (int y = w.y0[i] / 8; y < y1; ++y)
-        for (int x = w.x0[i] / 8; x < x1; x += kLanesX8) {
-            const int blocks = x1 - x < kLanesX8 ? x1 - x : kLanesX8;
-            std::uint32_t show = seen<kUsual>(
-                tile, lanes, at_blocks(tile, lanes, iota<I32x8>(x), y), (1U << blocks) - 1);
-            for (; show != 0; show &= show - 1) {
-                show_x[shown] = x + __builtin_ctz(show);
-                show_y[shown++] = y;
-            }
-        }
-    for (int k = 0; k < kLanesX8; ++k) // what the last register reads beyond
-        show_x[shown + k] = show_y[shown + k] = 0;
-    for (int k = 0; k < shown; k += kLanesX8) {
-        const std::uint32_t live =
-            shown - k < kLanesX8 ? (1U << (shown - k)) - 1 : (1U << kLanesX8) - 1;
+    for (int k = 0; k < list.count; k += kLanesX8) {
+        const int left = list.count - k;
+        const std::uint32_t live = left < kLanesX8 ? (1U << left) - 1 : (1U << kLanesX8) - 1;
         const AtBlocks blocks =
-            at_blocks(tile, lanes, load<I32x8>(show_x + k), load<I32x8>(show_y + k));
-        draw_flat<kUsual, true>(tile, lanes, blocks, live, &id, drawn);
+            at_blocks(tile, lanes, load<I32x8>(list.x + k), load<I32x8>(list.y + k));
+        draw_flat<kUsual, true>(tile, lanes, blocks, live, w.id + i, drawn);
     }
 }
 
@@ -75,10 +85,8 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
     const double x = (tile.area.x0 + bx * kSide) * kSubpixel;
     const double y = (tile.area.y0 + by * kSide) * kSubpixel;
     double corner[3];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         corner[k] = (w.a[k][i] * x + w.b[k][i] * y) + w.c[k][i];
-        if (corner[k] + w.highest[k][i] < 0) return;
-    }
     const std::size_t plane = std::size_t{kTileSize} * kTileSize;
     const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
     const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
@@ -118,6 +126,7 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32x8 drawn = 0;
     Walks w;
+    BlockList blocks;
     const auto all = static_cast<int>(list.which.size());
     for (int begin = 0; begin < all; begin += Walks::kRoom) {
         const int count = all - begin < Walks::kRoom ? all - begin : Walks::kRoom;
@@ -128,14 +137,13 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
             draw_small<kUsual>(tile, w, i, small >> i & kRegister, drawn);
         for (std::uint32_t rest = w.live & ~small; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
-            const std::uint32_t id = w.id[i];
+            find_blocks<kUsual>(tile, bounds_of(tile, w, i), blocks);
             if ((w.flat >> i & 1) != 0) {
-                draw_large<kUsual>(tile, w, i, id, drawn);
+                draw_large<kUsual>(tile, w, i, blocks, drawn);
                 continue;
             }
-            for (int by = w.y0[i] / 8; by * 8 < w.y1[i]; ++by)
-                for (int bx = w.x0[i] / 8; bx * 8 < w.x1[i]; ++bx)
-                    draw_steep<kUsual>(tile, w, i, id, bx, by, drawn);
+            for (int k = 0; k < blocks.count; ++k)
+                draw_steep<kUsual>(tile, w, i, w.id[i], blocks.x[k], blocks.y[k], drawn);
         }
     }
     return any(!(drawn == I32x8(0)));

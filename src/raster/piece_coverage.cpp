@@ -1,16 +1,18 @@
 // Coverage and depth of pieces of triangles. Block by block as in raster/coverage.cpp, but edge
 // functions have up to 126 bits: a block that no edge crosses takes three of them and lanes do the
-// rest, in one that an edge crosses every row of pixels is counted off in whole numbers.
+// rest; in one that an edge crosses lanes tell the sign in double wherever it is no matter of
+// rounding, and whole numbers where it is.
 #include "raster/block_walk.h"
 #include "raster/coverage.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #define SIMD_FILE "raster/piece_coverage.cpp"
 #include "simd/for_each_target.h"
 
-#include "raster/show-inl.h"
+#include "raster/find_blocks-inl.h"
 
 SIMD_BEGIN(scanout::raster)
 
@@ -51,12 +53,38 @@ bool draw_block_by_rule(const VisibleRule& rule, const PieceBlock& b, float* dep
     return draw<false>(rule, b, depth, id);
 }
 
+PieceBlockSigns block_signs(const PieceBlockEdges& e) {
+    constexpr int kSide = BlockWalk::kSide;
+    std::uint64_t outside = 0, unsure = 0;
+    for (int k = 0; k < 3; ++k) {
+        const F64x8 error = e.error[k];
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; x += kLanesX8) {
+                const F64x8 at =
+                    F64x8(e.first[k] + y * e.per_y[k]) + to_f64(iota<I32x8>(x)) * F64x8(e.per_x[k]);
+                const int bit = y * kSide + x;
+                outside |= std::uint64_t{bits(at < -error)} << bit;
+                unsure |= std::uint64_t{bits(abs(at) < error)} << bit;
+            }
+    }
+    return {~outside & ~unsure, unsure & ~outside};
+}
+
+void blocks_of_piece(const TilePlanes& tile, const BlockBounds& bounds, BlockList& out) {
+    if (tile.rule.usual())
+        find_blocks<true>(tile, bounds, out);
+    else
+        find_blocks<false>(tile, bounds, out);
+}
+
 SIMD_END
 
 #if SIMD_ONCE
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_block);
+SIMD_REGISTER(block_signs);
+SIMD_REGISTER(blocks_of_piece);
 SIMD_REGISTER(draw_block_by_rule);
 
 namespace {
@@ -98,13 +126,14 @@ public:
     }
 
     bool draw(const image::Rect& box) {
-        if (!reaches_tile()) return false;
-        const int x0 = std::max(box.x0 - tile_.area.x0, 0), x1 = box.x1 - tile_.area.x0;
-        const int y0 = std::max(box.y0 - tile_.area.y0, 0), y1 = box.y1 - tile_.area.y0;
+        const image::Rect here = {std::max(box.x0, tile_.area.x0), std::max(box.y0, tile_.area.y0),
+                                  std::min(box.x1, tile_.area.x1), std::min(box.y1, tile_.area.y1)};
+        if (here.empty() || !reaches_tile()) return false;
+        BlockList blocks;
+        SIMD_CALL(blocks_of_piece)(tile_, bounds_of(here), blocks);
         bool drawn = false;
-        for (int by = y0 / kSide; by * kSide < y1; ++by)
-            for (int bx = x0 / kSide; bx * kSide < x1; ++bx)
-                drawn |= draw_block_at(bx, by);
+        for (int i = 0; i < blocks.count; ++i)
+            drawn |= draw_block_at(blocks.x[i], blocks.y[i]);
         return drawn;
     }
 
@@ -124,6 +153,30 @@ private:
         }
         return true;
     }
+    // Of each edge in units of its terms, so that float holds them.
+    BlockBounds bounds_of(const image::Rect& box) const {
+        BlockBounds b{};
+        for (std::size_t k = 0; k < 3; ++k) {
+            const auto corner = static_cast<double>(at(k, tile_.area.x0, tile_.area.y0)),
+                       highest = static_cast<double>(block_.highest[k]),
+                       across = a_[k] * static_cast<double>(kBlock),
+                       down = b_[k] * static_cast<double>(kBlock);
+            const double terms = std::abs(corner) + std::abs(highest) +
+                                 BlockList::kRow * (std::abs(across) + std::abs(down));
+            b.edge[k] = (corner + highest) / terms + BlockBounds::kMargin;
+            b.across[k] = across / terms;
+            b.down[k] = down / terms;
+            b.depth += corner * share_[k] + BlockBounds::kMargin * terms * std::abs(share_[k]);
+            b.depth_across += across * share_[k];
+            b.depth_down += down * share_[k];
+        }
+        b.depth += std::max(b.depth_across, 0.0) + std::max(b.depth_down, 0.0);
+        b.x0 = (box.x0 - tile_.area.x0) / kSide;
+        b.y0 = (box.y0 - tile_.area.y0) / kSide;
+        b.x1 = (box.x1 - tile_.area.x0 + kSide - 1) / kSide;
+        b.y1 = (box.y1 - tile_.area.y0 + kSide - 1) / kSide;
+        return b;
+    }
     Int128 at(std::size_t k, int x, int y) const { // pixels
         return edges_.at(k, std::int64_t{x} * kSubpixel, std::int64_t{y} * kSubpixel);
     }
@@ -133,7 +186,6 @@ private:
         bool whole[3];
         for (std::size_t k = 0; k < 3; ++k) {
             corner[k] = at(k, tile_.area.x0 + bx * kSide, tile_.area.y0 + by * kSide);
-            if (!whole_tile_[k] && corner[k] + block_.highest[k] < 0) return false;
             whole[k] = whole_tile_[k] || corner[k] + block_.lowest[k] >= 0;
         }
         PieceBlock b{};
@@ -169,20 +221,28 @@ private:
 
     // e: at the first pixel's sample. Bit 8 y + x.
     std::uint64_t inside(const Int128 (&e)[3], const bool (&whole)[3]) const {
-        std::uint64_t all = ~std::uint64_t{0};
+        if (whole[0] && whole[1] && whole[2]) return ~std::uint64_t{0};
+        PieceBlockEdges edges{};
         for (std::size_t k = 0; k < 3; ++k) {
             if (whole[k]) continue;
-            const Int128 right = edges_.a[k] * kSubpixel, down = edges_.b[k] * kSubpixel;
-            Int128 row = e[k];
-            std::uint64_t outside = 0;
-            for (int y = 0; y < kSide; ++y, row += down) {
-                Int128 here = row;
-                for (int x = 0; x < kSide; ++x, here += right)
-                    outside |= (here < 0 ? std::uint64_t{1} : 0) << (y * kSide + x);
-            }
-            all &= ~outside;
+            edges.first[k] = static_cast<double>(e[k]);
+            edges.per_x[k] = a_[k] * kSubpixel;
+            edges.per_y[k] = b_[k] * kSubpixel;
+            // Eight roundings of 2^-53 of what is added up, and more.
+            edges.error[k] = (std::abs(edges.first[k]) +
+                              kSide * (std::abs(edges.per_x[k]) + std::abs(edges.per_y[k]))) *
+                             0x1p-48;
         }
-        return all;
+        auto [inside, unsure] = SIMD_CALL(block_signs)(edges);
+        for (; unsure != 0; unsure &= unsure - 1) {
+            const int pixel = std::countr_zero(unsure);
+            const int x = pixel % kSide * kSubpixel, y = pixel / kSide * kSubpixel;
+            bool in = true;
+            for (std::size_t k = 0; k < 3; ++k)
+                in = in && (whole[k] || e[k] + edges_.a[k] * x + edges_.b[k] * y >= 0);
+            inside |= (in ? std::uint64_t{1} : 0) << pixel;
+        }
+        return inside;
     }
 
     // Is depth, taken from a plane in double about the block's corner, within 2^-28 of itself at

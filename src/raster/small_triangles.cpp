@@ -201,7 +201,6 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& 
     constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
     const PartLanes& part = s.part;
     const I32x8 left = x0 & I32x8(-kSide), right = left + I32x8(kSide);
-    const Reach reach = reach_of(s.plane.per_x, s.plane.per_y);
     I32x8 edge[3], step[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -228,7 +227,8 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& 
             if (tile.farthest == nullptr) continue;
             const I32x8 block = top + shift_right<3>(across == 0 ? left : right); // eight a row
             const I32x8 safe = minimum(block, kBlocks * kBlocks - 1); // of lanes past their end
-            seen |= in_column[across] & ~hidden(tile, safe, depth, reach);
+            seen |= in_column[across] & bits(nearest_in(depth, s.plane.per_x, s.plane.per_y) >=
+                                             gather(tile.farthest, safe));
         }
         top = top + I32x8(kSide);
         SIMD_UNROLL
@@ -465,23 +465,9 @@ int drop_hidden(const TilePlanes& tile, const TilePartList& list, TilePart* out)
 
 void find_farthest_of_all(const TilePlanes& tile) {
     constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
-    for (int y = 0; y < kBlocks; ++y) {
-        float column[kTileSize];
-        for (int x = 0; x < kTileSize; x += kLanesX8) {
-            const float* depth = tile.depth + y * kSide * kTileSize + x;
-            F32x8 least = load<F32x8>(depth);
-            for (std::size_t s = 0; s < tile.pattern.size(); ++s, depth += kTileSize * kTileSize)
-                for (int row = 0; row < kSide; ++row)
-                    least = minimum(least, load<F32x8>(depth + row * kTileSize));
-            store(least, column + x);
-        }
-        for (int x = 0; x < kBlocks; ++x) {
-            float least = column[x * kSide];
-            for (int i = 1; i < kSide; ++i)
-                least = column[x * kSide + i] < least ? column[x * kSide + i] : least;
-            tile.farthest[y * kBlocks + x] = least;
-        }
-    }
+    for (int y = 0; y < kBlocks; ++y)
+        for (int x = 0; x < kBlocks; ++x)
+            tile.farthest[y * kBlocks + x] = farthest_in(tile, (y * kTileSize + x) * kSide);
 }
 
 template <int kTileBits>

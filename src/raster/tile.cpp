@@ -48,9 +48,13 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
     TilePlanes to = planes();
-    const bool hides =
-        std::any_of(farthest_.begin(), farthest_.end(), [](float f) { return f > 0; });
-    if (!hides) to.farthest = nullptr; // no part need be asked
+    // Where nothing hides, or too few to be worth it, no part need be asked.
+    bool hides = touched_ && parts.parts.size() >= farthest_.size();
+    if (hides) {
+        find_farthest();
+        hides = std::any_of(farthest_.begin(), farthest_.end(), [](float f) { return f > 0; });
+    }
+    if (!hides) to.farthest = nullptr;
     const bool shows = draw_parts(to, parts);
     touched_ |= shows;
     return shows;

@@ -31,6 +31,16 @@ std::int64_t once_everywhere(F&& make) {
     return samples_seen;
 }
 
+// Of the triangle with its last vertex moved 64 times as far away from the first.
+Pieces pieces_far_out(const SnappedTriangle& t) {
+    const auto &from = t.corner[0], &to = t.corner[2];
+    const auto far = [](double a, double b) { return (a + 64 * (b - a)) / kSubpixel * 3; };
+    const ExactPoint points[] = {
+        point_on_screen(from), point_on_screen(t.corner[1]),
+        point_off_screen({far(from.x, to.x), far(from.y, to.y), to.depth * 3, 3})};
+    return split(points, t.id);
+}
+
 // A tile's planes, filled by the kernel alone.
 struct Drawn {
     static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
@@ -38,24 +48,32 @@ struct Drawn {
     std::vector<std::uint32_t> id;
     int skipped = 0; // calls after which nothing had changed
 
-    Drawn(const std::vector<SnappedTriangle>& all, int samples, bool skip)
+    // What is not on the screen whole is drawn as pieces.
+    Drawn(const std::vector<std::pair<SnappedTriangle, bool>>& all, int samples, bool skip)
         : depth(kPlane * static_cast<std::size_t>(samples), 0.0F),
           id(kPlane * static_cast<std::size_t>(samples) + 16, kNoPrimitive) {
         const TilePlanes planes{
             {0, 0, kTileSize, kTileSize},    sample_pattern(samples), depth.data(), id.data(), {},
             skip ? farthest.data() : nullptr};
         const std::uint32_t corner[3] = {0, 1, 2}, first = 0;
-        for (const SnappedTriangle& t : all)
-            skipped += draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}}) ? 0 : 1;
+        for (const auto& [t, whole] : all) {
+            bool shows = false;
+            if (whole)
+                shows = draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}});
+            else
+                for (const Piece& piece : pieces_far_out(t))
+                    shows |= draw_piece(planes, piece);
+            skipped += shows ? 0 : 1;
+        }
     }
 };
 
-// What lies behind blocks that are covered whole is not looked at: nothing may come of it but time.
-TEST(Coverage, WhatIsSkippedBehindWholeBlocksWouldNotHaveBeenSeen) {
+// What lies behind all that is seen in a block is not looked at: nothing may come of it but time.
+TEST(Coverage, WhatIsSkippedBehindOthersWouldNotHaveBeenSeen) {
     Random random(77);
     int hidden = 0, known = 0;
     for (int round = 0; round < 400; ++round) {
-        std::vector<SnappedTriangle> all;
+        std::vector<std::pair<SnappedTriangle, bool>> all;
         const double slope = std::ldexp(1.0, -random.whole(4, 30));
         for (std::uint32_t i = 0; i < 60; ++i) {
             const int size = 256 << random.whole(1, 8);
@@ -65,7 +83,7 @@ TEST(Coverage, WhatIsSkippedBehindWholeBlocksWouldNotHaveBeenSeen) {
             for (ScreenVertex& v : t.corner)
                 v = {32 * 256 + random.whole(-size, size), 32 * 256 + random.whole(-size, size),
                      middle + random.whole(-8, 8) * slope / 64};
-            all.push_back(t);
+            all.emplace_back(t, random.whole(0, 3) > 0);
         }
         const int samples = 1 << round % 3;
         const Drawn with(all, samples, true), without(all, samples, false);
