@@ -42,15 +42,15 @@ public:
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k) {
             inverse_w_[k] = inverse_w[k];
-            const Number pixel = 256.0;
-            const Number right = a[k] * pixel * inverse_w[k], down = b[k] * pixel * inverse_w[k];
+            const Number right = a[k] * inverse_w[k], down = b[k] * inverse_w[k];
             sum_x_ = sum_x_ + right;
             sum_y_ = sum_y_ + down;
+            if (k == 0) continue; // f is relative to it
             SIMD_UNROLL
             for (int n = 0; n < kCount; ++n) {
-                f_[n][k] = f[n][k] - f[n][0];
-                f_x_[n] = f_x_[n] + right * f_[n][k];
-                f_y_[n] = f_y_[n] + down * f_[n][k];
+                f_[n][k - 1] = f[n][k] - f[n][0];
+                f_x_[n] = f_x_[n] + right * f_[n][k - 1];
+                f_y_[n] = f_y_[n] + down * f_[n][k - 1];
             }
         }
     }
@@ -64,15 +64,15 @@ public:
             return maximum(weight[k], F64s(0.0)) * F64s(inverse_w_[k]); // as interpolated
         };
         const F64s p0 = share(0), p1 = share(1), p2 = share(2);
-        const F64s inverse = F64s(1.0) / ((p0 + p1) + p2);
+        const F64s inverse = F64s(1.0) / ((p0 + p1) + p2), pixel = F64s(256.0) * inverse;
         const auto slope = [&](Number n_slope, F64s f, Number d_slope) HWY_ATTR {
-            const F64s exact = (F64s(n_slope) - f * F64s(d_slope)) * inverse;
-            return to_f32(minimum(maximum(exact, F64s(-0x1p60)), F64s(0x1p60)));
+            const Float<D> rounded = to_f32((F64s(n_slope) - f * F64s(d_slope)) * pixel);
+            return minimum(maximum(rounded, Float<D>(-0x1p60F)), Float<D>(0x1p60F));
         };
         OnPlane<kCount, D> found;
         SIMD_UNROLL
         for (int n = 0; n < kCount; ++n) {
-            const F64s f = (p1 * F64s(f_[n][1]) + p2 * F64s(f_[n][2])) * inverse;
+            const F64s f = (p1 * F64s(f_[n][0]) + p2 * F64s(f_[n][1])) * inverse;
             found.value[n] = to_f32(F64s(f0_[n]) + f);
             found.right[n] = slope(f_x_[n], f, sum_x_);
             found.down[n] = slope(f_y_[n], f, sum_y_);
@@ -82,8 +82,8 @@ public:
 
 private:
     Number inverse_w_[3];
-    Number f0_[kCount], f_[kCount][3];                 // of the vertices, from vertex 0
-    Number f_x_[kCount], f_y_[kCount], sum_x_, sum_y_; // of N and D, a pixel
+    Number f0_[kCount], f_[kCount][2];                 // of vertex 0; of the others, from there
+    Number f_x_[kCount], f_y_[kCount], sum_x_, sum_y_; // of N and D, 1/256 pixel
 };
 
 // The plane of a primitive.

@@ -38,8 +38,8 @@ public:
         t = image_.unit(t);
         const auto whole = level == I32(0);
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
-        const Around at = around_in_chain(s, t, level);
-        const float* const first = texels<kChannels>();
+        const Around at = around_in_chain(s, t, levels(level));
+        const float* const first = texels() + (kChannels == 1 ? 3 : 0);
         const auto read = [&](I32 place) HWY_ATTR {
             // Lanes of level 0 read what is discarded below.
             const I32 at_texel = shift_left<2>(select(whole, I32(0), place));
@@ -68,35 +68,35 @@ public:
         return mix(share, near, bilinear<kChannels>(s, t, blurred));
     }
 
-    // For filters that read the chain themselves: around s and t, in [0, 1], in levels of 1 to
-    // last; texels are numbered through all levels.
-    HWY_INLINE Around around_in_chain(F32 s, F32 t, I32 level) const {
-        const I32 width = gather(chain_->width, level), height = gather(chain_->height, level);
-        const I32 begin = gather(chain_->begin, level);
-        const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
-        const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
-        const auto row = [&](I32 from_bottom) HWY_ATTR {
-            return begin + (height - I32(1) - image_.address(from_bottom, height)) * width;
+    // Levels of the chain, 1 to last, lane by lane: sizes, and which number the first texel has.
+    struct Levels {
+        I32 width, height, begin;
+    };
+    HWY_INLINE Levels levels(I32 level) const {
+        const auto shrunk = [&](std::int32_t size) HWY_ATTR {
+            return maximum(I32(hn::Shr(I32(size).raw, level.raw)), I32(1));
         };
-        return {image_.address(x0, width),
-                image_.address(x0 + I32(1), width),
-                row(y0),
-                row(y0 + I32(1)),
-                x - to_f32(x0),
-                y - to_f32(y0)};
+        return {shrunk(image_.width()), shrunk(image_.height()), gather(chain_->begin, level)};
     }
-    // The first channel that is read of texel 0; those of a texel stand side by side, four a texel.
-    template <int kChannels>
-    const float* texels() const {
-        return chain_->texels.data() + (kChannels == 1 ? 3 : 0);
+    // Those behind; the last one stays.
+    HWY_INLINE Levels next(const Levels& at) const {
+        return {maximum(shift_right<1>(at.width), I32(1)),
+                maximum(shift_right<1>(at.height), I32(1)),
+                minimum(at.begin + at.width * at.height, I32(chain_->begin[chain_->last]))};
     }
+
+    // For filters that read the chain themselves; s, t in [0, 1].
+    HWY_INLINE Around around_in_chain(F32 s, F32 t, const Levels& in) const {
+        return around(image_, s, t, in.width, in.height, in.begin);
+    }
+    // Red, green, blue and alpha of each texel.
+    const float* texels() const { return chain_->texels.data(); }
 
 private:
     // s, t in [0, 1].
     template <int kChannels>
     HWY_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
-        const Around at = around(image_, s * F32(static_cast<float>(image_.width())),
-                                 t * F32(static_cast<float>(image_.height())));
+        const Around at = around(image_, s, t);
         const auto read = [&](I32 place) HWY_ATTR { return image_.read<kChannels>(place); };
         return blend<kChannels>(at, read);
     }

@@ -17,10 +17,11 @@ SIMD_BEGIN(scanout::shade::texture)
 HWY_INLINE F32 convertible(F32 x) {
     return select((x > F32(-0x1p30F)) & (x < F32(0x1p30F)), x, F32(0.0F));
 }
-// floor, for convertible x.
-HWY_INLINE I32 floor_to_int(F32 x) {
-    const I32 whole = to_i32(x);
-    return whole - select(to_f32(whole) > x, I32(1), I32(0));
+HWY_INLINE F32 floor(F32 x) {
+    return F32(hn::Floor(x.raw));
+}
+HWY_INLINE I32 floor_to_int(F32 x) { // convertible
+    return to_i32(floor(x));
 }
 
 HWY_INLINE F32 mix(F32 share, F32 from, F32 to) {
@@ -68,8 +69,8 @@ public:
     HWY_INLINE F32 unit(F32 t) const {
         if (wrap_ == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
         const F32 safe = convertible(t);
-        if (wrap_ == Wrap::repeat) return safe - to_f32(floor_to_int(safe));
-        const F32 there_and_back = safe - F32(2.0F) * to_f32(floor_to_int(safe * F32(0.5F)));
+        if (wrap_ == Wrap::repeat) return safe - floor(safe);
+        const F32 there_and_back = safe - F32(2.0F) * floor(safe * F32(0.5F));
         return select(there_and_back > F32(1.0F), F32(2.0F) - there_and_back, there_and_back);
     }
 
@@ -81,6 +82,15 @@ public:
     HWY_INLINE I32 address(I32 i, I32 size) const {
         if (wrap_ != Wrap::repeat) return minimum(maximum(i, I32(0)), size - I32(1));
         return select(i < I32(0), i + size, select(i >= size, i - size, i));
+    }
+    // Texel i and the one behind it, for i of -1 to size - 1.
+    struct Neighbours {
+        I32 first, second;
+    };
+    HWY_INLINE Neighbours neighbours(I32 i, I32 size) const {
+        const I32 next = i + I32(1);
+        if (wrap_ != Wrap::repeat) return {maximum(i, I32(0)), minimum(next, size - I32(1))};
+        return {i + (shift_right<31>(i) & size), select(next == size, I32(0), next)};
     }
     // The column of a texel counted from the left, and where the row begins that is counted from
     // the bottom. At most 2^28, an image has up to 2^14 x 2^14 texels.
@@ -114,14 +124,19 @@ struct Around {
     I32 left, right, bottom, top; // columns; where rows begin
     F32 x, y;
 };
-// x, y: texel coordinates.
-HWY_INLINE Around around(const TexelReader& reader, F32 x, F32 y) {
-    x = x - F32(0.5F);
-    y = y - F32(0.5F);
-    const I32 x0 = floor_to_int(x), y0 = floor_to_int(y);
-    return {reader.column(x0), reader.column(x0 + I32(1)),
-            reader.row(y0),    reader.row(y0 + I32(1)),
-            x - to_f32(x0),    y - to_f32(y0)};
+// In texels numbered from `begin` on, row by row from the top; s, t in [0, 1].
+HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32 height,
+                         I32 begin) {
+    const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
+    const F32 x0 = floor(x), y0 = floor(y);
+    const auto column = reader.neighbours(to_i32(x0), width);
+    const auto line = reader.neighbours(to_i32(y0), height);
+    const auto row = [&](I32 from_bottom)
+                         HWY_ATTR { return begin + (height - I32(1) - from_bottom) * width; };
+    return {column.first, column.second, row(line.first), row(line.second), x - x0, y - y0};
+}
+HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
+    return around(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
 }
 // read(place): a texel.
 template <int kChannels, class Read>

@@ -2,6 +2,7 @@
 #include "shade/mip_chain.h"
 #include "support/meshes.h"
 #include "support/random.h"
+#include "support/targets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -97,14 +98,50 @@ TEST(MipChain, EveryTexelIsTheMeanOfWhatItCoversAtAnySize) {
 
 TEST(MipChain, OfAConstantIsThatConstantToTheBit) {
     Jobs jobs(1);
-    for (const auto& [width, height] : kSizes)
-        for (int code = 0; code < 256; ++code) {
-            const auto c = static_cast<std::uint8_t>(code);
-            const MipChain chain =
-                make_mip_chain(image::Image(width, height, {c, c, c, c}), TexelKind::data, jobs);
-            for (const float texel : chain.texels)
-                ASSERT_EQ(texel, static_cast<float>(code) / 255.0F);
-        }
+    scanout::test::on_every_target([&](const std::string&) {
+        for (const auto& [width, height] : kSizes)
+            for (int code = 0; code < 256; ++code) {
+                const auto c = static_cast<std::uint8_t>(code);
+                const MipChain chain = make_mip_chain(image::Image(width, height, {c, c, c, c}),
+                                                      TexelKind::data, jobs);
+                for (const float texel : chain.texels)
+                    ASSERT_EQ(texel, static_cast<float>(code) / 255.0F);
+            }
+    });
+}
+
+// Of four floats a sum in long double is exact.
+TEST(MipChain, OfEvenSidesIsRoundedOnce) {
+    Jobs jobs(1);
+    const image::Image image = noise(64, 32, 9);
+    scanout::test::on_every_target([&](const std::string&) {
+        const MipChain chain = make_mip_chain(image, TexelKind::data, jobs);
+        const auto at = [&](int level, int x, int y, int c) -> float {
+            if (level == 0) return static_cast<float>(value_of(image.at(x, y), c, TexelKind::data));
+            return chain.texels[static_cast<std::size_t>(
+                (chain.begin[level] + y * chain.width[level] + x) * 4 + c)];
+        };
+        for (int level = 1; chain.height[level - 1] > 1; ++level)
+            for (int y = 0; y < chain.height[level]; ++y)
+                for (int x = 0; x < chain.width[level]; ++x)
+                    for (int c = 0; c < 4; ++c) {
+                        long double sum = 0;
+                        for (int k = 0; k < 4; ++k)
+                            sum += at(level - 1, 2 * x + k % 2, 2 * y + k / 2, c);
+                        ASSERT_EQ(at(level, x, y, c), static_cast<float>(sum / 4)) << level;
+                    }
+    });
+}
+
+TEST(MipChain, IsTheSameOnEveryTarget) {
+    Jobs jobs(1);
+    for (const auto& [width, height] : kSizes) {
+        const image::Image image = noise(width, height, 8);
+        const std::vector<float> best = make_mip_chain(image, TexelKind::colour, jobs).texels;
+        scanout::test::on_every_target([&](const std::string&) {
+            ASSERT_EQ(make_mip_chain(image, TexelKind::colour, jobs).texels, best);
+        });
+    }
 }
 
 TEST(MipChain, DoesNotDependOnTheNumberOfThreads) {

@@ -8,8 +8,15 @@
 #include "simd/for_each_target.h"
 
 #include "shade/mip-inl.h"
+#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
+
+// Of each block of 128 bits one float, in all its lanes.
+template <int kNumber>
+HWY_INLINE F32 in_blocks(const float* from) {
+    return F32(hn::Broadcast<kNumber>(load<F32>(from).raw));
+}
 
 // Four texels around each lane of a block, in one level a lane.
 struct Corners {
@@ -24,19 +31,23 @@ struct Corners {
         store(at.x, x + lane);
         store(at.y, y + lane);
     }
-    HWY_INLINE F32 bilinear(const float* channel, int lane) const {
-        const auto read = [&](int k)
-                              HWY_ATTR { return gather(channel, load<I32>(place[k] + lane)); };
-        const F32 across = load<F32>(x + lane);
-        return mix(load<F32>(y + lane), mix(across, read(0), read(1)),
+    // All channels of the lanes kRow, kRow + 4, ... of a register.
+    template <int kRow>
+    HWY_INLINE F32 bilinear(const float* texels, int lane) const {
+        const auto read = [&](int k) HWY_ATTR {
+            return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
+                return hn::LoadU(tag, texels + place[k][number]);
+            }));
+        };
+        const F32 across = in_blocks<kRow>(x + lane);
+        return mix(in_blocks<kRow>(y + lane), mix(across, read(0), read(1)),
                    mix(across, read(2), read(3)));
     }
 };
 
 // Registers of lanes that are all minified: places are found for the whole block before the first
-// texel is read, and then the channels one after the other. A register that is read by itself waits
-// for memory, two fifths of the filter's time; so those behind it wait with it. The other channels
-// are near when their turn comes.
+// texel is read. A register that is read by itself waits for memory; so those behind it wait with
+// it.
 template <int kChannels>
 class Minified {
 public:
@@ -45,27 +56,32 @@ public:
         s = reader.image().unit(s);
         t = reader.image().unit(t);
         const I32 sharp = to_i32(level);
-        const I32 blurred = minimum(sharp + I32(1), to_i32(F32(reader.last())));
-        near_.put(reader.around_in_chain(s, t, sharp), lane);
-        far_.put(reader.around_in_chain(s, t, blurred), lane);
+        const MipReader::Levels level_near = reader.levels(sharp);
+        near_.put(reader.around_in_chain(s, t, level_near), lane);
+        far_.put(reader.around_in_chain(s, t, reader.next(level_near)), lane);
         store(level - to_f32(sharp), share_ + lane);
         lane_[count_++] = lane;
     }
     HWY_INLINE void read(const MipReader& reader, Block& b) const {
         if (count_ == 0) return;
-        for (int c = 0; c < kChannels; ++c) {
-            const float* const channel = reader.texels<kChannels>() + c;
-            float* const to = b.sampled[kChannels == 1 ? 3 : c];
-            for (int i = 0; i < count_; ++i) {
-                const int lane = lane_[i];
-                const F32 share = load<F32>(share_ + lane);
-                store(mix(share, near_.bilinear(channel, lane), far_.bilinear(channel, lane)),
-                      to + lane);
-            }
+        const float* const texels = reader.texels();
+        for (int i = 0; i < count_; ++i) {
+            const int lane = lane_[i];
+            const WordBlocks<F32::Tag> found = {{row<0>(texels, lane), row<1>(texels, lane),
+                                                 row<2>(texels, lane), row<3>(texels, lane)}};
+            for (int c = kFirst; c < kFirst + kChannels; ++c)
+                store(from_bits(found.word(c)), b.sampled[c] + lane);
         }
     }
 
 private:
+    static constexpr int kFirst = kChannels == 1 ? 3 : 0;
+    template <int kRow>
+    HWY_INLINE I32::Raw row(const float* texels, int lane) const {
+        return bits_of(mix(in_blocks<kRow>(share_ + lane), near_.bilinear<kRow>(texels, lane),
+                           far_.bilinear<kRow>(texels, lane)))
+            .raw;
+    }
     Corners near_, far_;
     float share_[kRoom];
     int lane_[kRoom / kLanes], count_ = 0;

@@ -1,0 +1,19 @@
+// A row of a texture's level of detail from what it covers in the level above (mip_chain.h).
+#pragma once
+
+#include <cstdint>
+
+namespace scanout::shade {
+
+// Rows from the top: codes of an image, or else four floats a texel.
+struct LevelAbove {
+    std::int32_t width, height;
+    const std::int32_t* codes; // image::Rgba8, red in the lowest byte; null: floats
+    const float* decode;       // of 256 codes of colour
+    const float* texels;       // red, green, blue, alpha
+};
+
+// Row y of the level below, four floats a texel: `width` texels, half of those above.
+void shrink_row(const LevelAbove& above, int y, int width, float* row);
+
+} // namespace scanout::shade
