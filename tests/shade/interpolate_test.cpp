@@ -207,6 +207,68 @@ TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
     }
 }
 
+// The kernel's formula in plain floats, of one normal.
+Vec3 to_view(const Vec3& normal, const Primitive& t, const FrameState& frame) {
+    const float side = (normal.x * t.facing[0] + normal.y * t.facing[1]) + normal.z * t.facing[2];
+    const Vec3 n = normal * (side < 0 ? -1.0F : 1.0F);
+    float row[3];
+    for (int r = 0; r < 3; ++r) {
+        const auto& m = frame.normal_matrix[r];
+        row[r] = (m[0] * n.x + m[1] * n.y) + m[2] * n.z;
+    }
+    const float scale = 1 / std::sqrt((row[0] * row[0] + row[1] * row[1]) + row[2] * row[2]);
+    return {row[0] * scale, row[1] * scale, row[2] * scale};
+}
+
+TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHaveAlone) {
+    Random random(7);
+    frame.attributes = {.normal = true};
+    for (int r = 0; r < 3; ++r)
+        for (float& m : frame.normal_matrix[r])
+            m = static_cast<float>(random.in(-1, 1));
+    for (int round = 0; round < 100; ++round) {
+        Block& b = *block;
+        b.runs = b.count = 0;
+        while (b.count < kLanes) {
+            Primitive& t = primitive[b.runs];
+            const bool flat = b.runs % 2 == round % 2;
+            for (int k = 0; k < 3; ++k) {
+                t.c[k] = std::floor(random.in(1, 1e6));
+                t.inverse_w[k] = static_cast<float>(random.in(0.1, 1));
+                t.facing[k] = static_cast<float>(random.in(-1, 1));
+                const DVec3 n = random.in_cube(1);
+                for (int c = 0; c < 3; ++c)
+                    t.normal[c][k] = flat && k > 0 ? t.normal[c][0] : static_cast<float>(n[c]);
+            }
+            const int rest = kLanes - b.count, most = static_cast<int>(random.in(1, 40));
+            add_lanes(b, &t, std::min(rest, most));
+        }
+        frame.attributes.colour = round % 3 == 0;
+        for (const char* rung : {"perspective", "affine", "affine_8", "adaptive"}) {
+            scanout::test::on_every_target([&](const std::string& target) {
+                stage("interpolate", rung).run(b, frame);
+                const Block together = b;
+                for (int r = 0; r < together.runs; ++r) {
+                    const shade::Run& run = together.run[r];
+                    const Primitive& t = *run.primitive;
+                    const bool flat = r % 2 == round % 2;
+                    b.runs = 1;
+                    b.run[0] = run;
+                    stage("interpolate", rung).run(b, frame);
+                    const Vec3 own =
+                        to_view({t.normal[0][0], t.normal[1][0], t.normal[2][0]}, t, frame);
+                    for (int i = run.first; i < run.first + run.count; ++i)
+                        for (int c = 0; c < 3; ++c) {
+                            ASSERT_EQ(together.normal[c][i], b.normal[c][i]) << target;
+                            ASSERT_TRUE(!flat || together.normal[c][i] == own[c]) << target;
+                        }
+                }
+                b = together;
+            });
+        }
+    }
+}
+
 TEST_F(Interpolation, MultipliesDiffuseAndVertexColours) {
     Random random(6);
     material.diffuse = {0.25F, 0.5F, 2};
