@@ -25,10 +25,10 @@ HWY_INLINE Int<D> srgb_encode(Float<D> linear) {
     using namespace ::scanout::detail;
     using F = Float<D>;
     const F x = minimum(maximum(linear, F(kSrgbLowest)), F(kSrgbHighest)); // NaN: the lowest
-    const Int<D> bucket = shift_right<kSrgbBucketShift>(bits_of(x) - bits_of(F(kSrgbLowest)));
-    const Int<D> code = gather(kSrgb.bucket_code, bucket);
-    const F next = gather(kSrgb.first_of_code + 1, code);
-    return code + select(x >= next, Int<D>(1), Int<D>(0));
+    const Int<D> offset = bits_of(x) - bits_of(F(kSrgbLowest));
+    const Int<D> bucket = gather(kSrgb.bucket, shift_right<kSrgbBucketShift>(offset));
+    const Int<D> place = offset & Int<D>((1 << kSrgbBucketShift) - 1);
+    return shift_right<kSrgbBucketShift>(bucket + place);
 }
 
 } // namespace scanout::simd::HWY_NAMESPACE

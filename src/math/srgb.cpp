@@ -2,8 +2,6 @@
 
 #include "math/exp_log.h"
 
-#include <limits>
-
 namespace scanout::detail {
 namespace {
 
@@ -27,14 +25,19 @@ constexpr SrgbTables make_tables() {
         tables.first_of_code[code] =
             code == 0 ? 0 : least_float_not_below(linear_light((code - 0.5) / 255.0));
     }
-    tables.first_of_code[256] = std::numeric_limits<float>::infinity();
-    int code = 0;
-    for (int bucket = 0; bucket < kSrgbBuckets; ++bucket) {
-        const std::uint32_t bits = std::bit_cast<std::uint32_t>(kSrgbLowest) +
-                                   (static_cast<std::uint32_t>(bucket) << kSrgbBucketShift);
-        while (std::bit_cast<float>(bits) >= tables.first_of_code[code + 1])
+    constexpr std::uint32_t kWidth = std::uint32_t{1} << kSrgbBucketShift;
+    std::uint32_t code = 0; // of the bucket's first float
+    for (std::uint32_t bucket = 0; bucket < kSrgbBuckets; ++bucket) {
+        const std::uint32_t first =
+            std::bit_cast<std::uint32_t>(kSrgbLowest) + (bucket << kSrgbBucketShift);
+        const auto next = [&] { // the place of the next code's first float
+            return std::bit_cast<std::uint32_t>(tables.first_of_code[code + 1]) - first;
+        };
+        while (code < 255 && static_cast<std::int32_t>(next()) <= 0)
             ++code;
-        tables.bucket_code[bucket] = code;
+        const bool inside = code < 255 && next() < kWidth;
+        tables.bucket[bucket] =
+            static_cast<std::int32_t>(code * kWidth + (inside ? kWidth - next() : 0));
     }
     return tables;
 }

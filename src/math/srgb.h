@@ -19,9 +19,11 @@ inline constexpr int kSrgbBuckets = 13 * 128;
 
 struct SrgbTables {
     float decode[256];
-    float linear[256];                      // code / 255: of data that is no colour
-    float first_of_code[257];               // the least float that has the code; [256] is infinity
-    std::int32_t bucket_code[kSrgbBuckets]; // the code of the bucket's first float; gathered
+    float linear[256];        // code / 255: of data that is no colour
+    float first_of_code[256]; // the least float that has the code
+    // Of each bucket, gathered: plus a float's place in the bucket it is the float's code, times
+    // 2^kSrgbBucketShift, and less than one.
+    std::int32_t bucket[kSrgbBuckets];
 };
 extern const SrgbTables kSrgb;
 
@@ -39,8 +41,9 @@ inline std::uint8_t srgb_encode(float linear) {
     x = x < kSrgbHighest ? x : kSrgbHighest;
     const std::uint32_t offset =
         std::bit_cast<std::uint32_t>(x) - std::bit_cast<std::uint32_t>(kSrgbLowest);
-    const std::int32_t code = kSrgb.bucket_code[offset >> kSrgbBucketShift];
-    return static_cast<std::uint8_t>(code + (x >= kSrgb.first_of_code[code + 1] ? 1 : 0));
+    const std::uint32_t place = offset & ((1U << kSrgbBucketShift) - 1);
+    const auto bucket = static_cast<std::uint32_t>(kSrgb.bucket[offset >> kSrgbBucketShift]);
+    return static_cast<std::uint8_t>((bucket + place) >> kSrgbBucketShift);
 }
 
 } // namespace scanout

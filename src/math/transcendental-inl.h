@@ -18,13 +18,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 
-// log2 x for normal x > 0; anything smaller, negative or NaN gives -infinity.
+inline constexpr float kLeastNormal = std::numeric_limits<float>::min();
+
+// log2 x for normal x > 0; of others some number.
 template <class D>
-HWY_INLINE Float<D> log2(Float<D> x) {
+HWY_INLINE Float<D> log2_of_normal(Float<D> x) {
     using F = Float<D>;
     using I = Int<D>;
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    constexpr float kLeastNormal = std::numeric_limits<float>::min();
     // x = 2^k (1 + t), 1 + t in [sqrt(1/2), sqrt(2)): t is exact, and k = 0 near 1, where log2
     // vanishes
     const I k = shift_right<23>(bits_of(x) - I(0x3f3504f3)); // bits of sqrt(1/2)
@@ -37,20 +37,25 @@ HWY_INLINE Float<D> log2(Float<D> x) {
     const F q67 = F(0x1.a1db56p-3F) + F(-0x1.861244p-3F) * t;
     const F q89 = F(0x1.829f80p-3F) + F(-0x1.d2f51cp-4F) * t;
     const F q = q01 + t2 * (q23 + t2 * (q45 + t2 * (q67 + t2 * q89)));
-    const F y = to_f32(k) + (t + t * q);
+    return to_f32(k) + (t + t * q);
+}
+
+// The same; anything smaller, negative or NaN gives -infinity.
+template <class D>
+HWY_INLINE Float<D> log2(Float<D> x) {
+    using F = Float<D>;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const F y = log2_of_normal(x);
     return select(x >= F(kLeastNormal), select(x < F(kInfinity), y, F(kInfinity)), F(-kInfinity));
 }
 
-// 2^x; x below -126 or NaN gives 0, x of 128 and above infinity; exact for integers.
+// 2^x for x in [-126, 128); of others some number.
 template <class D>
-HWY_INLINE Float<D> exp2(Float<D> x) {
+HWY_INLINE Float<D> normal_exp2(Float<D> x) {
     using F = Float<D>;
-    using I = Int<D>;
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
     // Adding 1.5 2^23 rounds to an integer and leaves it in the low bits.
     constexpr float kRounder = 12582912.0F;
     const F shifted = x + F(kRounder);
-    const I k = bits_of(shifted) - I(0x4b400000);
     const F f = x - (shifted - F(kRounder)); // exact, in [-1/2, 1/2]
     // 2^f = 1 + f P(f), minimax, relative error 2^-28
     const F p45 = F(0x1.5f0a66p-10F) + F(0x1.3f906cp-13F) * f;
@@ -58,11 +63,17 @@ HWY_INLINE Float<D> exp2(Float<D> x) {
     const F p01 = F(0x1.62e430p-1F) + F(0x1.ebfbd8p-3F) * f;
     const F f2 = f * f;
     const F y = F(1.0F) + f * (p01 + f2 * (p23 + f2 * p45));
-    // 2^128 is no float, its root is
-    const I half = shift_right<1>(k);
-    const F scale_1 = from_bits(shift_left<23>(half + I(127)));
-    const F scale_2 = from_bits(shift_left<23>((k - half) + I(127)));
-    const F in_range = select(x < F(128.0F), y * scale_1 * scale_2, F(kInfinity));
+    // Times 2^k: the integer is added to the exponent, all other bits of `shifted` are shifted out.
+    // The product is a normal float: at the ends, k = -126 has f >= 0, and k = 128 has f < 0.
+    return from_bits(bits_of(y) + shift_left<23>(bits_of(shifted)));
+}
+
+// 2^x; x below -126 or NaN gives 0, x of 128 and above infinity; exact for integers.
+template <class D>
+HWY_INLINE Float<D> exp2(Float<D> x) {
+    using F = Float<D>;
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    const F in_range = select(x < F(128.0F), normal_exp2(x), F(kInfinity));
     return select(x >= F(-126.0F), in_range, F(0.0F));
 }
 
@@ -70,6 +81,15 @@ HWY_INLINE Float<D> exp2(Float<D> x) {
 template <class D>
 HWY_INLINE Float<D> pow(Float<D> x, Float<D> y) {
     return select(y == Float<D>(0.0F), Float<D>(1.0F), exp2(y * log2(x)));
+}
+
+// The same bits for x that is at most 1 or NaN.
+template <class D>
+HWY_INLINE Float<D> pow_of_share(Float<D> x, Float<D> y) {
+    using F = Float<D>;
+    const F exponent = y * log2_of_normal(x); // not above 0
+    const auto normal = (x >= F(kLeastNormal)) & (exponent >= F(-126.0F));
+    return select(y == F(0.0F), F(1.0F), select(normal, normal_exp2(exponent), F(0.0F)));
 }
 
 // The angle of (x, y) in radians, -pi to pi, for finite x and y; atan2(0, 0) is 0.

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -154,35 +153,10 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
     through_.push_back(background);
 }
 
-namespace {
-// The pixels of a tile that one primitive fills alone, as bits of its rows (RowBits).
-struct OwnPixels {
-    std::array<std::uint64_t, kTileSize> pixels, starts, ends; // ends: of runs, first and last
-    int count = 0, runs = 0;
-};
-} // namespace
-
 // The columns of a part of a tile.
 static std::uint64_t columns_of(const image::Rect& part) {
     const auto before = [](int x) { return x < kTileSize ? (std::uint64_t{1} << x) - 1 : ~0ULL; };
     return before(part.x1) & ~before(part.x0);
-}
-
-static OwnPixels find_own(const TileRows& rows, const image::Rect& part) {
-    const std::uint64_t inside = columns_of(part);
-    OwnPixels own;
-    for (int y = part.y0; y < part.y1; ++y) {
-        const auto row = static_cast<std::size_t>(y);
-        const std::uint64_t pixels = rows[row].shown & ~rows[row].shared & inside;
-        const std::uint64_t ends = rows[row].ends | rows[row].shared >> 1 | ~(inside >> 1);
-        own.pixels[row] = pixels;
-        own.starts[row] = pixels & ~((pixels & ~ends) << 1);
-        own.ends[row] = ends;
-        if (pixels == 0) continue;
-        own.count += std::popcount(pixels);
-        own.runs += std::popcount(own.starts[row]);
-    }
-    return own;
 }
 
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
@@ -197,10 +171,11 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     };
     for (int row = part.y0; row < part.y1; ++row)
         rows[static_cast<std::size_t>(row)].shared |= layered(row);
-    const OwnPixels own = find_own(rows, part);
+    const std::uint64_t inside = columns_of(part);
+    OwnPixels own;
+    find_own(rows, part.y0, part.y1, inside, own);
     const bool scattered =
         in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
-    const std::uint64_t inside = columns_of(part);
     by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
                sink_.filter == nullptr; // which asks what samples a fragment shows at
     for (int y = part.y0; y < part.y1; ++y) {
@@ -372,18 +347,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
 // The pixels that a fragment fills as codes; the others add up.
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
-    image::Rgba8* const corner = &picture.at(area_.x0, area_.y0);
-    const std::int32_t* const pixel = pixel_.data();
-    // Besides a row of the tile; modulo 2^64, as are all places: no sign is extended in the loop.
-    const auto down = static_cast<std::size_t>(picture.width()) - kTileSize;
-    constexpr int kRowBits = std::countr_zero(unsigned{kTileSize});
-    const auto own = static_cast<std::size_t>(own_);
-#pragma GCC unroll 4
-    for (std::size_t lane = 0; lane < own; ++lane) {
-        const auto at = static_cast<std::uint32_t>(pixel[lane]);
-        std::memcpy(static_cast<void*>(corner + (at + (at >> kRowBits) * down)), code + lane,
-                    sizeof *code);
-    }
+    put_codes(code, pixel_.data(), own_, &picture.at(area_.x0, area_.y0), picture.width());
     const Share* const share = share_.get();
     float *const red = sums_.red.data(), *const green = sums_.green.data(),
                  *const blue = sums_.blue.data();

@@ -123,6 +123,7 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
 
 void Gatherer::collect_row(int row, std::uint64_t shared) {
     shared_bits_[static_cast<std::size_t>(row)] = shared;
+    if (shared == 0) return;
     std::size_t place = shared_.size();
     shared_.resize(place + static_cast<std::size_t>(std::popcount(shared)));
     for (; shared != 0; shared &= shared - 1)

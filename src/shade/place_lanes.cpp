@@ -8,9 +8,10 @@
 
 SIMD_BEGIN(scanout::shade)
 
+constexpr int kRowBits = 6;
+static_assert(raster::kTileSize == 1 << kRowBits);
+
 void place(Block& b, const std::int32_t* pixel, int first, int count, int x0, int y0) {
-    constexpr int kRowBits = 6;
-    static_assert(raster::kTileSize == 1 << kRowBits);
     const I32 left = x0, top = y0, end = first + count;
     for (int i = first; i < first + count; i += kLanes) {
         const I32 at = load<I32>(pixel + i);
@@ -33,6 +34,20 @@ void cast(Block& b, const Rays& rays) {
     }
 }
 
+void put(const std::uint32_t* code, const std::int32_t* pixel, int count, image::Rgba8* corner,
+         int width) {
+    alignas(64) std::uint32_t place[kRoom];
+    const I32 down = width - raster::kTileSize; // besides a row of the tile
+    for (int i = 0; i < count; i += kLanes) {
+        const I32 at = load<I32>(pixel + i);
+        store(at + shift_right<kRowBits>(at) * down, place + i);
+    }
+    const auto lanes = static_cast<std::size_t>(count);
+#pragma GCC unroll 4
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+        __builtin_memcpy(static_cast<void*>(corner + place[lane]), code + lane, sizeof *code);
+}
+
 SIMD_END
 
 #if SIMD_ONCE
@@ -40,6 +55,7 @@ namespace scanout::shade {
 
 SIMD_REGISTER(place);
 SIMD_REGISTER(cast);
+SIMD_REGISTER(put);
 
 void place_at_centres(Block& block, const std::int32_t* pixel, int first, int count, int x0,
                       int y0) {
@@ -48,6 +64,11 @@ void place_at_centres(Block& block, const std::int32_t* pixel, int first, int co
 
 void set_rays(Block& block, const Rays& rays) {
     SIMD_CALL(cast)(block, rays);
+}
+
+void put_codes(const std::uint32_t* code, const std::int32_t* pixel, int count,
+               image::Rgba8* corner, int width) {
+    SIMD_CALL(put)(code, pixel, count, corner, width);
 }
 
 } // namespace scanout::shade

@@ -30,16 +30,42 @@ void find_all(const std::uint32_t* ids, int samples, std::size_t plane, int firs
         out[row] = find_bits(ids + std::ptrdiff_t{row} * raster::kTileSize, samples, plane);
 }
 
+// In a kernel's file because most targets count bits by one instruction.
+void sort_out(const RowBits* rows, int first, int end, std::uint64_t columns, std::uint64_t* pixels,
+              std::uint64_t* starts, std::uint64_t* ends, int* totals) {
+    int count = 0, runs = 0;
+    for (int row = first; row < end; ++row) {
+        const RowBits& of = rows[row];
+        pixels[row] = of.shown & ~of.shared & columns;
+        ends[row] = of.ends | of.shared >> 1 | ~(columns >> 1);
+        starts[row] = pixels[row] & ~((pixels[row] & ~ends[row]) << 1);
+        count += __builtin_popcountll(pixels[row]);
+        runs += __builtin_popcountll(starts[row]);
+    }
+    totals[0] = count;
+    totals[1] = runs;
+}
+
 SIMD_END
 
 #if SIMD_ONCE
 namespace scanout::shade {
 
 SIMD_REGISTER(find_all);
+SIMD_REGISTER(sort_out);
 
 void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out) {
     SIMD_CALL(find_all)
     (tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first, end, out.data());
+}
+
+void find_own(const TileRows& rows, int first, int end, std::uint64_t columns, OwnPixels& out) {
+    int totals[2];
+    SIMD_CALL(sort_out)
+    (rows.data(), first, end, columns, out.pixels.data(), out.starts.data(), out.ends.data(),
+     totals);
+    out.count = totals[0];
+    out.runs = totals[1];
 }
 
 } // namespace scanout::shade

@@ -23,6 +23,10 @@ void run_pow(const float* x, const float* y, int count, float* out) {
     for (int i = 0; i < count; i += kLanes)
         store(pow(load<F32>(x + i), load<F32>(y + i)), out + i);
 }
+void run_pow_of_share(const float* x, const float* y, int count, float* out) {
+    for (int i = 0; i < count; i += kLanes)
+        store(pow_of_share(load<F32>(x + i), load<F32>(y + i)), out + i);
+}
 void run_atan2(const float* y, const float* x, int count, float* out) {
     for (int i = 0; i < count; i += kLanes)
         store(atan2(load<F32>(y + i), load<F32>(x + i)), out + i);
@@ -44,6 +48,7 @@ namespace scanout::test {
 SIMD_REGISTER(run_log2);
 SIMD_REGISTER(run_exp2);
 SIMD_REGISTER(run_pow);
+SIMD_REGISTER(run_pow_of_share);
 SIMD_REGISTER(run_atan2);
 SIMD_REGISTER(run_encode);
 SIMD_REGISTER(run_decode);
@@ -73,6 +78,9 @@ Floats exp2_lanes(const Floats& x) {
 }
 Floats pow_lanes(const Floats& x, const Floats& y) {
     return apply<float>(SIMD_CALL(run_pow), x, y);
+}
+Floats pow_of_share_lanes(const Floats& x, const Floats& y) {
+    return apply<float>(SIMD_CALL(run_pow_of_share), x, y);
 }
 Floats atan2_lanes(const Floats& y, const Floats& x) {
     return apply<float>(SIMD_CALL(run_atan2), y, x);

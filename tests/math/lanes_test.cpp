@@ -146,6 +146,21 @@ TEST(LaneTranscendentals, PowIsMonotoneEnoughToStayIn0To1) {
     EXPECT_EQ(pow_lanes({1}, {10000}), Floats{1});
 }
 
+TEST(LaneTranscendentals, PowersOfSharesHaveTheBitsOfThoseOfAnyNumber) {
+    Floats shares;
+    for (std::uint32_t bits = 0; bits <= 0x3f800000; bits += 1009)
+        shares.push_back(float_of(bits));
+    for (std::uint32_t bits = 0x3f700000; bits <= 0x3f800000; ++bits) // highlights
+        shares.push_back(float_of(bits));
+    shares.insert(shares.end(), {1.0F, -0.0F, 0x1p-127F, 0x1p-126F, -1.0F, -kInf, kNaN32});
+    on_every_target([&](const std::string&) {
+        for (const float y : {0.0F, 1e-6F, 0.4F, 1.0F, 2.0F, 32.0F, 126.0F, 1000.0F, 10000.0F}) {
+            const Floats exponents(shares.size(), y);
+            EXPECT_TRUE(same(pow_of_share_lanes(shares, exponents), pow_lanes(shares, exponents)));
+        }
+    });
+}
+
 TEST(LaneTranscendentals, NothingOutsideTheDomainGivesNaN) {
     const auto all = [](const Floats& got, float expected) {
         for (std::size_t i = 0; i < got.size(); ++i)

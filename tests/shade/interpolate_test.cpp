@@ -207,6 +207,77 @@ TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
     }
 }
 
+// The kernel's formula in plain floats, of one normal.
+Vec3 to_view(const Vec3& normal, const Primitive& t, const FrameState& frame) {
+    const float side = (normal.x * t.facing[0] + normal.y * t.facing[1]) + normal.z * t.facing[2];
+    const Vec3 n = normal * (side < 0 ? -1.0F : 1.0F);
+    float row[3];
+    for (int r = 0; r < 3; ++r) {
+        const auto& m = frame.normal_matrix[r];
+        row[r] = (m[0] * n.x + m[1] * n.y) + m[2] * n.z;
+    }
+    const float scale = 1 / std::sqrt((row[0] * row[0] + row[1] * row[1]) + row[2] * row[2]);
+    return {row[0] * scale, row[1] * scale, row[2] * scale};
+}
+
+// Flat, or with one component of one normal that differs.
+void set_normals(Primitive& t, bool flat, Random& random) {
+    for (auto& component : t.normal)
+        component[0] = component[1] = component[2] = static_cast<float>(random.in(-1, 1));
+    if (flat) return;
+    t.normal[random.bits() % 3][1 + random.bits() % 2] += random.bits() % 2 == 0 ? 1.0F : -1.0F;
+}
+
+TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHaveAlone) {
+    Random random(7);
+    frame.attributes = {.normal = true};
+    for (auto& row : frame.normal_matrix)
+        for (float& m : row)
+            m = static_cast<float>(random.in(-1, 1));
+    const auto of_run = [&](const Block& b, int r) {
+        const int i = b.run[r].first;
+        return Vec3(b.normal[0][i], b.normal[1][i], b.normal[2][i]);
+    };
+    for (int round = 0; round < 100; ++round) {
+        Block& b = *block;
+        b.runs = b.count = 0;
+        const auto is_flat = [&](int run) { return run % 2 == round % 2; };
+        while (b.count < kLanes) {
+            Primitive& t = primitive[b.runs];
+            for (int k = 0; k < 3; ++k) {
+                t.c[k] = std::floor(random.in(1, 1e6));
+                t.inverse_w[k] = static_cast<float>(random.in(0.1, 1));
+                t.facing[k] = static_cast<float>(random.in(-1, 1));
+            }
+            set_normals(t, is_flat(b.runs), random);
+            add_lanes(b, &t, std::min(kLanes - b.count, static_cast<int>(random.in(1, 40))));
+        }
+        frame.attributes.colour = round % 3 == 0;
+        for (const char* rung : {"perspective", "affine", "affine_8", "adaptive"})
+            scanout::test::on_every_target([&](const std::string& target) {
+                stage("interpolate", rung).run(b, frame);
+                const Block together = b;
+                for (int r = 0; r < together.runs; ++r) {
+                    const Primitive& t = primitive[r];
+                    b.runs = 1;
+                    b.run[0] = together.run[r];
+                    stage("interpolate", rung).run(b, frame);
+                    const Vec3 first =
+                        to_view({t.normal[0][0], t.normal[1][0], t.normal[2][0]}, t, frame);
+                    const Vec3 here = of_run(together, r);
+                    ASSERT_EQ(here == first, is_flat(r)) << rung << ' ' << target;
+                    for (int i = 0; i < b.run[0].count; ++i)
+                        for (int c = 0; c < 3; ++c) {
+                            const int at = b.run[0].first + i;
+                            ASSERT_EQ(together.normal[c][at], b.normal[c][at]) << target;
+                            ASSERT_EQ(together.normal[c][at], here[c]) << target; // one weight
+                        }
+                }
+                b = together;
+            });
+    }
+}
+
 TEST_F(Interpolation, MultipliesDiffuseAndVertexColours) {
     Random random(6);
     material.diffuse = {0.25F, 0.5F, 2};

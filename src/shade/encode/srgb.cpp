@@ -15,7 +15,7 @@ struct SrgbCodes {
     static HWY_INLINE I32 nearest(F32 light) { return srgb_encode(light); }
     static HWY_INLINE F32 fraction(F32 light) {
         const F32 x = clamped(light);
-        const F32 curve = F32(269.025F) * pow(x, F32(1 / 2.4F)) - F32(14.025F);
+        const F32 curve = F32(269.025F) * pow_of_share(x, F32(1 / 2.4F)) - F32(14.025F);
         const F32 start = F32(12.92F * 255) * x;
         return minimum(select(x > F32(0.0031308F), curve, start), F32(255.0F));
     }

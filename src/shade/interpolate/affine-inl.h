@@ -24,10 +24,11 @@ HWY_INLINE void affine_lanes(Block& b, const FrameState& frame, const Wanted& wa
     const Primitive& t = *run.primitive;
     if (t.clipped) return perspective_lanes(b, frame, want, run);
     const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
-    const F64x8 inverse = 1.0 / whole;
-    for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
-        const F64x8 x = to_f64(load<I32x8>(b.x + i)), y = to_f64(load<I32x8>(b.y + i));
-        put(b, frame, want, OfRun{t},
+    const F64 inverse = 1.0 / whole;
+    const OfRun of(t);
+    for (int i = run.first; i < run.first + run.count; i += kLanes) {
+        const F64 x = to_f64(load<I32>(b.x + i)), y = to_f64(load<I32>(b.y + i));
+        put(b, frame, want, of,
             {to_f32(area_at(t, 1, x, y) * inverse),
              to_f32(area_at(t, 2, x, y) * inverse),
              {i, run.first + run.count - i}},
@@ -83,6 +84,7 @@ HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& wan
     constexpr std::int32_t kUnits = kStep * 256;
     const Primitive& t = *row.primitive;
     const double y = row.y;
+    const OfRun of(t);
     const Span span = span_of(t, y);
     const auto place = [&](std::int32_t x) HWY_ATTR {
         const double at = x;
@@ -97,22 +99,22 @@ HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& wan
         const int last = end < row.count ? end : row.count;
         const double length = to.x - from.x;
         const double inverse = length > 0 ? 1.0 / length : 0.0;
-        for (int i = lane; i < last; i += kLanesX8) {
+        for (int i = lane; i < last; i += kLanes) {
             const int at = row.first + i;
             const Live live{at, row.count - i};
-            const I32x8 place_x = load<I32x8>(b.x + at), place_y = load<I32x8>(b.y + at);
-            const F64x8 x = to_f64(place_x);
-            const F32x8 share = to_f32((x - F64x8(from.x)) * F64x8(inverse));
-            Weights w{F32x8(from.one) + share * F32x8(to.one - from.one),
-                      F32x8(from.two) + share * F32x8(to.two - from.two), live};
+            const I32 place_x = load<I32>(b.x + at), place_y = load<I32>(b.y + at);
+            const F64 x = to_f64(place_x);
+            const F32 share = to_f32((x - F64(from.x)) * F64(inverse));
+            Weights w{F32(from.one) + share * F32(to.one - from.one),
+                      F32(from.two) + share * F32(to.two - from.two), live};
             // A sample beside the centre, as edge pixels have, lies in a row of its own.
             const auto centre =
-                place_x == I32x8(row.x) + shift_left<8>(iota<I32x8>(i)) & place_y == I32x8(row.y);
+                place_x == I32(row.x) + shift_left<8>(iota<I32>(i)) & place_y == I32(row.y);
             if (!all(centre)) {
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
-            put(b, frame, want, OfRun{t}, w, at);
+            put(b, frame, want, of, w, at);
         }
         lane = last;
         left += kUnits;

@@ -19,29 +19,33 @@ SIMD_BEGIN(scanout::shade::interpolate)
 // What vertices carry, mixed at a register of lanes: of one triangle, or of each lane's own.
 struct OfRun {
     const Primitive& t;
-    HWY_INLINE F32x8 normal(const Weights& w, int c) const { return mix(w, t.normal[c]); }
-    HWY_INLINE F32x8 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
-    HWY_INLINE F32x8 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
-    HWY_INLINE F32x8 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
-    HWY_INLINE F32x8 facing(int c) const { return t.facing[c]; }
+    Spread of_normal[3];
+    HWY_INLINE explicit OfRun(const Primitive& of)
+        : t(of), of_normal{spread_of(of.normal[0]), spread_of(of.normal[1]),
+                           spread_of(of.normal[2])} {}
+    HWY_INLINE F32 normal(const Weights& w, int c) const { return mix(w, of_normal[c]); }
+    HWY_INLINE F32 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
+    HWY_INLINE F32 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
+    HWY_INLINE F32 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
+    HWY_INLINE F32 facing(int c) const { return t.facing[c]; }
 };
 struct OfLanes {
     const LaneTriangles& t;
     int lane; // the register's first
-    HWY_INLINE F32x8 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
-        return mix(w, load<F32x8>(vertex[0] + lane), load<F32x8>(vertex[1] + lane),
-                   load<F32x8>(vertex[2] + lane));
+    HWY_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
+        return mix(w, load<F32>(vertex[0] + lane), load<F32>(vertex[1] + lane),
+                   load<F32>(vertex[2] + lane));
     }
-    HWY_INLINE F32x8 normal(const Weights& w, int c) const {
-        const F32x8 side = load<F32x8>(t.side + lane);
+    HWY_INLINE F32 normal(const Weights& w, int c) const {
+        const F32 side = load<F32>(t.side + lane);
         const auto& vertex = t.normal[c];
-        return mix(w, load<F32x8>(vertex[0] + lane) * side, load<F32x8>(vertex[1] + lane) * side,
-                   load<F32x8>(vertex[2] + lane) * side);
+        return mix(w, load<F32>(vertex[0] + lane) * side, load<F32>(vertex[1] + lane) * side,
+                   load<F32>(vertex[2] + lane) * side);
     }
-    HWY_INLINE F32x8 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
-    HWY_INLINE F32x8 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
-    HWY_INLINE F32x8 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
-    HWY_INLINE F32x8 facing(int c) const { return load<F32x8>(t.facing[c] + lane); }
+    HWY_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
+    HWY_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
+    HWY_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
+    HWY_INLINE F32 facing(int c) const { return load<F32>(t.facing[c] + lane); }
 };
 
 // How a frame wants its normals. Asked for every register of lanes: as a template's argument it
@@ -53,7 +57,7 @@ enum class Normals { none, turned, unit, raw };
 template <class Of>
 HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, const Weights& w,
                         float* to_x, float* to_y, float* to_z) {
-    F32x8 n[3] = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
+    F32 n[3] = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
     if (wanted == Normals::raw) {
         store(n[0], to_x);
         store(n[1], to_y);
@@ -61,23 +65,23 @@ HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, c
         return;
     }
     if (wanted == Normals::turned) {
-        const F32x8 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
-        const F32x8 sign = select(side < F32x8(0.0F), F32x8(-1.0F), F32x8(1.0F));
+        const F32 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
+        const F32 sign = select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
         SIMD_UNROLL
-        for (F32x8& component : n)
+        for (F32& component : n)
             component = component * sign;
     }
     const auto row = [&](int r) {
         const auto& m = frame.normal_matrix[r];
-        return (F32x8(m[0]) * n[0] + F32x8(m[1]) * n[1]) + F32x8(m[2]) * n[2];
+        return (F32(m[0]) * n[0] + F32(m[1]) * n[1]) + F32(m[2]) * n[2];
     };
-    const F32x8 x = row(0), y = row(1), z = row(2);
-    const F32x8 length = sqrt((x * x + y * y) + z * z);
-    const auto usable = length > F32x8(0x1p-60F); // opposite normals can cancel: then face the eye
-    const F32x8 scale = F32x8(1.0F) / select(usable, length, F32x8(1.0F));
-    store(select(usable, x * scale, F32x8(0.0F)), to_x);
-    store(select(usable, y * scale, F32x8(0.0F)), to_y);
-    store(select(usable, z * scale, F32x8(1.0F)), to_z);
+    const F32 x = row(0), y = row(1), z = row(2);
+    const F32 length = sqrt((x * x + y * y) + z * z);
+    const auto usable = length > F32(0x1p-60F); // opposite normals can cancel: then face the eye
+    const F32 scale = F32(1.0F) / select(usable, length, F32(1.0F));
+    store(select(usable, x * scale, F32(0.0F)), to_x);
+    store(select(usable, y * scale, F32(0.0F)), to_y);
+    store(select(usable, z * scale, F32(1.0F)), to_z);
 }
 
 // Which attributes a block wants.
@@ -85,6 +89,7 @@ struct Wanted {
     Normals normal;
     bool uv, colour, position;
     float kd[3];
+    HWY_INLINE bool any() const { return normal != Normals::none || uv || colour || position; }
 };
 HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
     return {!frame.attributes.normal    ? Normals::none
@@ -110,10 +115,42 @@ HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const
     if (want.position) SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
         store(of.position(w, c), b.position[c] + i);
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c) {
-        const F32x8 own = want.colour ? of.colour(w, c) : F32x8(1.0F);
-        store(F32x8(want.kd[c]) * own, b.albedo[c] + i);
+    if (want.colour) SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        store(F32(want.kd[c]) * of.colour(w, c), b.albedo[c] + i);
+}
+
+// Do all vertices have the same normal, to the bit? Then so has every lane: no weight of any rung
+// leads out of the vertices' range.
+HWY_INLINE bool is_flat(const Primitive& t) {
+    std::int32_t bits[3][3];
+    static_assert(sizeof bits == sizeof t.normal);
+    __builtin_memcpy(bits, t.normal, sizeof bits);
+    return bits[0][0] == bits[0][1] && bits[0][0] == bits[0][2] && //
+           bits[1][0] == bits[1][1] && bits[1][0] == bits[1][2] && //
+           bits[2][0] == bits[2][1] && bits[2][0] == bits[2][2];
+}
+HWY_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
+                             const Run& run) {
+    alignas(64) float n[3][kLanes];
+    const OfRun of(*run.primitive);
+    normals(want.normal, of, frame, {F32(0.0F), F32(0.0F), {run.first, run.count}}, n[0], n[1],
+            n[2]);
+    const F32 x = load<F32>(n[0]), y = load<F32>(n[1]), z = load<F32>(n[2]);
+    for (int i = run.first; i < run.first + run.count; i += kLanes) {
+        store(x, b.normal[0] + i);
+        store(y, b.normal[1] + i);
+        store(z, b.normal[2] + i);
+    }
+}
+
+// The material's own.
+HWY_INLINE void put_albedo(Block& b, const Wanted& want) {
+    const F32 red = want.kd[0], green = want.kd[1], blue = want.kd[2];
+    for (int i = 0; i < b.count; i += kLanes) {
+        store(red, b.albedo[0] + i);
+        store(green, b.albedo[1] + i);
+        store(blue, b.albedo[2] + i);
     }
 }
 
@@ -121,20 +158,20 @@ HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const
 HWY_INLINE void perspective_lanes(Block& b, const FrameState& frame, const Wanted& want,
                                   const Run& run) {
     const Primitive& t = *run.primitive;
-    for (int i = run.first; i < run.first + run.count; i += kLanesX8)
-        put(b, frame, want, OfRun{t},
-            weights(t, load<I32x8>(b.x + i), load<I32x8>(b.y + i), {i, run.first + run.count - i}),
-            i);
+    const OfRun of(t);
+    for (int i = run.first; i < run.first + run.count; i += kLanes)
+        put(b, frame, want, of,
+            weights(t, load<I32>(b.x + i), load<I32>(b.y + i), {i, run.first + run.count - i}), i);
 }
 
 // The same at lanes that have triangles of their own.
 HWY_INLINE void perspective_own(Block& b, const FrameState& frame, const Wanted& want,
                                 const Run& run) {
     const LaneTriangles& t = *b.triangles;
-    for (int i = run.first; i < run.first + run.count; i += kLanesX8)
+    for (int i = run.first; i < run.first + run.count; i += kLanes)
         put(b, frame, want, OfLanes{t, i},
-            weights_of(load<F32x8>(t.weight[0] + i), load<F32x8>(t.weight[1] + i),
-                       load<F32x8>(t.weight[2] + i), {i, run.first + run.count - i}),
+            weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
+                       load<F32>(t.weight[2] + i), {i, run.first + run.count - i}),
             i);
 }
 
@@ -143,8 +180,15 @@ template <class Rung>
 HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     if (!b.lit) return;
     const Wanted want = wanted(b, frame);
-    for (const Run* run = b.run; run != b.run + b.runs; ++run)
-        Rung::lanes(b, frame, want, *run);
+    if (!want.colour) put_albedo(b, want);
+    Wanted rest = want; // of flat triangles
+    rest.normal = Normals::none;
+    const bool shades = want.normal != Normals::none;
+    for (const Run* run = b.run; run != b.run + b.runs; ++run) {
+        const bool flat = shades && run->primitive != nullptr && is_flat(*run->primitive);
+        if (flat) flat_normals(b, frame, want, *run);
+        if (!flat || rest.any()) Rung::lanes(b, frame, flat ? rest : want, *run);
+    }
     // How u and v change is exact whatever the rung.
     if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }

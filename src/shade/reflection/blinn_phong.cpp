@@ -11,11 +11,10 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 void blinn_phong_run(Block& b, const FrameState& frame) {
-    diffuse(b, frame);
-    if (!b.lit || !scene::has_highlight(*b.material)) return;
-    add_highlights(b, frame,
-                   [](const Vector& normal, const Vector& eye, const Vector& light, F32 exponent,
-                      int) HWY_ATTR { return half_vector_lobe(normal, eye, light, exponent); });
+    diffuse_and_highlights(
+        b, frame,
+        [](const Vector& normal, const Vector& eye, const Vector& light, F32 exponent, int)
+            HWY_ATTR { return half_vector_lobe(normal, eye, light, exponent); });
 }
 
 SIMD_END

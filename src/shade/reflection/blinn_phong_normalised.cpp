@@ -15,19 +15,18 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 void blinn_phong_normalised_run(Block& b, const FrameState& frame) {
-    diffuse(b, frame);
-    if (!b.lit || !scene::has_highlight(*b.material)) return;
+    if (!has_highlight(b)) return diffuse(b, frame);
     alignas(64) float factor[kRoom];
     for_exponents(
         b, [](double ns) { return (ns + 2) * (ns + 4) / (8 * (scanout::exp2(-ns / 2) + ns)); },
         factor);
-    add_highlights(b, frame,
-                   [&factor](const Vector& normal, const Vector& eye, const Vector& light,
-                             F32 exponent, int lane) HWY_ATTR {
-                       const F32 falls = maximum(dot(normal, light), F32(0.0F));
-                       return load<F32>(factor + lane) * falls *
-                              half_vector_lobe(normal, eye, light, exponent);
-                   });
+    diffuse_and_highlights(b, frame,
+                           [&factor](const Vector& normal, const Vector& eye, const Vector& light,
+                                     F32 exponent, int lane) HWY_ATTR {
+                               const F32 falls = maximum(dot(normal, light), F32(0.0F));
+                               return load<F32>(factor + lane) * falls *
+                                      half_vector_lobe(normal, eye, light, exponent);
+                           });
 }
 
 SIMD_END

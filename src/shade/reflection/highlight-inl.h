@@ -74,39 +74,62 @@ struct Gloss {
     F32 ks[3], exponent;
 };
 
-// Not inlined: blocks with and without maps share one copy of it.
+// Of a light, at a register of lanes.
 template <class Bright>
-HWY_NOINLINE void add_highlights(Block& b, const FrameState& frame, const Bright& bright,
-                                 const Gloss& gloss, int first, int end) {
+HWY_INLINE void add_highlight(Block& b, const Bright& bright, const Light& l, const Gloss& gloss,
+                              const float (&eyes)[3][kRoom], int i) {
+    const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
+    const F32 share = bright(normal_at(b, i), eye, towards(l), gloss.exponent, i);
+    store_colour({load<F32>(b.colour[0] + i) + (l.colour[0] * gloss.ks[0]) * share,
+                  load<F32>(b.colour[1] + i) + (l.colour[1] * gloss.ks[1]) * share,
+                  load<F32>(b.colour[2] + i) + (l.colour[2] * gloss.ks[2]) * share},
+                 b, i);
+}
+
+// Not inlined: blocks with and without maps share one copy of it. Light by light, so that all that
+// the lanes share stays in registers.
+template <class Bright>
+HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Bright& bright,
+                              const Gloss& of_lanes, int first, int end) {
     const std::size_t light_count = frame.lights.size();
-    const F32 exponent = gloss.exponent, ks[3] = {gloss.ks[0], gloss.ks[1], gloss.ks[2]};
+    const Gloss gloss = of_lanes; // no store writes to it
+    const Colour ambient = ambient_of(b);
+    alignas(64) float eyes[3][kRoom];
     for (int i = first; i < end; i += kLanes) {
-        const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
-        F32 red = load<F32>(b.colour[0] + i), green = load<F32>(b.colour[1] + i),
-            blue = load<F32>(b.colour[2] + i);
-        for (std::size_t k = 0; k < light_count; ++k) {
-            const Light l = light_at(b, frame, k, i);
-            const F32 share = bright(normal, eye, towards(l), exponent, i);
-            red = red + (l.colour[0] * ks[0]) * share;
-            green = green + (l.colour[1] * ks[1]) * share;
-            blue = blue + (l.colour[2] * ks[2]) * share;
+        const Vector eye = eye_at(b, frame, i);
+        store(eye.x, eyes[0] + i);
+        store(eye.y, eyes[1] + i);
+        store(eye.z, eyes[2] + i);
+        store_colour(diffuse_at(b, frame, ambient, light_count, i), b, i);
+    }
+    for (std::size_t k = 0; k < light_count; ++k) {
+        if (varies(frame, k)) {
+            for (int i = first; i < end; i += kLanes)
+                add_highlight(b, bright, light_at(b, frame, k, i), gloss, eyes, i);
+        } else {
+            const Light same = light_everywhere(frame, k);
+            for (int i = first; i < end; i += kLanes)
+                add_highlight(b, bright, same, gloss, eyes, i);
         }
-        store(red, b.colour[0] + i);
-        store(green, b.colour[1] + i);
-        store(blue, b.colour[2] + i);
     }
 }
 
-// Adds light * Ks * bright(normal, eye, light, exponent, lane) to b.colour for every light.
+HWY_INLINE bool has_highlight(const Block& b) {
+    return b.lit && scene::has_highlight(*b.material);
+}
+
+// Sets b.colour: the diffuse part and light * Ks * bright(normal, eye, light, exponent, lane) for
+// every light, where there are highlights.
 template <class Bright>
-HWY_INLINE void add_highlights(Block& b, const FrameState& frame, const Bright& bright) {
+HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame, const Bright& bright) {
+    if (!has_highlight(b)) return diffuse(b, frame);
     const bool mapped =
         b.map[kSpecularMap].texture != nullptr || b.map[kShininessMap].texture != nullptr;
     const int step = mapped ? kLanes : b.count;
     for (int i = 0; i < b.count; i += step) {
         const Gloss gloss = {{specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)},
                              exponent_at(b, i)};
-        add_highlights(b, frame, bright, gloss, i, i + step);
+        light_lanes(b, frame, bright, gloss, i, i + step);
     }
 }
 
@@ -117,7 +140,7 @@ HWY_INLINE F32 half_vector_lobe(const Vector& normal, const Vector& eye, const V
     const F32 length = sqrt((h.x * h.x + h.y * h.y) + h.z * h.z);
     // length 0: the light shines straight into the eye through the surface; no highlight.
     const F32 cosine = select(length > F32(0x1p-20F), dot(normal, h) / length, F32(0.0F));
-    return pow(minimum(F32(1.0F), cosine), exponent); // of NaN: 0
+    return pow_of_share(minimum(F32(1.0F), cosine), exponent); // of NaN: 0
 }
 
 SIMD_END

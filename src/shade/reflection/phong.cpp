@@ -12,16 +12,15 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 void phong_run(Block& b, const FrameState& frame) {
-    diffuse(b, frame);
-    if (!b.lit || !scene::has_highlight(*b.material)) return;
-    add_highlights(b, frame,
-                   [](const Vector& normal, const Vector& eye, const Vector& light, F32 exponent,
-                      int) HWY_ATTR {
-                       const F32 n_l = dot(normal, light);
-                       const F32 cosine = F32(2.0F) * n_l * dot(normal, eye) - dot(light, eye);
-                       const F32 lobe = pow(minimum(F32(1.0F), cosine), exponent);
-                       return select(n_l > F32(0.0F), lobe, F32(0.0F));
-                   });
+    diffuse_and_highlights(b, frame,
+                           [](const Vector& normal, const Vector& eye, const Vector& light,
+                              F32 exponent, int) HWY_ATTR {
+                               const F32 n_l = dot(normal, light);
+                               const F32 cosine =
+                                   F32(2.0F) * n_l * dot(normal, eye) - dot(light, eye);
+                               const F32 lobe = pow_of_share(minimum(F32(1.0F), cosine), exponent);
+                               return select(n_l > F32(0.0F), lobe, F32(0.0F));
+                           });
 }
 
 SIMD_END

@@ -16,12 +16,12 @@ void gouraud_run(Block& b) {
         const Run& run = b.run[r];
         const Primitive& t = *run.primitive;
         const CornerLight::Triangle& light = b.corners->triangle[b.corners->of_run[r]];
-        for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
-            const auto w = interpolate::HWY_NAMESPACE::weights(t, to_f64(load<I32x8>(b.x + i)),
-                                                               to_f64(load<I32x8>(b.y + i)),
+        for (int i = run.first; i < run.first + run.count; i += kLanes) {
+            const auto w = interpolate::HWY_NAMESPACE::weights(t, to_f64(load<I32>(b.x + i)),
+                                                               to_f64(load<I32>(b.y + i)),
                                                                {i, run.first + run.count - i});
             for (int c = 0; c < 3; ++c)
-                store(load<F32x8>(b.albedo[c] + i) *
+                store(load<F32>(b.albedo[c] + i) *
                               interpolate::HWY_NAMESPACE::mix(w, light.tinted[c]) +
                           interpolate::HWY_NAMESPACE::mix(w, light.plain[c]),
                       b.colour[c] + i);
