@@ -81,10 +81,10 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : spans_(std::make_unique<Spans>()), many_(raster::VisibilityTile::kPlane + Spans::kBeyond),
-      few_(std::make_unique<FewPixels>()), primitives_(std::make_unique<Primitives>()),
-      block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
-      share_(std::make_unique<Share[]>(kLanes)) {
+    : spans_(std::make_unique<Spans>()), few_(std::make_unique<FewPixels>()),
+      primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()),
+      triangles_(std::make_unique<LaneTriangles>()),
+      pixels_(raster::VisibilityTile::kPlane + kRoom), share_(std::make_unique<Share[]>(kLanes)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -269,7 +269,7 @@ const Primitive& Gatherer::primitive(const GatherInput& in, std::uint32_t id,
 void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
     Block& b = *block_;
     for (int k = 0; k < count; ++k, ++b.count) {
-        const int pixel = pixel_[static_cast<std::size_t>(b.count)];
+        const int pixel = pixel_[b.count];
         const Vec3 colour = unlit_colour(in, *b.material, id, area_.x0 + pixel % kTileSize,
                                          area_.y0 + pixel / kTileSize);
         for (int c = 0; c < 3; ++c)
@@ -282,12 +282,22 @@ void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
 void Gatherer::add_lit(const Primitive& primitive, int count) {
     Block& b = *block_;
     if (primitive.across < 0) return add_lanes(b, &primitive, count); // finish_block places them
+    // Of its two pieces each has one run in the block.
+    std::array<std::int32_t, kLanes> of_second;
+    std::int32_t* const of_first = pixel_ + b.count;
+    int first = 0, second = 0;
     for (int k = 0; k < count; ++k) {
-        const int pixel = pixel_[static_cast<std::size_t>(b.count)];
+        const std::int32_t pixel = of_first[k];
         const std::int32_t x = (area_.x0 + pixel % kTileSize) * kSubpixel + raster::kPixelCentre.x;
         const std::int32_t y = (area_.y0 + pixel / kTileSize) * kSubpixel + raster::kPixelCentre.y;
-        add_lane(b, Primitives::at(primitive, x, y), x, y);
+        if (Primitives::is_of_second(primitive, x, y))
+            of_second[static_cast<std::size_t>(second++)] = pixel;
+        else
+            of_first[first++] = pixel;
     }
+    std::copy_n(of_second.data(), second, of_first + first);
+    if (first > 0) add_lanes(b, &primitive, first);
+    if (second > 0) add_lanes(b, &primitive + 1, second);
 }
 
 // Of the block's lanes; null where nothing is dithered.
@@ -302,11 +312,11 @@ const float* Gatherer::lane_offsets(const GatherInput& in) {
 // Lanes that fill pixels, and those that have triangles of their own, which are set up there.
 void Gatherer::place_block() {
     Block& b = *block_;
-    place_at_centres(b, pixel_.data(), 0, own_, area_.x0, area_.y0);
+    place_at_centres(b, pixel_, 0, own_, area_.x0, area_.y0);
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
         if (run.primitive != nullptr) continue;
-        place_at_centres(b, pixel_.data(), run.first, run.count, area_.x0, area_.y0);
+        place_at_centres(b, pixel_, run.first, run.count, area_.x0, area_.y0);
         set_up_lanes(source_, *triangles_, b, run.first, run.count);
     }
 }
@@ -341,13 +351,14 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         put_mixtures();
     else
         put_pixels(code.data(), picture);
+    pixel_ += own_;
     own_ = b.count = b.runs = 0;
 }
 
 // The pixels that a fragment fills as codes; the others add up.
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
-    put_codes(code, pixel_.data(), own_, &picture.at(area_.x0, area_.y0), picture.width());
+    put_codes(code, pixel_, own_, &picture.at(area_.x0, area_.y0), picture.width());
     const Share* const share = share_.get();
     float *const red = sums_.red.data(), *const green = sums_.green.data(),
                  *const blue = sums_.blue.data();
@@ -365,7 +376,7 @@ void Gatherer::put_mixtures() {
     if (sink_.filter == nullptr) return keep_linear(*sink_.own);
     const Block& b = *block_;
     for (int lane = 0; lane < own_; ++lane) {
-        const int pixel = pixel_[static_cast<std::size_t>(lane)];
+        const int pixel = pixel_[lane];
         sink_.own->at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize) = {
             b.colour[0][lane], b.colour[1][lane], b.colour[2][lane], 1.0F};
     }
@@ -387,7 +398,7 @@ void Gatherer::put_mixtures() {
 // Adds the block's lanes; pixels that fragments share are summed in the order of their blocks.
 void Gatherer::keep_linear(LinearPicture& linear) const {
     for (int lane = 0; lane < block_->count; ++lane) {
-        const int pixel = pixel_[static_cast<std::size_t>(lane)];
+        const int pixel = pixel_[lane];
         const float weight = lane < own_ ? 1 : share_[static_cast<std::size_t>(lane)].weight;
         std::array<float, 4>& sum =
             linear.at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize);
@@ -404,6 +415,7 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
     set_up_later_ = all_whole_ && in.frame->steps == nullptr;
     few_->clear();
     area_ = area;
+    pixel_ = pixels_.data();
     samples_ = samples;
     block_->blended = blended;
     spans_->clear();
@@ -438,25 +450,16 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
         lanes += group.count;
         if (look_ != group.look) begin_look(in, group.look, picture);
         const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
-        const auto add = [&](int count) {
+        spans_->put_pixels(group, pixel_ + b.count); // also those beyond the end of the block
+        for (int left = group.count; left > 0;) {
+            if (b.count == kLanes) finish_block(in, picture);
+            const int count = std::min(left, kLanes - b.count);
             if (of != nullptr)
                 add_lit(*of, count);
             else
                 add_unlit(in, group.id, count);
             own_ = b.count;
-        };
-        if (b.count + group.count <= kLanes) {
-            spans_->put_pixels(group, pixel_.data() + b.count);
-            add(group.count);
-            continue;
-        }
-        spans_->put_pixels(group, many_.data()); // too many for what is left of the block
-        for (int done = 0; done < group.count;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            const int count = std::min(group.count - done, kLanes - b.count);
-            std::copy_n(many_.data() + done, count, pixel_.data() + b.count);
-            add(count);
-            done += count;
+            left -= count;
         }
     }
     shade_few(in, picture);
@@ -473,7 +476,7 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
             if (b.count == kLanes) finish_block(in, picture);
             const std::size_t count =
                 std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
-            std::copy_n(few_->pixels() + i, count, pixel_.data() + b.count);
+            std::copy_n(few_->pixels() + i, count, pixel_ + b.count);
             std::copy_n(few_->ids() + i, count, triangles_->id + b.count);
             std::fill_n(triangles_->sample_x + b.count, count, 0); // they cover the centre
             std::fill_n(triangles_->sample_y + b.count, count, 0);

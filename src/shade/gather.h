@@ -166,7 +166,6 @@ private:
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<Spans> spans_;
-    std::vector<std::int32_t> many_; // pixels of one of them
     std::unique_ptr<FewPixels> few_;
     TriangleSource source_{};
     bool all_whole_ = false;    // every triangle may have lanes of its own
@@ -187,7 +186,10 @@ private:
     // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.
     struct Share;
     int own_ = 0;
-    std::array<std::int32_t, kRoom> pixel_{}; // of each lane, in the tile
+    // Of each lane its pixel in the tile: where this block begins among those of the tile that one
+    // primitive fills.
+    std::int32_t* pixel_ = nullptr;
+    std::vector<std::int32_t> pixels_;
     std::unique_ptr<Share[]> share_;
     PixelSums sums_;               // of the pixels in shared_
     std::vector<WideParts> parts_; // of the same

@@ -143,7 +143,7 @@ int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample
     const raster::SampleOffset at = tile.pattern()[s];
     const std::int32_t right = at.x - raster::kPixelCentre.x, down = at.y - raster::kPixelCentre.y;
     LaneTriangles& t = *triangles_;
-    std::int32_t* const pixel = pixel_.data();
+    std::int32_t* const pixel = pixel_;
     Share* const share = share_.get();
     int lane = b.count;
     for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {

@@ -29,8 +29,12 @@ public:
         return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add_later(triangle);
     }
     void set_up(const TriangleSource& source);
-    // What of a triangle covers a sample that shows it (1/256 pixel).
-    static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y);
+    // What of a triangle covers a sample that shows it (1/256 pixel): of one that has two pieces,
+    // the second, which stands behind the first?
+    static bool is_of_second(const Primitive& first, std::int32_t x, std::int32_t y);
+    static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y) {
+        return is_of_second(first, x, y) ? *(&first + 1) : first;
+    }
 
 private:
     const Primitive& add(const GatherInput& input, std::uint32_t triangle);
@@ -51,13 +55,12 @@ float between(double from, double to, double share);
 
 // Pieces of one triangle stand side by side. On their common edge both say the same, so that the
 // rounding of this does not show. Monotonous along a row.
-inline const Primitive& Gatherer::Primitives::at(const Primitive& first, std::int32_t x,
-                                                 std::int32_t y) {
-    if (first.across < 0) return first;
+inline bool Gatherer::Primitives::is_of_second(const Primitive& first, std::int32_t x,
+                                               std::int32_t y) {
+    if (first.across < 0) return false;
     const auto outside = [&](int k) { return (first.a[k] * x + first.b[k] * y) + first.c[k] < 0; };
-    const bool second = first.across == Primitive::kFolded ? outside(0) || outside(1) || outside(2)
-                                                           : outside(first.across);
-    return second ? *(&first + 1) : first;
+    return first.across == Primitive::kFolded ? outside(0) || outside(1) || outside(2)
+                                              : outside(first.across);
 }
 
 } // namespace scanout::shade
