@@ -21,21 +21,22 @@ Spans::Spans() : span_(std::size_t{raster::kTileSize} * raster::kTileSize) {
 void Spans::clear() {
     spans_ = 0;
     groups_.clear();
+    slot_.fill({raster::kNoPrimitive, 0});
     one_look_ = true;
 }
 
-void Spans::add_group(const Look& look, std::uint32_t id, std::uint16_t span, int count) {
-    group_of_[id % kSlots] = static_cast<std::uint16_t>(groups_.size());
+void Spans::add_group(const Look& look, std::uint32_t id, int pixel, int count) {
+    slot_[id % kSlots] = {id, static_cast<std::uint32_t>(groups_.size())};
     if (!groups_.empty() && look != groups_.back().look) one_look_ = false;
-    groups_.push_back({id, look, span, span, static_cast<std::uint16_t>(count)});
+    groups_.push_back({id, look, add_span(pixel, count, kNone), static_cast<std::uint16_t>(count)});
 }
 
 void Spans::arrange() {
     if (!one_look_)
         std::sort(groups_.begin(), groups_.end(), [](const Group& a, const Group& b) {
-            // First spans rise: as they came, without the room that a stable sort asks for.
-            return std::tuple(a.look.lit, a.look.material, a.first) <
-                   std::tuple(b.look.lit, b.look.material, b.first);
+            // No two have the same last span: one order, without the room that a stable sort takes.
+            return std::tuple(a.look.lit, a.look.material, a.last) <
+                   std::tuple(b.look.lit, b.look.material, b.last);
         });
 }
 
