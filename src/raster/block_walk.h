@@ -21,7 +21,8 @@ struct BlockBounds {
     double edge[3], across[3], down[3];
     double depth, depth_across, depth_down;
     int x0, y0, x1, y1; // the blocks asked about
-    // What is added up in float, over all of a tile, is rounded by far less than this of its terms.
+    // What is added up in float, over all of a tile, is rounded by far less than this of its terms,
+    // which are far from the least floats: depths are 2^-120 or more (scene/view.cpp).
     static constexpr double kMargin = 0x1p-18;
 };
 struct BlockList {
@@ -32,7 +33,7 @@ struct BlockList {
 
 // The three edge functions of a piece over a block, at the samples of one place in the pattern: at
 // the first pixel and their steps a pixel, rounded to double, and how far what lanes make of these
-// may lie from the truth, anywhere in the block; none where the block holds no other sign.
+// may lie from the truth, anywhere in the block. All 0: the edge holds for the whole block.
 struct PieceBlockEdges {
     double first[3], per_x[3], per_y[3], error[3];
 };

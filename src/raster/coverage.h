@@ -24,7 +24,8 @@ struct TilePlanes {
     std::uint32_t* id;
     VisibleRule rule{};
     // By the usual rule: for each block of 8 x 8 pixels, row by row, a depth that nothing seen at
-    // its samples is farther away than; 0 where nothing is known. What is farther is not drawn.
+    // its samples is farther away than; 0 where nothing is known. What is farther is not drawn;
+    // drawing finds it anew where that promises to hide something.
     float* farthest = nullptr;
 };
 

@@ -30,8 +30,8 @@ HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
 }
 
 // Is a block all behind what is there? nearest: no depth in it is nearer. What is known of the
-// block is of when it was last asked: where a pixel in its middle is nearer than that, all of them
-// are.
+// block is of when it was last looked through. It is looked through anew only where its middle
+// pixel hides the triangle: else the block cannot.
 HWY_INLINE bool hides(const TilePlanes& tile, int x, int y, float nearest) {
     constexpr int kSide = BlockWalk::kSide, kMiddle = kSide / 2 * (kTileSize + 1);
     float& farthest = tile.farthest[y * (kTileSize / kSide) + x];
@@ -86,6 +86,7 @@ HWY_INLINE void find_blocks(const TilePlanes& tile, const BlockBounds& b, BlockL
             out.y[out.count++] = y;
         }
     }
+    static_assert(kLanesX8 <= BlockWalk::kSide);
     for (int k = 0; k < BlockWalk::kSide; ++k) // what the last register reads beyond
         out.x[out.count + k] = out.y[out.count + k] = 0;
 }

@@ -63,8 +63,9 @@ PieceBlockSigns block_signs(const PieceBlockEdges& e) {
                 const F64x8 at =
                     F64x8(e.first[k] + y * e.per_y[k]) + to_f64(iota<I32x8>(x)) * F64x8(e.per_x[k]);
                 const int bit = y * kSide + x;
-                outside |= std::uint64_t{bits(at < -error)} << bit;
-                unsure |= std::uint64_t{bits(abs(at) < error)} << bit;
+                const std::uint32_t close = bits(abs(at) < error);
+                outside |= std::uint64_t{bits(at < F64x8(0.0)) & ~close} << bit;
+                unsure |= std::uint64_t{close} << bit;
             }
     }
     return {~outside & ~unsure, unsure & ~outside};
@@ -171,6 +172,10 @@ private:
             b.depth_down += down * share_[k];
         }
         b.depth += std::max(b.depth_across, 0.0) + std::max(b.depth_down, 0.0);
+        if (!(std::abs(b.depth) + std::abs(b.depth_across) + std::abs(b.depth_down) < 0x1p120)) {
+            b.depth = 0x1p120; // more than float may hold: nothing hides it
+            b.depth_across = b.depth_down = 0;
+        }
         b.x0 = (box.x0 - tile_.area.x0) / kSide;
         b.y0 = (box.y0 - tile_.area.y0) / kSide;
         b.x1 = (box.x1 - tile_.area.x0 + kSide - 1) / kSide;

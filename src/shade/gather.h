@@ -186,10 +186,10 @@ private:
     // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.
     struct Share;
     int own_ = 0;
-    // Of each lane its pixel in the tile: where this block begins among those of the tile that one
-    // primitive fills.
-    std::int32_t* pixel_ = nullptr;
+    // Pixels of lanes, in the tile: of those that one primitive fills, block after block, with room
+    // for the shares of the last one and for registers. pixel_: this block's first.
     std::vector<std::int32_t> pixels_;
+    std::int32_t* pixel_ = nullptr;
     std::unique_ptr<Share[]> share_;
     PixelSums sums_;               // of the pixels in shared_
     std::vector<WideParts> parts_; // of the same

@@ -9,7 +9,8 @@
 #include <utility>
 
 namespace scanout::shade {
-// The levels' sizes and places; no texels.
+
+// The levels' sizes and places, of which MipReader (mip-inl.h) finds the same again; no texels.
 static MipChain mip_levels(const image::Image& image, std::int32_t& texels) {
     MipChain chain;
     chain.width[0] = image.width();

@@ -16,6 +16,7 @@ Look Looks::of_mesh(std::uint32_t id) const {
 
 Spans::Spans() : span_(std::size_t{raster::kTileSize} * raster::kTileSize) {
     groups_.reserve(span_.size());
+    clear();
 }
 
 void Spans::clear() {

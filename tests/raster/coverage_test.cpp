@@ -2,7 +2,10 @@
 #include "raster/coverage.h"
 #include "raster/exactly_once.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace scanout::raster::test {
 namespace {
@@ -31,10 +34,10 @@ std::int64_t once_everywhere(F&& make) {
     return samples_seen;
 }
 
-// Of the triangle with its last vertex moved 64 times as far away from the first.
-Pieces pieces_far_out(const SnappedTriangle& t) {
+// Of the triangle with its last vertex moved many times as far away from the first.
+Pieces pieces_far_out(const SnappedTriangle& t, int times) {
     const auto &from = t.corner[0], &to = t.corner[2];
-    const auto far = [](double a, double b) { return (a + 64 * (b - a)) / kSubpixel * 3; };
+    const auto far = [&](double a, double b) { return (a + times * (b - a)) / kSubpixel * 3; };
     const ExactPoint points[] = {
         point_on_screen(from), point_on_screen(t.corner[1]),
         point_off_screen({far(from.x, to.x), far(from.y, to.y), to.depth * 3, 3})};
@@ -48,60 +51,82 @@ struct Drawn {
     std::vector<std::uint32_t> id;
     int skipped = 0; // calls after which nothing had changed
 
-    // What is not on the screen whole is drawn as pieces.
-    Drawn(const std::vector<std::pair<SnappedTriangle, bool>>& all, int samples, bool skip)
+    // With a number above 1 a triangle is drawn as pieces of one so many times as large.
+    Drawn(const std::vector<std::pair<SnappedTriangle, int>>& all, const image::Rect& area,
+          int samples, bool skip)
         : depth(kPlane * static_cast<std::size_t>(samples), 0.0F),
           id(kPlane * static_cast<std::size_t>(samples) + 16, kNoPrimitive) {
-        const TilePlanes planes{
-            {0, 0, kTileSize, kTileSize},    sample_pattern(samples), depth.data(), id.data(), {},
-            skip ? farthest.data() : nullptr};
+        const TilePlanes planes{area, sample_pattern(samples),         depth.data(), id.data(),
+                                {},   skip ? farthest.data() : nullptr};
         const std::uint32_t corner[3] = {0, 1, 2}, first = 0;
-        for (const auto& [t, whole] : all) {
+        for (const auto& [t, times] : all) {
             bool shows = false;
-            if (whole)
+            if (times == 1)
                 shows = draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}});
             else
-                for (const Piece& piece : pieces_far_out(t))
+                for (const Piece& piece : pieces_far_out(t, times))
                     shows |= draw_piece(planes, piece);
             skipped += shows ? 0 : 1;
         }
     }
 };
 
+// Tiles anywhere, some cut by the picture's edge.
+image::Rect any_tile(Random& random) {
+    const int x = random.whole(0, 400) * kTileSize, y = random.whole(0, 400) * kTileSize;
+    const auto side = [&] { return random.whole(0, 3) > 0 ? kTileSize : random.whole(1, 64); };
+    return {x, y, x + side(), y + side()};
+}
+
+// Planes that nearly touch and planes that cross, from far smaller than a block to far larger than
+// the tile, at depths of all sizes that views allow; ids in no order, a quarter in pieces.
+std::vector<std::pair<SnappedTriangle, int>> layers_over(const image::Rect& tile, Random& random) {
+    const double slope = std::ldexp(1.0, -random.whole(1, 30)),
+                 scale = std::ldexp(1.0, -random.whole(0, random.whole(0, 3) > 0 ? 10 : 118));
+    std::vector<std::pair<SnappedTriangle, int>> all;
+    for (std::uint32_t i = 0; i < 60; ++i) {
+        const int size = 256 << random.whole(1, 14), reach = (1 << 23) - 1;
+        const double middle = 0.5 + random.whole(-3, 3) * slope / 4;
+        const auto about = [&](int corner) {
+            const int at = (corner + 32) * 256 + random.whole(-size, size);
+            return std::clamp(at, -reach, reach);
+        };
+        SnappedTriangle t{{}, i * 7919 % 60};
+        for (ScreenVertex& v : t.corner) {
+            const double steps = random.whole(-8, 8) * (random.whole(0, 1) > 0 ? 1 : 30);
+            const double depth = std::clamp(middle + steps * slope / 64, 1e-3, 1.0) * scale;
+            v = {about(tile.x0), about(tile.y0), depth};
+        }
+        all.emplace_back(t, random.whole(0, 3) > 0 ? 1 : random.whole(2, 4000));
+    }
+    return all;
+}
+
 // What lies behind all that is seen in a block is not looked at: nothing may come of it but time.
 TEST(Coverage, WhatIsSkippedBehindOthersWouldNotHaveBeenSeen) {
     Random random(77);
     int hidden = 0, known = 0;
-    for (int round = 0; round < 400; ++round) {
-        std::vector<std::pair<SnappedTriangle, bool>> all;
-        const double slope = std::ldexp(1.0, -random.whole(4, 30));
-        for (std::uint32_t i = 0; i < 60; ++i) {
-            const int size = 256 << random.whole(1, 8);
-            // Planes that nearly touch, planes that cross, ids in no order.
-            const double middle = 0.5 + random.whole(-3, 3) * slope / 4;
-            SnappedTriangle t{{}, i * 7919 % 60};
-            for (ScreenVertex& v : t.corner)
-                v = {32 * 256 + random.whole(-size, size), 32 * 256 + random.whole(-size, size),
-                     middle + random.whole(-8, 8) * slope / 64};
-            all.emplace_back(t, random.whole(0, 3) > 0);
-        }
-        const int samples = 1 << round % 3;
-        const Drawn with(all, samples, true), without(all, samples, false);
-        ASSERT_EQ(with.depth, without.depth) << round;
-        ASSERT_EQ(with.id, without.id) << round;
+    for (int round = 0; round < 600; ++round) {
+        const image::Rect area = any_tile(random);
+        const auto all = layers_over(area, random);
+        const int samples = 1 << round % 5;
+        const Drawn with(all, area, samples, true), without(all, area, samples, false);
         ASSERT_EQ(with.skipped, without.skipped) << round;
         hidden += with.skipped;
-        for (std::size_t block = 0; block < 64; ++block) {
-            const float least = with.farthest[block];
-            known += least > 0 ? 1 : 0;
-            for (std::size_t s = 0; s < with.depth.size(); s += Drawn::kPlane)
-                for (std::size_t y = block / 8 * 8; y < block / 8 * 8 + 8; ++y)
-                    for (std::size_t x = block % 8 * 8; x < block % 8 * 8 + 8; ++x)
-                        ASSERT_GE(with.depth[s + y * kTileSize + x], least);
+        const std::size_t pixels = with.depth.size();
+        for (std::size_t i = 0; i < pixels; ++i) {
+            const std::size_t x = i % kTileSize, y = i % Drawn::kPlane / kTileSize;
+            ASSERT_GE(with.depth[i], with.farthest[y / 8 * 8 + x / 8]) << round;
+            if (static_cast<int>(x) >= area.width() || static_cast<int>(y) >= area.height())
+                continue;
+            ASSERT_EQ(with.depth[i], without.depth[i]) << round << ' ' << x << ' ' << y;
+            ASSERT_EQ(with.id[i], without.id[i]) << round << ' ' << x << ' ' << y;
         }
+        for (const float farthest : with.farthest)
+            known += farthest > 0 ? 1 : 0;
     }
-    EXPECT_GT(hidden, 1000);
-    EXPECT_GT(known, 400 * 20);
+    EXPECT_GT(hidden, 10000);
+    EXPECT_GT(known, 600 * 20);
     record("hidden", hidden);
 }
 

@@ -101,6 +101,36 @@ TEST(Piece, CoversWhatExactArithmeticSaysTiesIncluded) {
     record("samples_inside_on_an_edge", static_cast<double>(ties));
 }
 
+// An edge that passes a sample so closely that double is off by its whole bound of the error: what
+// lanes cannot tell, whole numbers do.
+TEST(Piece, CoversNothingWhereDoubleIsOffByItsWholeBound) {
+    constexpr std::int64_t kUnit = std::int64_t{1} << 23, kFar = std::int64_t{1} << 48,
+                           kFarW = std::int64_t{1} << 40;
+    const double depth = 0.5;
+    const ExactPoint near{0, 0, kUnit, depth, depth},
+        far{3 * kFar - 15, kFar + 17, kFarW, depth * (kFarW / kUnit), depth};
+    VisibilityTile tile;
+    std::array<int, std::size_t{kSide} * kSide> hits{};
+    for (const ExactPoint& third : {ExactPoint{0, 64 * 256, kUnit, depth, depth},
+                                    ExactPoint{64 * 256, 0, kUnit, depth, depth}}) {
+        tile.reset({0, 0, kSide, kSide}, 1);
+        const Pieces pieces = split(std::array{near, far, third}, 0);
+        ASSERT_GT(pieces.count, 0);
+        for (const Piece& piece : pieces)
+            tile.draw(piece);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                bool covered = false;
+                for (const Piece& piece : pieces)
+                    covered |= covers(piece, x * 256 + 128, y * 256 + 128);
+                ASSERT_EQ(tile.id(x, y) == 0, covered) << x << ' ' << y;
+                hits[static_cast<std::size_t>(y * kSide + x)] += covered ? 1 : 0;
+            }
+    }
+    EXPECT_EQ(std::count(hits.begin(), hits.end(), 2), 0); // on both sides of one edge
+    EXPECT_GT(std::count(hits.begin(), hits.end(), 1), 1000);
+}
+
 // Depth at a sample: sum(E_i z_i) / sum(E_i w_i), of the piece's own vertices.
 Twofold twofold(Int128 v) {
     const auto high = static_cast<double>(v);

@@ -4,6 +4,7 @@
 #include "support/random.h"
 #include "support/targets.h"
 
+#include <algorithm>
 #include <bit>
 #include <vector>
 
@@ -66,11 +67,14 @@ TEST(PlaceLanes, PutsEveryCodeToItsPixelAndTouchesNoOther) {
     Random random(2);
     std::vector<std::int32_t> pixel(kRoom);
     std::vector<std::uint32_t> code(kRoom);
-    for (const int width : {kTileSize, 100, 1920})
-        for (const int count : {0, 1, 7, 16, 17, 127, kLanes}) {
+    for (const int width : {1, 10, kTileSize, 100, 1920})
+        for (const int count : {0, 1, 7, 16, 17, 63, 127, kLanes}) {
+            if (count > width * kTileSize) continue; // each pixel once
             for (std::size_t i = 0; i < kRoom; ++i) {
                 code[i] = static_cast<std::uint32_t>(random.bits());
-                pixel[i] = static_cast<std::int32_t>(i * 31 % (kTileSize * kTileSize));
+                const auto across = static_cast<std::size_t>(std::min(width, kTileSize));
+                const std::size_t place = i * 31 % (across * kTileSize);
+                pixel[i] = static_cast<std::int32_t>(place / across * kTileSize + place % across);
             }
             const image::Rgba8 old{1, 2, 3, 4};
             image::Image expected(width, kTileSize, old);
