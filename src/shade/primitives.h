@@ -29,9 +29,10 @@ public:
         return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add_later(triangle);
     }
     void set_up(const TriangleSource& source);
-    // What of a triangle covers a sample that shows it (1/256 pixel): of one that has two pieces,
-    // the second, which stands behind the first?
+    // Of a triangle drawn as two pieces, the second of which stands behind the first: does the
+    // second cover a sample that shows the triangle (1/256 pixel)? Of other triangles: no.
     static bool is_of_second(const Primitive& first, std::int32_t x, std::int32_t y);
+    // The piece that does.
     static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y) {
         return is_of_second(first, x, y) ? *(&first + 1) : first;
     }
