@@ -12,16 +12,26 @@
 
 SIMD_BEGIN(scanout::raster)
 
-template <bool kUsual>
-HWY_INLINE void show_row(const VisibleRule& rule, MaskX8 inside, F32x8 z, std::uint32_t primitive,
-                         float* depth, std::uint32_t* id, I32x8& drawn) {
+template <bool kUsual, class D>
+HWY_INLINE void show_row(const VisibleRule& rule, Mask<D> inside, Float<D> z,
+                         std::uint32_t primitive, float* depth, std::uint32_t* id, Int<D>& drawn) {
     if constexpr (kUsual)
         show(inside, z, primitive, depth, id, drawn);
     else
         show_by(rule, inside, z, primitive, depth, id, drawn);
 }
 
-constexpr int kRegisters = BlockWalk::kSide / kLanesX8; // of a row of a block
+// Rows of a block in registers: of a row of eight pixels there are several where they are narrow;
+// where they are wide a register has two rows.
+constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
+constexpr int kRows = kLanes > BlockWalk::kSide ? kLanes / BlockWalk::kSide : 1;
+// Of the lanes of a register of these: which column of the block, and which of its rows.
+HWY_INLINE I32 columns(int number) {
+    return iota<I32>(number * kLanes) & I32(BlockWalk::kSide - 1);
+}
+HWY_INLINE I32 rows() {
+    return shift_right<3>(iota<I32>(0));
+}
 
 // What walks in lanes read of Walks: of several triangles, or of one in all lanes.
 struct WalkLanes {
@@ -59,60 +69,71 @@ struct Blocks {
 
 // A block that the triangle covers whole, by the usual rule: the same bits as draw_rows.
 HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint32_t primitive,
-                           float* depth, std::uint32_t* id, I32x8& drawn) {
-    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const float sample_y = static_cast<float>(at.y) / kSubpixel;
-    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
-    F32x8 across[kRegisters];
+                           float* depth, std::uint32_t* id, I32& drawn) {
+    const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32 base = b.base[lane], rest = b.rest[lane];
+    const F32 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
+    F32 across[kRegisters];
     SIMD_UNROLL
     for (int r = 0; r < kRegisters; ++r)
-        across[r] = (to_f32(iota<I32x8>(r * kLanesX8)) + sample_x) * per_pixel_x;
-    const MaskX8 inside = I32x8(0) == I32x8(0);
-    float row = sample_y;
-    for (int y = 0; y < BlockWalk::kSide; ++y, row += 1.0F, depth += kTileSize, id += kTileSize) {
-        const F32x8 down_here = row * b.per_pixel_y[lane];
+        across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
+    const auto inside = I32(0) == I32(0);
+    F32 row = to_f32(rows()) + sample_y;
+    for (int y = 0; y < BlockWalk::kSide; y += kRows) {
+        const F32 down_here = row * per_pixel_y;
         SIMD_UNROLL
         for (int r = 0; r < kRegisters; ++r)
-            show(inside, base + (rest + (across[r] + down_here)), primitive, depth + r * kLanesX8,
-                 id + r * kLanesX8, drawn);
+            show(inside, base + (rest + (across[r] + down_here)), primitive, depth + r * kLanes,
+                 id + r * kLanes, drawn);
+        row = row + F32(kRows);
+        depth += kRows * kTileSize;
+        id += kRows * kTileSize;
     }
 }
 
 template <bool kUsual>
 HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
-                          std::uint32_t primitive, float* depth, std::uint32_t* id, I32x8& drawn) {
-    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const float sample_y = static_cast<float>(at.y) / kSubpixel, per_row = b.per_pixel_y[lane];
-    const F32x8 base = b.base[lane], rest = b.rest[lane], per_pixel_x = b.per_pixel_x[lane];
-    I32x8 edge[3][kRegisters], down[3];
-    F32x8 across[kRegisters];
+                          std::uint32_t primitive, float* depth, std::uint32_t* id, I32& drawn) {
+    const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32 base = b.base[lane], rest = b.rest[lane];
+    const F32 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
+    // Registers of two rows start at an even one: they stay in the block.
+    const int begin = b.begin[lane] & -kRows, end = b.end[lane];
+    I32 edge[3][kRegisters], down[3];
+    F32 across[kRegisters];
     SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r) {
-        const I32x8 column = iota<I32x8>(r * kLanesX8);
+    for (int k = 0; k < 3; ++k) {
+        const I32 per_y = b.per_y[k][lane];
+        const I32 first = I32(b.first[k][lane]) + per_y * (rows() - I32(b.begin[lane] - begin));
         SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            edge[k][r] = I32x8(b.first[k][lane]) + I32x8(b.per_x[k][lane]) * column;
-        across[r] = (to_f32(column) + sample_x) * per_pixel_x;
+        for (int r = 0; r < kRegisters; ++r)
+            edge[k][r] = first + I32(b.per_x[k][lane]) * columns(r);
+        down[k] = per_y * I32(kRows);
     }
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        down[k] = I32x8(b.per_y[k][lane]);
-    const int begin = b.begin[lane], end = b.end[lane];
-    float* depth_row = depth + begin * kTileSize;
-    std::uint32_t* id_row = id + begin * kTileSize;
-    float row = static_cast<float>(begin) + sample_y; // a whole number of 1/256: exact
-    for (int y = begin; y < end; ++y, row += 1.0F, depth_row += kTileSize, id_row += kTileSize) {
-        const F32x8 down_here = row * per_row;
+    for (int r = 0; r < kRegisters; ++r)
+        across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
+    depth += begin * kTileSize;
+    id += begin * kTileSize;
+    F32 row = to_f32(rows() + I32(begin)) + sample_y; // a whole number of 1/256: exact
+    for (int y = begin; y < end; y += kRows) {
+        const F32 down_here = row * per_pixel_y;
         SIMD_UNROLL
         for (int r = 0; r < kRegisters; ++r) {
-            const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32x8(0);
-            const F32x8 z = base + (rest + (across[r] + down_here));
-            show_row<kUsual>(rule, inside, z, primitive, depth_row + r * kLanesX8,
-                             id_row + r * kLanesX8, drawn);
+            auto inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32(0);
+            if constexpr (kRows > 1) inside = inside & (rows() < I32(end - y));
+            const F32 z = base + (rest + (across[r] + down_here));
+            show_row<kUsual>(rule, inside, z, primitive, depth + r * kLanes, id + r * kLanes,
+                             drawn);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
         }
+        row = row + F32(kRows);
+        depth += kRows * kTileSize;
+        id += kRows * kTileSize;
     }
 }
 
@@ -132,10 +153,10 @@ HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end
 
 // By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
 // depth, columns from few.column, rows from b.begin.
-template <class DepthAt>
+template <class DepthAt, class Drawn>
 HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
                             const std::uint32_t* name, float* depth, std::uint32_t* id,
-                            I32x8& drawn) {
+                            Drawn& drawn) {
     I32x8 start[3], right[3], below[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -190,12 +211,12 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
             start[k] = start[k] + below[k];
     }
     draw_waiting();
-    if (shows) drawn = I32x8(-1);
+    if (shows) drawn = Drawn(-1);
 }
 
 // The same bits as draw_rows.
 HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
-                         const std::uint32_t* name, float* depth, std::uint32_t* id, I32x8& drawn) {
+                         const std::uint32_t* name, float* depth, std::uint32_t* id, I32& drawn) {
     const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
@@ -278,7 +299,7 @@ HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const 
 // Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
 template <bool kUsual, bool kOne>
 HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
-                          std::uint32_t live, const std::uint32_t* id, I32x8& drawn) {
+                          std::uint32_t live, const std::uint32_t* id, I32& drawn) {
     const F64x8 zero = 0.0;
     Double<F32x8::Tag>::DoubleMask whole[3];
     SIMD_UNROLL

@@ -10,7 +10,7 @@ SIMD_BEGIN(scanout::raster)
 // Blocks are few: those of all triangles side by side, one after the other.
 template <bool kUsual>
 HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
-                           I32x8& drawn) {
+                           I32& drawn) {
     WalkLanes lanes =
         walk_lanes(w, [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); });
     lanes.x0 = load<I32x8>(w.x0 + i);
@@ -62,7 +62,7 @@ HWY_INLINE BlockBounds bounds_of(const TilePlanes& tile, const Walks& w, int i) 
 // Blocks are many: those of one triangle side by side.
 template <bool kUsual>
 HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const BlockList& list,
-                           I32x8& drawn) {
+                           I32& drawn) {
     WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
     lanes.x0 = w.x0[i];
     lanes.y0 = w.y0[i];
@@ -80,7 +80,7 @@ HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const 
 // A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
 template <bool kUsual>
 HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id, int bx,
-                           int by, I32x8& drawn) {
+                           int by, I32& drawn) {
     constexpr int kSide = BlockWalk::kSide;
     const double x = (tile.area.x0 + bx * kSide) * kSubpixel;
     const double y = (tile.area.y0 + by * kSide) * kSubpixel;
@@ -90,6 +90,7 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
     const std::size_t plane = std::size_t{kTileSize} * kTileSize;
     const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
     const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
+    I32x8 here = 0;
     for (std::size_t s = 0; s < tile.pattern.size(); ++s) {
         const SampleOffset at = tile.pattern.data()[s];
         for (int row = begin; row < end; ++row)
@@ -115,16 +116,17 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
                 const std::size_t first = s * plane + static_cast<std::size_t>(row * kTileSize) +
                                           static_cast<std::size_t>(bx * kSide + column);
                 show_row<kUsual>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id, tile.depth + first,
-                                 tile.id + first, drawn);
+                                 tile.id + first, here);
             }
     }
+    if (any(!(here == I32x8(0)))) drawn = I32(-1);
 }
 
 template <bool kUsual>
 HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
                          const TriangleList& list) {
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
-    I32x8 drawn = 0;
+    I32 drawn = 0;
     Walks w;
     BlockList blocks;
     const auto all = static_cast<int>(list.which.size());
@@ -146,7 +148,7 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
                 draw_steep<kUsual>(tile, w, i, w.id[i], blocks.x[k], blocks.y[k], drawn);
         }
     }
-    return any(!(drawn == I32x8(0)));
+    return any(!(drawn == I32(0)));
 }
 
 bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {

@@ -6,6 +6,7 @@
 #define SCANOUT_RASTER_SHOW_INL_H
 #endif
 
+#include "raster/block_walk.h"
 #include "raster/visible_rule.h"
 
 #include "simd/lanes-inl.h"
@@ -14,39 +15,62 @@ SIMD_BEGIN(scanout::raster)
 
 using MaskX8 = Mask<F32x8::Tag>;
 
+// Pixels of a tile from one on: of its row, and where a register has room for eight more of the row
+// below.
+template <class T, class Word>
+HWY_INLINE T load_pixels(const Word* from) {
+    if constexpr (T::kLanes > BlockWalk::kSide)
+        return load_halves<T>(from, from + kTileSize);
+    else
+        return load<T>(from);
+}
+template <class T, class Word>
+HWY_INLINE void store_pixels(T a, Word* to) {
+    if constexpr (T::kLanes > BlockWalk::kSide)
+        store_halves(a, to, to + kTileSize);
+    else
+        store(a, to);
+}
+
 // Of what is inside the nearest stays, at a tie the lower id.
-HWY_INLINE void show(MaskX8 inside, F32x8 z, std::uint32_t primitive, float* depth,
-                     std::uint32_t* id, I32x8& drawn) {
-    const F32x8 old = load<F32x8>(depth);
-    const I32x8 old_id = load<I32x8>(id), new_id = static_cast<std::int32_t>(primitive);
+template <class D>
+HWY_INLINE void show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
+                     std::uint32_t* id, Int<D>& drawn) {
+    using Id = Int<D>;
+    const auto old = load_pixels<Float<D>>(depth);
+    const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
     // Ids are compared as unsigned numbers: their order is that of signed ones moved by 2^31.
-    const I32x8 half = INT32_MIN;
-    const MaskX8 pass = inside & ((z > old) | ((z == old) & ((new_id + half) < (old_id + half))));
-    store(select(pass, z, old), depth);
-    store(select(pass, new_id, old_id), id);
-    drawn = select(pass, I32x8(-1), drawn);
+    const Id half = INT32_MIN;
+    const Mask<D> pass = inside & ((z > old) | ((z == old) & ((new_id + half) < (old_id + half))));
+    store_pixels(select(pass, z, old), depth);
+    store_pixels(select(pass, new_id, old_id), id);
+    drawn = select(pass, Id(-1), drawn);
 }
 
 // VisibleRule::kept.
-HWY_INLINE F32x8 kept(F32x8 z, const VisibleRule& rule) {
+template <class D>
+HWY_INLINE Float<D> kept(Float<D> z, const VisibleRule& rule) {
     if (!rule.standard) return z;
-    const F64x8 turned = F64x8(1.0) - to_f64(z), whole = 0x1.8p52;
-    const F64x8 stored = rule.steps > 0
-                             ? ((turned * F64x8(rule.steps) + whole) - whole) / F64x8(rule.steps)
-                             : to_f64(to_f32(turned));
-    return to_f32(F64x8(1.0) - stored);
+    using Wide = Double<D>;
+    const Wide turned = Wide(1.0) - to_f64(z), whole = 0x1.8p52;
+    const Wide stored = rule.steps > 0
+                            ? ((turned * Wide(rule.steps) + whole) - whole) / Wide(rule.steps)
+                            : to_f64(to_f32(turned));
+    return to_f32(Wide(1.0) - stored);
 }
 
 // The same by another rule than the usual one.
-HWY_INLINE void show_by(const VisibleRule& rule, MaskX8 inside, F32x8 depth_here,
-                        std::uint32_t primitive, float* depth, std::uint32_t* id, I32x8& drawn) {
-    const F32x8 z = kept(depth_here, rule), old = load<F32x8>(depth);
-    const I32x8 old_id = load<I32x8>(id), new_id = static_cast<std::int32_t>(primitive);
-    const I32x8 half = INT32_MIN, mine = new_id + half, others = old_id + half;
-    const MaskX8 empty = old_id == I32x8(-1), tie = z == old;
-    const MaskX8 lower = mine < others;
-    const MaskX8 higher = others < mine;
-    MaskX8 pass = mine < mine; // none
+template <class D>
+HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_here,
+                        std::uint32_t primitive, float* depth, std::uint32_t* id, Int<D>& drawn) {
+    using Id = Int<D>;
+    const Float<D> z = kept(depth_here, rule), old = load_pixels<Float<D>>(depth);
+    const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
+    const Id half = INT32_MIN, mine = new_id + half, others = old_id + half;
+    const Mask<D> empty = old_id == Id(-1), tie = z == old;
+    const Mask<D> lower = mine < others;
+    const Mask<D> higher = others < mine;
+    Mask<D> pass = mine < mine; // none
     switch (rule.test) {
     case DepthTest::equal:
         pass = (!empty) & tie & higher;
@@ -70,9 +94,9 @@ HWY_INLINE void show_by(const VisibleRule& rule, MaskX8 inside, F32x8 depth_here
         break;
     }
     pass = pass & inside;
-    store(select(pass, z, old), depth);
-    store(select(pass, new_id, old_id), id);
-    drawn = select(pass, I32x8(-1), drawn);
+    store_pixels(select(pass, z, old), depth);
+    store_pixels(select(pass, new_id, old_id), id);
+    drawn = select(pass, Id(-1), drawn);
 }
 
 SIMD_END

@@ -195,6 +195,8 @@ struct Strips {
     float rest[kMostBlocks][2][kLanesX8];          // across (Blocks)
 };
 
+constexpr int kAcross = BlockWalk::kSide / kLanesX8; // registers, of a row
+
 // The blocks' depths. Returns the lanes of which something may be seen.
 HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
                                       I32x8 x1, std::uint32_t live, Strips& out) {
@@ -244,14 +246,14 @@ HWY_INLINE void draw_strip(const Blocks& b, const Strips& s, int lane, SampleOff
     constexpr int kSide = BlockWalk::kSide;
     const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
-    I32x8 edge[3][kRegisters], down[3];
-    F32x8 across[kRegisters];
-    MaskX8 right[kRegisters];
+    I32x8 edge[3][kAcross], down[3];
+    F32x8 across[kAcross];
+    MaskX8 right[kAcross];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         down[k] = I32x8(b.per_y[k][lane]);
     SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r) {
+    for (int r = 0; r < kAcross; ++r) {
         const I32x8 from_first = iota<I32x8>(r * kLanesX8);
         const I32x8 column = from_first + I32x8(s.column[lane]);
         right[r] = column >= I32x8(kSide);
@@ -267,9 +269,9 @@ HWY_INLINE void draw_strip(const Blocks& b, const Strips& s, int lane, SampleOff
     const int end = row + s.down[lane];
     F32x8 y = (static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel);
     for (int block = 0; row < end; ++block) {
-        F32x8 base[kRegisters], rest[kRegisters];
+        F32x8 base[kAcross], rest[kAcross];
         SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r) {
+        for (int r = 0; r < kAcross; ++r) {
             base[r] =
                 select(right[r], F32x8(s.base[block][1][lane]), F32x8(s.base[block][0][lane]));
             rest[r] =
@@ -279,7 +281,7 @@ HWY_INLINE void draw_strip(const Blocks& b, const Strips& s, int lane, SampleOff
         for (; row < last; ++row, depth += kTileSize, id += kTileSize) {
             const F32x8 down_here = y * per_pixel_y;
             SIMD_UNROLL
-            for (int r = 0; r < kRegisters; ++r) {
+            for (int r = 0; r < kAcross; ++r) {
                 const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
                 show(inside, base[r] + (rest[r] + (across[r] + down_here)), name,
                      depth + r * kLanesX8, id + r * kLanesX8, shows);

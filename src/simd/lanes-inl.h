@@ -140,6 +140,12 @@ HWY_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
 
 // --- conversions
 
+// Types of half as many lanes.
+template <class D>
+Float<hn::Half<D>> half_of(Float<D>);
+template <class D>
+Int<hn::Half<D>> half_of(Int<D>);
+
 // Round to nearest, ties to even.
 template <class D>
 HWY_INLINE Float<D> to_f32(Int<D> a) {
@@ -218,6 +224,19 @@ HWY_INLINE void store(Int<D> a, std::uint32_t* to) {
 template <class D>
 HWY_INLINE void store(Double<D> a, double* to) {
     a.store_to(to);
+}
+// The lower lanes from one place, the upper ones from another.
+template <class T, class Word>
+HWY_INLINE T load_halves(const Word* low, const Word* high) {
+    using Half = decltype(half_of(T()));
+    return T(hn::Combine(typename T::Tag(), load<Half>(high).raw, load<Half>(low).raw));
+}
+template <class T, class Word>
+HWY_INLINE void store_halves(T a, Word* low, Word* high) {
+    using Half = decltype(half_of(T()));
+    const typename Half::Tag tag;
+    store(Half(hn::LowerHalf(tag, a.raw)), low);
+    store(Half(hn::UpperHalf(tag, a.raw)), high);
 }
 // base[index] in every lane; index >= 0.
 template <class D>
