@@ -11,20 +11,19 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Adaptive {
-    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
-                                 const Run& run) {
+    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         switch (run.primitive->step) {
         case kAffine:
-            affine_lanes(b, frame, want, run);
+            affine_lanes(b, want, run);
             break;
         case 16:
-            stepped_lanes<16>(b, frame, want, run);
+            stepped_lanes<16>(b, want, run);
             break;
         case 8:
-            stepped_lanes<8>(b, frame, want, run);
+            stepped_lanes<8>(b, want, run);
             break;
         default:
-            perspective_lanes(b, frame, want, run);
+            perspective_lanes(b, want, run);
         }
     }
 };

@@ -19,16 +19,15 @@ SIMD_BEGIN(scanout::shade::interpolate)
 
 // Screen areas alone: no division at all but by the whole area. Where a triangle was cut by the
 // near plane it has no areas on the screen, and is interpolated exactly.
-HWY_INLINE void affine_lanes(Block& b, const FrameState& frame, const Wanted& want,
-                             const Run& run) {
+HWY_INLINE void affine_lanes(Block& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
-    if (t.clipped) return perspective_lanes(b, frame, want, run);
+    if (t.clipped) return perspective_lanes(b, want, run);
     const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
     const F64 inverse = 1.0 / whole;
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
         const F64 x = to_f64(load<I32>(b.x + i)), y = to_f64(load<I32>(b.y + i));
-        put(b, frame, want, of,
+        put(b, want, of,
             {to_f32(area_at(t, 1, x, y) * inverse),
              to_f32(area_at(t, 2, x, y) * inverse),
              {i, run.first + run.count - i}},
@@ -80,7 +79,7 @@ struct Row {
 };
 
 template <int kStep>
-HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& want, const Row& row) {
+HWY_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
     constexpr std::int32_t kUnits = kStep * 256;
     const Primitive& t = *row.primitive;
     const double y = row.y;
@@ -114,7 +113,7 @@ HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& wan
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
-            put(b, frame, want, of, w, at);
+            put(b, want, of, w, at);
         }
         lane = last;
         left += kUnits;
@@ -123,15 +122,14 @@ HWY_INLINE void stepped_row(Block& b, const FrameState& frame, const Wanted& wan
 }
 
 template <int kStep>
-HWY_INLINE void stepped_lanes(Block& b, const FrameState& frame, const Wanted& want,
-                              const Run& run) {
+HWY_INLINE void stepped_lanes(Block& b, const Wanted& want, const Run& run) {
     const int end = run.first + run.count;
     for (int first = run.first; first < end;) {
         const std::int32_t x = b.x[first] >> 8, y = b.y[first] >> 8;
         int next = first + 1;
         while (next < end && b.y[next] >> 8 == y && b.x[next] >> 8 == x + (next - first))
             ++next;
-        stepped_row<kStep>(b, frame, want,
+        stepped_row<kStep>(b, want,
                            {run.primitive, first, next - first, x * 256 + 128, y * 256 + 128});
         first = next;
     }

@@ -10,9 +10,8 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine {
-    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
-                                 const Run& run) {
-        affine_lanes(b, frame, want, run);
+    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+        affine_lanes(b, want, run);
     }
 };
 

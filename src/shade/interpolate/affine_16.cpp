@@ -9,9 +9,8 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine16 {
-    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
-                                 const Run& run) {
-        stepped_lanes<16>(b, frame, want, run);
+    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+        stepped_lanes<16>(b, want, run);
     }
 };
 

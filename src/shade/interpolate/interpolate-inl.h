@@ -52,18 +52,13 @@ struct OfLanes {
 // made six of every rung, on every target, and saved no more than a branch.
 enum class Normals { none, turned, unit, raw };
 
-// In view space. turned: the side that the eye sees is lit, whichever way the file wound it or its
-// normals. raw: as the vertices' unit normals mix, shorter between them.
+// As the vertices' mix, in their space. turned: the side that the eye sees is lit, whichever way
+// the file wound it or its normals.
 template <class Of>
-HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, const Weights& w,
-                        float* to_x, float* to_y, float* to_z) {
-    F32 n[3] = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
-    if (wanted == Normals::raw) {
-        store(n[0], to_x);
-        store(n[1], to_y);
-        store(n[2], to_z);
-        return;
-    }
+HWY_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 (&n)[3]) {
+    SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        n[c] = of.normal(w, c);
     if (wanted == Normals::turned) {
         const F32 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
         const F32 sign = select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
@@ -71,6 +66,10 @@ HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, c
         for (F32& component : n)
             component = component * sign;
     }
+}
+
+// Unit normals in view space.
+HWY_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
     const auto row = [&](int r) {
         const auto& m = frame.normal_matrix[r];
         return (F32(m[0]) * n[0] + F32(m[1]) * n[1]) + F32(m[2]) * n[2];
@@ -79,9 +78,22 @@ HWY_INLINE void normals(Normals wanted, const Of& of, const FrameState& frame, c
     const F32 length = sqrt((x * x + y * y) + z * z);
     const auto usable = length > F32(0x1p-60F); // opposite normals can cancel: then face the eye
     const F32 scale = F32(1.0F) / select(usable, length, F32(1.0F));
-    store(select(usable, x * scale, F32(0.0F)), to_x);
-    store(select(usable, y * scale, F32(0.0F)), to_y);
-    store(select(usable, z * scale, F32(1.0F)), to_z);
+    n[0] = select(usable, x * scale, F32(0.0F));
+    n[1] = select(usable, y * scale, F32(0.0F));
+    n[2] = select(usable, z * scale, F32(1.0F));
+}
+
+// The same of lanes first to end, whatever run they belong to: a root and a quotient a register
+// take longer than all else about it, and few runs fill theirs.
+HWY_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
+    for (int i = first; i < end; i += kLanes) {
+        F32 n[3] = {load<F32>(b.normal[0] + i), load<F32>(b.normal[1] + i),
+                    load<F32>(b.normal[2] + i)};
+        to_view(frame, n);
+        SIMD_UNROLL
+        for (int c = 0; c < 3; ++c)
+            store(n[c], b.normal[c] + i);
+    }
 }
 
 // Which attributes a block wants.
@@ -102,12 +114,16 @@ HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
 }
 
-// One register of lanes from lane i on.
+// One register of lanes from lane i on. Normals are yet to go through lanes_to_view.
 template <class Of>
-HWY_INLINE void put(Block& b, const FrameState& frame, const Wanted& want, const Of& of,
-                    const Weights& w, int i) {
-    if (want.normal != Normals::none)
-        normals(want.normal, of, frame, w, b.normal[0] + i, b.normal[1] + i, b.normal[2] + i);
+HWY_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
+    if (want.normal != Normals::none) {
+        F32 n[3];
+        mix_normals(want.normal, of, w, n);
+        SIMD_UNROLL
+        for (int c = 0; c < 3; ++c)
+            store(n[c], b.normal[c] + i);
+    }
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
         store(of.uv(w, 1), b.v + i);
@@ -132,16 +148,14 @@ HWY_INLINE bool is_flat(const Primitive& t) {
 }
 HWY_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
                              const Run& run) {
-    alignas(64) float n[3][kLanes];
-    const OfRun of(*run.primitive);
-    normals(want.normal, of, frame, {F32(0.0F), F32(0.0F), {run.first, run.count}}, n[0], n[1],
-            n[2]);
-    const F32 x = load<F32>(n[0]), y = load<F32>(n[1]), z = load<F32>(n[2]);
-    for (int i = run.first; i < run.first + run.count; i += kLanes) {
-        store(x, b.normal[0] + i);
-        store(y, b.normal[1] + i);
-        store(z, b.normal[2] + i);
-    }
+    F32 n[3];
+    mix_normals(want.normal, OfRun(*run.primitive), {F32(0.0F), F32(0.0F), {run.first, run.count}},
+                n);
+    if (want.normal != Normals::raw) to_view(frame, n);
+    for (int i = run.first; i < run.first + run.count; i += kLanes)
+        SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        store(n[c], b.normal[c] + i);
 }
 
 // The material's own.
@@ -155,21 +169,19 @@ HWY_INLINE void put_albedo(Block& b, const Wanted& want) {
 }
 
 // Exactly, at every lane of a run.
-HWY_INLINE void perspective_lanes(Block& b, const FrameState& frame, const Wanted& want,
-                                  const Run& run) {
+HWY_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes)
-        put(b, frame, want, of,
+        put(b, want, of,
             weights(t, load<I32>(b.x + i), load<I32>(b.y + i), {i, run.first + run.count - i}), i);
 }
 
 // The same at lanes that have triangles of their own.
-HWY_INLINE void perspective_own(Block& b, const FrameState& frame, const Wanted& want,
-                                const Run& run) {
+HWY_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
     const LaneTriangles& t = *b.triangles;
     for (int i = run.first; i < run.first + run.count; i += kLanes)
-        put(b, frame, want, OfLanes{t, i},
+        put(b, want, OfLanes{t, i},
             weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
                        load<F32>(t.weight[2] + i), {i, run.first + run.count - i}),
             i);
@@ -184,11 +196,20 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     Wanted rest = want; // of flat triangles
     rest.normal = Normals::none;
     const bool shades = want.normal != Normals::none;
+    int turned = 0; // lanes with normals in view space
+    const auto turn = [&](int end) HWY_ATTR {
+        if (shades && want.normal != Normals::raw) lanes_to_view(b, frame, turned, end);
+    };
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const bool flat = shades && run->primitive != nullptr && is_flat(*run->primitive);
-        if (flat) flat_normals(b, frame, want, *run);
-        if (!flat || rest.any()) Rung::lanes(b, frame, flat ? rest : want, *run);
+        if (flat) {
+            turn(run->first);
+            flat_normals(b, frame, want, *run);
+            turned = run->first + run->count;
+        }
+        if (!flat || rest.any()) Rung::lanes(b, flat ? rest : want, *run);
     }
+    turn(b.count);
     // How u and v change is exact whatever the rung.
     if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }

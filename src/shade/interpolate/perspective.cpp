@@ -11,12 +11,11 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Perspective {
-    static HWY_INLINE void lanes(Block& b, const FrameState& frame, const Wanted& want,
-                                 const Run& run) {
+    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         if (run.primitive == nullptr)
-            perspective_own(b, frame, want, run);
+            perspective_own(b, want, run);
         else
-            perspective_lanes(b, frame, want, run);
+            perspective_lanes(b, want, run);
     }
 };
 
