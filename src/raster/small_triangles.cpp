@@ -118,14 +118,24 @@ HWY_INLINE PartEdges edges_of(const PartLanes& part) {
     return e;
 }
 
-// The samples of one place in the pattern, of a block. corner: the edges at its corner.
+// At the samples of one place in the pattern, so that the sign tells which side they lie on.
+// corner: the edges at the corner of the first pixel.
+HWY_INLINE void edges_at(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
+                         I32x8 (&out)[3]) {
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        out[k] = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
+}
+
+// For rows from `begin` on.
 HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
                                I32x8 begin, Blocks& out) {
+    I32x8 first[3];
+    edges_at(e, corner, at, first);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const I32x8 per_y = shift_left<kSubpixelBits>(e.b[k]);
-        const I32x8 first = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
-        store(first + per_y * begin, out.first[k]);
+        store(first[k] + per_y * begin, out.first[k]);
         store(shift_left<kSubpixelBits>(e.a[k]), out.per_x[k]);
         store(per_y, out.per_y[k]);
     }
@@ -182,6 +192,7 @@ HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
     s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
 }
 
+constexpr std::size_t kMostSamples = 16; // of a pixel
 // Each way at most as many blocks hold a part.
 constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
 
@@ -193,6 +204,7 @@ struct Strips {
     std::int32_t column[kLanesX8], row[kLanesX8];  // of the first pixel, in its block
     float base[kMostBlocks][2][kLanesX8];          // at the corners of blocks, downwards and
     float rest[kMostBlocks][2][kLanesX8];          // across (Blocks)
+    std::int32_t first[kMostSamples][3][kLanesX8]; // the edges at the first pixel's samples
 };
 
 constexpr int kAcross = BlockWalk::kSide / kLanesX8; // registers, of a row
@@ -240,58 +252,74 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& 
     return seen;
 }
 
-// Row by row. depth, id: of the first pixel.
-HWY_INLINE void draw_strip(const Blocks& b, const Strips& s, int lane, SampleOffset at,
-                           std::uint32_t name, float* depth, std::uint32_t* id, I32x8& drawn) {
+// Row by row, at one sample after the other: how many rows there are is foretold from the second
+// sample on.
+HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips& s, int lane,
+                           std::uint32_t name, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
-    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
-    I32x8 edge[3][kAcross], down[3];
-    F32x8 across[kAcross];
+    I32x8 from_first[3][kAcross], down[3];
+    F32x8 column[kAcross];
     MaskX8 right[kAcross];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        down[k] = I32x8(b.per_y[k][lane]);
+        down[k] = b.per_y[k][lane];
     SIMD_UNROLL
     for (int r = 0; r < kAcross; ++r) {
-        const I32x8 from_first = iota<I32x8>(r * kLanesX8);
-        const I32x8 column = from_first + I32x8(s.column[lane]);
-        right[r] = column >= I32x8(kSide);
-        across[r] = (to_f32(column & I32x8(kSide - 1)) + sample_x) * per_pixel_x;
+        const I32x8 number = iota<I32x8>(r * kLanesX8), in_block = number + s.column[lane];
+        right[r] = in_block >= I32x8(kSide);
+        column[r] = to_f32(in_block & I32x8(kSide - 1));
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            edge[k][r] = I32x8(b.first[k][lane]) + I32x8(b.per_x[k][lane]) * from_first;
-        const I32x8 outside = -(1 << 30); // and stays so: rows add less than 2^25
-        edge[0][r] = select(from_first < I32x8(s.across[lane]), edge[0][r], outside);
+            from_first[k][r] = I32x8(b.per_x[k][lane]) * number;
+        const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
+        from_first[0][r] = select(number < I32x8(s.across[lane]), from_first[0][r], outside);
     }
     I32x8 shows = 0;
-    int row = s.row[lane];
-    const int end = row + s.down[lane];
-    F32x8 y = (static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel);
-    for (int block = 0; row < end; ++block) {
-        F32x8 base[kAcross], rest[kAcross];
+    auto first = static_cast<std::size_t>(b.place[lane]); // pixel of the plane
+    for (std::size_t n = 0; n < tile.pattern.size();
+         ++n, first += std::size_t{kTileSize} * kTileSize) {
+        const SampleOffset at = tile.pattern.data()[n];
+        const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+        I32x8 edge[3][kAcross];
+        F32x8 across[kAcross];
         SIMD_UNROLL
         for (int r = 0; r < kAcross; ++r) {
-            base[r] =
-                select(right[r], F32x8(s.base[block][1][lane]), F32x8(s.base[block][0][lane]));
-            rest[r] =
-                select(right[r], F32x8(s.rest[block][1][lane]), F32x8(s.rest[block][0][lane]));
+            across[r] = (column[r] + sample_x) * per_pixel_x;
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k)
+                edge[k][r] = I32x8(s.first[n][k][lane]) + from_first[k][r];
         }
-        const int last = (block + 1) * kSide < end ? (block + 1) * kSide : end;
-        for (; row < last; ++row, depth += kTileSize, id += kTileSize) {
-            const F32x8 down_here = y * per_pixel_y;
+        float* depth = tile.depth + first;
+        std::uint32_t* id = tile.id + first;
+        int row = s.row[lane];
+        const int end = row + s.down[lane];
+        F32x8 y = static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel;
+        for (int block = 0; row < end; ++block) {
+            F32x8 base[kAcross], rest[kAcross];
             SIMD_UNROLL
             for (int r = 0; r < kAcross; ++r) {
-                const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
-                show(inside, base[r] + (rest[r] + (across[r] + down_here)), name,
-                     depth + r * kLanesX8, id + r * kLanesX8, shows);
-                SIMD_UNROLL
-                for (int k = 0; k < 3; ++k)
-                    edge[k][r] = edge[k][r] + down[k];
+                base[r] =
+                    select(right[r], F32x8(s.base[block][1][lane]), F32x8(s.base[block][0][lane]));
+                rest[r] =
+                    select(right[r], F32x8(s.rest[block][1][lane]), F32x8(s.rest[block][0][lane]));
             }
-            y = y + F32x8(1.0F);
+            const int last = (block + 1) * kSide < end ? (block + 1) * kSide : end;
+            for (; row < last; ++row, depth += kTileSize, id += kTileSize) {
+                const F32x8 down_here = y * per_pixel_y;
+                SIMD_UNROLL
+                for (int r = 0; r < kAcross; ++r) {
+                    const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
+                    show(inside, base[r] + (rest[r] + (across[r] + down_here)), name,
+                         depth + r * kLanesX8, id + r * kLanesX8, shows);
+                    SIMD_UNROLL
+                    for (int k = 0; k < 3; ++k)
+                        edge[k][r] = edge[k][r] + down[k];
+                }
+                y = y + F32x8(1.0F);
+            }
+            y = y - F32x8(kSide);
         }
-        y = y - F32x8(kSide);
     }
     drawn = drawn | shows;
 }
@@ -341,20 +369,33 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x
                                                             s.edges.b[k] * (part.y0 - part.top));
     Few few{0, 0, x1 - x0, part.y1 - part.y0};
     few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & seen;
-    std::size_t plane = 0;
-    for (const SampleOffset* sample = tile.pattern.data();
-         sample != tile.pattern.data() + tile.pattern.size();
-         ++sample, plane += std::size_t{kTileSize} * kTileSize) {
-        set_up_samples(s.edges, first, *sample, 0, b);
-        if (few.lanes != 0)
+    if (few.lanes != 0) {
+        std::size_t plane = 0;
+        for (const SampleOffset* sample = tile.pattern.data();
+             sample != tile.pattern.data() + tile.pattern.size();
+             ++sample, plane += std::size_t{kTileSize} * kTileSize) {
+            set_up_samples(s.edges, first, *sample, 0, b);
             draw_few_of(b, strips, few, *sample, part.name, tile.depth + plane, tile.id + plane,
                         drawn);
-        for (std::uint32_t rest = seen & ~few.lanes; rest != 0; rest &= rest - 1) {
-            const int lane = __builtin_ctz(rest);
-            const std::size_t at = plane + static_cast<std::size_t>(b.place[lane]);
-            draw_strip(b, strips, lane, *sample, part.name[lane], tile.depth + at, tile.id + at,
-                       drawn);
         }
+    }
+    std::uint32_t rest = seen & ~few.lanes;
+    if (rest == 0) return;
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        store(shift_left<kSubpixelBits>(s.edges.a[k]), b.per_x[k]);
+        store(shift_left<kSubpixelBits>(s.edges.b[k]), b.per_y[k]);
+    }
+    for (std::size_t n = 0; n < tile.pattern.size(); ++n) {
+        I32x8 at[3];
+        edges_at(s.edges, first, tile.pattern.data()[n], at);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            store(at[k], strips.first[n][k]);
+    }
+    for (; rest != 0; rest &= rest - 1) {
+        const int lane = __builtin_ctz(rest);
+        draw_strip(tile, b, strips, lane, part.name[lane], drawn);
     }
 }
 
