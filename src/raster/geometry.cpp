@@ -38,8 +38,8 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.segments.clear();
             bin.points.clear();
             bin.large.clear();
-            bin.parts.clear();
-            bin.backs.clear();
+            for (auto& parts : bin.parts)
+                parts.clear();
         }
     }
 }
@@ -57,8 +57,8 @@ void Geometry::Batch::Bin::put_large_first() {
 
 template <class F>
 void Geometry::Batch::Bin::for_small(F&& f) const {
-    for (const auto* all : {&parts, &backs})
-        for (const TilePart& part : *all)
+    for (const auto& all : parts)
+        for (const TilePart& part : all)
             f(part.triangle);
 }
 
@@ -202,12 +202,13 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
 }
 
 void Geometry::add_small(Batch& batch, const KeptTriangle& t) const {
+    const auto kind = static_cast<std::size_t>(t.away() ? PartKind::back : PartKind::strip);
     for_tiles(t.x0(), t.y0(), t.x1(), t.y1(), [&](std::size_t tile) {
         const image::Rect area = tile_area(static_cast<int>(tile));
         const auto clamped = [&](int at, int begin) {
             return std::clamp(at - begin, 0, tile_size_);
         };
-        batch.bins[tile].parts_of(t).push_back(
+        batch.bins[tile].parts[kind].push_back(
             TilePart::of(t.triangle, clamped(t.x0(), area.x0), clamped(t.y0(), area.y0),
                          clamped(t.x1(), area.x0), clamped(t.y1(), area.y0)));
     });
@@ -235,8 +236,9 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
         }
         const std::int32_t tile = batch.placed.tile[i];
         if (tile != PlacedParts::kNone)
-            bins[static_cast<std::size_t>(tile)].parts_of(t).push_back(
-                {t.triangle, batch.placed.where[i]});
+            bins[static_cast<std::size_t>(tile)]
+                .parts[static_cast<std::size_t>(batch.placed.kind[i])]
+                .push_back({t.triangle, batch.placed.where[i]});
         else if (t.small())
             add_small(batch, t);
         else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
@@ -333,8 +335,10 @@ image::Rect Geometry::tile_area(int tile) const {
 bool Geometry::is_empty(int tile) const {
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [](const Batch::Bin& bin) {
-        return bin.triangles.empty() && bin.parts.empty() && bin.backs.empty() &&
-               bin.pieces.empty() && bin.segments.empty() && bin.points.empty();
+        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
+               bin.points.empty() &&
+               std::all_of(bin.parts.begin(), bin.parts.end(),
+                           [](const auto& parts) { return parts.empty(); });
     };
     return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
         return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
@@ -377,7 +381,9 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
         if (out.rule().usual()) {
-            if (!bin.parts.empty()) out.draw(TilePartList{vertices_, mesh_->index, bin.parts});
+            for (const PartKind kind : {PartKind::strip, PartKind::speck_2, PartKind::speck_3})
+                if (!bin.parts_of(kind).empty())
+                    out.draw(TilePartList{vertices_, mesh_->index, bin.parts_of(kind), kind});
         } else {
             bin.for_small(add_whole);
             draw_some();
@@ -392,7 +398,8 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
 void Geometry::draw_backs(int tile, VisibilityTile& out) const {
     bool found = false;
     for (const Batch& batch : batches_) {
-        const std::span<const TilePart> backs = batch.bins[static_cast<std::size_t>(tile)].backs;
+        const std::span<const TilePart> backs =
+            batch.bins[static_cast<std::size_t>(tile)].parts_of(PartKind::back);
         const TilePartList list{vertices_, mesh_->index, backs};
         if (backs.size() < kFewBacks) {
             if (!backs.empty()) out.draw(list);

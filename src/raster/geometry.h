@@ -13,6 +13,7 @@
 #include "raster/screen.h"
 #include "raster/tile.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -76,16 +77,14 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
-            // Of small triangles.
-            std::vector<TilePart> parts;
-            std::vector<TilePart> backs; // drawn last: fronts hide the most of them
+            std::array<std::vector<TilePart>, kPartKinds> parts; // of small triangles
+            const std::vector<TilePart>& parts_of(PartKind kind) const {
+                return parts[static_cast<std::size_t>(kind)];
+            }
             // Triangles that may cover whole blocks, by depth and id, until they are put before the
             // others, the nearest first: they hide what comes after them.
             std::vector<std::uint64_t> large;
             void put_large_first();
-            std::vector<TilePart>& parts_of(const KeptTriangle& t) {
-                return t.away() ? backs : parts;
-            }
             // f(triangle) for those that have parts here.
             template <class F>
             void for_small(F&& f) const;

@@ -4,128 +4,10 @@
 #include "simd/for_each_target.h"
 
 #include "raster/blocks-inl.h"
+#include "raster/parts-inl.h"
+#include "raster/specks-inl.h"
 
 SIMD_BEGIN(scanout::raster)
-
-// A vertex relative to the corner of the first block: x + 2^16 y, both below 2^14, and its depth.
-struct NearCorner {
-    F64x8 place, depth;
-};
-
-HWY_INLINE void sort_two(NearCorner& a, NearCorner& b) {
-    const auto turn = b.place < a.place;
-    exchange(turn, a.place, b.place);
-    exchange(turn, a.depth, b.depth);
-}
-
-// The parts of a register, in pixels of the tile.
-struct PartLanes {
-    I32x8 x0, y0, x1, y1; // what may hold samples
-    I32x8 left, top;      // of the first block
-    NearCorner vertex[3];
-    std::uint32_t name[kLanesX8];
-};
-
-// The vertices of a register of parts.
-struct PartCorners {
-    std::uint32_t at[3][kLanesX8];
-};
-// Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
-// asked for, and the indices of those that are two registers further on.
-HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners& out) {
-    const auto last = static_cast<int>(list.parts.size()) - 1;
-    if (first > last) return;
-    const auto index = [&](int i) {
-        return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].triangle} * 3;
-    };
-    for (int i = 0; i < kLanesX8; ++i) {
-        const std::uint32_t* corner = index(first + i);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            out.at[k][i] = corner[k];
-            __builtin_prefetch(list.vertices.data() + corner[k]);
-        }
-        __builtin_prefetch(index(first + i + 2 * kLanesX8));
-    }
-}
-
-// A register of parts; the last stands for what is missing.
-struct StoredParts {
-    I32x8 triangle, where;
-};
-HWY_INLINE StoredParts stored_parts(const TilePart* part, int count) {
-    static_assert(sizeof(TilePart) == 8);
-    const I32x8 at = shift_left<1>(minimum(iota<I32x8>(0), I32x8(count - 1)));
-    const auto* stored = reinterpret_cast<const std::int32_t*>(part);
-    return {gather(stored, at), gather(stored + 1, at)};
-}
-
-HWY_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
-                           int count, const PartCorners& corner, PartLanes& out) {
-    using P = TilePart;
-    const StoredParts s = stored_parts(part, count);
-    store(s.triangle, out.name);
-    out.x0 = s.where & I32x8(63);
-    out.y0 = shift_right<P::kFirstRow>(s.where) & I32x8(63);
-    out.x1 = shift_right<P::kEndColumn>(s.where) & I32x8(127);
-    out.y1 = shift_right<P::kEndRow>(s.where);
-    out.left = out.x0 & I32x8(-8);
-    out.top = out.y0 & I32x8(-8);
-    const I32x8 corner_x = shift_left<kSubpixelBits>(out.left + I32x8(tile.area.x0));
-    const I32x8 corner_y = shift_left<kSubpixelBits>(out.top + I32x8(tile.area.y0));
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const auto v = vertices_at<F32x8>(list.vertices.data(), corner.at[k]);
-        const I32x8 x = v.word(0) - corner_x, y = v.word(1) - corner_y;
-        out.vertex[k].place = to_f64(shift_left<16>(y) + x);
-        out.vertex[k].depth = v.last_double();
-    }
-}
-
-// Edge functions a x + b y + c, positive inside, from the corner of the first block on; below 2^28.
-// bias: the top-left rule.
-struct PartEdges {
-    I32x8 a[3], b[3], c[3], bias[3];
-    I32x8 area; // twice the triangle's
-};
-
-// The top-left rule.
-HWY_INLINE I32x8 bias_of(I32x8 a, I32x8 b) {
-    return select(is_top_left(a, b), I32x8(0), I32x8(-1));
-}
-
-HWY_INLINE PartEdges edges_of(const PartLanes& part) {
-    I32x8 x[3], y[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const I32x8 place = to_i32(part.vertex[k].place);
-        y[k] = shift_right<16>(place + I32x8(1 << 15));
-        x[k] = place - shift_left<16>(y[k]);
-    }
-    const I32x8 twice = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-    const MaskX8 turned = twice < I32x8(0);
-    PartEdges e;
-    e.area = select(turned, I32x8(0) - twice, twice);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const int from = k == 2 ? 0 : k + 1, to = k == 0 ? 2 : k - 1;
-        const I32x8 a = y[from] - y[to], b = x[to] - x[from];
-        e.a[k] = select(turned, I32x8(0) - a, a);
-        e.b[k] = select(turned, I32x8(0) - b, b);
-        e.c[k] = I32x8(0) - (e.a[k] * x[from] + e.b[k] * y[from]);
-        e.bias[k] = bias_of(e.a[k], e.b[k]);
-    }
-    return e;
-}
-
-// At the samples of one place in the pattern, so that the sign tells which side they lie on.
-// corner: the edges at the corner of the first pixel.
-HWY_INLINE void edges_at(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
-                         I32x8 (&out)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        out[k] = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
-}
 
 // For rows from `begin` on.
 HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
@@ -165,31 +47,6 @@ HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part
         draw_pixels(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane, tile.id + plane,
                     drawn);
     }
-}
-
-// A register of parts with what both kinds need.
-struct SetUpParts {
-    PartLanes part;
-    PartEdges edges;
-    DepthPlane plane;
-    std::uint32_t live; // has an area
-};
-HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
-                             const TilePart* first, int count, const PartCorners& corner,
-                             SetUpParts& s) {
-    load_parts(tile, list, first, count, corner, s.part);
-    put_in_order(s.part.vertex);
-    s.edges = edges_of(s.part);
-    F64x8 a[3], b[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        a[k] = to_f64(s.edges.a[k]);
-        b[k] = to_f64(s.edges.b[k]);
-    }
-    const NearCorner(&v)[3] = s.part.vertex;
-    s.plane =
-        depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b, to_f64(maximum(s.edges.area, 1)));
-    s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
 }
 
 constexpr std::size_t kMostSamples = 16; // of a pixel
@@ -411,22 +268,6 @@ HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std
     }
 }
 
-// Returns how many of them are steep and few: those are added to the list and not drawn.
-HWY_INLINE int draw_most(const TilePlanes& tile, const TilePartList& list, const TilePart* first,
-                         int count, const PartCorners& corner, I32x8& drawn, TilePart* steep) {
-    SetUpParts s;
-    set_up_parts(tile, list, first, count, corner, s);
-    int left = 0;
-    std::uint32_t rest = s.live & ~s.plane.flat;
-    if (__builtin_popcount(rest) >= kLanesX8 / 2)
-        draw_steep_samples(tile, s.part, s.edges, s.plane.share, rest, drawn);
-    else
-        for (; rest != 0; rest &= rest - 1)
-            steep[left++] = first[__builtin_ctz(rest)];
-    draw_flat_parts(tile, s, s.live & s.plane.flat, drawn);
-    return left;
-}
-
 // A register of them at most.
 HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
     PartCorners corner;
@@ -436,31 +277,91 @@ HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& lis
     draw_steep_samples(tile, s.part, s.edges, s.plane.share, s.live, drawn);
 }
 
-bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
-    I32x8 drawn = 0;
-    TilePart steep[2 * kLanesX8]; // until they fill a register
-    int waiting = 0;
-    const auto draw_steep = [&](int count) HWY_ATTR {
-        const std::span<const TilePart> some(steep, static_cast<std::size_t>(count));
+// Of the parts of a list, which wait until they fill a register.
+class SteepParts {
+public:
+    // Those of a register whose bit is set.
+    HWY_INLINE void add(const TilePart* first, std::uint32_t some) {
+        for (; some != 0; some &= some - 1)
+            part_[count_++] = first[__builtin_ctz(some)];
+    }
+    HWY_INLINE void draw_full(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        if (count_ < kLanesX8) return;
+        draw(tile, list, kLanesX8, drawn);
+        count_ -= kLanesX8;
+        for (int i = 0; i < count_; ++i)
+            part_[i] = part_[kLanesX8 + i];
+    }
+    HWY_INLINE void draw_rest(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        if (count_ > 0) draw(tile, list, count_, drawn);
+    }
+
+private:
+    void draw(const TilePlanes& tile, const TilePartList& list, int count, I32x8& drawn) const {
+        const std::span<const TilePart> some(part_, static_cast<std::size_t>(count));
         draw_steep_parts(tile, {list.vertices, list.index, some}, drawn);
-    };
+    }
+    TilePart part_[2 * kLanesX8];
+    int count_ = 0;
+};
+
+// Any part.
+struct AsStrips {
+    static HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
+                                SteepParts& steep, I32x8& drawn) {
+        const std::uint32_t some = s.live & ~s.plane.flat;
+        if (__builtin_popcount(some) >= kLanesX8 / 2)
+            draw_steep_samples(tile, s.part, s.edges, s.plane.share, some, drawn);
+        else
+            steep.add(first, some);
+        draw_flat_parts(tile, s, s.live & s.plane.flat, drawn);
+    }
+    static HWY_INLINE void finish(const TilePlanes&, I32x8&) {}
+};
+
+template <int kMost>
+struct AsSpecks {
+    SpeckBatch<kMost> batch;
+    HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
+                         SteepParts& steep, I32x8& drawn) {
+        steep.add(first, s.live & ~s.plane.flat);
+        add_specks(tile, s, s.live & s.plane.flat, batch, drawn);
+    }
+    HWY_INLINE void finish(const TilePlanes& tile, I32x8& drawn) { draw_batch(tile, batch, drawn); }
+};
+
+template <class As>
+HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
+    I32x8 drawn = 0;
+    As as;
+    SteepParts steep;
     const auto all = static_cast<int>(list.parts.size());
     PartCorners corner, next;
     read_corners(list, 0, next);
     for (int begin = 0; begin < all; begin += kLanesX8) {
         const int count = all - begin < kLanesX8 ? all - begin : kLanesX8;
+        const TilePart* first = list.parts.data() + begin;
         corner = next;
         read_corners(list, begin + kLanesX8, next);
-        waiting +=
-            draw_most(tile, list, list.parts.data() + begin, count, corner, drawn, steep + waiting);
-        if (waiting < kLanesX8) continue;
-        draw_steep(kLanesX8);
-        waiting -= kLanesX8;
-        for (int i = 0; i < waiting; ++i)
-            steep[i] = steep[kLanesX8 + i];
+        SetUpParts s;
+        set_up_parts(tile, list, first, count, corner, s);
+        as.draw(tile, s, first, steep, drawn);
+        steep.draw_full(tile, list, drawn);
     }
-    if (waiting > 0) draw_steep(waiting);
+    as.finish(tile, drawn);
+    steep.draw_rest(tile, list, drawn);
     return any(!(drawn == I32x8(0)));
+}
+
+bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
+    switch (list.kind) {
+    case PartKind::speck_2:
+        return draw_list<AsSpecks<2>>(tile, list);
+    case PartKind::speck_3:
+        return draw_list<AsSpecks<3>>(tile, list);
+    default:
+        return draw_list<AsStrips>(tile, list);
+    }
 }
 
 // Of the blocks that parts may touch the one with the farthest depth.
@@ -515,7 +416,7 @@ void find_farthest_of_all(const TilePlanes& tile) {
 
 template <int kTileBits>
 HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle, std::int32_t* tile,
-                            std::uint32_t* where) {
+                            std::uint32_t* where, std::int32_t* kind) {
     I32 name, from, to;
     load_interleaved(triangle, name, from, to);
     const I32 half = 0xffff, one = 1, below_flag = 0x7fff;
@@ -530,20 +431,30 @@ HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
           where);
     const I32 number = tile_y * I32(grid.across) + tile_x;
     store(select(one_tile & (from < I32(0)), number, I32(PlacedParts::kNone)), tile);
+    const auto one_block = (shift_right<3>(x0) == shift_right<3>(x1 - one)) &
+                           (shift_right<3>(y0) == shift_right<3>(y1 - one));
+    const I32 most = maximum(x1 - x0, y1 - y0);
+    const auto is = [](PartKind of) HWY_ATTR { return I32(static_cast<std::int32_t>(of)); };
+    const I32 front = select(one_block & (most <= I32(3)),
+                             select(most <= I32(2), is(PartKind::speck_2), is(PartKind::speck_3)),
+                             is(PartKind::strip));
+    const auto away = !((from & I32(static_cast<std::int32_t>(KeptTriangle::kAway))) == I32(0));
+    store(select(away, is(PartKind::back), front), kind);
 }
 
 template <int kTileBits>
 HWY_INLINE void place_each(const TileGrid& grid, const std::uint32_t* triangle, int count,
-                           std::int32_t* tile, std::uint32_t* where) {
+                           std::int32_t* tile, std::uint32_t* where, std::int32_t* kind) {
     for (int i = 0; i < count; i += kLanes)
-        place_lanes<kTileBits>(grid, triangle + std::ptrdiff_t{i} * 3, tile + i, where + i);
+        place_lanes<kTileBits>(grid, triangle + std::ptrdiff_t{i} * 3, tile + i, where + i,
+                               kind + i);
 }
 void place_all(const TileGrid& grid, const std::uint32_t* triangle, int count, std::int32_t* tile,
-               std::uint32_t* where) {
-    if (grid.bits == 6) place_each<6>(grid, triangle, count, tile, where);
-    if (grid.bits == 5) place_each<5>(grid, triangle, count, tile, where);
-    if (grid.bits == 4) place_each<4>(grid, triangle, count, tile, where);
-    if (grid.bits == 3) place_each<3>(grid, triangle, count, tile, where);
+               std::uint32_t* where, std::int32_t* kind) {
+    if (grid.bits == 6) place_each<6>(grid, triangle, count, tile, where, kind);
+    if (grid.bits == 5) place_each<5>(grid, triangle, count, tile, where, kind);
+    if (grid.bits == 4) place_each<4>(grid, triangle, count, tile, where, kind);
+    if (grid.bits == 3) place_each<3>(grid, triangle, count, tile, where, kind);
 }
 
 SIMD_END
@@ -561,10 +472,11 @@ void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, 
     if (out.tile.size() < triangles.size() + kRegisterRoom) {
         out.tile.resize(triangles.size() + kRegisterRoom);
         out.where.resize(triangles.size() + kRegisterRoom);
+        out.kind.resize(triangles.size() + kRegisterRoom);
     }
     SIMD_CALL(place_all)
     (grid, &triangles.data()->triangle, static_cast<int>(triangles.size()), out.tile.data(),
-     out.where.data());
+     out.where.data(), out.kind.data());
 }
 
 bool draw_parts(const TilePlanes& tile, const TilePartList& list) {

@@ -1,6 +1,7 @@
-// Triangles a few pixels wide and high, the most of a fine mesh: set up and drawn side by side, one
-// a lane, and each walked over in the blocks of 8 x 8 pixels that it may touch. Everything about
-// their edges is a whole number of 32 bits, relative to the first of these blocks.
+// Triangles a few pixels wide and high, the most of a fine mesh: set up side by side, one a lane,
+// and drawn in strips of rows, or where they are tiny as specks (raster/specks-inl.h). Everything
+// about their edges is a whole number of 32 bits, relative to the first of the blocks of 8 x 8
+// pixels that they may touch.
 #pragma once
 
 #include "raster/block_walk.h"
@@ -14,6 +15,15 @@
 namespace scanout::raster {
 
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
+
+// What is drawn side by side.
+enum class PartKind : std::uint8_t {
+    speck_2, // at most 2 pixels each way,
+    speck_3, // or 3, within one block
+    strip,   // any other
+    back     // any, drawn last: fronts hide the most of them
+};
+inline constexpr std::size_t kPartKinds = 4;
 
 // What one tile has of such a triangle.
 struct TilePart {
@@ -42,6 +52,7 @@ struct PlacedParts {
     static constexpr std::int32_t kNone = -1;
     std::vector<std::int32_t> tile;
     std::vector<std::uint32_t> where; // of a TilePart
+    std::vector<std::int32_t> kind;   // a PartKind
 };
 void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out);
 
@@ -50,6 +61,7 @@ struct TilePartList {
     std::span<const ScreenVertex> vertices;
     std::span<const std::uint32_t> index;
     std::span<const TilePart> parts;
+    PartKind kind = PartKind::strip; // of all of them; strip: of any
 };
 
 // Did any of them show? By the usual rule; the same bits as draw_triangles.

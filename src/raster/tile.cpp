@@ -48,8 +48,9 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
     TilePlanes to = planes();
-    // Where nothing hides, or too few to be worth it, no part need be asked.
-    bool hides = touched_ && parts.parts.size() >= farthest_.size();
+    // Where nothing hides, or too few to be worth it, or all are tiny, no part need be asked.
+    bool hides =
+        touched_ && parts.parts.size() >= farthest_.size() && parts.kind == PartKind::strip;
     if (hides) {
         find_farthest();
         hides = std::any_of(farthest_.begin(), farthest_.end(), [](float f) { return f > 0; });

@@ -4,6 +4,7 @@
 #include "support/targets.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <numeric>
 
@@ -14,17 +15,22 @@ struct Soup {
     std::vector<ScreenVertex> vertices;
     std::vector<std::uint32_t> index;
     std::size_t triangles() const { return index.size() / 3; }
+    std::array<ScreenVertex, 3> corners(std::size_t triangle) const {
+        const std::uint32_t* at = index.data() + triangle * 3;
+        return {vertices[at[0]], vertices[at[1]], vertices[at[2]]};
+    }
 };
 
 // About the tile at `corner` (pixels): from less than a pixel to kSmallSide wide, on the grid of
-// samples, slivers and without area among them; in depth near to flat, steep, and nearly denormal.
+// samples, slivers and without area among them; in depth near to flat, steep, and nearly denormal;
+// some twice.
 Soup soup(Random& random, int count, const Corner& corner, double least = 0.01) {
     Soup soup;
     for (int i = 0; i < count; ++i) {
         const int size = std::min(64 << random.whole(0, 6), kSmallSide * 256),
                   grid = i % 3 == 0 ? ~15 : ~0;
-        const Corner at{corner.x * 256 + random.whole(-256, 65 * 256 - size),
-                        corner.y * 256 + random.whole(-256, 65 * 256 - size)};
+        const Corner at{corner.x * 256 + random.whole(-512, 67 * 256 - size),
+                        corner.y * 256 + random.whole(-512, 67 * 256 - size)};
         Corners v;
         for (Corner& c : v)
             c = {(at.x + random.whole(0, size)) & grid, (at.y + random.whole(0, size)) & grid};
@@ -35,6 +41,10 @@ Soup soup(Random& random, int count, const Corner& corner, double least = 0.01) 
             soup.index.push_back(static_cast<std::uint32_t>(soup.vertices.size()));
             soup.vertices.push_back({c.x, c.y, nearest * (1 + random.in(0, steepness))});
         }
+        if (i % 4 > 0) continue;
+        const std::size_t last = soup.index.size() - 3; // another just there: of the same depths
+        for (std::size_t k = last; k < last + 3; ++k)
+            soup.index.push_back(soup.index[k]);
     }
     return soup;
 }
@@ -44,7 +54,7 @@ std::vector<TilePart> parts_of(const Soup& soup, const Corner& corner, int sampl
     const SampleExtent extent = extent_of(sample_pattern(samples));
     std::vector<TilePart> parts;
     for (std::size_t t = 0; t < soup.triangles(); ++t) {
-        const auto* v = soup.vertices.data() + t * 3;
+        const auto v = soup.corners(t);
         const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
         const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
         const int x0 = ((left + 255 - extent.high.x) >> 8) - corner.x;
@@ -59,10 +69,33 @@ std::vector<TilePart> parts_of(const Soup& soup, const Corner& corner, int sampl
     return parts;
 }
 
+PartKind kind_of(int x0, int y0, int x1, int y1) {
+    const bool one_block = x0 / 8 == (x1 - 1) / 8 && y0 / 8 == (y1 - 1) / 8;
+    const int most = std::max(x1 - x0, y1 - y0);
+    if (!one_block || most > 3) return PartKind::strip;
+    return most == 3 ? PartKind::speck_3 : PartKind::speck_2;
+}
+
+// As the geometry stage sorts them.
+std::array<std::vector<TilePart>, kPartKinds> by_kind(const std::vector<TilePart>& parts) {
+    std::array<std::vector<TilePart>, kPartKinds> lists;
+    for (const TilePart& part : parts) {
+        const auto number = [&](int first, unsigned most) {
+            return static_cast<int>(part.where >> first & most);
+        };
+        const PartKind kind =
+            kind_of(number(0, 63), number(TilePart::kFirstRow, 63),
+                    number(TilePart::kEndColumn, 127), number(TilePart::kEndRow, 127));
+        lists[static_cast<std::size_t>(kind)].push_back(part);
+    }
+    return lists;
+}
+
 TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
         int steep = 0, seen = 0;
+        std::size_t specks = 0;
         for (int round = 0; round < 80; ++round) {
             const int samples = 1 << round % 5;
             const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
@@ -70,28 +103,40 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             std::vector<std::uint32_t> whole(all.triangles());
             for (std::size_t i = 0; i < whole.size(); ++i) {
                 whole[i] = static_cast<std::uint32_t>(i);
-                const auto* v = all.vertices.data() + i * 3;
-                steep += near_to_flat({{v[0], v[1], v[2]}, whole[i]}) ? 0 : 1;
+                const auto v = all.corners(i);
+                steep += near_to_flat({v, whole[i]}) ? 0 : 1;
             }
             const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
-            VisibilityTile by_parts, by_triangles;
+            VisibilityTile by_parts, by_strips, by_triangles;
             by_parts.reset(area, samples);
             by_triangles.reset(area, samples);
+            by_strips.reset(area, samples);
             const std::vector<TilePart> parts = parts_of(all, corner, samples);
-            EXPECT_EQ(by_parts.draw(TilePartList{all.vertices, all.index, parts}),
-                      by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole}));
+            const bool shows =
+                by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole});
+            EXPECT_EQ(by_strips.draw(TilePartList{all.vertices, all.index, parts}), shows);
+            const auto lists = by_kind(parts);
+            bool some = false;
+            for (const PartKind kind : {PartKind::strip, PartKind::speck_2, PartKind::speck_3}) {
+                const auto& list = lists[static_cast<std::size_t>(kind)];
+                if (kind != PartKind::strip) specks += list.size();
+                if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
+            }
+            EXPECT_EQ(some, shows);
             int differ = 0;
-            for (int s = 0; s < samples; ++s)
-                for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
-                    differ += by_parts.ids(s)[i] != by_triangles.ids(s)[i] ||
-                              std::bit_cast<std::uint32_t>(by_parts.depths(s)[i]) !=
-                                  std::bit_cast<std::uint32_t>(by_triangles.depths(s)[i]);
-                    seen += by_triangles.ids(s)[i] != kNoPrimitive ? 1 : 0;
-                }
+            for (const VisibilityTile* tile : {&by_parts, &by_strips})
+                for (int s = 0; s < samples; ++s)
+                    for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
+                        differ += tile->ids(s)[i] != by_triangles.ids(s)[i] ||
+                                  std::bit_cast<std::uint32_t>(tile->depths(s)[i]) !=
+                                      std::bit_cast<std::uint32_t>(by_triangles.depths(s)[i]);
+                        seen += by_triangles.ids(s)[i] != kNoPrimitive ? 1 : 0;
+                    }
             EXPECT_EQ(differ, 0) << samples << " samples";
         }
+        EXPECT_GT(specks, 5000U);
         EXPECT_GT(steep, 2000);
-        EXPECT_GT(seen, 100000);
+        EXPECT_GT(seen, 200000);
     });
 }
 
@@ -160,12 +205,14 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 t = {static_cast<std::uint32_t>(random.bits()), y << 16 | x,
                      (y + side()) << 16 | (x + side())};
                 if (random.whole(0, 9) > 0) t.from |= KeptTriangle::kSmall;
+                if (random.whole(0, 9) == 0) t.from |= KeptTriangle::kAway;
             }
             const auto live =
                 std::span<const KeptTriangle>(list).first(1000 - static_cast<std::size_t>(bits));
             PlacedParts placed;
             place_parts(grid, live, placed);
             int alone = 0;
+            std::array<int, kPartKinds> of_kind{};
             for (std::size_t i = 0; i < live.size(); ++i) {
                 const KeptTriangle& t = live[i];
                 const int side = 1 << bits, x = t.x0() / side, y = t.y0() / side;
@@ -179,7 +226,12 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                           TilePart::of(t.triangle, t.x0() - x * side, t.y0() - y * side,
                                        t.x1() - x * side, t.y1() - y * side)
                               .where);
+                const PartKind kind =
+                    t.away() ? PartKind::back : kind_of(t.x0(), t.y0(), t.x1(), t.y1());
+                EXPECT_EQ(placed.kind[i], static_cast<std::int32_t>(kind));
+                ++of_kind[static_cast<std::size_t>(kind)];
             }
+            EXPECT_GT(*std::min_element(of_kind.begin(), of_kind.end()), 10);
             EXPECT_GT(alone, 100);
         }
     });
