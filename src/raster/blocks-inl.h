@@ -21,8 +21,8 @@ HWY_INLINE void show_row(const VisibleRule& rule, Mask<D> inside, Float<D> z,
         show_by(rule, inside, z, primitive, depth, id, drawn);
 }
 
-// Rows of a block in registers: of a row of eight pixels there are several where they are narrow;
-// where they are wide a register has two rows.
+// Registers that a row of a block takes where they are narrow; rows that one has where they are
+// wide.
 constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
 constexpr int kRows = kLanes > BlockWalk::kSide ? kLanes / BlockWalk::kSide : 1;
 // Of the lanes of a register of these: which column of the block, and which of its rows.
@@ -99,7 +99,9 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
     const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32 base = b.base[lane], rest = b.rest[lane];
     const F32 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
-    // Registers of two rows start at an even one: they stay in the block.
+    // Registers of two rows start at an even one: they stay in the block. The row before `begin`
+    // holds no sample that the triangle covers, and some edge says so: one is 0 only if it holds
+    // for the whole block. At the end it is the picture that ends, of which edges know nothing.
     const int begin = b.begin[lane] & -kRows, end = b.end[lane];
     I32 edge[3][kRegisters], down[3];
     F32 across[kRegisters];

@@ -19,6 +19,7 @@ using MaskX8 = Mask<F32x8::Tag>;
 // below.
 template <class T, class Word>
 HWY_INLINE T load_pixels(const Word* from) {
+    static_assert(T::kLanes <= 2 * BlockWalk::kSide);
     if constexpr (T::kLanes > BlockWalk::kSide)
         return load_halves<T>(from, from + kTileSize);
     else

@@ -49,7 +49,7 @@ HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part
     }
 }
 
-constexpr std::size_t kMostSamples = 16; // of a pixel
+constexpr std::size_t kMostSamples = std::size(detail::kSixteen); // of a pixel
 // Each way at most as many blocks hold a part.
 constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
 

@@ -16,13 +16,10 @@ namespace scanout::raster {
 
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
-// What is drawn side by side.
-enum class PartKind : std::uint8_t {
-    speck_2, // at most 2 pixels each way,
-    speck_3, // or 3, within one block
-    strip,   // any other
-    back     // any, drawn last: fronts hide the most of them
-};
+// What is drawn side by side. Of fronts: specks lie in one tile alone, within one block, and are at
+// most 2 or 3 pixels wide and high; strips are all others. Backs are drawn last, because fronts
+// hide the most of them.
+enum class PartKind : std::uint8_t { speck_2, speck_3, strip, back };
 inline constexpr std::size_t kPartKinds = 4;
 
 // What one tile has of such a triangle.
@@ -36,6 +33,13 @@ struct TilePart {
     static TilePart of(std::uint32_t triangle, int x0, int y0, int x1, int y1) {
         return {triangle, static_cast<std::uint32_t>(x0 | y0 << kFirstRow | x1 << kEndColumn |
                                                      y1 << kEndRow)};
+    }
+    image::Rect box() const {
+        const auto number = [&](int first, std::uint32_t most) {
+            return static_cast<int>(where >> first & most);
+        };
+        return {number(0, 63), number(kFirstRow, 63), number(kEndColumn, 127),
+                number(kEndRow, 127)};
     }
 };
 

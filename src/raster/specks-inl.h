@@ -1,8 +1,8 @@
-// Parts of two or three pixels each way, most of what a mesh finer than the picture has: each of a
-// register's pixels is asked by all of its lanes, without a branch, and what is covered waits until
-// several registers are done. What decides on a pixel comes at the end of a long chain of
-// operations; were it asked for at once, the next register's chain could not begin. Included once
-// for every SIMD target.
+// Parts of up to two or three pixels each way, most of what a mesh finer than the picture has: all
+// pixels of the square are asked about, a part a lane, without a branch, and what is covered waits
+// until several registers are done, each at one sample. What decides on a pixel comes at the end of
+// a long chain of operations; were it asked for at once, the next register's chain could not begin.
+// Included once for every SIMD target.
 #if defined(SCANOUT_RASTER_SPECKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_SPECKS_INL_H
 #undef SCANOUT_RASTER_SPECKS_INL_H
@@ -27,7 +27,7 @@ struct Specks {
 };
 template <int kMost>
 struct SpeckBatch {
-    static constexpr int kRoom = 8;
+    static constexpr int kRoom = 8; // registers, each at one sample
     Specks<kMost> specks[kRoom];
     int count = 0;
 };
@@ -60,6 +60,7 @@ HWY_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32
 template <int kMost>
 HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
                            SpeckBatch<kMost>& batch, I32x8& drawn) {
+    if (live == 0) return;
     F64x8 term[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)

@@ -107,7 +107,8 @@ struct Primitive {
     float object[3][3];   // place in object space
 };
 
-// Consecutive lanes of one triangle, in whatever pixels.
+// Consecutive lanes of one triangle, in whatever pixels. A block's runs follow each other without a
+// gap.
 struct Run {
     const Primitive* primitive; // null: each lane has a triangle of its own (lane_triangles.h)
     int first, count;           // lanes

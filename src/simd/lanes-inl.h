@@ -2,11 +2,11 @@
 // Google Highway; included once for every target, so it has no guard of the usual kind.
 //
 // F32, I32 and F64 hold kLanes values each (an F64 is two registers), so a kernel mixes them freely
-// and never asks how wide the machine is; F32x8 and I32x8 and F64x8 hold at most 8, for rows of
-// pixels (an F64x8 is one register where there are such). The rules that make all targets give the
-// same bits (DESIGN 4): + - * / sqrt are exact IEEE operations and never fused, conversions are of
-// values in range, minimum and maximum are comparisons with a chosen outcome for NaN, and there is
-// no operation across lanes but any, all and bits.
+// and never asks how wide the machine is; F32x8 and I32x8 and F64x8 hold at most 8, for what comes
+// in eights (an F64x8 is one register where there are such). The rules that make all targets give
+// the same bits (DESIGN 4): + - * / sqrt are exact IEEE operations and never fused, conversions are
+// of values in range, minimum and maximum are comparisons with a chosen outcome for NaN, and there
+// is no operation across lanes but any, all and bits.
 #if defined(SCANOUT_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SIMD_LANES_INL_H
 #undef SCANOUT_SIMD_LANES_INL_H
@@ -140,7 +140,7 @@ HWY_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
 
 // --- conversions
 
-// Types of half as many lanes.
+// The types of half as many lanes: for decltype alone, there are no such functions.
 template <class D>
 Float<hn::Half<D>> half_of(Float<D>);
 template <class D>

@@ -80,12 +80,8 @@ PartKind kind_of(int x0, int y0, int x1, int y1) {
 std::array<std::vector<TilePart>, kPartKinds> by_kind(const std::vector<TilePart>& parts) {
     std::array<std::vector<TilePart>, kPartKinds> lists;
     for (const TilePart& part : parts) {
-        const auto number = [&](int first, unsigned most) {
-            return static_cast<int>(part.where >> first & most);
-        };
-        const PartKind kind =
-            kind_of(number(0, 63), number(TilePart::kFirstRow, 63),
-                    number(TilePart::kEndColumn, 127), number(TilePart::kEndRow, 127));
+        const image::Rect box = part.box();
+        const PartKind kind = kind_of(box.x0, box.y0, box.x1, box.y1);
         lists[static_cast<std::size_t>(kind)].push_back(part);
     }
     return lists;

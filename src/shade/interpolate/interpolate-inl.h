@@ -83,8 +83,8 @@ HWY_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
     n[2] = select(usable, z * scale, F32(1.0F));
 }
 
-// The same of lanes first to end, whatever run they belong to: a root and a quotient a register
-// take longer than all else about it, and few runs fill theirs.
+// Mixed normals of lanes first to end, of whatever runs, become those: a root and a quotient a
+// register take longer than all else about it, and few runs fill theirs.
 HWY_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
     for (int i = first; i < end; i += kLanes) {
         F32 n[3] = {load<F32>(b.normal[0] + i), load<F32>(b.normal[1] + i),
@@ -114,7 +114,7 @@ HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
 }
 
-// One register of lanes from lane i on. Normals are yet to go through lanes_to_view.
+// One register of lanes from lane i on. Normals are as they mix.
 template <class Of>
 HWY_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
     if (want.normal != Normals::none) {
@@ -196,20 +196,20 @@ HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
     Wanted rest = want; // of flat triangles
     rest.normal = Normals::none;
     const bool shades = want.normal != Normals::none;
-    int turned = 0; // lanes with normals in view space
-    const auto turn = [&](int end) HWY_ATTR {
-        if (shades && want.normal != Normals::raw) lanes_to_view(b, frame, turned, end);
+    int viewed = 0; // lanes whose normals are done
+    const auto view_until = [&](int end) HWY_ATTR {
+        if (shades && want.normal != Normals::raw) lanes_to_view(b, frame, viewed, end);
     };
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const bool flat = shades && run->primitive != nullptr && is_flat(*run->primitive);
         if (flat) {
-            turn(run->first);
+            view_until(run->first);
             flat_normals(b, frame, want, *run);
-            turned = run->first + run->count;
+            viewed = run->first + run->count;
         }
         if (!flat || rest.any()) Rung::lanes(b, flat ? rest : want, *run);
     }
-    turn(b.count);
+    view_until(b.count);
     // How u and v change is exact whatever the rung.
     if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }

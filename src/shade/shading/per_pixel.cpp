@@ -1,5 +1,5 @@
 // Light at every pixel, with the normal that lies there: interpolated between the vertices' and
-// brought back to length 1, which interpolate/perspective.cpp does while it holds it in registers.
+// brought back to length 1, which every rung of interpolation does for a whole block at once.
 // Phong 1975, [A 11.1], [C 7.3].
 #include "shade/stage.h"
 
