@@ -24,14 +24,12 @@ struct Corners {
 };
 
 HWY_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* index) {
-    I32 v[3];
-    load_interleaved(index, v[0], v[1], v[2]);
     Corners c;
-    const auto* base = reinterpret_cast<const std::int32_t*>(vertices);
+    SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const I32 at = shift_left<2>(v[k]); // 16 bytes a vertex
-        c.x[k] = gather(base, at);
-        c.y[k] = gather(base + 1, at);
+        const auto v = vertices_at<F32>(vertices, index + k, 3);
+        c.x[k] = v.word(0);
+        c.y[k] = v.word(1);
     }
     return c;
 }

@@ -15,6 +15,7 @@
 #endif
 
 #include "shade/shadow/plane-inl.h"
+#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::shade::shadow)
 
@@ -187,18 +188,23 @@ HWY_INLINE Line row(const ShadowMap& m, const Receiver& r, I32x8 y) {
     return {minimum(maximum(y, I32x8(0)), I32x8(m.size - 1)) * I32x8(m.size), r.rise_y * abs(aside),
             r.per_y * aside};
 }
-HWY_INLINE Texel texel(const ShadowMap& m, const Receiver& r, const Line& column, const Line& row) {
+// depth: the map's, where column and row cross.
+HWY_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, F32x8 depth) {
     const F32x8 rise = column.rise + row.rise;
     const F32x8 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     const F32x8 beyond = minimum(plane, r.nearest) + rise * F32x8(kBeyond / kRise);
     const F32x8 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
-    return {gather(m.depth, row.place + column.place), maximum(own, F32x8(0.0F))};
+    return {depth, maximum(own, F32x8(0.0F))};
+}
+HWY_INLINE F32x8 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
+    return gather(m.depth, row.place + column.place);
 }
 // The one that lies so far aside from the receiver.
 HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
     const F32x8 half = 0.5F;
-    return texel(m, r, column(m, r, texel_of((r.x + half * r.aside_x) + dx)),
-                 row(m, r, texel_of((r.y + half * r.aside_y) + dy)));
+    const Line across = column(m, r, texel_of((r.x + half * r.aside_x) + dx)),
+               down = row(m, r, texel_of((r.y + half * r.aside_y) + dy));
+    return texel(r, across, down, depth_at(m, across, down));
 }
 HWY_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
     return texel_at(m, r, F32x8(0.0F), F32x8(0.0F));
@@ -220,6 +226,17 @@ HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
     r.rise_y = select(behind, zero, r.rise_y);
 }
 
+// Four texels of a row, from a column on, that lie side by side in the map.
+HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32x8* out) {
+    std::int32_t place[kLanesX8];
+    store(row.place + column.place, place);
+    const auto* words = reinterpret_cast<const std::int32_t*>(m.depth);
+    const auto four = load_four<F32x8::Tag>([&](int lane) HWY_ATTR { return words + place[lane]; });
+    SIMD_UNROLL
+    for (int i = 0; i < 4; ++i)
+        out[i] = from_bits(four.word(i));
+}
+
 // The share of k x k texels about the receiver that is hidden, weighted by how much of each the
 // square covers. Weights are whole 256ths: all hidden sums up to 1 exactly.
 HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
@@ -235,13 +252,22 @@ HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
     Line columns[kMostFilter + 1];
     for (int x = 0; x <= k; ++x)
         columns[x] = column(m, r, left + I32x8(x));
+    // Four at a time, where none of these is moved to the map's border.
+    const int fours = k / 4 * 4 + 4;
+    const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - fours)));
+    F32x8 depth[kMostFilter + 1];
     F32x8 sum = 0.0F;
     for (int y = 0; y <= k; ++y) {
         const Line across = row(m, r, top + I32x8(y));
+        for (int x = 0; x <= k; x += side_by_side ? 4 : 1)
+            if (side_by_side)
+                four_depths(m, columns[x], across, depth + x);
+            else
+                depth[x] = depth_at(m, columns[x], across);
         F32x8 in_row = 0.0F;
         for (int x = 0; x <= k; ++x) {
             const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;
-            in_row = in_row + weight * hidden(texel(m, r, columns[x], across));
+            in_row = in_row + weight * hidden(texel(r, columns[x], across, depth[x]));
         }
         sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * in_row;
     }
