@@ -12,15 +12,6 @@
 
 SIMD_BEGIN(scanout::raster)
 
-template <bool kUsual, class D>
-HWY_INLINE void show_row(const VisibleRule& rule, Mask<D> inside, Float<D> z,
-                         std::uint32_t primitive, float* depth, std::uint32_t* id, Int<D>& drawn) {
-    if constexpr (kUsual)
-        show(inside, z, primitive, depth, id, drawn);
-    else
-        show_by(rule, inside, z, primitive, depth, id, drawn);
-}
-
 // Registers that a row of a block takes where they are narrow; rows that one has where they are
 // wide.
 constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
@@ -127,8 +118,8 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
             auto inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32(0);
             if constexpr (kRows > 1) inside = inside & (rows() < I32(end - y));
             const F32 z = base + (rest + (across[r] + down_here));
-            show_row<kUsual>(rule, inside, z, primitive, depth + r * kLanes, id + r * kLanes,
-                             drawn);
+            show_samples<kUsual>(rule, inside, z, primitive, depth + r * kLanes, id + r * kLanes,
+                                 drawn);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
@@ -266,7 +257,7 @@ HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
-    at.depth = (at.edge[0] * w.share[0] + at.edge[1] * w.share[1]) + at.edge[2] * w.share[2];
+    at.depth = depth_of(at.edge, w.share);
     return at;
 }
 

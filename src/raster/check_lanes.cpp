@@ -54,18 +54,18 @@ void check_lanes(const TriangleList& triangles) {
 }
 
 void check_lanes(const TilePartList& list) {
-    const int most = list.kind == PartKind::speck_2   ? 2
-                     : list.kind == PartKind::speck_3 ? 3
-                                                      : kTileSize;
+    const int side = speck_side(list.kind);
     for (const TilePart& part : list.parts) {
         check_lanes(
             TriangleList{list.vertices, list.index, {&part.triangle, 1}, {&part.triangle, 1}});
         const image::Rect box = part.box();
-        CHECK_LE(box.width(), most);
-        CHECK_LE(box.height(), most);
-        if (most == kTileSize) continue;
-        CHECK_EQ(box.x0 / 8, (box.x1 - 1) / 8);
-        CHECK_EQ(box.y0 / 8, (box.y1 - 1) / 8);
+        CHECK_LE(box.x1, kTileSize);
+        CHECK_LE(box.y1, kTileSize);
+        if (side == 0) continue;
+        CHECK_LE(box.width(), side);
+        CHECK_LE(box.height(), side);
+        CHECK_EQ(box.x0 / BlockWalk::kSide, (box.x1 - 1) / BlockWalk::kSide);
+        CHECK_EQ(box.y0 / BlockWalk::kSide, (box.y1 - 1) / BlockWalk::kSide);
     }
 }
 

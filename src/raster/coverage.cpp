@@ -85,8 +85,11 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
     const double x = (tile.area.x0 + bx * kSide) * kSubpixel;
     const double y = (tile.area.y0 + by * kSide) * kSubpixel;
     double corner[3];
-    for (int k = 0; k < 3; ++k)
+    F64x8 share[3];
+    for (int k = 0; k < 3; ++k) {
         corner[k] = (w.a[k][i] * x + w.b[k][i] * y) + w.c[k][i];
+        share[k] = w.share[k][i];
+    }
     const std::size_t plane = std::size_t{kTileSize} * kTileSize;
     const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
     const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
@@ -106,8 +109,7 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
                 SIMD_UNROLL
                 for (int k = 0; k < 3; ++k)
                     e[k] = edge(k);
-                const auto term = [&](int k) HWY_ATTR { return e[k] * F64x8(w.share[k][i]); };
-                const F32x8 z = to_f32((term(0) + term(1)) + term(2));
+                const F32x8 z = to_f32(depth_of(e, share));
                 const auto covers = [&](int k) HWY_ATTR {
                     return e[k] + F64x8(w.bias[k][i]) >= F64x8(0.0);
                 };
@@ -115,8 +117,8 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
                     select(covers(0) & covers(1) & covers(2), F64x8(1.0), F64x8(0.0));
                 const std::size_t first = s * plane + static_cast<std::size_t>(row * kTileSize) +
                                           static_cast<std::size_t>(bx * kSide + column);
-                show_row<kUsual>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id, tile.depth + first,
-                                 tile.id + first, here);
+                show_samples<kUsual>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id,
+                                     tile.depth + first, tile.id + first, here);
             }
     }
     if (any(!(here == I32x8(0)))) drawn = I32(-1);

@@ -124,6 +124,18 @@ HWY_INLINE PartEdges edges_of(const PartLanes& part) {
     return e;
 }
 
+// At the corner of a pixel. column, row: from the first block's corner.
+HWY_INLINE void edges_at_pixel(const PartEdges& e, I32x8 column, I32x8 row, I32x8 (&out)[3]) {
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        out[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * column + e.b[k] * row);
+}
+
+HWY_INLINE F64x8 depth_of(const I32x8 (&edge)[3], const F64x8 (&share)[3]) {
+    const F64x8 exact[3] = {to_f64(edge[0]), to_f64(edge[1]), to_f64(edge[2])};
+    return depth_of(exact, share);
+}
+
 // At the samples of one place in the pattern, so that the sign tells which side they lie on.
 // corner: the edges at the corner of the first pixel.
 HWY_INLINE void edges_at(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
@@ -133,7 +145,7 @@ HWY_INLINE void edges_at(const PartEdges& e, const I32x8 (&corner)[3], SampleOff
         out[k] = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
 }
 
-// A register of parts with what both kinds need.
+// A register of parts with what all kinds need.
 struct SetUpParts {
     PartLanes part;
     PartEdges edges;

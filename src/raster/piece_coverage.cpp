@@ -36,10 +36,7 @@ HWY_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
                 z = to_f32(minimum(maximum(at, F64x8(b.least)), F64x8(b.most)));
             }
             const std::ptrdiff_t pixel = std::ptrdiff_t{y} * kTileSize + x;
-            if constexpr (kUsual)
-                show(inside, z, b.id, depth + pixel, id + pixel, drawn);
-            else
-                show_by(rule, inside, z, b.id, depth + pixel, id + pixel, drawn);
+            show_samples<kUsual>(rule, inside, z, b.id, depth + pixel, id + pixel, drawn);
         }
     }
     return any(!(drawn == I32x8(0)));

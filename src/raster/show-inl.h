@@ -100,6 +100,17 @@ HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_
     drawn = select(pass, Id(-1), drawn);
 }
 
+// By one or the other. kUsual: VisibleRule::usual.
+template <bool kUsual, class D>
+HWY_INLINE void show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
+                             std::uint32_t primitive, float* depth, std::uint32_t* id,
+                             Int<D>& drawn) {
+    if constexpr (kUsual)
+        show(inside, z, primitive, depth, id, drawn);
+    else
+        show_by(rule, inside, z, primitive, depth, id, drawn);
+}
+
 SIMD_END
 
 #endif

@@ -38,11 +38,9 @@ HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part
          ++at, plane += std::size_t{kTileSize} * kTileSize) {
         set_up_samples(edges, edges.c, *at, row, b);
         const auto depth = [&](const I32x8(&edge)[3], int, int) HWY_ATTR {
-            F64x8 term[3];
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
-                term[k] = to_f64(edge[k] - edges.bias[k]) * share[k];
-            return to_f32((term[0] + term[1]) + term[2]);
+            const I32x8 true_edge[3] = {edge[0] - edges.bias[0], edge[1] - edges.bias[1],
+                                        edge[2] - edges.bias[2]};
+            return to_f32(depth_of(true_edge, share));
         };
         draw_pixels(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane, tile.id + plane,
                     drawn);
@@ -86,12 +84,11 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& 
         const std::uint32_t in_column[] = {here, here & bits(right < x1)};
         SIMD_UNROLL
         for (int across = 0; across < 2; ++across) {
-            F64x8 term[3];
+            I32x8 corner[3];
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
-                term[k] = to_f64(across == 0 ? edge[k] : edge[k] + step[k] * I32x8(kSide)) *
-                          s.plane.share[k];
-            const F64x8 depth = (term[0] + term[1]) + term[2];
+                corner[k] = across == 0 ? edge[k] : edge[k] + step[k] * I32x8(kSide);
+            const F64x8 depth = depth_of(corner, s.plane.share);
             const F32x8 base = to_f32(depth);
             store(base, out.base[down][across]);
             store(to_f32(depth - to_f64(base)), out.rest[down][across]);
@@ -220,10 +217,7 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x
     store(part.y0 - part.top, strips.row);
     store(part.y0 * I32x8(kTileSize) + x0, b.place);
     I32x8 first[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        first[k] = s.edges.c[k] + shift_left<kSubpixelBits>(s.edges.a[k] * (x0 - part.left) +
-                                                            s.edges.b[k] * (part.y0 - part.top));
+    edges_at_pixel(s.edges, x0 - part.left, part.y0 - part.top, first);
     Few few{0, 0, x1 - x0, part.y1 - part.y0};
     few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & seen;
     if (few.lanes != 0) {
@@ -356,9 +350,9 @@ HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
 bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
     switch (list.kind) {
     case PartKind::speck_2:
-        return draw_list<AsSpecks<2>>(tile, list);
+        return draw_list<AsSpecks<speck_side(PartKind::speck_2)>>(tile, list);
     case PartKind::speck_3:
-        return draw_list<AsSpecks<3>>(tile, list);
+        return draw_list<AsSpecks<speck_side(PartKind::speck_3)>>(tile, list);
     default:
         return draw_list<AsStrips>(tile, list);
     }
@@ -374,10 +368,10 @@ HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
                 x1 = block_of((shift_right<P::kEndColumn>(where) & I32x8(127)) - I32x8(1)),
                 y1 = block_of(shift_right<P::kEndRow>(where) - I32x8(1));
     F32x8 farthest = 0x1p127F;
-    for (int j = 0; j < kMostBlocks; ++j)
-        for (int i = 0; i < kMostBlocks; ++i) {
-            const I32x8 x = minimum(x0 + I32x8(i), x1), y = minimum(y0 + I32x8(j), y1);
-            farthest = minimum(farthest, gather(tile.farthest, y * I32x8(kBlocks) + x));
+    for (I32x8 y = y0; any(y <= y1); y = y + I32x8(1))
+        for (I32x8 x = x0; any(x <= x1); x = x + I32x8(1)) {
+            const I32x8 block = minimum(y, y1) * I32x8(kBlocks) + minimum(x, x1);
+            farthest = minimum(farthest, gather(tile.farthest, block));
         }
     return farthest;
 }
@@ -435,9 +429,9 @@ HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
                            (shift_right<3>(y0) == shift_right<3>(y1 - one));
     const I32 most = maximum(x1 - x0, y1 - y0);
     const auto is = [](PartKind of) HWY_ATTR { return I32(static_cast<std::int32_t>(of)); };
-    const I32 front = select(one_block & (most <= I32(3)),
-                             select(most <= I32(2), is(PartKind::speck_2), is(PartKind::speck_3)),
-                             is(PartKind::strip));
+    I32 front = is(PartKind::strip);
+    for (const PartKind speck : {PartKind::speck_3, PartKind::speck_2})
+        front = select(one_block & (most <= I32(speck_side(speck))), is(speck), front);
     const auto away = !((from & I32(static_cast<std::int32_t>(KeptTriangle::kAway))) == I32(0));
     store(select(away, is(PartKind::back), front), kind);
 }

@@ -17,10 +17,14 @@ namespace scanout::raster {
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
 // What is drawn side by side. Of fronts: specks lie in one tile alone, within one block, and are at
-// most 2 or 3 pixels wide and high; strips are all others. Backs are drawn last, because fronts
+// most speck_side pixels wide and high; strips are all others. Backs are drawn last, because fronts
 // hide the most of them.
 enum class PartKind : std::uint8_t { speck_2, speck_3, strip, back };
 inline constexpr std::size_t kPartKinds = 4;
+// The most pixels each way; 0: not a speck.
+constexpr int speck_side(PartKind kind) {
+    return kind == PartKind::speck_2 ? 2 : kind == PartKind::speck_3 ? 3 : 0;
+}
 
 // What one tile has of such a triangle.
 struct TilePart {

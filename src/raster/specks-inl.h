@@ -61,21 +61,14 @@ template <int kMost>
 HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
                            SpeckBatch<kMost>& batch, I32x8& drawn) {
     if (live == 0) return;
-    F64x8 term[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        term[k] = to_f64(s.edges.c[k]) * s.plane.share[k];
-    const F64x8 depth = (term[0] + term[1]) + term[2]; // at the block's corner
+    const F64x8 depth = depth_of(s.edges.c, s.plane.share); // at the block's corner
     const F32x8 base = to_f32(depth), rest = to_f32(depth - to_f64(base));
     const F32x8 per_x = to_f32(s.plane.per_x), per_y = to_f32(s.plane.per_y);
     const PartLanes& part = s.part;
     const I32x8 column = part.x0 - part.left, row = part.y0 - part.top;
     const I32x8 across = part.x1 - part.x0, down = part.y1 - part.y0;
     I32x8 first[3]; // the edges at the first pixel's corner
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        first[k] =
-            s.edges.c[k] + shift_left<kSubpixelBits>(s.edges.a[k] * column + s.edges.b[k] * row);
+    edges_at_pixel(s.edges, column, row, first);
     std::size_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();

@@ -57,9 +57,15 @@ HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
     store(minimum(end(v[2].y, extent.low.y), area.y1) - I32x8(area.y0), w.y1 + i);
 }
 
+// Depth where the edge functions have these values, or what it changes by where they change by
+// them. share: a vertex's depth by twice the area.
+HWY_INLINE F64x8 depth_of(const F64x8 (&edge)[3], const F64x8 (&share)[3]) {
+    return (edge[0] * share[0] + edge[1] * share[1]) + edge[2] * share[2];
+}
+
 // Depth over the screen, and which of the lanes are near to flat (coverage.h).
 struct DepthPlane {
-    F64x8 share[3]; // a vertex's depth by twice the area
+    F64x8 share[3]; // depth_of
     F64x8 per_x, per_y;
     std::uint32_t flat;
 };
@@ -73,12 +79,8 @@ HWY_INLINE DepthPlane depth_plane(const F64x8 (&depth)[3], const F64x8 (&a)[3], 
         plane.share[k] = depth[k] / area;
         terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
     }
-    const auto gradient = [&](const F64x8(&step)[3]) {
-        return ((step[0] * plane.share[0] + step[1] * plane.share[1]) + step[2] * plane.share[2]) *
-               F64x8(kSubpixel);
-    };
-    plane.per_x = gradient(a);
-    plane.per_y = gradient(b);
+    plane.per_x = depth_of(a, plane.share) * F64x8(kSubpixel);
+    plane.per_y = depth_of(b, plane.share) * F64x8(kSubpixel);
     const F64x8 least = minimum(minimum(depth[0], depth[1]), depth[2]);
     constexpr double kBlock = BlockWalk::kSide;
     plane.flat =
