@@ -1,9 +1,11 @@
 // Every sample of a mesh's interior is covered exactly once: HARD-CASES P1, rows 1, 2, 3, 7.
 #include "raster/coverage.h"
 #include "raster/exactly_once.h"
+#include "support/targets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -128,6 +130,24 @@ TEST(Coverage, WhatIsSkippedBehindOthersWouldNotHaveBeenSeen) {
     EXPECT_GT(hidden, 10000);
     EXPECT_GT(known, 600 * 20);
     record("hidden", hidden);
+}
+
+// Beyond the picture's edge, too, and in whether something shows.
+TEST(Coverage, IsTheSameOnEveryTarget) {
+    Random random(78);
+    for (int round = 0; round < 60; ++round) {
+        const image::Rect area = any_tile(random);
+        const auto all = layers_over(area, random);
+        const int samples = 1 << round % 5;
+        std::unique_ptr<Drawn> first;
+        scanout::test::on_every_target([&](const std::string& target) {
+            const Drawn drawn(all, area, samples, round % 2 == 0);
+            if (first == nullptr) first = std::make_unique<Drawn>(drawn);
+            EXPECT_EQ(drawn.skipped, first->skipped) << target << ' ' << round;
+            EXPECT_TRUE(drawn.depth == first->depth) << target << ' ' << round;
+            EXPECT_TRUE(drawn.id == first->id) << target << ' ' << round;
+        });
+    }
 }
 
 // HARD-CASES P1, rows 1 and 7

@@ -208,9 +208,10 @@ TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
 }
 
 // The kernel's formula in plain floats, of one normal.
-Vec3 to_view(const Vec3& normal, const Primitive& t, const FrameState& frame) {
+Vec3 as_wanted(const Vec3& normal, const Primitive& t, const FrameState& frame) {
+    if (frame.corner_normals) return normal;
     const float side = (normal.x * t.facing[0] + normal.y * t.facing[1]) + normal.z * t.facing[2];
-    const Vec3 n = normal * (side < 0 ? -1.0F : 1.0F);
+    const Vec3 n = normal * (frame.sides == Sides::eye && side < 0 ? -1.0F : 1.0F);
     float row[3];
     for (int r = 0; r < 3; ++r) {
         const auto& m = frame.normal_matrix[r];
@@ -242,7 +243,8 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
         Block& b = *block;
         b.runs = b.count = 0;
         const auto is_flat = [&](int run) { return run % 2 == round % 2; };
-        while (b.count < kLanes) {
+        const int count = round % 2 == 0 ? kLanes : random.whole(1, kLanes);
+        while (b.count < count) {
             Primitive& t = primitive[b.runs];
             for (int k = 0; k < 3; ++k) {
                 t.c[k] = std::floor(random.in(1, 1e6));
@@ -250,9 +252,11 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
                 t.facing[k] = static_cast<float>(random.in(-1, 1));
             }
             set_normals(t, is_flat(b.runs), random);
-            add_lanes(b, &t, std::min(kLanes - b.count, static_cast<int>(random.in(1, 40))));
+            add_lanes(b, &t, std::min(count - b.count, random.whole(1, 39)));
         }
         frame.attributes.colour = round % 3 == 0;
+        frame.corner_normals = round % 5 == 4;
+        frame.sides = std::array{Sides::eye, Sides::face, Sides::file}[(round / 2) % 3];
         for (const char* rung : {"perspective", "affine", "affine_8", "adaptive"})
             scanout::test::on_every_target([&](const std::string& target) {
                 stage("interpolate", rung).run(b, frame);
@@ -263,9 +267,13 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
                     b.run[0] = together.run[r];
                     stage("interpolate", rung).run(b, frame);
                     const Vec3 first =
-                        to_view({t.normal[0][0], t.normal[1][0], t.normal[2][0]}, t, frame);
+                        as_wanted({t.normal[0][0], t.normal[1][0], t.normal[2][0]}, t, frame);
                     const Vec3 here = of_run(together, r);
                     ASSERT_EQ(here == first, is_flat(r)) << rung << ' ' << target;
+                    for (int c = 0; c < 3 && frame.corner_normals; ++c) {
+                        const auto [low, high] = std::minmax_element(t.normal[c], t.normal[c] + 3);
+                        ASSERT_TRUE(*low <= here[c] && here[c] <= *high) << rung << ' ' << target;
+                    }
                     for (int i = 0; i < b.run[0].count; ++i)
                         for (int c = 0; c < 3; ++c) {
                             const int at = b.run[0].first + i;

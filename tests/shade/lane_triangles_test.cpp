@@ -30,11 +30,13 @@ geom::Mesh random_mesh(Random& random, int triangles) {
     for (int i = 0; i < triangles; ++i) {
         const double size = std::exp2(random.in(-12, 1));
         const DVec3 middle = random.in_cube(1);
+        const bool flat = i % 3 == 0;
         for (int k = 0; k < 3; ++k) {
             const DVec3 p = middle + random.in_cube(size);
             mesh.index.push_back(static_cast<std::uint32_t>(mesh.position.size()));
             mesh.position.emplace_back(p.x, p.y, p.z - 2.5);
-            mesh.normal.emplace_back(real(), real(), real());
+            const Vec3 normal(real(), real(), real());
+            mesh.normal.push_back(flat && k > 0 ? mesh.normal.back() : normal);
             mesh.uv.emplace_back(real(), real());
             mesh.colour.emplace_back(real(), real(), real());
         }
@@ -151,12 +153,18 @@ std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives&
     return block;
 }
 
-// What stages read of u and v; lanes of both kinds side by side in the block.
-void expect_same_uv(const GatherInput& in, Gatherer::Primitives& once, const Lanes& set_up) {
+// What stages read; lanes of both kinds side by side in the block.
+void expect_same_attributes(const GatherInput& in, Gatherer::Primitives& once,
+                            const Lanes& set_up) {
     const int count = set_up.block->count;
     const auto expected = interpolated(in, once, set_up, 0, 0);
     const auto got = interpolated(in, once, set_up, count / 5, count - count / 7);
     for (int lane = 0; lane < count; ++lane) {
+        for (int c = 0; c < 3; ++c) {
+            ASSERT_EQ(bits(got->normal[c][lane]), bits(expected->normal[c][lane])) << lane;
+            ASSERT_EQ(bits(got->position[c][lane]), bits(expected->position[c][lane])) << lane;
+            ASSERT_EQ(bits(got->albedo[c][lane]), bits(expected->albedo[c][lane])) << lane;
+        }
         ASSERT_EQ(bits(got->u[lane]), bits(expected->u[lane])) << lane;
         ASSERT_EQ(bits(got->v[lane]), bits(expected->v[lane])) << lane;
         ASSERT_EQ(bits(got->u_x[lane]), bits(expected->u_x[lane])) << lane;
@@ -190,7 +198,7 @@ void check(const GatherInput& in, const Lanes& lanes, Counts& counts) {
             counts.turned += own.triangles->side[lane] < 0 ? 1 : 0;
         }
         check_together(in, lanes, *once);
-        if (!testing::Test::HasFatalFailure()) expect_same_uv(in, *once, own);
+        if (!testing::Test::HasFatalFailure()) expect_same_attributes(in, *once, own);
     });
 }
 
@@ -222,6 +230,9 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         frame.attributes.footprint = true;
         frame.attributes.facing = round % 7 < 3;
         frame.source = find_source("checker"); // wants u and v
+        for (auto& row : frame.normal_matrix)
+            for (float& m : row)
+                m = static_cast<float>(random.in(-1, 1));
         frame.sides = std::array{Sides::eye, Sides::face, Sides::file}[round % 3];
         GatherInput in;
         in.mesh = &mesh;
