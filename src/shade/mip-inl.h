@@ -14,6 +14,21 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
+// Levels 1 and on.
+struct ChainTexels {
+    static constexpr int kWords = 4; // a texel: red, green, blue and alpha
+    const float* texels;
+    template <int kChannels>
+    HWY_INLINE Texel<kChannels> read(I32 place) const {
+        static_assert(kChannels == 1);
+        return {{gather(texels + 3, shift_left<2>(place))}};
+    }
+    template <class Tag>
+    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t place) const {
+        return hn::LoadU(tag, texels + place);
+    }
+};
+
 class MipReader {
 public:
     MipReader(const BoundMap& bound, TexelKind kind)
@@ -38,17 +53,12 @@ public:
         t = image_.unit(t);
         const auto whole = level == I32(0);
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
-        const Around at = around_in_chain(s, t, levels(level));
-        const float* const first = texels() + (kChannels == 1 ? 3 : 0);
-        const auto read = [&](I32 place) HWY_ATTR {
-            // Lanes of level 0 read what is discarded below.
-            const I32 at_texel = shift_left<2>(select(whole, I32(0), place));
-            Texel<kChannels> texel;
-            for (int c = 0; c < kChannels; ++c)
-                texel.channel[c] = gather(first + c, at_texel);
-            return texel;
-        };
-        Texel<kChannels> found = blend<kChannels>(at, read);
+        // Lanes of level 0 read what is discarded below.
+        Levels in = levels(level);
+        in.begin = select(whole, I32(0), in.begin);
+        in.width = select(whole, I32(1), in.width);
+        in.height = select(whole, I32(1), in.height);
+        Texel<kChannels> found = blend<kChannels>(texels(), around_in_chain(s, t, in));
         if (any(whole)) {
             const Texel<kChannels> direct = bilinear_in_image<kChannels>(s, t);
             for (int c = 0; c < kChannels; ++c)
@@ -89,16 +99,13 @@ public:
     HWY_INLINE Around around_in_chain(F32 s, F32 t, const Levels& in) const {
         return around(image_, s, t, in.width, in.height, in.begin);
     }
-    // Red, green, blue and alpha of each texel.
-    const float* texels() const { return chain_->texels.data(); }
+    ChainTexels texels() const { return {chain_->texels.data()}; }
 
 private:
     // s, t in [0, 1].
     template <int kChannels>
     HWY_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
-        const Around at = around(image_, s, t);
-        const auto read = [&](I32 place) HWY_ATTR { return image_.read<kChannels>(place); };
-        return blend<kChannels>(at, read);
+        return blend<kChannels>(image_, around(image_, s, t));
     }
 
     TexelReader image_;

@@ -9,7 +9,10 @@
 
 #include "shade/stage.h"
 
+#include <type_traits>
+
 #include "math/srgb-inl.h"
+#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 
@@ -110,6 +113,15 @@ public:
                      gather(decode_, shift_right<16>(texel) & code_mask)}};
         }
     }
+    static constexpr int kWords = 1; // a texel
+    // Red, green and blue of one texel, in a block of 128 bits; the fourth is any.
+    template <class Tag>
+    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t place) const {
+        const auto codes = static_cast<std::uint32_t>(texels_[place]);
+        const auto light = [&](int shift)
+                               HWY_ATTR { return hn::Set(tag, decode_[codes >> shift & 255]); };
+        return hn::ConcatLowerLower(tag, light(16), hn::InterleaveLower(tag, light(0), light(8)));
+    }
 
 private:
     const std::int32_t* texels_; // image::Rgba8, red in the lowest byte
@@ -138,11 +150,56 @@ HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32
 HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
     return around(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
 }
-// read(place): a texel.
-template <int kChannels, class Read>
-HWY_INLINE Texel<kChannels> blend(const Around& at, Read read) {
-    return mix(at.y, mix(at.x, read(at.bottom + at.left), read(at.bottom + at.right)),
-               mix(at.x, read(at.top + at.left), read(at.top + at.right)));
+// Where Texels have these four, which are Texels::kWords apart: bottom left and right, top left and
+// right.
+template <class Texels, int kRoom>
+struct Corners {
+    std::int32_t place[4][kRoom];
+    HWY_INLINE void put(const Around& at, int lane) {
+        const auto words = [](I32 texel) HWY_ATTR {
+            return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
+        };
+        store(words(at.bottom + at.left), place[0] + lane);
+        store(words(at.bottom + at.right), place[1] + lane);
+        store(words(at.top + at.left), place[2] + lane);
+        store(words(at.top + at.right), place[3] + lane);
+    }
+};
+// All channels, blended, of the lanes kRow, kRow + 4, ... of a register, in blocks of 128 bits.
+// texels.block(tag, place): one texel's. x, y: of the lanes, as in Around.
+template <int kRow, int kRoom, class Texels>
+HWY_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kRoom>& corners, F32 x, F32 y,
+                         int lane) {
+    const auto read = [&](int k) HWY_ATTR {
+        return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
+            return texels.block(tag, corners.place[k][number]);
+        }));
+    };
+    const F32 across(hn::Broadcast<kRow>(x.raw)), up(hn::Broadcast<kRow>(y.raw));
+    return mix(up, mix(across, read(0), read(1)), mix(across, read(2), read(3)));
+}
+// Whole texels one by one: a gather of each channel would take far longer.
+template <class Texels>
+HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
+    Corners<Texels, kLanes> corners;
+    corners.put(at, 0);
+    const auto row = [&](auto number) HWY_ATTR {
+        return bits_of(blend_row<decltype(number)::value>(texels, corners, at.x, at.y, 0)).raw;
+    };
+    const WordBlocks<F32::Tag> found = {
+        {row(std::integral_constant<int, 0>()), row(std::integral_constant<int, 1>()),
+         row(std::integral_constant<int, 2>()), row(std::integral_constant<int, 3>())}};
+    return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};
+}
+template <int kChannels, class Texels>
+HWY_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
+    if constexpr (kChannels == 3) {
+        return blend_blocks(texels, at);
+    } else {
+        const auto read = [&](I32 place) HWY_ATTR { return texels.template read<1>(place); };
+        return mix(at.y, mix(at.x, read(at.bottom + at.left), read(at.bottom + at.right)),
+                   mix(at.x, read(at.top + at.left), read(at.top + at.right)));
+    }
 }
 
 SIMD_END

@@ -15,8 +15,7 @@ HWY_INLINE void bilinear_lanes(Block& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const Around at = around(reader, reader.unit(reader.turns_x(load<F32>(b.u + i))),
                                  reader.unit(reader.turns_y(load<F32>(b.v + i))));
-        const auto read = [&](I32 place) HWY_ATTR { return reader.read<kChannels>(place); };
-        store_sample(blend<kChannels>(at, read), b, i);
+        store_sample(blend<kChannels>(reader, at), b, i);
     }
 }
 

@@ -8,42 +8,8 @@
 #include "simd/for_each_target.h"
 
 #include "shade/mip-inl.h"
-#include "simd/blocks-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
-
-// Of each block of 128 bits one float, in all its lanes.
-template <int kNumber>
-HWY_INLINE F32 in_blocks(const float* from) {
-    return F32(hn::Broadcast<kNumber>(load<F32>(from).raw));
-}
-
-// Four texels around each lane of a block, in one level a lane.
-struct Corners {
-    std::int32_t place[4][kRoom]; // of floats: bottom left and right, top left and right
-    float x[kRoom], y[kRoom];
-
-    HWY_INLINE void put(const Around& at, int lane) {
-        store(shift_left<2>(at.bottom + at.left), place[0] + lane);
-        store(shift_left<2>(at.bottom + at.right), place[1] + lane);
-        store(shift_left<2>(at.top + at.left), place[2] + lane);
-        store(shift_left<2>(at.top + at.right), place[3] + lane);
-        store(at.x, x + lane);
-        store(at.y, y + lane);
-    }
-    // All channels of the lanes kRow, kRow + 4, ... of a register.
-    template <int kRow>
-    HWY_INLINE F32 bilinear(const float* texels, int lane) const {
-        const auto read = [&](int k) HWY_ATTR {
-            return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
-                return hn::LoadU(tag, texels + place[k][number]);
-            }));
-        };
-        const F32 across = in_blocks<kRow>(x + lane);
-        return mix(in_blocks<kRow>(y + lane), mix(across, read(0), read(1)),
-                   mix(across, read(2), read(3)));
-    }
-};
 
 // Registers of lanes that are all minified: places are found for the whole block before the first
 // texel is read. A register that is read by itself waits for memory; so those behind it wait with
@@ -64,7 +30,7 @@ public:
     }
     HWY_INLINE void read(const MipReader& reader, Block& b) const {
         if (count_ == 0) return;
-        const float* const texels = reader.texels();
+        const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
             const int lane = lane_[i];
             const WordBlocks<F32::Tag> found = {{row<0>(texels, lane), row<1>(texels, lane),
@@ -76,13 +42,26 @@ public:
 
 private:
     static constexpr int kFirst = kChannels == 1 ? 3 : 0;
+    // Four texels around each lane of a block, in one level a lane.
+    struct Level {
+        Corners<ChainTexels, kRoom> corners;
+        float x[kRoom], y[kRoom];
+        HWY_INLINE void put(const Around& at, int lane) {
+            corners.put(at, lane);
+            store(at.x, x + lane);
+            store(at.y, y + lane);
+        }
+        template <int kRow>
+        HWY_INLINE F32 row(const ChainTexels& texels, int lane) const {
+            return blend_row<kRow>(texels, corners, load<F32>(x + lane), load<F32>(y + lane), lane);
+        }
+    };
     template <int kRow>
-    HWY_INLINE I32::Raw row(const float* texels, int lane) const {
-        return bits_of(mix(in_blocks<kRow>(share_ + lane), near_.bilinear<kRow>(texels, lane),
-                           far_.bilinear<kRow>(texels, lane)))
-            .raw;
+    HWY_INLINE I32::Raw row(const ChainTexels& texels, int lane) const {
+        const F32 share(hn::Broadcast<kRow>(load<F32>(share_ + lane).raw));
+        return bits_of(mix(share, near_.row<kRow>(texels, lane), far_.row<kRow>(texels, lane))).raw;
     }
-    Corners near_, far_;
+    Level near_, far_;
     float share_[kRoom];
     int lane_[kRoom / kLanes], count_ = 0;
 };
