@@ -100,7 +100,7 @@ HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_
     drawn = select(pass, Id(-1), drawn);
 }
 
-// By one or the other. kUsual: VisibleRule::usual.
+// By show where the rule is the usual one, which kUsual says, else by show_by.
 template <bool kUsual, class D>
 HWY_INLINE void show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
                              std::uint32_t primitive, float* depth, std::uint32_t* id,

@@ -429,9 +429,9 @@ HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
                            (shift_right<3>(y0) == shift_right<3>(y1 - one));
     const I32 most = maximum(x1 - x0, y1 - y0);
     const auto is = [](PartKind of) HWY_ATTR { return I32(static_cast<std::int32_t>(of)); };
-    I32 front = is(PartKind::strip);
-    for (const PartKind speck : {PartKind::speck_3, PartKind::speck_2})
-        front = select(one_block & (most <= I32(speck_side(speck))), is(speck), front);
+    constexpr int kSide2 = speck_side(PartKind::speck_2), kSide3 = speck_side(PartKind::speck_3);
+    const I32 speck = select(most <= I32(kSide2), is(PartKind::speck_2), is(PartKind::speck_3));
+    const I32 front = select(one_block & (most <= I32(kSide3)), speck, is(PartKind::strip));
     const auto away = !((from & I32(static_cast<std::int32_t>(KeptTriangle::kAway))) == I32(0));
     store(select(away, is(PartKind::back), front), kind);
 }

@@ -57,15 +57,15 @@ HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
     store(minimum(end(v[2].y, extent.low.y), area.y1) - I32x8(area.y0), w.y1 + i);
 }
 
-// Depth where the edge functions have these values, or what it changes by where they change by
-// them. share: a vertex's depth by twice the area.
+// Depth from the edge functions' values, or its step from their steps. share: a vertex's depth
+// divided by twice the area.
 HWY_INLINE F64x8 depth_of(const F64x8 (&edge)[3], const F64x8 (&share)[3]) {
     return (edge[0] * share[0] + edge[1] * share[1]) + edge[2] * share[2];
 }
 
 // Depth over the screen, and which of the lanes are near to flat (coverage.h).
 struct DepthPlane {
-    F64x8 share[3]; // depth_of
+    F64x8 share[3]; // as depth_of wants them
     F64x8 per_x, per_y;
     std::uint32_t flat;
 };

@@ -18,14 +18,12 @@ SIMD_BEGIN(scanout::shade::texture)
 struct ChainTexels {
     static constexpr int kWords = 4; // a texel: red, green, blue and alpha
     const float* texels;
-    template <int kChannels>
-    HWY_INLINE Texel<kChannels> read(I32 place) const {
-        static_assert(kChannels == 1);
-        return {{gather(texels + 3, shift_left<2>(place))}};
+    HWY_INLINE Texel<1> alpha(I32 texel) const {
+        return {{gather(texels + 3, shift_left<2>(texel))}};
     }
     template <class Tag>
-    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t place) const {
-        return hn::LoadU(tag, texels + place);
+    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
+        return hn::LoadU(tag, texels + word);
     }
 };
 
@@ -53,11 +51,8 @@ public:
         t = image_.unit(t);
         const auto whole = level == I32(0);
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
-        // Lanes of level 0 read what is discarded below.
-        Levels in = levels(level);
-        in.begin = select(whole, I32(0), in.begin);
-        in.width = select(whole, I32(1), in.width);
-        in.height = select(whole, I32(1), in.height);
+        // Lanes of level 0 read level 1, which is discarded below.
+        const Levels in = levels(maximum(level, I32(1)));
         Texel<kChannels> found = blend<kChannels>(texels(), around_in_chain(s, t, in));
         if (any(whole)) {
             const Texel<kChannels> direct = bilinear_in_image<kChannels>(s, t);

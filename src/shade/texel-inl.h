@@ -9,8 +9,6 @@
 
 #include "shade/stage.h"
 
-#include <type_traits>
-
 #include "math/srgb-inl.h"
 #include "simd/blocks-inl.h"
 
@@ -101,23 +99,24 @@ public:
     HWY_INLINE I32 row(I32 y) const {
         return (I32(height_ - 1) - address(y, I32(height_))) * I32(width_);
     }
-    // Linear light of a texel.
+    // Linear light of a register of texels.
     template <int kChannels>
-    HWY_INLINE Texel<kChannels> read(I32 place) const {
-        const I32 texel = gather(texels_, place), code_mask = 255;
+    HWY_INLINE Texel<kChannels> read(I32 texel) const {
+        const I32 codes = gather(texels_, texel), code_mask = 255;
         if constexpr (kChannels == 1) {
-            return {{gather(::scanout::detail::kSrgb.linear, shift_right<24>(texel) & code_mask)}};
+            return {{gather(::scanout::detail::kSrgb.linear, shift_right<24>(codes) & code_mask)}};
         } else {
-            return {{gather(decode_, texel & code_mask),
-                     gather(decode_, shift_right<8>(texel) & code_mask),
-                     gather(decode_, shift_right<16>(texel) & code_mask)}};
+            return {{gather(decode_, codes & code_mask),
+                     gather(decode_, shift_right<8>(codes) & code_mask),
+                     gather(decode_, shift_right<16>(codes) & code_mask)}};
         }
     }
-    static constexpr int kWords = 1; // a texel
+    HWY_INLINE Texel<1> alpha(I32 texel) const { return read<1>(texel); }
     // Red, green and blue of one texel, in a block of 128 bits; the fourth is any.
+    static constexpr int kWords = 1; // a texel
     template <class Tag>
-    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t place) const {
-        const auto codes = static_cast<std::uint32_t>(texels_[place]);
+    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
+        const auto codes = static_cast<std::uint32_t>(texels_[word]);
         const auto light = [&](int shift)
                                HWY_ATTR { return hn::Set(tag, decode_[codes >> shift & 255]); };
         return hn::ConcatLowerLower(tag, light(16), hn::InterleaveLower(tag, light(0), light(8)));
@@ -150,45 +149,45 @@ HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32
 HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
     return around(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
 }
-// Where Texels have these four, which are Texels::kWords apart: bottom left and right, top left and
-// right.
-template <class Texels, int kRoom>
+// The four texels of an Around in the memory of Texels, by the number of their first word: bottom
+// left and right, top left and right. Of kCount lanes.
+template <class Texels, int kCount>
 struct Corners {
-    std::int32_t place[4][kRoom];
+    std::int32_t word[4][kCount];
     HWY_INLINE void put(const Around& at, int lane) {
+        static_assert(Texels::kWords == 1 || Texels::kWords == 4);
         const auto words = [](I32 texel) HWY_ATTR {
             return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
         };
-        store(words(at.bottom + at.left), place[0] + lane);
-        store(words(at.bottom + at.right), place[1] + lane);
-        store(words(at.top + at.left), place[2] + lane);
-        store(words(at.top + at.right), place[3] + lane);
+        store(words(at.bottom + at.left), word[0] + lane);
+        store(words(at.bottom + at.right), word[1] + lane);
+        store(words(at.top + at.left), word[2] + lane);
+        store(words(at.top + at.right), word[3] + lane);
     }
 };
 // All channels, blended, of the lanes kRow, kRow + 4, ... of a register, in blocks of 128 bits.
-// texels.block(tag, place): one texel's. x, y: of the lanes, as in Around.
-template <int kRow, int kRoom, class Texels>
-HWY_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kRoom>& corners, F32 x, F32 y,
-                         int lane) {
+// lane: where the register begins in `corners`; x, y: its lanes', as in Around.
+// texels.block(tag, word): one texel.
+template <int kRow, class Texels, int kCount>
+HWY_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& corners, int lane,
+                         F32 x, F32 y) {
     const auto read = [&](int k) HWY_ATTR {
         return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
-            return texels.block(tag, corners.place[k][number]);
+            return texels.block(tag, corners.word[k][number]);
         }));
     };
-    const F32 across(hn::Broadcast<kRow>(x.raw)), up(hn::Broadcast<kRow>(y.raw));
+    const F32 across = in_block<kRow>(x), up = in_block<kRow>(y);
     return mix(up, mix(across, read(0), read(1)), mix(across, read(2), read(3)));
 }
-// Whole texels one by one: a gather of each channel would take far longer.
+// Whole texels one by one: a gather of each channel would take far longer. Not inline: of its
+// hundreds of loads every filter would hold several copies.
 template <class Texels>
 HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
     Corners<Texels, kLanes> corners;
     corners.put(at, 0);
-    const auto row = [&](auto number) HWY_ATTR {
-        return bits_of(blend_row<decltype(number)::value>(texels, corners, at.x, at.y, 0)).raw;
-    };
-    const WordBlocks<F32::Tag> found = {
-        {row(std::integral_constant<int, 0>()), row(std::integral_constant<int, 1>()),
-         row(std::integral_constant<int, 2>()), row(std::integral_constant<int, 3>())}};
+    const auto found = blocks_of_rows<F32::Tag>([&](auto number) HWY_ATTR {
+        return blend_row<decltype(number)::value>(texels, corners, 0, at.x, at.y);
+    });
     return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};
 }
 template <int kChannels, class Texels>
@@ -196,7 +195,8 @@ HWY_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
     if constexpr (kChannels == 3) {
         return blend_blocks(texels, at);
     } else {
-        const auto read = [&](I32 place) HWY_ATTR { return texels.template read<1>(place); };
+        static_assert(kChannels == 1);
+        const auto read = [&](I32 texel) HWY_ATTR { return texels.alpha(texel); };
         return mix(at.y, mix(at.x, read(at.bottom + at.left), read(at.bottom + at.right)),
                    mix(at.x, read(at.top + at.left), read(at.top + at.right)));
     }

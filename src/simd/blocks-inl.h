@@ -7,6 +7,8 @@
 #define SCANOUT_SIMD_BLOCKS_INL_H
 #endif
 
+#include <type_traits>
+
 #include "simd/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -41,6 +43,20 @@ struct WordBlocks {
                                         hn::ConcatUpperUpper(tag, pair(2), pair(0)));
     }
 };
+
+// Word kNumber of each block of 128 bits, in all of the block.
+template <int kNumber, class D>
+HWY_INLINE Float<D> in_block(Float<D> a) {
+    return Float<D>(hn::Broadcast<kNumber>(a.raw));
+}
+
+// row(number): a std::integral_constant of 0 to 3; floats of the lanes number, number + 4, ...
+template <class D, class Row>
+HWY_INLINE WordBlocks<D> blocks_of_rows(const Row& row) {
+    const auto words = [&](auto number) HWY_ATTR { return bits_of(row(number)).raw; };
+    return {{words(std::integral_constant<int, 0>()), words(std::integral_constant<int, 1>()),
+             words(std::integral_constant<int, 2>()), words(std::integral_constant<int, 3>())}};
+}
 
 // Block(tag, lane): the four words of one lane.
 template <class Tag, class Block>

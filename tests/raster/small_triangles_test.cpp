@@ -148,9 +148,9 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                     }
             EXPECT_EQ(differ, 0) << samples << " samples";
         }
-        EXPECT_GT(specks, 5000U);
-        EXPECT_GT(steep, 2000);
-        EXPECT_GT(seen, 200000);
+        EXPECT_GT(specks, 15000U);
+        EXPECT_GT(steep, 35000);
+        EXPECT_GT(seen, 400000);
     });
 }
 

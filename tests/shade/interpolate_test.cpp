@@ -243,7 +243,7 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
         Block& b = *block;
         b.runs = b.count = 0;
         const auto is_flat = [&](int run) { return run % 2 == round % 2; };
-        const int count = round % 2 == 0 ? kLanes : random.whole(1, kLanes);
+        const int count = round / 2 % 2 == 0 ? kLanes : random.whole(1, kLanes);
         while (b.count < count) {
             Primitive& t = primitive[b.runs];
             for (int k = 0; k < 3; ++k) {

@@ -226,6 +226,9 @@ HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
     r.rise_y = select(behind, zero, r.rise_y);
 }
 
+// What a square asks of a row is read four texels at a time: up to three more.
+constexpr int kMostColumns = kMostFilter / 4 * 4 + 4;
+
 // Four texels of a row, from a column on, that lie side by side in the map.
 HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32x8* out) {
     std::int32_t place[kLanesX8];
@@ -249,21 +252,20 @@ HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
         return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
     };
     const F32x8 one = 1.0F, fx = part(x0 - to_f32(left)), fy = part(y0 - to_f32(top));
-    Line columns[kMostFilter + 1];
+    Line columns[kMostColumns];
     for (int x = 0; x <= k; ++x)
         columns[x] = column(m, r, left + I32x8(x));
-    // Four at a time, where none of these is moved to the map's border.
-    const int fours = k / 4 * 4 + 4;
-    const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - fours)));
-    F32x8 depth[kMostFilter + 1];
+    // No column that is read lies beyond the map's border.
+    const int read = k / 4 * 4 + 4;
+    const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - read)));
+    F32x8 depth[kMostColumns];
     F32x8 sum = 0.0F;
     for (int y = 0; y <= k; ++y) {
         const Line across = row(m, r, top + I32x8(y));
-        for (int x = 0; x <= k; x += side_by_side ? 4 : 1)
-            if (side_by_side)
-                four_depths(m, columns[x], across, depth + x);
-            else
-                depth[x] = depth_at(m, columns[x], across);
+        for (int x = 0; side_by_side && x < read; x += 4)
+            four_depths(m, columns[x], across, depth + x);
+        for (int x = 0; !side_by_side && x <= k; ++x)
+            depth[x] = depth_at(m, columns[x], across);
         F32x8 in_row = 0.0F;
         for (int x = 0; x <= k; ++x) {
             const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;

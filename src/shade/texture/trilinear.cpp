@@ -33,8 +33,8 @@ public:
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
             const int lane = lane_[i];
-            const WordBlocks<F32::Tag> found = {{row<0>(texels, lane), row<1>(texels, lane),
-                                                 row<2>(texels, lane), row<3>(texels, lane)}};
+            const auto found = blocks_of_rows<F32::Tag>(
+                [&](auto number) HWY_ATTR { return row<decltype(number)::value>(texels, lane); });
             for (int c = kFirst; c < kFirst + kChannels; ++c)
                 store(from_bits(found.word(c)), b.sampled[c] + lane);
         }
@@ -43,7 +43,7 @@ public:
 private:
     static constexpr int kFirst = kChannels == 1 ? 3 : 0;
     // Four texels around each lane of a block, in one level a lane.
-    struct Level {
+    struct Places {
         Corners<ChainTexels, kRoom> corners;
         float x[kRoom], y[kRoom];
         HWY_INLINE void put(const Around& at, int lane) {
@@ -53,15 +53,15 @@ private:
         }
         template <int kRow>
         HWY_INLINE F32 row(const ChainTexels& texels, int lane) const {
-            return blend_row<kRow>(texels, corners, load<F32>(x + lane), load<F32>(y + lane), lane);
+            return blend_row<kRow>(texels, corners, lane, load<F32>(x + lane), load<F32>(y + lane));
         }
     };
     template <int kRow>
-    HWY_INLINE I32::Raw row(const ChainTexels& texels, int lane) const {
-        const F32 share(hn::Broadcast<kRow>(load<F32>(share_ + lane).raw));
-        return bits_of(mix(share, near_.row<kRow>(texels, lane), far_.row<kRow>(texels, lane))).raw;
+    HWY_INLINE F32 row(const ChainTexels& texels, int lane) const {
+        return mix(in_block<kRow>(load<F32>(share_ + lane)), near_.template row<kRow>(texels, lane),
+                   far_.template row<kRow>(texels, lane));
     }
-    Level near_, far_;
+    Places near_, far_;
     float share_[kRoom];
     int lane_[kRoom / kLanes], count_ = 0;
 };

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""profile.py BUILD [SECONDS]: what part of a frame's time each stage takes, for the loads of the table beside llvmpipe. Samples
+"""shares.py BUILD [SECONDS]: what part of a frame's time each stage takes, for the loads of the table beside llvmpipe. Samples
 BUILD's bench_frame by the clock (linux-perf) for SECONDS (4) a load and writes the table between the shares marks of
-bench/README.md. What loading the mesh took is left out: by its functions, because a benchmark loads where it runs.
+bench/README.md. A benchmark makes its mesh before it runs: the first seconds are not sampled, and what is left of that is known
+by its functions and left out.
 """
 import pathlib
 import re
@@ -17,6 +18,8 @@ README = growth.README
 BEGIN, END = "<!-- shares -->\n", "<!-- end of shares -->"
 LOADS = ("bunny/depth", "dragon/depth", "building/depth", "teapot/blinn_phong", "bunny/blinn_phong", "dragon/blinn_phong",
          "building/blinn_phong", "bunny/textured", "dragon/shadow_map", "bunny/4_samples")
+AFTER = 2500 # ms
+MAKING = r"geom::|frame::.*(facts|sides)|angle|sincos|scanout::(sqrt|normalized)|malloc|free"
 # The first that fits a function's name.
 STAGES = {
     "vertices, clusters": r"transform_|ClusterCull|::find_needed|::transform_needed",
@@ -29,6 +32,7 @@ STAGES = {
     "light": r"shade::(reflection|shadow|light)|::cast$|light_lanes",
     "codes and pixels": r"shade::encode|::put$|mem(move|set|cpy)|Ours::draw_depth",
     "pixels to lanes": r"shade::",
+    "other": r"",
 }
 
 
@@ -36,16 +40,18 @@ def shares(program, load, seconds):
     """Of the stages: their parts of the samples."""
     with tempfile.TemporaryDirectory() as folder:
         data = str(pathlib.Path(folder) / "samples")
-        subprocess.run(["perf", "record", "-q", "-o", data, "-e", "cpu-clock", "-D", "2500", program, f"--benchmark_filter=^{load}$",
+        subprocess.run(["perf", "record", "-q", "-o", data, "-e", "cpu-clock", "-D", str(AFTER), program, f"--benchmark_filter=^{load}$",
                         f"--benchmark_min_time={seconds}"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         report = subprocess.run(["perf", "report", "-i", data, "--no-children", "--stdio", "-F", "overhead,sym"], check=True,
                                 capture_output=True, text=True).stdout
     found = dict.fromkeys(STAGES, 0.0)
     for percent, name in re.findall(r"^ *([\d.]+)% +\[\.\] (.*?) *$", report, re.MULTILINE):
-        stage = next((stage for stage, names in STAGES.items() if re.search(names, name)), None)
-        if stage is not None:
+        stage = next(stage for stage, names in STAGES.items() if re.search(names, name))
+        if stage != "other" or not re.search(MAKING, name):
             found[stage] += float(percent)
     whole = sum(found.values())
+    if whole == 0:
+        sys.exit(f"bench/shares.py: no samples of {load}: does {program} know it, and may perf sample?")
     return {stage: part / whole for stage, part in found.items()}
 
 
