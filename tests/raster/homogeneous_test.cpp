@@ -285,8 +285,9 @@ TEST(Homogeneous, AMeshThatStraddlesEveryPlaneOfTheFrustumIsCoveredOnce) {
             geom::Mesh mesh;
             add_triangle(mesh, v);
             const Planes planes = draw_planes(jobs, mesh, view, kSide, kSide);
-            for (std::size_t i = 0; i < hits.size(); ++i)
-                hits[i] += planes.ids[i] == 0 ? 1 : 0;
+            const std::uint32_t* id = planes.ids.data(); // 472 million times in all
+            for (int& hit : hits)
+                if (*id++ == 0) ++hit;
         });
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
