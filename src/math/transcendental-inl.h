@@ -40,13 +40,19 @@ HWY_INLINE Float<D> log2_of_normal(Float<D> x) {
     return to_f32(k) + (t + t * q);
 }
 
-// The same; anything smaller, negative or NaN gives -infinity.
+// log2 x for x that is at most 1; anything below 2^-126, or NaN, gives -infinity.
 template <class D>
-HWY_INLINE Float<D> log2(Float<D> x) {
+HWY_INLINE Float<D> log2_of_share(Float<D> x) {
     using F = Float<D>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const F y = log2_of_normal(x);
-    return select(x >= F(kLeastNormal), select(x < F(kInfinity), y, F(kInfinity)), F(-kInfinity));
+    return select(x >= F(kLeastNormal), log2_of_normal(x), F(-kInfinity));
+}
+
+// The same for any x.
+template <class D>
+HWY_INLINE Float<D> log2(Float<D> x) {
+    const Float<D> infinity = std::numeric_limits<float>::infinity();
+    return select(x == infinity, infinity, log2_of_share(x));
 }
 
 // 2^x for x in [-126, 128); of others some number.
@@ -68,13 +74,18 @@ HWY_INLINE Float<D> normal_exp2(Float<D> x) {
     return from_bits(bits_of(y) + shift_left<23>(bits_of(shifted)));
 }
 
-// 2^x; x below -126 or NaN gives 0, x of 128 and above infinity; exact for integers.
+// 2^x for x that is at most 0; below -126, or NaN, gives 0.
+template <class D>
+HWY_INLINE Float<D> exp2_to_share(Float<D> x) {
+    using F = Float<D>;
+    return select(x >= F(-126.0F), normal_exp2(x), F(0.0F));
+}
+
+// The same for any x; of 128 and above infinity; exact for integers.
 template <class D>
 HWY_INLINE Float<D> exp2(Float<D> x) {
-    using F = Float<D>;
-    constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    const F in_range = select(x < F(128.0F), normal_exp2(x), F(kInfinity));
-    return select(x >= F(-126.0F), in_range, F(0.0F));
+    const Float<D> infinity = std::numeric_limits<float>::infinity();
+    return select(x >= Float<D>(128.0F), infinity, exp2_to_share(x));
 }
 
 // x^y for x in [0, infinity), y >= 0 finite; x below 2^-126 or NaN counts as 0. y == 0 gives 1.
@@ -83,13 +94,11 @@ HWY_INLINE Float<D> pow(Float<D> x, Float<D> y) {
     return select(y == Float<D>(0.0F), Float<D>(1.0F), exp2(y * log2(x)));
 }
 
-// The same bits for x that is at most 1 or NaN.
+// pow, the same bits, for x that is at most 1 or NaN.
 template <class D>
 HWY_INLINE Float<D> pow_of_share(Float<D> x, Float<D> y) {
     using F = Float<D>;
-    const F exponent = y * log2_of_normal(x); // not above 0
-    const auto normal = (x >= F(kLeastNormal)) & (exponent >= F(-126.0F));
-    return select(y == F(0.0F), F(1.0F), select(normal, normal_exp2(exponent), F(0.0F)));
+    return select(y == F(0.0F), F(1.0F), exp2_to_share(y * log2_of_share(x)));
 }
 
 // The angle of (x, y) in radians, -pi to pi, for finite x and y; atan2(0, 0) is 0.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace scanout::shade::test {
@@ -127,6 +128,32 @@ double highlight(std::string_view model, const scene::Material& material, const 
     frame.lights = lights;
     run_stage("reflection", model, *b, frame);
     return static_cast<double>(b->colour[1][0]);
+}
+
+// Of models whose lobe is a power: straight into the mirror's image its cosine rounds to more than
+// 1, which a power would make more of; and of no number it makes nothing.
+TEST(ReflectionLaws, PowersOfCosinesAreSharesOfTheLight) {
+    Random random(2);
+    const scene::Material sharp = scanout::test::plain(Vec3(0), Vec3(1), 10000);
+    for (const std::string_view model : {"phong", "blinn_phong"}) {
+        double brightest = 0;
+        for (int round = 0; round < 1000; ++round) {
+            const DVec3 way = at_angles(random.in(0, 1.5), random.in(0, 6.3));
+            auto b = seen_from(sharp, {way});
+            set_albedo(*b, 0);
+            for (int c = 0; c < 3; ++c)
+                b->normal[c][0] = static_cast<float>(way[c]);
+            FrameState frame = identity_frame();
+            const std::vector<ViewLight> lights = {directional(Vec3(way))};
+            frame.lights = lights;
+            run_stage("reflection", model, *b, frame);
+            brightest = std::max(brightest, double{b->colour[1][0]});
+            b->normal[1][0] = std::numeric_limits<float>::quiet_NaN();
+            stage("reflection", model).run(*b, frame);
+            EXPECT_EQ(b->colour[1][0], 0) << model;
+        }
+        EXPECT_EQ(brightest, 1) << model;
+    }
 }
 
 TEST(ReflectionLaws, LightAndEyeMayChangePlaces) {

@@ -10,11 +10,15 @@
 
 SIMD_BEGIN(scanout::shade::reflection)
 
+struct BlinnPhong {
+    HWY_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+        return half_vector_cosine(normal, eye, light);
+    }
+    HWY_INLINE F32 share(F32 lobe, const Vector&, const Vector&, int) const { return lobe; }
+};
+
 void blinn_phong_run(Block& b, const FrameState& frame) {
-    diffuse_and_highlights(
-        b, frame,
-        [](const Vector& normal, const Vector& eye, const Vector& light, F32 exponent, int)
-            HWY_ATTR { return half_vector_lobe(normal, eye, light, exponent); });
+    diffuse_and_highlights(b, frame, BlinnPhong());
 }
 
 SIMD_END

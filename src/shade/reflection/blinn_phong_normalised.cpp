@@ -14,19 +14,24 @@
 
 SIMD_BEGIN(scanout::shade::reflection)
 
+struct BlinnPhongNormalised {
+    const float (&factor)[kRoom];
+    HWY_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+        return half_vector_cosine(normal, eye, light);
+    }
+    HWY_INLINE F32 share(F32 lobe, const Vector& normal, const Vector& light, int lane) const {
+        const F32 falls = maximum(dot(normal, light), F32(0.0F));
+        return load<F32>(factor + lane) * falls * lobe;
+    }
+};
+
 void blinn_phong_normalised_run(Block& b, const FrameState& frame) {
     if (!has_highlight(b)) return diffuse(b, frame);
     alignas(64) float factor[kRoom];
     for_exponents(
         b, [](double ns) { return (ns + 2) * (ns + 4) / (8 * (scanout::exp2(-ns / 2) + ns)); },
         factor);
-    diffuse_and_highlights(b, frame,
-                           [&factor](const Vector& normal, const Vector& eye, const Vector& light,
-                                     F32 exponent, int lane) HWY_ATTR {
-                               const F32 falls = maximum(dot(normal, light), F32(0.0F));
-                               return load<F32>(factor + lane) * falls *
-                                      half_vector_lobe(normal, eye, light, exponent);
-                           });
+    diffuse_and_highlights(b, frame, BlinnPhongNormalised{factor});
 }
 
 SIMD_END

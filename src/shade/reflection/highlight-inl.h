@@ -74,22 +74,36 @@ struct Gloss {
     F32 ks[3], exponent;
 };
 
-// Of a light, at a register of lanes.
-template <class Bright>
-HWY_INLINE void add_highlight(Block& b, const Bright& bright, const Light& l, const Gloss& gloss,
-                              const float (&eyes)[3][kRoom], int i) {
-    const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
-    const F32 share = bright(normal_at(b, i), eye, towards(l), gloss.exponent, i);
-    store_colour({load<F32>(b.colour[0] + i) + (l.colour[0] * gloss.ks[0]) * share,
-                  load<F32>(b.colour[1] + i) + (l.colour[1] * gloss.ks[1]) * share,
-                  load<F32>(b.colour[2] + i) + (l.colour[2] * gloss.ks[2]) * share},
-                 b, i);
+// Of a light, at all lanes. Three passes: a register's way through one of them is a chain of some
+// hundred cycles, and registers overlap only as far as the processor looks ahead. The second and
+// third are pow_of_share: exponents are at least 1 (exponent_at).
+template <class Highlight, class LightAt>
+HWY_INLINE void add_highlights(Block& b, const Highlight& highlight, const LightAt& light,
+                               const Gloss& gloss, const float (&eyes)[3][kRoom], int first,
+                               int end) {
+    alignas(64) float cosine[kRoom], log_power[kRoom];
+    for (int i = first; i < end; i += kLanes) {
+        const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
+        store(highlight.cosine(normal_at(b, i), eye, towards(light(i))), cosine + i);
+    }
+    for (int i = first; i < end; i += kLanes)
+        store(gloss.exponent * log2_of_share(minimum(F32(1.0F), load<F32>(cosine + i))),
+              log_power + i);
+    for (int i = first; i < end; i += kLanes) {
+        const Light& l = light(i);
+        const F32 lobe = exp2_to_share(load<F32>(log_power + i));
+        const F32 share = highlight.share(lobe, normal_at(b, i), towards(l), i);
+        store_colour({load<F32>(b.colour[0] + i) + (l.colour[0] * gloss.ks[0]) * share,
+                      load<F32>(b.colour[1] + i) + (l.colour[1] * gloss.ks[1]) * share,
+                      load<F32>(b.colour[2] + i) + (l.colour[2] * gloss.ks[2]) * share},
+                     b, i);
+    }
 }
 
 // Not inlined: blocks with and without maps share one copy of it. Light by light, so that all that
 // the lanes share stays in registers.
-template <class Bright>
-HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Bright& bright,
+template <class Highlight>
+HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight& highlight,
                               const Gloss& of_lanes, int first, int end) {
     const std::size_t light_count = frame.lights.size();
     const Gloss gloss = of_lanes; // no store writes to it
@@ -103,13 +117,14 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Bright& b
         store_colour(diffuse_at(b, frame, ambient, light_count, i), b, i);
     }
     for (std::size_t k = 0; k < light_count; ++k) {
+        const auto add = [&](const auto& light) HWY_ATTR {
+            add_highlights(b, highlight, light, gloss, eyes, first, end);
+        };
         if (varies(frame, k)) {
-            for (int i = first; i < end; i += kLanes)
-                add_highlight(b, bright, light_at(b, frame, k, i), gloss, eyes, i);
+            add([&](int i) HWY_ATTR { return light_at(b, frame, k, i); });
         } else {
-            const Light same = light_everywhere(frame, k);
-            for (int i = first; i < end; i += kLanes)
-                add_highlight(b, bright, same, gloss, eyes, i);
+            const Light everywhere = light_everywhere(frame, k);
+            add([&](int) HWY_ATTR -> const Light& { return everywhere; });
         }
     }
 }
@@ -118,10 +133,14 @@ HWY_INLINE bool has_highlight(const Block& b) {
     return b.lit && scene::has_highlight(*b.material);
 }
 
-// Sets b.colour: the diffuse part and light * Ks * bright(normal, eye, light, exponent, lane) for
-// every light, where there are highlights.
-template <class Bright>
-HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame, const Bright& bright) {
+// Sets b.colour: the diffuse part and, where there are highlights, light * Ks * share for every
+// light. A model of them has two functions:
+//     F32 cosine(normal, eye, light)              whose power is the lobe: above 1 counts as 1,
+//                                                 NaN and below 0 as none
+//     F32 share(F32 lobe, normal, light, lane)    of the light, for white Ks
+template <class Highlight>
+HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
+                                       const Highlight& highlight) {
     if (!has_highlight(b)) return diffuse(b, frame);
     const bool mapped =
         b.map[kSpecularMap].texture != nullptr || b.map[kShininessMap].texture != nullptr;
@@ -129,18 +148,16 @@ HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame, const 
     for (int i = 0; i < b.count; i += step) {
         const Gloss gloss = {{specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)},
                              exponent_at(b, i)};
-        light_lanes(b, frame, bright, gloss, i, i + step);
+        light_lanes(b, frame, highlight, gloss, i, i + step);
     }
 }
 
-// max(n.h, 0)^exponent, h halfway between eye and light.
-HWY_INLINE F32 half_vector_lobe(const Vector& normal, const Vector& eye, const Vector& light,
-                                F32 exponent) {
+// n.h, h halfway between eye and light.
+HWY_INLINE F32 half_vector_cosine(const Vector& normal, const Vector& eye, const Vector& light) {
     const Vector h = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
     const F32 length = sqrt((h.x * h.x + h.y * h.y) + h.z * h.z);
     // length 0: the light shines straight into the eye through the surface; no highlight.
-    const F32 cosine = select(length > F32(0x1p-20F), dot(normal, h) / length, F32(0.0F));
-    return pow_of_share(minimum(F32(1.0F), cosine), exponent); // of NaN: 0
+    return select(length > F32(0x1p-20F), dot(normal, h) / length, F32(0.0F));
 }
 
 SIMD_END
