@@ -92,9 +92,18 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
     return outside < I32(0);
 }
 
-// live: how many of the lanes are triangles.
-HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std::uint32_t first,
-                           CullResult& result) {
+// What is found of some registers of triangles before any of it is put into lists. How many of a
+// register are kept is hard to foretell, and known late; a wrong guess would undo what the
+// processor has begun of the next register.
+struct FoundLanes {
+    static constexpr int kRegisters = 16;
+    std::uint32_t from[kRegisters * kLanes], to[kRegisters * kLanes]; // of KeptTriangle
+    std::uint32_t kept[kRegisters], cut[kRegisters];                  // a bit a lane
+};
+
+// live: how many of the lanes are triangles; r: the register.
+HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int r,
+                           FoundLanes& found) {
     const I32 off = ScreenVertex::kOffScreen;
     const Mask32 off0 = c.x[0] == off, off1 = c.x[1] == off, off2 = c.x[2] == off;
     const Mask32 any_off = off0 | off1 | off2;
@@ -142,39 +151,56 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, std
     const Mask32 finite = (any_flags & I32(kNotFinite)) == I32(0);
     const Mask32 cut = any_off & (inside & finite);
 
-    // Lane by lane: packing registers costs more where there is no instruction for it.
     const std::uint32_t lanes = (2U << (live - 1)) - 1;
-    std::uint32_t rest = bits(kept) & lanes;
-    if (rest != 0) {
-        std::uint32_t from[kLanes], to[kLanes];
-        const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
-        const Mask32 away = o.mirrored ? area < F32(0.0F) : area > F32(0.0F);
-        const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
-        store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back, from);
-        store(shift_left<16>(y1) | x1, to);
-        for (; rest != 0; rest &= rest - 1) {
-            const int i = __builtin_ctz(rest);
-            KeptTriangle& t = result.kept.data()[result.kept_count++];
-            t = {first + static_cast<std::uint32_t>(i), from[i], to[i]};
+    const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
+    const Mask32 away = o.mirrored ? area < F32(0.0F) : area > F32(0.0F);
+    const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
+    store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back,
+          found.from + std::ptrdiff_t{r} * kLanes);
+    store(shift_left<16>(y1) | x1, found.to + std::ptrdiff_t{r} * kLanes);
+    found.kept[r] = bits(kept) & lanes;
+    found.cut[r] = bits(cut) & lanes;
+}
+
+// Lane by lane: packing registers costs more where there is no instruction for it.
+HWY_INLINE void list(const FoundLanes& found, int registers, std::uint32_t first,
+                     CullResult& result) {
+    KeptTriangle* kept = result.kept.data() + result.kept_count;
+    for (int r = 0; r < registers; ++r) {
+        const auto at = static_cast<std::uint32_t>(r * kLanes);
+        for (std::uint32_t rest = found.kept[r]; rest != 0; rest &= rest - 1) {
+            const std::uint32_t i = at + static_cast<std::uint32_t>(__builtin_ctz(rest));
+            *kept++ = {first + i, found.from[i], found.to[i]};
         }
+        for (std::uint32_t rest = found.cut[r]; rest != 0; rest &= rest - 1)
+            result.cut.data()[result.cut_count++] =
+                first + at + static_cast<std::uint32_t>(__builtin_ctz(rest));
     }
-    for (rest = bits(cut) & lanes; rest != 0; rest &= rest - 1)
-        result.cut.data()[result.cut_count++] =
-            first + static_cast<std::uint32_t>(__builtin_ctz(rest));
+    result.kept_count = static_cast<std::size_t>(kept - result.kept.data());
 }
 
 void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uint32_t* index,
               int count, std::uint32_t first, CullResult& result) {
-    int i = 0;
-    for (; i + kLanes <= count; i += kLanes)
-        cull_lanes(o, corners(vertices, index + std::ptrdiff_t{i} * 3), kLanes,
-                   first + static_cast<std::uint32_t>(i), result);
-    if (i == count) return;
-    std::uint32_t rest[kLanes * 3];
-    for (int k = 0; k < kLanes * 3; ++k)
-        rest[k] = index[k < (count - i) * 3 ? i * 3 + k : 0];
-    cull_lanes(o, corners(vertices, rest), count - i, first + static_cast<std::uint32_t>(i),
-               result);
+    constexpr std::size_t kIndices = 3 * sizeof(std::uint32_t), kAhead = 96; // triangles
+    FoundLanes found;
+    for (int i = 0; i < count;) {
+        const int begin = i;
+        int r = 0;
+        for (; r < FoundLanes::kRegisters && i + kLanes <= count; ++r, i += kLanes) {
+            // Registers take so long that nothing else would ask for the next indices in time.
+            const std::uint32_t* of_lanes = index + std::ptrdiff_t{i} * 3;
+            prefetch<kLanes * kIndices>(of_lanes, kAhead * kIndices);
+            cull_lanes(o, corners(vertices, of_lanes), kLanes, r, found);
+        }
+        if (r < FoundLanes::kRegisters && i < count) {
+            std::uint32_t rest[kLanes * 3];
+            for (int k = 0; k < kLanes * 3; ++k)
+                rest[k] = index[k < (count - i) * 3 ? i * 3 + k : 0];
+            cull_lanes(o, corners(vertices, rest), count - i, r++, found);
+            i = count;
+        }
+        list(found, r, first + static_cast<std::uint32_t>(begin), result);
+    }
 }
 
 SIMD_END

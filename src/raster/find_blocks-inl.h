@@ -29,17 +29,21 @@ HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
     return farthest;
 }
 
-// Is a block all behind what is there? nearest: no depth in it is nearer. What is known of the
-// block is of when it was last looked through. It is looked through anew only where its middle
-// pixel hides the triangle: else the block cannot.
-HWY_INLINE bool hides(const TilePlanes& tile, int x, int y, float nearest) {
+// Is a block all behind what is there by now? Asked where tile.farthest, which is of when it was
+// last looked through, does not hide it. nearest: no depth in it is nearer. It is looked through
+// anew only where its middle pixel hides the triangle: else the block cannot.
+HWY_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest) {
     constexpr int kSide = BlockWalk::kSide, kMiddle = kSide / 2 * (kTileSize + 1);
-    float& farthest = tile.farthest[y * (kTileSize / kSide) + x];
-    if (nearest < farthest) return true;
     const int place = (y * kTileSize + x) * kSide;
     if (!(nearest < tile.depth[place + kMiddle])) return false;
+    float& farthest = tile.farthest[y * (kTileSize / kSide) + x];
     farthest = farthest_in(tile, place);
     return nearest < farthest;
+}
+// As was known or is by now.
+HWY_INLINE bool hides(const TilePlanes& tile, int x, int y, float nearest) {
+    return nearest < tile.farthest[y * (kTileSize / BlockWalk::kSide) + x] ||
+           hides_by_now(tile, x, y, nearest);
 }
 
 // Bounds of the edges and the depth of each block in float, a row of blocks side by side.
@@ -70,8 +74,10 @@ HWY_INLINE void find_blocks(const TilePlanes& tile, const BlockBounds& b, BlockL
         float depth[kRow];
         SIMD_UNROLL
         for (int r = 0; r < kAcross; ++r) {
-            live |= bits((edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero))
-                    << (r * kLanesX8);
+            auto seen = (edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero);
+            if (ask) // of a whole row: what one block answers is hard to foretell
+                seen = seen & !(nearest[r] < load<F32x8>(tile.farthest + y * kRow + r * kLanesX8));
+            live |= bits(seen) << (r * kLanesX8);
             if (kUsual) store(nearest[r], depth + r * kLanesX8);
             nearest[r] = nearest[r] + farther;
             SIMD_UNROLL
@@ -81,7 +87,7 @@ HWY_INLINE void find_blocks(const TilePlanes& tile, const BlockBounds& b, BlockL
         if (y < b.y0) continue;
         for (live &= columns; live != 0; live &= live - 1) {
             const int x = __builtin_ctz(live);
-            if (ask && hides(tile, x, y, depth[x])) continue;
+            if (ask && hides_by_now(tile, x, y, depth[x])) continue;
             out.x[out.count] = x;
             out.y[out.count++] = y;
         }

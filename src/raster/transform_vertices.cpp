@@ -64,15 +64,14 @@ void transform_lanes(const ScreenTransform& t, const float* position, ScreenVert
     F32 x, y, z;
     load_interleaved(position, x, y, z);
     const Lanes v = transform(t, to_f64(x), to_f64(y), to_f64(z));
-    std::int32_t screen_x[kLanes], screen_y[kLanes];
-    double depth[kLanes];
-    store(v.x, screen_x);
-    store(v.y, screen_y);
-    store(v.depth, depth);
-    for (int i = 0; i < count; ++i) {
-        out[i].x = screen_x[i];
-        out[i].y = screen_y[i];
-        out[i].depth = depth[i];
+    static_assert(offsetof(ScreenVertex, y) == 4 && offsetof(ScreenVertex, depth) == 8);
+    if (count == kLanes) {
+        store_interleaved(v.x, v.y, v.depth, out);
+    } else {
+        ScreenVertex all[kLanes];
+        store_interleaved(v.x, v.y, v.depth, all);
+        for (int i = 0; i < count; ++i)
+            out[i] = all[i];
     }
     if constexpr (kCheckLanes) {
         double pixel_x[kLanes], pixel_y[kLanes];
@@ -86,9 +85,15 @@ void transform_lanes(const ScreenTransform& t, const float* position, ScreenVert
 
 // position: x, y, z of each vertex.
 void transform_all(const ScreenTransform& t, const float* position, ScreenVertex* out, int count) {
+    constexpr std::size_t kAhead = 96; // vertices
     int i = 0;
-    for (; i + kLanes <= count; i += kLanes)
-        transform_lanes(t, position + std::ptrdiff_t{i} * 3, out, i, kLanes);
+    for (; i + kLanes <= count; i += kLanes) {
+        // A register takes so long that nothing else would ask for the next ones in time.
+        const float* of_lanes = position + std::ptrdiff_t{i} * 3;
+        prefetch<kLanes * sizeof(Vec3)>(of_lanes, kAhead * sizeof(Vec3));
+        prefetch<kLanes * sizeof(ScreenVertex)>(out + i, kAhead * sizeof(ScreenVertex));
+        transform_lanes(t, of_lanes, out, i, kLanes);
+    }
     if (i == count) return;
     float rest[kLanes * 3] = {};
     for (int k = 0; k < (count - i) * 3; ++k)

@@ -14,6 +14,7 @@
 #define SCANOUT_SIMD_LANES_INL_H
 #endif
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -265,6 +266,43 @@ HWY_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y
     x = Int<D>(hn::BitCast(tag, a));
     y = Int<D>(hn::BitCast(tag, b));
     z = Int<D>(hn::BitCast(tag, c));
+}
+// Of every lane in order x, y and z: 16 bytes, each word as it stands in memory.
+template <class D>
+HWY_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
+    static_assert(std::endian::native == std::endian::little);
+    static_assert(2 * hn::MaxLanes(typename Double<D>::Tag()) == Int<D>::kLanes); // two registers
+    const hn::RebindToUnsigned<typename Double<D>::Tag> wide;
+    const hn::RebindToUnsigned<typename Int<D>::Tag> words;
+    const hn::Half<decltype(words)> half;
+    const auto store_half = [&](auto of_half, auto doubles, std::uint64_t* at) HWY_ATTR {
+        const auto promoted = [&](Int<D> word) HWY_ATTR {
+            return hn::PromoteTo(wide, of_half(hn::BitCast(words, word.raw)));
+        };
+        const auto pairs = hn::Or(promoted(x), hn::ShiftLeft<32>(promoted(y)));
+        hn::StoreInterleaved2(pairs, hn::BitCast(wide, doubles), wide, at);
+    };
+    const auto store_both = [&](std::uint64_t* at) HWY_ATTR {
+        store_half([&](auto all) HWY_ATTR { return hn::LowerHalf(half, all); }, z.low, at);
+        store_half([&](auto all) HWY_ATTR { return hn::UpperHalf(half, all); }, z.high,
+                   at + Int<D>::kLanes);
+    };
+#if HWY_TARGET == HWY_EMU128 // stores numbers of 64 bits, which may lie where others are read
+    std::uint64_t all[2 * Int<D>::kLanes];
+    store_both(all);
+    __builtin_memcpy(to, all, sizeof all);
+#else
+    store_both(static_cast<std::uint64_t*>(to));
+#endif
+}
+// Asks for memory before it is read, or written: kBytes that lie `ahead` of an address, perhaps
+// beyond what may be read.
+template <std::size_t kBytes>
+HWY_INLINE void prefetch(const void* from, std::size_t ahead) {
+    constexpr std::size_t kLine = 64;
+    const auto address = reinterpret_cast<std::uintptr_t>(from) + ahead;
+    for (std::size_t line = 0; line < kBytes; line += kLine)
+        __builtin_prefetch(reinterpret_cast<const void*>(address + line));
 }
 // first, first + 1, first + 2, ...
 template <class T>

@@ -2,6 +2,7 @@
 // picture, and of triangles a few pixels wide never more.
 #include "raster/cull.h"
 #include "raster/exact.h"
+#include "raster/small_triangles.h"
 #include "support/targets.h"
 
 #include <algorithm>
@@ -55,8 +56,9 @@ Soup soup(Random& random, int count, int most) {
 std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool samples_only = true,
                              bool mirrored = false) {
     const auto pattern = sample_pattern(samples);
+    const SampleExtent extent = extent_of(pattern);
     CullResult found;
-    cull({kWidth, kHeight, keep, mirrored, extent_of(pattern),
+    cull({kWidth, kHeight, keep, mirrored, extent,
           samples_only ? pattern : std::span<const SampleOffset>()},
          soup.vertices, soup.index, 1000, found);
     EXPECT_EQ(found.cut_count, 0U);
@@ -65,8 +67,17 @@ std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool sa
         const KeptTriangle& box = found.kept[i];
         EXPECT_TRUE(box.x0() < box.x1() && box.x1() <= kWidth);
         EXPECT_TRUE(box.y0() < box.y1() && box.y1() <= kHeight);
-        EXPECT_TRUE(ids.insert(box.triangle - 1000).second);
+        EXPECT_TRUE(i == 0 || found.kept[i - 1].triangle < box.triangle); // in order
+        ids.insert(box.triangle - 1000);
         const Corners& v = soup.triangles[box.triangle - 1000];
+        const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+        const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+        const bool bounds = box.x0() == std::max((left + 255 - extent.high.x) >> 8, 0) &&
+                            box.y0() == std::max((top + 255 - extent.high.y) >> 8, 0) &&
+                            box.x1() == std::min((right + 256 - extent.low.x) >> 8, kWidth) &&
+                            box.y1() == std::min((bottom + 256 - extent.low.y) >> 8, kHeight);
+        EXPECT_TRUE(bounds) << box.triangle;
+        EXPECT_EQ(box.small(), std::max(right - left, bottom - top) <= kSmallSide * 256);
         const bool clockwise =
             (v[1].x - v[0].x) * (v[2].y - v[0].y) > (v[1].y - v[0].y) * (v[2].x - v[0].x);
         EXPECT_EQ(box.away(), keep == Facing::any && clockwise != mirrored);
@@ -130,6 +141,55 @@ TEST(Cull, KeepsFrontsAndBacksApart) {
             EXPECT_EQ(front.size() + back.size(), any.size());
             EXPECT_GT(front.size(), 500U);
             EXPECT_GT(back.size(), 500U);
+        });
+    }
+}
+
+// Those with a vertex off the screen are named apart from the others, wherever in the list they
+// are, but for those that are gone without clipping.
+TEST(Cull, NamesWhatIsCut) {
+    Random random(35);
+    for (const int count : {1, 15, 16, 17, 31, 255, 256, 257, 1000}) {
+        Soup all = soup(random, count, 40);
+        std::vector<std::uint32_t> wanted;
+        std::set<std::uint32_t> off;
+        for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
+            const auto hide = [&](std::uint32_t k, std::uint32_t flags) {
+                all.vertices[i * 3 + k % 3] = {ScreenVertex::kOffScreen,
+                                               static_cast<std::int32_t>(flags), 0};
+                off.insert(1000 + i);
+            };
+            const auto k = static_cast<std::uint32_t>(random.whole(0, 2));
+            switch (random.whole(0, 6)) {
+            case 0: // one, near the eye
+                hide(k, kOutsideNear);
+                wanted.push_back(1000 + i);
+                break;
+            case 1: // all, on either side
+                hide(k, kOutsideLeft);
+                hide(k + 1, kOutsideRight);
+                hide(k + 2, kOutsideLeft);
+                wanted.push_back(1000 + i);
+                break;
+            case 2: // all, on one side
+                for (std::uint32_t n = 0; n < 3; ++n)
+                    hide(n, kOutsideTop);
+                break;
+            case 3:
+                hide(k, kNotFinite);
+                break;
+            default:
+                break;
+            }
+        }
+        scanout::test::on_every_target([&](const std::string&) {
+            CullResult found;
+            cull({kWidth, kHeight, Facing::any, false, extent_of(sample_pattern(1)), {}},
+                 all.vertices, all.index, 1000, found);
+            found.cut.resize(found.cut_count);
+            EXPECT_EQ(found.cut, wanted) << count;
+            for (std::size_t i = 0; i < found.kept_count; ++i)
+                EXPECT_FALSE(off.contains(found.kept[i].triangle)) << count;
         });
     }
 }

@@ -61,6 +61,8 @@ void run_narrow(const Operands& in, Results& out) {
 }
 void memory_wide(const float* numbers, const std::int32_t* index, MemoryResults& out) {
     memory<F32, I32>(numbers, index, out);
+    store_interleaved(load<I32>(out.ix), I32(0) - load<I32>(out.iy), to_f64(load<F32>(out.z)),
+                      out.records);
 }
 void memory_narrow(const float* numbers, const std::int32_t* index, MemoryResults& out) {
     memory<F32x8, I32x8>(numbers, index, out);

@@ -105,7 +105,11 @@ struct Results {
 };
 // What touches memory: from `numbers`, three times as many as there are lanes.
 struct MemoryResults {
-    float x[kMostLanes], y[kMostLanes], z[kMostLanes];           // of load_interleaved
+    struct Record {
+        std::int32_t x, y;
+        double z;
+    } records[kMostLanes + 1];                         // of store_interleaved, of wide lanes
+    float x[kMostLanes], y[kMostLanes], z[kMostLanes]; // of load_interleaved
     std::int32_t ix[kMostLanes], iy[kMostLanes], iz[kMostLanes]; // the same of integers
     float gathered[kMostLanes];                                  // numbers[index]
     std::int32_t gathered_bits[kMostLanes], counted[kMostLanes]; // iota(-3)

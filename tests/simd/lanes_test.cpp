@@ -285,7 +285,12 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
             EXPECT_EQ(got.gathered_bits[n], std::bit_cast<std::int32_t>(numbers[index[n]])) << n;
             EXPECT_EQ(got.counted[n], n - 3);
             EXPECT_EQ(got.copied[n], std::bit_cast<std::uint32_t>(numbers[n])) << n;
+            if (GetParam()) continue;
+            EXPECT_EQ(got.records[n].x, got.ix[n]) << n;
+            EXPECT_EQ(got.records[n].y, -got.iy[n]) << n;
+            EXPECT_EQ(got.records[n].z, double{got.z[n]}) << n;
         }
+        EXPECT_EQ(got.records[width.lanes].x, 0);
         for (int n = width.lanes; n < kMostLanes; ++n) { // nothing beyond the register is written
             EXPECT_EQ(got.x[n], 0.0F);
             EXPECT_EQ(got.counted[n], 0);
