@@ -41,6 +41,9 @@ struct Double {
         friend HWY_INLINE DoubleMask operator!(DoubleMask a) {
             return {hn::Not(a.low), hn::Not(a.high)};
         }
+        friend HWY_INLINE bool all(DoubleMask a) {
+            return hn::AllTrue(Tag(), a.low) && hn::AllTrue(Tag(), a.high);
+        }
         friend HWY_INLINE std::uint32_t bits(DoubleMask a) {
             std::uint8_t bits_low[8] = {}, bits_high[8] = {};
             hn::StoreMaskBits(Tag(), a.low, bits_low);
@@ -143,6 +146,7 @@ requires(hn::MaxLanes(hn::ScalableTag<double>()) >= hn::MaxLanes(D())) struct Do
             return {hn::Or(a.raw, b.raw)};
         }
         friend HWY_INLINE DoubleMask operator!(DoubleMask a) { return {hn::Not(a.raw)}; }
+        friend HWY_INLINE bool all(DoubleMask a) { return hn::AllTrue(Tag(), a.raw); }
         friend HWY_INLINE std::uint32_t bits(DoubleMask a) {
             std::uint8_t byte[8] = {};
             hn::StoreMaskBits(Tag(), a.raw, byte);
