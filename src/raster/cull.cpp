@@ -45,13 +45,12 @@ struct Box {
 };
 
 // Does the triangle, tiny and not without area, cover no sample of its box? No lane's box is larger
-// than most_across by most_down. The box cuts the triangle only at the picture's edge: only for
-// lanes that lie there (at_edge: some do) is a sample outside the box told from one within, so that
-// what a lane says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers
-// below 2^23.
+// than kSide each way. The box cuts the triangle only at the picture's edge: only for lanes that lie
+// there (at_edge: some do) is a sample outside the box told from one within, so that what a lane
+// says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers below 2^23.
+template <int kSide>
 HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
-                             Mask32 negative, const Box& box, int most_across, int most_down,
-                             bool at_edge) {
+                             Mask32 negative, const Box& box, bool at_edge) {
     const I32 x[3] = {c.x[0], select(negative, c.x[2], c.x[1]), select(negative, c.x[1], c.x[2])};
     const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
     const I32 left = shift_left<kSubpixelBits>(box.x0), top = shift_left<kSubpixelBits>(box.y0);
@@ -74,9 +73,11 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
             step[k] = shift_left<kSubpixelBits>(a[k]);
             down_step[k] = shift_left<kSubpixelBits>(b[k]);
         }
-        for (int j = 0; j < most_down; ++j) {
+        SIMD_UNROLL
+        for (int j = 0; j < kSide; ++j) {
             I32 e[3] = {row[0], row[1], row[2]};
-            for (int i = 0; i < most_across; ++i) {
+            SIMD_UNROLL
+            for (int i = 0; i < kSide; ++i) {
                 I32 misses = e[0] | e[1] | e[2];
                 if (at_edge) misses = misses | (box.across - I32(i + 1)) | (box.down - I32(j + 1));
                 outside = outside & misses;
@@ -90,6 +91,26 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
         }
     }
     return outside < I32(0);
+}
+HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c, Mask32 tiny,
+                             Mask32 negative, const Box& box, bool at_edge) {
+    static_assert(kTiny == 3);
+    const I32 side = maximum(box.across, box.down);
+    if (!any(tiny & (side > I32(2)))) return misses_all<2>(pattern, c, negative, box, at_edge);
+    if (!any(tiny & (side > I32(3)))) return misses_all<3>(pattern, c, negative, box, at_edge);
+    return misses_all<4>(pattern, c, negative, box, at_edge);
+}
+
+// Twice the area's sign, y down. extent: the longer side of the box.
+HWY_INLINE I32 turn_of(const Corners& c, I32 extent) {
+    const I32 dx1 = c.x[1] - c.x[0], dy1 = c.y[1] - c.y[0];
+    const I32 dx2 = c.x[2] - c.x[0], dy2 = c.y[2] - c.y[0];
+    constexpr std::int32_t kNarrow = 1 << 14; // products of 28 bits
+    if (!any(extent > I32(kNarrow))) return dx1 * dy2 - dy1 * dx2;
+    // Exact in double: |dx|, |dy| <= 2^24. A float keeps its sign and its zero.
+    const F32 area = to_f32(to_f64(dx1) * to_f64(dy2) - to_f64(dy1) * to_f64(dx2));
+    const F32 zero = 0.0F;
+    return select(area > zero, I32(1), select(area < zero, I32(-1), I32(0)));
 }
 
 // What is found of some registers of triangles before any of it is put into lists. How many of a
@@ -108,38 +129,28 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int
     const Mask32 off0 = c.x[0] == off, off1 = c.x[1] == off, off2 = c.x[2] == off;
     const Mask32 any_off = off0 | off1 | off2;
 
-    // Twice the area, exact in double: |dx|, |dy| <= 2^24. A float keeps its sign and its zero.
-    const F64 dx1 = to_f64(c.x[1] - c.x[0]), dy1 = to_f64(c.y[1] - c.y[0]);
-    const F64 dx2 = to_f64(c.x[2] - c.x[0]), dy2 = to_f64(c.y[2] - c.y[0]);
-    const F32 area = to_f32(dx1 * dy2 - dy1 * dx2);
-    // Counter-clockwise is front, unless the view mirrors. Area 0 covers nothing (HARD-CASES 4).
-    const bool both = o.keep == Facing::any, clockwise = (o.keep == Facing::front) == o.mirrored;
-    Mask32 kept = !any_off;
-    if (both || clockwise) kept = both ? kept & !(area == F32(0.0F)) : kept & (area > F32(0.0F));
-    if (!both && !clockwise) kept = kept & (area < F32(0.0F));
-
     const I32 min_x = minimum(minimum(c.x[0], c.x[1]), c.x[2]);
     const I32 max_x = maximum(maximum(c.x[0], c.x[1]), c.x[2]);
     const I32 min_y = minimum(minimum(c.y[0], c.y[1]), c.y[2]);
     const I32 max_y = maximum(maximum(c.y[0], c.y[1]), c.y[2]);
+    // Off the screen it may be any number.
+    const I32 extent = maximum(max_x - min_x, max_y - min_y), turn = turn_of(c, extent);
+    // Counter-clockwise is front, unless the view mirrors. Area 0 covers nothing (HARD-CASES 4).
+    const bool both = o.keep == Facing::any, clockwise = (o.keep == Facing::front) == o.mirrored;
+    Mask32 kept = !any_off;
+    if (both || clockwise) kept = both ? kept & !(turn == I32(0)) : kept & (turn > I32(0));
+    if (!both && !clockwise) kept = kept & (turn < I32(0));
+
     const I32 x0 = maximum(first_pixel(min_x, o.extent.high.x), 0);
     const I32 y0 = maximum(first_pixel(min_y, o.extent.high.y), 0);
     const I32 x1 = minimum(end_pixel(max_x, o.extent.low.x), o.width);
     const I32 y1 = minimum(end_pixel(max_y, o.extent.low.y), o.height);
     kept = kept & (x0 < x1) & (y0 < y1);
-    const I32 across = x1 - x0, down = y1 - y0;
-    const I32 extent = maximum(max_x - min_x, max_y - min_y);
     const Mask32 tiny = kept & (extent <= I32(kTiny * kSubpixel));
     if (!o.pattern.empty() && any(tiny)) {
-        const auto most = [&](I32 pixels) HWY_ATTR {
-            int side = 2;
-            while (side <= kTiny && any(tiny & (pixels > I32(side))))
-                ++side;
-            return side;
-        };
         const bool at_edge = any(tiny & ((x1 == o.width) | (y1 == o.height)));
-        kept = kept & !(tiny & misses_all(o.pattern, c, area < F32(0.0F), {x0, y0, across, down},
-                                          most(across), most(down), at_edge));
+        kept = kept & !(tiny & misses_all(o.pattern, c, tiny, turn < I32(0),
+                                          {x0, y0, x1 - x0, y1 - y0}, at_edge));
     }
 
     // Off the screen at one side with all corners, or not a number: gone without clipping.
@@ -153,7 +164,7 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int
 
     const std::uint32_t lanes = (2U << (live - 1)) - 1;
     const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
-    const Mask32 away = o.mirrored ? area < F32(0.0F) : area > F32(0.0F);
+    const Mask32 away = o.mirrored ? turn < I32(0) : turn > I32(0);
     const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
     store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back,
           found.from + std::ptrdiff_t{r} * kLanes);
