@@ -42,7 +42,7 @@ void Ours::draw_depth(const scene::View& view) {
         bare_.set_bare(number, empty);
         if (empty) return;
         raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
-        tile.reset(area, 1);
+        tile.reset(area, 1, {}, raster::Keeps::depth);
         geometry_.draw_triangles(number, tile);
         for (int y = area.y0; y < area.y1; ++y)
             std::copy_n(tile.depths(0).data() + (y - area.y0) * raster::kTileSize, area.width(),

@@ -100,9 +100,10 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<
         Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
         raster::VisibilityTile& tile = worker.tile;
         const image::Rect area = geometry_.tile_area(number);
-        tile.reset(area, 1);
+        const bool cut = !in.plan.shadow.casters.empty(); // which asks whose texels they are
+        tile.reset(area, 1, {}, cut ? raster::Keeps::depth_and_id : raster::Keeps::depth);
         geometry_.draw_triangles(number, tile);
-        if (!in.plan.shadow.casters.empty()) {
+        if (cut) {
             if (worker.layers == nullptr) worker.layers = std::make_unique<shade::Layers>();
             worker.layers->cut_out(geometry_, number, gather, tile);
         }

@@ -59,6 +59,7 @@ struct Blocks {
 };
 
 // A block that the triangle covers whole, by the usual rule: the same bits as draw_rows.
+template <Shows kShows>
 HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint32_t primitive,
                            float* depth, std::uint32_t* id, I32& drawn) {
     const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
@@ -75,15 +76,15 @@ HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint
         const F32 down_here = row * per_pixel_y;
         SIMD_UNROLL
         for (int r = 0; r < kRegisters; ++r)
-            show(inside, base + (rest + (across[r] + down_here)), primitive, depth + r * kLanes,
-                 id + r * kLanes, drawn);
+            show_samples<kShows>({}, inside, base + (rest + (across[r] + down_here)), primitive,
+                                 depth + r * kLanes, id_after<kShows>(id, r * kLanes), drawn);
         row = row + F32(kRows);
         depth += kRows * kTileSize;
-        id += kRows * kTileSize;
+        id = id_after<kShows>(id, kRows * kTileSize);
     }
 }
 
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
                           std::uint32_t primitive, float* depth, std::uint32_t* id, I32& drawn) {
     const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
@@ -109,7 +110,7 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
     for (int r = 0; r < kRegisters; ++r)
         across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
     depth += begin * kTileSize;
-    id += begin * kTileSize;
+    id = id_after<kShows>(id, begin * kTileSize);
     F32 row = to_f32(rows() + I32(begin)) + sample_y; // a whole number of 1/256: exact
     for (int y = begin; y < end; y += kRows) {
         const F32 down_here = row * per_pixel_y;
@@ -118,15 +119,15 @@ HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, Sa
             auto inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32(0);
             if constexpr (kRows > 1) inside = inside & (rows() < I32(end - y));
             const F32 z = base + (rest + (across[r] + down_here));
-            show_samples<kUsual>(rule, inside, z, primitive, depth + r * kLanes, id + r * kLanes,
-                                 drawn);
+            show_samples<kShows>(rule, inside, z, primitive, depth + r * kLanes,
+                                 id_after<kShows>(id, r * kLanes), drawn);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
         }
         row = row + F32(kRows);
         depth += kRows * kTileSize;
-        id += kRows * kTileSize;
+        id = id_after<kShows>(id, kRows * kTileSize);
     }
 }
 
@@ -146,7 +147,7 @@ HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end
 
 // By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
 // depth, columns from few.column, rows from b.begin.
-template <class DepthAt, class Drawn>
+template <Shows kShows = Shows::usual, class DepthAt, class Drawn>
 HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
                             const std::uint32_t* name, float* depth, std::uint32_t* id,
                             Drawn& drawn) {
@@ -172,9 +173,9 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
             const int bit = __builtin_ctzll(waiting), step = bit / kLanesX8, lane = bit % kLanesX8;
             const std::ptrdiff_t place = corner[lane] + offset[step];
             const float z = depths[step][lane], old = depth[place];
-            if (z > old || (z == old && name[lane] < id[place])) {
+            if (z > old || (kShows != Shows::depth && z == old && name[lane] < id[place])) {
                 depth[place] = z;
-                id[place] = name[lane];
+                if constexpr (kShows != Shows::depth) id[place] = name[lane];
                 shows = true;
             }
         }
@@ -208,6 +209,7 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
 }
 
 // The same bits as draw_rows.
+template <Shows kShows>
 HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
                          const std::uint32_t* name, float* depth, std::uint32_t* id, I32& drawn) {
     const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
@@ -219,7 +221,7 @@ HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
         const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
         return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
     };
-    draw_pixels(b, few, kFew, depth_at, name, depth, id, drawn);
+    draw_pixels<kShows>(b, few, kFew, depth_at, name, depth, id, drawn);
 }
 
 // Their edges at a place in the pattern. Saturates at 2^29 (BlockWalk).
@@ -290,7 +292,7 @@ HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const 
 }
 
 // Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
-template <bool kUsual, bool kOne>
+template <Shows kShows, bool kOne>
 HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
                           std::uint32_t live, const std::uint32_t* id, I32& drawn) {
     const F64x8 zero = 0.0;
@@ -310,23 +312,27 @@ HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBl
     store(begin, b.begin);
     store(end, b.end);
     Few few{0, begin, begin, begin};
-    if constexpr (kUsual && !kOne) few = few_pixels(w, block.left, begin, end, live & ~covered);
+    if constexpr (is_usual(kShows) && !kOne)
+        few = few_pixels(w, block.left, begin, end, live & ~covered);
     store(block.top * I32x8(kTileSize) + block.left, b.place);
-    std::size_t plane = 0;
+    std::ptrdiff_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
-         ++at, plane += std::size_t{kTileSize} * kTileSize) {
-        if (!kUsual || covered != live) set_up_rows(w, block.edge, whole, *at, begin, b);
-        if (few.lanes != 0) draw_few(b, few, *at, id, tile.depth + plane, tile.id + plane, drawn);
+         ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
+        if (!is_usual(kShows) || covered != live) set_up_rows(w, block.edge, whole, *at, begin, b);
+        float* const depth = tile.depth + plane;
+        std::uint32_t* const ids = id_after<kShows>(tile.id, plane);
+        if (few.lanes != 0) draw_few<kShows>(b, few, *at, id, depth, ids, drawn);
         for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
-            const std::size_t first = plane + static_cast<std::size_t>(b.place[lane]);
+            const std::int32_t first = b.place[lane];
             const std::uint32_t name = id[kOne ? 0 : lane];
-            if (kUsual && (covered >> lane & 1) != 0)
-                draw_whole(b, lane, *at, name, tile.depth + first, tile.id + first, drawn);
+            float* const to = depth + first;
+            std::uint32_t* const id_to = id_after<kShows>(ids, first);
+            if (is_usual(kShows) && (covered >> lane & 1) != 0)
+                draw_whole<kShows>(b, lane, *at, name, to, id_to, drawn);
             else
-                draw_rows<kUsual>(tile.rule, b, lane, *at, name, tile.depth + first,
-                                  tile.id + first, drawn);
+                draw_rows<kShows>(tile.rule, b, lane, *at, name, to, id_to, drawn);
         }
     }
 }

@@ -90,8 +90,8 @@ void check_lanes(const VisibilityTile& tile) {
     for (int sample = 0; sample < tile.samples(); ++sample)
         for (int y = area.y0; y < area.y1; ++y)
             for (int x = area.x0; x < area.x1; ++x)
-                check_depth(tile.depth(x, y, sample), "primitive", tile.id(x, y, sample),
-                            "coverage");
+                check_depth(tile.depth(x, y, sample), "primitive",
+                            tile.keeps_ids() ? tile.id(x, y, sample) : kNoPrimitive, "coverage");
 }
 
 void check_lanes(std::span<const AreaFragment> fragments) {

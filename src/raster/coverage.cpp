@@ -8,7 +8,7 @@
 SIMD_BEGIN(scanout::raster)
 
 // Blocks are few: those of all triangles side by side, one after the other.
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
                            I32& drawn) {
     WalkLanes lanes =
@@ -22,8 +22,8 @@ HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::u
     I32x8 x = x0, y = shift_right<3>(lanes.y0);
     while (live != 0) {
         const AtBlocks blocks = at_blocks(tile, lanes, x, y);
-        const std::uint32_t show = seen<kUsual>(tile, lanes, blocks, live);
-        if (show != 0) draw_flat<kUsual, false>(tile, lanes, blocks, show, w.id + i, drawn);
+        const std::uint32_t show = seen<is_usual(kShows)>(tile, lanes, blocks, live);
+        if (show != 0) draw_flat<kShows, false>(tile, lanes, blocks, show, w.id + i, drawn);
         x = x + 1;
         const MaskX8 next = x >= x1;
         x = select(next, x0, x);
@@ -60,7 +60,7 @@ HWY_INLINE BlockBounds bounds_of(const TilePlanes& tile, const Walks& w, int i) 
 }
 
 // Blocks are many: those of one triangle side by side.
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const BlockList& list,
                            I32& drawn) {
     WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
@@ -73,12 +73,12 @@ HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const 
         const std::uint32_t live = left < kLanesX8 ? (1U << left) - 1 : (1U << kLanesX8) - 1;
         const AtBlocks blocks =
             at_blocks(tile, lanes, load<I32x8>(list.x + k), load<I32x8>(list.y + k));
-        draw_flat<kUsual, true>(tile, lanes, blocks, live, w.id + i, drawn);
+        draw_flat<kShows, true>(tile, lanes, blocks, live, w.id + i, drawn);
     }
 }
 
 // A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id, int bx,
                            int by, I32& drawn) {
     constexpr int kSide = BlockWalk::kSide;
@@ -90,7 +90,6 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
         corner[k] = (w.a[k][i] * x + w.b[k][i] * y) + w.c[k][i];
         share[k] = w.share[k][i];
     }
-    const std::size_t plane = std::size_t{kTileSize} * kTileSize;
     const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
     const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
     I32x8 here = 0;
@@ -115,16 +114,17 @@ HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::u
                 };
                 const auto inside =
                     select(covers(0) & covers(1) & covers(2), F64x8(1.0), F64x8(0.0));
-                const std::size_t first = s * plane + static_cast<std::size_t>(row * kTileSize) +
-                                          static_cast<std::size_t>(bx * kSide + column);
-                show_samples<kUsual>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id,
-                                     tile.depth + first, tile.id + first, here);
+                const std::ptrdiff_t first =
+                    static_cast<std::ptrdiff_t>(s) * kTileSize * kTileSize + row * kTileSize +
+                    (bx * kSide + column);
+                show_samples<kShows>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id,
+                                     tile.depth + first, id_after<kShows>(tile.id, first), here);
             }
     }
     if (any(!(here == I32x8(0)))) drawn = I32(-1);
 }
 
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
                          const TriangleList& list) {
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
@@ -138,26 +138,29 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
         set_up(tile, extent, list.vertices.data(), count, w);
         const std::uint32_t small = w.live & w.flat & w.small;
         for (int i = 0; i < Walks::kRoom; i += kLanesX8)
-            draw_small<kUsual>(tile, w, i, small >> i & kRegister, drawn);
+            draw_small<kShows>(tile, w, i, small >> i & kRegister, drawn);
         for (std::uint32_t rest = w.live & ~small; rest != 0; rest &= rest - 1) {
             const int i = __builtin_ctz(rest);
-            find_blocks<kUsual>(tile, bounds_of(tile, w, i), blocks);
+            find_blocks<is_usual(kShows)>(tile, bounds_of(tile, w, i), blocks);
             if ((w.flat >> i & 1) != 0) {
-                draw_large<kUsual>(tile, w, i, blocks, drawn);
+                draw_large<kShows>(tile, w, i, blocks, drawn);
                 continue;
             }
             for (int k = 0; k < blocks.count; ++k)
-                draw_steep<kUsual>(tile, w, i, w.id[i], blocks.x[k], blocks.y[k], drawn);
+                draw_steep<kShows>(tile, w, i, w.id[i], blocks.x[k], blocks.y[k], drawn);
         }
     }
     return any(!(drawn == I32(0)));
 }
 
 bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
-    return draw_all<true>(tile, extent, list);
+    return draw_all<Shows::usual>(tile, extent, list);
+}
+bool draw_depth(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
+    return draw_all<Shows::depth>(tile, extent, list);
 }
 bool draw_by_rule(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
-    return draw_all<false>(tile, extent, list);
+    return draw_all<Shows::by_rule>(tile, extent, list);
 }
 
 bool flat_alone(const ScreenVertex* corners) {
@@ -175,13 +178,15 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_usual);
+SIMD_REGISTER(draw_depth);
 SIMD_REGISTER(draw_by_rule);
 SIMD_REGISTER(flat_alone);
 
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles) {
     const SampleExtent extent = extent_of(tile.pattern);
-    return tile.rule.usual() ? SIMD_CALL(draw_usual)(tile, extent, triangles)
-                             : SIMD_CALL(draw_by_rule)(tile, extent, triangles);
+    if (!tile.rule.usual()) return SIMD_CALL(draw_by_rule)(tile, extent, triangles);
+    return tile.id == nullptr ? SIMD_CALL(draw_depth)(tile, extent, triangles)
+                              : SIMD_CALL(draw_usual)(tile, extent, triangles);
 }
 
 bool near_to_flat(const SnappedTriangle& triangle) {

@@ -21,7 +21,7 @@ struct TilePlanes {
     image::Rect area; // of the picture; its corner is a multiple of 8 in x and y
     std::span<const SampleOffset> pattern;
     float* depth;
-    std::uint32_t* id;
+    std::uint32_t* id; // null: depth alone is kept, by the usual rule
     VisibleRule rule{};
     // By the usual rule: for each block of 8 x 8 pixels, row by row, a depth that nothing seen at
     // its samples is farther away than; 0 where nothing is known. What is farther is not drawn;
@@ -36,7 +36,8 @@ struct TriangleList {
     std::span<const std::uint32_t> index, which, id;
 };
 
-// Did any of them show? Pixels of the planes beyond the area may be drawn, too.
+// Did any of them show? Where depth alone is kept: was any nearer than what was there? Pixels of
+// the planes beyond the area may be drawn, too.
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles);
 bool draw_piece(const TilePlanes& tile, const Piece& piece);
 

@@ -16,7 +16,7 @@
 
 SIMD_BEGIN(scanout::raster)
 
-template <bool kUsual>
+template <Shows kShows>
 HWY_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
                      std::uint32_t* id) {
     constexpr int kSide = BlockWalk::kSide;
@@ -36,18 +36,22 @@ HWY_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
                 z = to_f32(minimum(maximum(at, F64x8(b.least)), F64x8(b.most)));
             }
             const std::ptrdiff_t pixel = std::ptrdiff_t{y} * kTileSize + x;
-            show_samples<kUsual>(rule, inside, z, b.id, depth + pixel, id + pixel, drawn);
+            show_samples<kShows>(rule, inside, z, b.id, depth + pixel, id_after<kShows>(id, pixel),
+                                 drawn);
         }
     }
     return any(!(drawn == I32x8(0)));
 }
 
 bool draw_block(const PieceBlock& b, float* depth, std::uint32_t* id) {
-    return draw<true>({}, b, depth, id);
+    return draw<Shows::usual>({}, b, depth, id);
+}
+bool draw_block_depth(const PieceBlock& b, float* depth) {
+    return draw<Shows::depth>({}, b, depth, nullptr);
 }
 bool draw_block_by_rule(const VisibleRule& rule, const PieceBlock& b, float* depth,
                         std::uint32_t* id) {
-    return draw<false>(rule, b, depth, id);
+    return draw<Shows::by_rule>(rule, b, depth, id);
 }
 
 PieceBlockSigns block_signs(const PieceBlockEdges& e) {
@@ -81,6 +85,7 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_block);
+SIMD_REGISTER(draw_block_depth);
 SIMD_REGISTER(block_signs);
 SIMD_REGISTER(blocks_of_piece);
 SIMD_REGISTER(draw_block_by_rule);
@@ -212,13 +217,17 @@ private:
             if (!plane) find_depths(e, b.inside, depths);
             const std::size_t first = s * std::size_t{kTileSize} * kTileSize +
                                       static_cast<std::size_t>(by * kSide * kTileSize + bx * kSide);
-            float* const depth_out = tile_.depth + first;
-            std::uint32_t* const id_out = tile_.id + first;
-            drawn |= tile_.rule.usual()
-                         ? SIMD_CALL(draw_block)(b, depth_out, id_out)
-                         : SIMD_CALL(draw_block_by_rule)(tile_.rule, b, depth_out, id_out);
+            drawn |= show(b, first);
         }
         return drawn;
+    }
+    // first: of the block's pixels, in the planes.
+    bool show(const PieceBlock& b, std::size_t first) const {
+        float* const depth = tile_.depth + first;
+        if (tile_.id == nullptr) return SIMD_CALL(draw_block_depth)(b, depth);
+        std::uint32_t* const id = tile_.id + first;
+        return tile_.rule.usual() ? SIMD_CALL(draw_block)(b, depth, id)
+                                  : SIMD_CALL(draw_block_by_rule)(tile_.rule, b, depth, id);
     }
 
     // e: at the first pixel's sample. Bit 8 y + x.

@@ -15,6 +15,18 @@ SIMD_BEGIN(scanout::raster)
 
 using MaskX8 = Mask<F32x8::Tag>;
 
+// What a kernel shows: by the usual rule depth and id, or depth alone where a tile keeps no more;
+// or both by another rule.
+enum class Shows { usual, depth, by_rule };
+constexpr bool is_usual(Shows shows) {
+    return shows != Shows::by_rule;
+}
+// The id of so many pixels further on: a tile that keeps depth alone has none.
+template <Shows kShows>
+HWY_INLINE std::uint32_t* id_after(std::uint32_t* id, std::ptrdiff_t pixels) {
+    return kShows == Shows::depth ? nullptr : id + pixels;
+}
+
 // Pixels of a tile from one on: of its row, and where a register has room for eight more of the row
 // below.
 template <class T, class Word>
@@ -46,6 +58,16 @@ HWY_INLINE void show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float*
     store_pixels(select(pass, z, old), depth);
     store_pixels(select(pass, new_id, old_id), id);
     drawn = select(pass, Id(-1), drawn);
+}
+
+// The same depths: at a tie they are one, whatever the ids. What has shown is nearer than what was
+// there.
+template <class D>
+HWY_INLINE void show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>& drawn) {
+    const auto old = load_pixels<Float<D>>(depth);
+    const Mask<D> pass = inside & (z > old);
+    store_pixels(select(pass, z, old), depth);
+    drawn = select(pass, Int<D>(-1), drawn);
 }
 
 // VisibleRule::kept.
@@ -100,13 +122,14 @@ HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_
     drawn = select(pass, Id(-1), drawn);
 }
 
-// By show where the rule is the usual one, which kUsual says, else by show_by.
-template <bool kUsual, class D>
+template <Shows kShows, class D>
 HWY_INLINE void show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
                              std::uint32_t primitive, float* depth, std::uint32_t* id,
                              Int<D>& drawn) {
-    if constexpr (kUsual)
+    if constexpr (kShows == Shows::usual)
         show(inside, z, primitive, depth, id, drawn);
+    else if constexpr (kShows == Shows::depth)
+        show_depth(inside, z, depth, drawn);
     else
         show_by(rule, inside, z, primitive, depth, id, drawn);
 }

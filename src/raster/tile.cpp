@@ -12,18 +12,29 @@
 
 namespace scanout::raster {
 
-void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRule& rule) {
+void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRule& rule,
+                           Keeps keeps) {
     rule_ = rule;
+    keeps_ = rule.usual() ? keeps : Keeps::depth_and_id;
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
     touched_ = false;
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     depth_.assign(size + kRegisterRoom, 0.0F);
-    id_.assign(size + kRegisterRoom, kNoPrimitive);
+    if (keeps_ids()) id_.assign(size + kRegisterRoom, kNoPrimitive);
     farthest_.fill(0);
     ground_depth_.clear();
     ground_id_.clear();
+}
+
+TilePlanes VisibilityTile::planes_for_parts() {
+    TilePlanes to = planes();
+    if (to.id == nullptr) {
+        id_.resize(depth_.size());
+        to.id = id_.data();
+    }
+    return to;
 }
 
 image::Rect VisibilityTile::inside(const image::Rect& r) const {
@@ -47,7 +58,7 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 
 bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
-    TilePlanes to = planes();
+    TilePlanes to = planes_for_parts();
     // Where nothing hides, or too few to be worth it, or all are tiny, no part need be asked.
     bool hides =
         touched_ && parts.parts.size() >= farthest_.size() && parts.kind == PartKind::strip;
@@ -63,7 +74,7 @@ bool VisibilityTile::draw(const TilePartList& parts) {
 
 bool VisibilityTile::draw_behind(const TilePartList& parts) {
     check_lanes(parts);
-    const bool shows = draw_parts_behind(planes(), parts, seen_);
+    const bool shows = draw_parts_behind(planes_for_parts(), parts, seen_);
     touched_ |= shows;
     return shows;
 }
@@ -95,13 +106,15 @@ bool VisibilityTile::draw(const Piece& piece) {
 }
 
 void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels) {
+    CHECK(from.keeps_ids() || !keeps_ids());
     const image::Rect r = inside(pixels);
     farthest_.fill(0);
     for (int sample = 0; sample < samples_; ++sample) {
         for (int y = r.y0; y < r.y1; ++y) {
             const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));
             const auto end = begin + r.width();
-            std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + begin);
+            if (keeps_ids())
+                std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + begin);
             std::copy(from.depth_.begin() + begin, from.depth_.begin() + end,
                       depth_.begin() + begin);
         }
@@ -111,6 +124,7 @@ void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels)
 void VisibilityTile::keep_ground(const VisibilityTile& from) {
     const std::size_t size = kPlane * static_cast<std::size_t>(samples_);
     const auto end = static_cast<std::ptrdiff_t>(size);
+    CHECK(from.keeps_ids());
     ground_depth_.assign(from.depth_.begin(), from.depth_.begin() + end);
     ground_id_.assign(from.id_.begin(), from.id_.begin() + end);
 }

@@ -3,6 +3,7 @@
 // be drawn in any order.
 #pragma once
 
+#include "base/check.h"
 #include "raster/coverage.h"
 #include "raster/ground.h"
 #include "raster/primitive.h"
@@ -16,12 +17,17 @@
 
 namespace scanout::raster {
 
+// What a tile keeps of what is seen: shadow maps ask nothing but depth.
+enum class Keeps : std::uint8_t { depth_and_id, depth };
+
 class VisibilityTile {
 public:
-    // Makes the tile empty: `area` is at most kTileSize on a side.
-    void reset(const image::Rect& area, int samples, const VisibleRule& rule = {});
+    // Makes the tile empty: `area` is at most kTileSize on a side. By another rule than the usual
+    // one ids are kept in any case.
+    void reset(const image::Rect& area, int samples, const VisibleRule& rule = {},
+               Keeps keeps = Keeps::depth_and_id);
 
-    // Triangles: does any of them show? Pixels beyond area() count, too.
+    // Triangles: does any of them show (raster/coverage.h)? Pixels beyond area() count, too.
     bool draw(const TriangleList& triangles);
     bool draw(const TilePartList& parts); // by the usual rule
     // The same, when what hides the most of them is drawn: find_farthest(), then these.
@@ -49,17 +55,22 @@ public:
     const VisibleRule& rule() const { return rule_; }
     std::span<const SampleOffset> pattern() const { return pattern_; }
     bool empty() const { return !touched_; }
+    bool keeps_ids() const { return keeps_ == Keeps::depth_and_id; }
     std::size_t bytes() const {
         return depth_.capacity() * sizeof(float) + id_.capacity() * sizeof(std::uint32_t);
     }
 
-    // x, y: a pixel of the picture inside area().
-    std::uint32_t id(int x, int y, int sample = 0) const { return id_[offset(x, y, sample)]; }
+    // x, y: a pixel of the picture inside area(). Ids: of a tile that keeps them.
+    std::uint32_t id(int x, int y, int sample = 0) const {
+        CHECK(keeps_ids());
+        return id_[offset(x, y, sample)];
+    }
     float depth(int x, int y, int sample = 0) const { return depth_[offset(x, y, sample)]; }
     // A sample's plane from the tile's corner on, kTileSize pixels a row. Kernels may touch a
     // register beyond the last plane.
     static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
     std::span<const std::uint32_t> ids(int sample) const {
+        CHECK(keeps_ids());
         return std::span(id_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
     }
     std::span<const float> depths(int sample) const {
@@ -73,15 +84,18 @@ private:
     }
     image::Rect inside(const image::Rect& bounds) const;
     TilePlanes planes() {
-        return {area_, pattern_, depth_.data(), id_.data(), rule_, farthest_.data()};
+        return {area_, pattern_,        depth_.data(), keeps_ids() ? id_.data() : nullptr,
+                rule_, farthest_.data()};
     }
+    // Small triangles' kernels show ids, too: where none are kept, in a plane that nobody reads.
+    TilePlanes planes_for_parts();
     // Shows the primitive at one sample if it is the nearest there.
     void put(std::size_t sample, float depth, std::uint32_t id) {
-        if (rule_.shows(depth, id, depth_[sample], id_[sample])) {
-            depth_[sample] = depth;
-            id_[sample] = id;
-            touched_ = true;
-        }
+        const bool ids = keeps_ids();
+        if (!rule_.shows(depth, id, depth_[sample], ids ? id_[sample] : 0)) return;
+        depth_[sample] = depth;
+        if (ids) id_[sample] = id;
+        touched_ = true;
     }
     // A pixel of a line or point: the pixel, the place on the line that stands for it, in pixels,
     // and the depth there.
@@ -101,6 +115,7 @@ private:
     int samples_ = 1;
     std::span<const SampleOffset> pattern_;
     VisibleRule rule_;
+    Keeps keeps_ = Keeps::depth_and_id;
     bool touched_ = false;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;

@@ -150,6 +150,55 @@ TEST(Coverage, IsTheSameOnEveryTarget) {
     }
 }
 
+// Triangles of all kinds and pieces.
+TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
+    Random random(79);
+    int steep = 0, hidden = 0;
+    for (int round = 0; round < 60; ++round) {
+        const image::Rect area = any_tile(random);
+        const auto all = layers_over(area, random);
+        const int samples = 1 << round % 5;
+        scanout::test::on_every_target([&](const std::string& target) {
+            VisibilityTile full, alone;
+            full.reset(area, samples);
+            alone.reset(area, samples, {}, Keeps::depth);
+            for (const auto& [t, times] : all) {
+                bool shows = false, shows_alone = false;
+                const auto draw = [&](const auto& primitive) {
+                    shows |= full.draw(primitive);
+                    shows_alone |= alone.draw(primitive);
+                };
+                if (times == 1)
+                    draw(std::span(&t, 1));
+                else
+                    for (const Piece& piece : pieces_far_out(t, times))
+                        draw(piece);
+                EXPECT_LE(shows_alone, shows) << target; // not at a tie
+                steep += near_to_flat(t) ? 0 : 1;
+                hidden += shows ? 0 : 1;
+            }
+            for (int s = 0; s < samples; ++s)
+                EXPECT_TRUE(std::ranges::equal(alone.depths(s), full.depths(s)))
+                    << target << ' ' << round;
+        });
+    }
+    EXPECT_GT(steep, 500);
+    EXPECT_GT(hidden, 1000);
+}
+
+TEST(Coverage, ATileThatKeepsDepthAloneIsNotAskedForIds) {
+    VisibilityTile tile, other;
+    other.reset({0, 0, 8, 8}, 1);
+    tile.reset({0, 0, 8, 8}, 1, {}, Keeps::depth);
+    EXPECT_FALSE(tile.keeps_ids());
+    EXPECT_DEATH((void)tile.id(0, 0), "keeps_ids");
+    EXPECT_DEATH((void)tile.ids(0), "keeps_ids");
+    EXPECT_DEATH(other.take(tile, {0, 0, 8, 8}), "keeps_ids");
+    EXPECT_DEATH(other.keep_ground(tile), "keeps_ids");
+    tile.reset({0, 0, 8, 8}, 1, {.test = DepthTest::less}, Keeps::depth);
+    EXPECT_TRUE(tile.keeps_ids()); // that rule goes by them
+}
+
 // HARD-CASES P1, rows 1 and 7
 TEST(Coverage, AJitteredGridCoversEverySampleOnce) {
     Random random(1);

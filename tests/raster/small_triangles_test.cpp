@@ -120,7 +120,8 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                 const auto v = all.corners(i);
                 steep += near_to_flat({v, whole[i]}) ? 0 : 1;
             }
-            VisibilityTile by_parts, by_strips, by_triangles;
+            VisibilityTile by_parts, by_strips, by_triangles, depth_alone;
+            depth_alone.reset(area, samples, {}, Keeps::depth);
             by_parts.reset(area, samples);
             by_triangles.reset(area, samples);
             by_strips.reset(area, samples);
@@ -134,8 +135,11 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                 const auto& list = lists[static_cast<std::size_t>(kind)];
                 if (kind != PartKind::strip) specks += list.size();
                 if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
+                depth_alone.draw(TilePartList{all.vertices, all.index, list, kind});
             }
             EXPECT_EQ(some, shows);
+            for (int s = 0; s < samples; ++s)
+                EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), by_parts.depths(s)));
             int differ = 0;
             for (const VisibilityTile* tile : {&by_parts, &by_strips})
                 for (int s = 0; s < samples; ++s)
@@ -177,9 +181,10 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
                 wall(-200, 40, 0.4), wall(200, 40, 0.4),  wall(0, -300, 0.4)};
             const std::vector<std::uint32_t> corners = {0, 1, 2, 3, 4, 5, 6, 7, 8},
                                              name = {0, 1, 2};
-            VisibilityTile at_once, in_two;
-            for (VisibilityTile* tile : {&at_once, &in_two}) {
-                tile->reset(area, samples);
+            VisibilityTile at_once, in_two, depth_alone;
+            for (VisibilityTile* tile : {&at_once, &in_two, &depth_alone}) {
+                tile->reset(area, samples, {},
+                            tile == &depth_alone ? Keeps::depth : Keeps::depth_and_id);
                 tile->draw(TriangleList{walls, corners, name, name});
                 tile->draw(TilePartList{front.vertices, front.index, first});
             }
@@ -191,6 +196,10 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             shows +=
                 at_once.draw(TriangleList{behind.vertices, behind.index, whole, whole}) ? 1 : 0;
             in_two.draw_behind(TilePartList{behind.vertices, behind.index, rest});
+            depth_alone.find_farthest();
+            depth_alone.draw_behind(TilePartList{behind.vertices, behind.index, rest});
+            for (int s = 0; s < samples; ++s)
+                EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), in_two.depths(s)));
             int differ = 0;
             for (int s = 0; s < samples; ++s)
                 for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i)
