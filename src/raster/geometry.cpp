@@ -202,16 +202,20 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
 }
 
 void Geometry::add_small(Batch& batch, const KeptTriangle& t) const {
-    const auto kind = static_cast<std::size_t>(t.away() ? PartKind::back : PartKind::strip);
-    for_tiles(t.x0(), t.y0(), t.x1(), t.y1(), [&](std::size_t tile) {
-        const image::Rect area = tile_area(static_cast<int>(tile));
-        const auto clamped = [&](int at, int begin) {
-            return std::clamp(at - begin, 0, tile_size_);
-        };
-        batch.bins[tile].parts[kind].push_back(
-            TilePart::of(t.triangle, clamped(t.x0(), area.x0), clamped(t.y0(), area.y0),
-                         clamped(t.x1(), area.x0), clamped(t.y1(), area.y0)));
-    });
+    const auto clamped = [&](int at, int begin) { return std::clamp(at - begin, 0, tile_size_); };
+    for (int y = t.y0() >> tile_bits_; y <= (t.y1() - 1) >> tile_bits_; ++y)
+        for (int x = t.x0() >> tile_bits_; x <= (t.x1() - 1) >> tile_bits_; ++x) {
+            const int left = x << tile_bits_, top = y << tile_bits_;
+            const int x0 = clamped(t.x0(), left), x1 = clamped(t.x1(), left);
+            const int y0 = clamped(t.y0(), top), y1 = clamped(t.y1(), top);
+            const bool tiny = std::max(x1 - x0, y1 - y0) <= speck_side(PartKind::speck_astride);
+            const PartKind kind = t.away() ? PartKind::back
+                                  : tiny   ? PartKind::speck_astride
+                                           : PartKind::strip;
+            batch.bins[static_cast<std::size_t>(y * across_ + x)]
+                .parts[static_cast<std::size_t>(kind)]
+                .push_back(TilePart::of(t.triangle, x0, y0, x1, y1));
+        }
 }
 
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
@@ -381,7 +385,7 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
         if (out.rule().usual()) {
-            for (const PartKind kind : {PartKind::strip, PartKind::speck_2, PartKind::speck_3})
+            for (const PartKind kind : kFrontKinds)
                 if (!bin.parts_of(kind).empty())
                     out.draw(TilePartList{vertices_, mesh_->index, bin.parts_of(kind), kind});
         } else {

@@ -165,8 +165,13 @@ HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
         b[k] = to_f64(s.edges.b[k]);
     }
     const NearCorner(&v)[3] = s.part.vertex;
-    s.plane =
-        depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b, to_f64(maximum(s.edges.area, 1)));
+    // All steps together are at most 2^14 (kSmallSide). Depths over which a flat plane goes differ by
+    // a sixteenth, or by the rounding of sums; so from this area on terms are less than 2^9 times the
+    // least depth, which is what depth_plane asks.
+    constexpr std::int32_t kPlain = 1 << 6;
+    const bool cancels = any(s.edges.area < I32x8(kPlain));
+    s.plane = depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b,
+                          to_f64(maximum(s.edges.area, 1)), cancels);
     s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
 }
 

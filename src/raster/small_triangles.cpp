@@ -24,6 +24,7 @@ HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], Sam
 }
 
 // Depth by the edge functions at every sample, in double (coverage.h).
+template <Shows kShows>
 HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part,
                                    const PartEdges& edges, const F64x8 (&share)[3],
                                    std::uint32_t live, I32x8& drawn) {
@@ -31,19 +32,19 @@ HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part
     const I32x8 row = part.y0 - part.top;
     store(row, b.begin);
     store(part.top * I32x8(kTileSize) + part.left, b.place);
-    std::size_t plane = 0;
+    std::ptrdiff_t plane = 0;
     const Few all{live, part.x0 - part.left, part.x1 - part.x0, part.y1 - part.y0};
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
-         ++at, plane += std::size_t{kTileSize} * kTileSize) {
+         ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
         set_up_samples(edges, edges.c, *at, row, b);
         const auto depth = [&](const I32x8(&edge)[3], int, int) HWY_ATTR {
             const I32x8 true_edge[3] = {edge[0] - edges.bias[0], edge[1] - edges.bias[1],
                                         edge[2] - edges.bias[2]};
             return to_f32(depth_of(true_edge, share));
         };
-        draw_pixels(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane, tile.id + plane,
-                    drawn);
+        draw_pixels<kShows>(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane,
+                            id_after<kShows>(tile.id, plane), drawn);
     }
 }
 
@@ -108,6 +109,7 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& 
 
 // Row by row, at one sample after the other: how many rows there are is foretold from the second
 // sample on.
+template <Shows kShows>
 HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips& s, int lane,
                            std::uint32_t name, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
@@ -130,9 +132,9 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
         from_first[0][r] = select(number < I32x8(s.across[lane]), from_first[0][r], outside);
     }
     I32x8 shows = 0;
-    auto first = static_cast<std::size_t>(b.place[lane]); // pixel of the plane
+    std::ptrdiff_t first = b.place[lane]; // pixel of the plane
     for (std::size_t n = 0; n < tile.pattern.size();
-         ++n, first += std::size_t{kTileSize} * kTileSize) {
+         ++n, first += std::ptrdiff_t{kTileSize} * kTileSize) {
         const SampleOffset at = tile.pattern.data()[n];
         const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
         I32x8 edge[3][kAcross];
@@ -145,7 +147,7 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
                 edge[k][r] = I32x8(s.first[n][k][lane]) + from_first[k][r];
         }
         float* depth = tile.depth + first;
-        std::uint32_t* id = tile.id + first;
+        std::uint32_t* id = id_after<kShows>(tile.id, first);
         int row = s.row[lane];
         const int end = row + s.down[lane];
         F32x8 y = static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel;
@@ -159,13 +161,14 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
                     select(right[r], F32x8(s.rest[block][1][lane]), F32x8(s.rest[block][0][lane]));
             }
             const int last = (block + 1) * kSide < end ? (block + 1) * kSide : end;
-            for (; row < last; ++row, depth += kTileSize, id += kTileSize) {
+            for (; row < last; ++row, depth += kTileSize, id = id_after<kShows>(id, kTileSize)) {
                 const F32x8 down_here = y * per_pixel_y;
                 SIMD_UNROLL
                 for (int r = 0; r < kAcross; ++r) {
                     const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
-                    show(inside, base[r] + (rest[r] + (across[r] + down_here)), name,
-                         depth + r * kLanesX8, id + r * kLanesX8, shows);
+                    show_samples<kShows>({}, inside, base[r] + (rest[r] + (across[r] + down_here)),
+                                         name, depth + r * kLanesX8,
+                                         id_after<kShows>(id, r * kLanesX8), shows);
                     SIMD_UNROLL
                     for (int k = 0; k < 3; ++k)
                         edge[k][r] = edge[k][r] + down[k];
@@ -178,31 +181,7 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
     drawn = drawn | shows;
 }
 
-// Pixel by pixel, with a strip a lane: the same bits.
-HWY_INLINE void draw_few_of(const Blocks& b, const Strips& s, const Few& few, SampleOffset at,
-                            const std::uint32_t* name, float* depth, std::uint32_t* id,
-                            I32x8& drawn) {
-    constexpr int kSide = BlockWalk::kSide;
-    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
-    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
-    const I32x8 first_column = load<I32x8>(s.column), first_row = load<I32x8>(s.row);
-    const auto depth_at = [&](const I32x8(&)[3], int i, int j) HWY_ATTR {
-        const I32x8 column = first_column + I32x8(i), row = first_row + I32x8(j);
-        const MaskX8 right = column >= I32x8(kSide), below = row >= I32x8(kSide);
-        const auto at_corner = [&](const float(&corner)[kMostBlocks][2][kLanesX8]) HWY_ATTR {
-            const auto in = [&](int block) HWY_ATTR {
-                return select(right, load<F32x8>(corner[block][1]), load<F32x8>(corner[block][0]));
-            };
-            return select(below, in(1), in(0));
-        };
-        const F32x8 across = (to_f32(column & I32x8(kSide - 1)) + sample_x) * per_pixel_x;
-        const F32x8 down = (to_f32(row & I32x8(kSide - 1)) + sample_y) * per_pixel_y;
-        return at_corner(s.base) + (at_corner(s.rest) + (across + down));
-    };
-    draw_pixels(b, few, kFew, depth_at, name, depth, id, drawn);
-}
-
+template <Shows kShows>
 HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
                             std::uint32_t live, Blocks& b, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
@@ -218,20 +197,6 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x
     store(part.y0 * I32x8(kTileSize) + x0, b.place);
     I32x8 first[3];
     edges_at_pixel(s.edges, x0 - part.left, part.y0 - part.top, first);
-    Few few{0, 0, x1 - x0, part.y1 - part.y0};
-    few.lanes = bits((few.across <= I32x8(kFew)) & (few.down <= I32x8(kFew))) & seen;
-    if (few.lanes != 0) {
-        std::size_t plane = 0;
-        for (const SampleOffset* sample = tile.pattern.data();
-             sample != tile.pattern.data() + tile.pattern.size();
-             ++sample, plane += std::size_t{kTileSize} * kTileSize) {
-            set_up_samples(s.edges, first, *sample, 0, b);
-            draw_few_of(b, strips, few, *sample, part.name, tile.depth + plane, tile.id + plane,
-                        drawn);
-        }
-    }
-    std::uint32_t rest = seen & ~few.lanes;
-    if (rest == 0) return;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         store(shift_left<kSubpixelBits>(s.edges.a[k]), b.per_x[k]);
@@ -244,12 +209,13 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x
         for (int k = 0; k < 3; ++k)
             store(at[k], strips.first[n][k]);
     }
-    for (; rest != 0; rest &= rest - 1) {
+    for (std::uint32_t rest = seen; rest != 0; rest &= rest - 1) {
         const int lane = __builtin_ctz(rest);
-        draw_strip(tile, b, strips, lane, part.name[lane], drawn);
+        draw_strip<kShows>(tile, b, strips, lane, part.name[lane], drawn);
     }
 }
 
+template <Shows kShows>
 HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
                                 I32x8& drawn) {
     Blocks b;
@@ -257,21 +223,23 @@ HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std
     store(to_f32(s.plane.per_x), b.per_pixel_x);
     store(to_f32(s.plane.per_y), b.per_pixel_y);
     for (I32x8 x = s.part.x0; live != 0; live &= bits(x < s.part.x1)) {
-        draw_strips(tile, s, x, live, b, drawn);
+        draw_strips<kShows>(tile, s, x, live, b, drawn);
         x = x + I32x8(BlockWalk::kSide);
     }
 }
 
 // A register of them at most.
+template <Shows kShows>
 HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
     PartCorners corner;
     read_corners(list, 0, corner);
     SetUpParts s;
     set_up_parts(tile, list, list.parts.data(), static_cast<int>(list.parts.size()), corner, s);
-    draw_steep_samples(tile, s.part, s.edges, s.plane.share, s.live, drawn);
+    draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
 }
 
 // Of the parts of a list, which wait until they fill a register.
+template <Shows kShows>
 class SteepParts {
 public:
     // Those of a register whose bit is set.
@@ -293,53 +261,63 @@ public:
 private:
     void draw(const TilePlanes& tile, const TilePartList& list, int count, I32x8& drawn) const {
         const std::span<const TilePart> some(part_, static_cast<std::size_t>(count));
-        draw_steep_parts(tile, {list.vertices, list.index, some}, drawn);
+        draw_steep_parts<kShows>(tile, {list.vertices, list.index, some}, drawn);
     }
     TilePart part_[2 * kLanesX8];
     int count_ = 0;
 };
 
 // Any part.
+template <Shows kShows>
 struct AsStrips {
     static HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
-                                SteepParts& steep, I32x8& drawn) {
+                                SteepParts<kShows>& steep, I32x8& drawn) {
         const std::uint32_t some = s.live & ~s.plane.flat;
         if (__builtin_popcount(some) >= kLanesX8 / 2)
-            draw_steep_samples(tile, s.part, s.edges, s.plane.share, some, drawn);
+            draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
         else
             steep.add(first, some);
-        draw_flat_parts(tile, s, s.live & s.plane.flat, drawn);
+        draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
     }
     static HWY_INLINE void finish(const TilePlanes&, I32x8&) {}
 };
 
-template <int kMost>
+template <Shows kShows, PartKind kKind>
 struct AsSpecks {
-    SpeckBatch<kMost> batch;
+    SpeckBatch<speck_side(kKind)> batch;
     HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
-                         SteepParts& steep, I32x8& drawn) {
+                         SteepParts<kShows>& steep, I32x8& drawn) {
         steep.add(first, s.live & ~s.plane.flat);
-        add_specks(tile, s, s.live & s.plane.flat, batch, drawn);
+        add_specks<kShows, speck_side(kKind), kKind == PartKind::speck_astride>(
+            tile, s, s.live & s.plane.flat, batch, drawn);
     }
-    HWY_INLINE void finish(const TilePlanes& tile, I32x8& drawn) { draw_batch(tile, batch, drawn); }
+    HWY_INLINE void finish(const TilePlanes& tile, I32x8& drawn) {
+        draw_batch<kShows>(tile, batch, drawn);
+    }
 };
 
-template <class As>
+// A register is set up before the one in front of it is drawn. Drawing branches on what nobody could
+// foretell; were it the end of a set-up that it waits for, the next one could not have begun either.
+template <Shows kShows, class As>
 HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
     I32x8 drawn = 0;
     As as;
-    SteepParts steep;
+    SteepParts<kShows> steep;
+    const TilePart* const parts = list.parts.data();
     const auto all = static_cast<int>(list.parts.size());
     PartCorners corner, next;
     read_corners(list, 0, next);
-    for (int begin = 0; begin < all; begin += kLanesX8) {
-        const int count = all - begin < kLanesX8 ? all - begin : kLanesX8;
-        const TilePart* first = list.parts.data() + begin;
-        corner = next;
-        read_corners(list, begin + kLanesX8, next);
-        SetUpParts s;
-        set_up_parts(tile, list, first, count, corner, s);
-        as.draw(tile, s, first, steep, drawn);
+    SetUpParts room[2];
+    for (int begin = 0; begin < all + kLanesX8; begin += kLanesX8) {
+        const int number = begin / kLanesX8, left = all - begin;
+        if (left > 0) {
+            corner = next;
+            read_corners(list, begin + kLanesX8, next);
+            set_up_parts(tile, list, parts + begin, left < kLanesX8 ? left : kLanesX8, corner,
+                         room[number & 1]);
+        }
+        if (begin == 0) continue;
+        as.draw(tile, room[(number & 1) ^ 1], parts + begin - kLanesX8, steep, drawn);
         steep.draw_full(tile, list, drawn);
     }
     as.finish(tile, drawn);
@@ -347,15 +325,24 @@ HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
     return any(!(drawn == I32x8(0)));
 }
 
-bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
+template <Shows kShows>
+HWY_INLINE bool draw_kind(const TilePlanes& tile, const TilePartList& list) {
     switch (list.kind) {
     case PartKind::speck_2:
-        return draw_list<AsSpecks<speck_side(PartKind::speck_2)>>(tile, list);
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_2>>(tile, list);
     case PartKind::speck_3:
-        return draw_list<AsSpecks<speck_side(PartKind::speck_3)>>(tile, list);
-    default:
-        return draw_list<AsStrips>(tile, list);
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_3>>(tile, list);
+    case PartKind::speck_astride:
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_astride>>(tile, list);
+    case PartKind::strip:
+    case PartKind::back:
+        break;
     }
+    return draw_list<kShows, AsStrips<kShows>>(tile, list);
+}
+bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
+    return tile.id == nullptr ? draw_kind<Shows::depth>(tile, list)
+                              : draw_kind<Shows::usual>(tile, list);
 }
 
 // Of the blocks that parts may touch the one with the farthest depth.
@@ -431,7 +418,8 @@ HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
     const auto is = [](PartKind of) HWY_ATTR { return I32(static_cast<std::int32_t>(of)); };
     constexpr int kSide2 = speck_side(PartKind::speck_2), kSide3 = speck_side(PartKind::speck_3);
     const I32 speck = select(most <= I32(kSide2), is(PartKind::speck_2), is(PartKind::speck_3));
-    const I32 front = select(one_block & (most <= I32(kSide3)), speck, is(PartKind::strip));
+    const I32 tiny = select(one_block, speck, is(PartKind::speck_astride));
+    const I32 front = select(most <= I32(kSide3), tiny, is(PartKind::strip));
     const auto away = !((from & I32(static_cast<std::int32_t>(KeptTriangle::kAway))) == I32(0));
     store(select(away, is(PartKind::back), front), kind);
 }

@@ -8,6 +8,7 @@
 #include "raster/coverage.h"
 #include "raster/cull.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,14 +17,24 @@ namespace scanout::raster {
 
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
-// What is drawn side by side. Of fronts: specks lie in one tile alone, within one block, and are at
-// most speck_side pixels wide and high; strips are all others. Backs are drawn last, because fronts
-// hide the most of them.
-enum class PartKind : std::uint8_t { speck_2, speck_3, strip, back };
-inline constexpr std::size_t kPartKinds = 4;
+// What is drawn side by side. Of fronts: specks lie in one tile alone and are at most speck_side
+// pixels wide and high, in one block or astride of several; strips are all others. Backs are drawn
+// last, because fronts hide the most of them.
+enum class PartKind : std::uint8_t { speck_2, speck_3, speck_astride, strip, back };
+inline constexpr std::size_t kPartKinds = 5;
+inline constexpr std::array kFrontKinds = {PartKind::strip, PartKind::speck_2, PartKind::speck_3,
+                                           PartKind::speck_astride}; // as they are drawn
 // The most pixels each way; 0: not a speck.
 constexpr int speck_side(PartKind kind) {
-    return kind == PartKind::speck_2 ? 2 : kind == PartKind::speck_3 ? 3 : 0;
+    switch (kind) {
+    case PartKind::speck_2:
+        return 2;
+    case PartKind::speck_3:
+    case PartKind::speck_astride:
+        return 3;
+    default:
+        return 0;
+    }
 }
 
 // What one tile has of such a triangle.

@@ -28,15 +28,6 @@ void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRu
     ground_id_.clear();
 }
 
-TilePlanes VisibilityTile::planes_for_parts() {
-    TilePlanes to = planes();
-    if (to.id == nullptr) {
-        id_.resize(depth_.size());
-        to.id = id_.data();
-    }
-    return to;
-}
-
 image::Rect VisibilityTile::inside(const image::Rect& r) const {
     return {std::max(r.x0, area_.x0), std::max(r.y0, area_.y0), std::min(r.x1, area_.x1),
             std::min(r.y1, area_.y1)};
@@ -58,7 +49,7 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 
 bool VisibilityTile::draw(const TilePartList& parts) {
     check_lanes(parts);
-    TilePlanes to = planes_for_parts();
+    TilePlanes to = planes();
     // Where nothing hides, or too few to be worth it, or all are tiny, no part need be asked.
     bool hides =
         touched_ && parts.parts.size() >= farthest_.size() && parts.kind == PartKind::strip;
@@ -74,7 +65,7 @@ bool VisibilityTile::draw(const TilePartList& parts) {
 
 bool VisibilityTile::draw_behind(const TilePartList& parts) {
     check_lanes(parts);
-    const bool shows = draw_parts_behind(planes_for_parts(), parts, seen_);
+    const bool shows = draw_parts_behind(planes(), parts, seen_);
     touched_ |= shows;
     return shows;
 }

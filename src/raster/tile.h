@@ -87,8 +87,6 @@ private:
         return {area_, pattern_,        depth_.data(), keeps_ids() ? id_.data() : nullptr,
                 rule_, farthest_.data()};
     }
-    // Small triangles' kernels show ids, too: where none are kept, in a plane that nobody reads.
-    TilePlanes planes_for_parts();
     // Shows the primitive at one sample if it is the nearest there.
     void put(std::size_t sample, float depth, std::uint32_t id) {
         const bool ids = keeps_ids();

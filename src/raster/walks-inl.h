@@ -69,24 +69,28 @@ struct DepthPlane {
     F64x8 per_x, per_y;
     std::uint32_t flat;
 };
-// a, b: steps of the edge functions; area: twice the triangle's.
+// a, b: steps of the edge functions; area: twice the triangle's. cancels: perhaps more than matters
+// is lost in the sums below, which is found out; else it is known not to be.
 HWY_INLINE DepthPlane depth_plane(const F64x8 (&depth)[3], const F64x8 (&a)[3], const F64x8 (&b)[3],
-                                  F64x8 area) {
+                                  F64x8 area, bool cancels = true) {
     DepthPlane plane;
-    F64x8 terms = 0.0; // what may cancel in the sums below, across a block
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
         plane.share[k] = depth[k] / area;
-        terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
-    }
     plane.per_x = depth_of(a, plane.share) * F64x8(kSubpixel);
     plane.per_y = depth_of(b, plane.share) * F64x8(kSubpixel);
     const F64x8 least = minimum(minimum(depth[0], depth[1]), depth[2]);
     constexpr double kBlock = BlockWalk::kSide;
-    plane.flat =
-        bits((least >= F64x8(0x1p-100)) &
-             (F64x8(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <= least / F64x8(32.0)) &
-             (F64x8(kBlock * kSubpixel) * terms <= least * F64x8(0x1p20)));
+    auto flat = (least >= F64x8(0x1p-100)) & (F64x8(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <=
+                                              least * F64x8(1 / 32.0));
+    if (cancels) {
+        F64x8 terms = 0.0; // of the sums, across a block
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
+        flat = flat & (F64x8(kBlock * kSubpixel) * terms <= least * F64x8(0x1p20));
+    }
+    plane.flat = bits(flat);
     return plane;
 }
 

@@ -74,9 +74,9 @@ std::vector<TilePart> parts_of(const Soup& soup, const image::Rect& area, int sa
 PartKind kind_of(int x0, int y0, int x1, int y1) {
     const bool one_block = x0 / 8 == (x1 - 1) / 8 && y0 / 8 == (y1 - 1) / 8;
     const int most = std::max(x1 - x0, y1 - y0);
-    for (const PartKind kind : {PartKind::speck_2, PartKind::speck_3})
-        if (one_block && most <= speck_side(kind)) return kind;
-    return PartKind::strip;
+    if (most > 3) return PartKind::strip;
+    if (!one_block) return PartKind::speck_astride;
+    return most > 2 ? PartKind::speck_3 : PartKind::speck_2;
 }
 
 // As the geometry stage sorts them.
@@ -106,7 +106,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
         int steep = 0, seen = 0;
-        std::size_t specks = 0;
+        std::array<std::size_t, kPartKinds> of_kind{};
         for (int round = 0; round < 120; ++round) {
             const int samples = 1 << round % 5;
             const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
@@ -131,9 +131,9 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             EXPECT_EQ(by_strips.draw(TilePartList{all.vertices, all.index, parts}), shows);
             const auto lists = by_kind(parts);
             bool some = false;
-            for (const PartKind kind : {PartKind::strip, PartKind::speck_2, PartKind::speck_3}) {
+            for (const PartKind kind : kFrontKinds) {
                 const auto& list = lists[static_cast<std::size_t>(kind)];
-                if (kind != PartKind::strip) specks += list.size();
+                of_kind[static_cast<std::size_t>(kind)] += list.size();
                 if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
                 depth_alone.draw(TilePartList{all.vertices, all.index, list, kind});
             }
@@ -152,7 +152,8 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                     }
             EXPECT_EQ(differ, 0) << samples << " samples";
         }
-        EXPECT_GT(specks, 15000U);
+        for (const PartKind kind : kFrontKinds)
+            EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 1000U);
         EXPECT_GT(steep, 35000);
         EXPECT_GT(seen, 400000);
     });
@@ -254,7 +255,11 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 EXPECT_EQ(placed.kind[i], static_cast<std::int32_t>(kind));
                 ++of_kind[static_cast<std::size_t>(kind)];
             }
-            EXPECT_GT(*std::min_element(of_kind.begin(), of_kind.end()), 10);
+            for (const PartKind kind : {PartKind::speck_2, PartKind::speck_3, PartKind::strip,
+                                        PartKind::back})
+                EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 10);
+            // A tile of 8 pixels is one block.
+            EXPECT_EQ(of_kind[static_cast<std::size_t>(PartKind::speck_astride)] > 10, bits > 3);
             EXPECT_GT(alone, 100);
         }
     });
