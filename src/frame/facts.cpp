@@ -163,6 +163,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.points = mesh.points();
     facts.centre = mesh.centre;
     facts.exponent = mesh.exponent;
+    facts.radius = mesh.radius;
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
     facts.white_colours =

@@ -38,8 +38,9 @@ std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    DVec3 centre{0};                           // of the mesh in the file, and
-    int exponent = 0;                          // its unit's (geom::Mesh)
+    DVec3 centre{0};                           // of the mesh in the file, its unit's exponent
+    int exponent = 0;                          // and its framing sphere's radius (geom::Mesh):
+    double radius = 0.5;                       // where the file's lights stand
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // of those: it says roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles

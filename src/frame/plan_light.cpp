@@ -30,6 +30,7 @@ scene::ViewLight in_view(const scene::Light& light, const scene::View& view,
     geom::Mesh place; // all that lights ask of a mesh
     place.centre = facts.centre;
     place.exponent = facts.exponent;
+    place.radius = facts.radius;
     return in_view(light, view, place);
 }
 

@@ -188,5 +188,26 @@ TEST(Plan, ASpotThatMissesTheModelIsOff) {
     EXPECT_EQ(plan_of(facts, options).lights.size(), 4U) << "nothing is known of the view";
 }
 
+// A mesh's own radius is 0.5 to 1 of its units: how far a lamp of the file is from it in its radii.
+TEST(Plan, ALampStandsAsManyRadiiAwayAsItDoesInThePicture) {
+    scene::Scene scene;
+    scene.mesh = test::empty_mesh();
+    test::add_square(scene.mesh, 0.5F);
+    scene::View view;
+    view.near_distance = 0.01;
+    view.translation = view.world_origin = {0, 0, -5};
+    FrameOptions options;
+    options.lights = {test::light_of(scene::LightKind::spot, 1)};
+    options.lights[0].position = {1.5, 0, 0};
+    options.lights[0].target = DVec3(1.5, 3, 0);
+    options.lights[0].outer_degrees = 60; // the ball's rim is at 48 degrees, or 71
+    for (const double radius : {1.0, 0.5}) {
+        scene.mesh.radius = radius;
+        const auto planned = plan(options, facts(scene), view);
+        ASSERT_TRUE(planned);
+        EXPECT_EQ(planned->decision("spot_light")->on(), radius == 1) << radius;
+    }
+}
+
 } // namespace
 } // namespace scanout::frame
