@@ -158,6 +158,15 @@ double radius_of(const scene::View& view) {
     return std::max(radius, 0x1p-40);
 }
 
+scene::View view_about(const scene::ViewLight& light, const scene::View& view) {
+    scene::View made = view;
+    made.projection = scene::Projection::perspective;
+    made.translation = view.translation - place_of(light, view);
+    made.near_distance = near_of(light, view);
+    made.half_width = made.half_height = 2 * kWidestTan; // a margin takes half a map at most
+    return made;
+}
+
 void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                  int size, int margin, std::vector<LightView>& out) {
     out.clear();

@@ -29,4 +29,8 @@ double radius_of(const scene::View& view); // near the model's, at least
 void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                  int size, int margin, std::vector<LightView>& out);
 
+// From a light at a place, turned as the eye is: no more is left out before its near plane than of
+// the views of its maps, and no corner of that plane is nearer to the light than one of theirs.
+scene::View view_about(const scene::ViewLight& light, const scene::View& view);
+
 } // namespace scanout::frame

@@ -35,6 +35,9 @@ struct MeshSides {
     std::size_t open = 0;          // triangles of the other parts
     PlaneSet open_planes;          // in which those lie: before all of them no back is seen
     std::vector<Box> closed_boxes; // of the closed parts; the last of all that come after it, too
+
+    // From outside of every part the backs lie behind fronts, all of them.
+    bool fronts_hide_backs() const { return closed && inward == 0 && !back_to_back; }
 };
 // Two of the triangle's corners stand at one place: it is never drawn.
 bool is_collapsed(const geom::Mesh& mesh, std::size_t triangle);

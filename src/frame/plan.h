@@ -8,6 +8,7 @@
 #include "frame/options.h"
 #include "frame/stencil.h"
 #include "image/convolution.h"
+#include "raster/cull.h"
 #include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
@@ -53,6 +54,8 @@ struct ShadowPlan {
     // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
     // Empty: all throw whole shadows.
     std::vector<raster::Layer> casters;
+    // Of each of the plan's lights: what its maps are drawn of.
+    std::vector<raster::Facing> in_maps;
 };
 
 struct FramePlan {

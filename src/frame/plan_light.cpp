@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "frame/bounding_sphere.h"
 #include "frame/planner.h"
+#include "frame/shadow_fronts.h"
 #include "frame/shadow_reach.h"
 #include "shade/sides.h"
 
@@ -200,29 +201,51 @@ bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
            facts.triangles;
 }
 
+// The lights that cast.
+struct Casting {
+    std::string names;
+    int lights = 0, sized = 0;
+    int outside = 0; // of a closed mesh
+    bool directional = false;
+    std::vector<raster::Facing> in_maps; // ShadowPlan
+
+    Casting(const FramePlan& plan, const SceneFacts& facts, const scene::View& view) {
+        in_maps.assign(plan.lights.size(), raster::Facing::any);
+        for (std::size_t i = 0; i < in_maps.size(); ++i) {
+            const scene::Light& light = plan.lights[i];
+            if (!light.casts || light.kind == scene::LightKind::ambient) continue;
+            names += (names.empty() ? "" : ", ") + light.name;
+            ++lights;
+            sized += light.size > 0 ? 1 : 0;
+            directional = directional || light.kind == scene::LightKind::directional;
+            if (!meets_fronts_first(facts.sides, in_view(light, view, facts), view)) continue;
+            ++outside;
+            in_maps[i] = raster::Facing::front;
+        }
+    }
+    // What maps are drawn of, where it is not all.
+    std::string why_fronts() const {
+        if (outside == 0) return {};
+        const std::string of =
+            outside == lights ? "maps" : fmt::format("the maps of {} of {}", outside, lights);
+        return fmt::format("; the mesh is closed and wound outwards: {} hold fronts alone", of);
+    }
+};
+
 // Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
 // a point are sharp, and the filtered map is the cheapest that shows no steps.
 Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                           const scene::View& view, const shade::Stage& shading) {
-    std::string names;
-    int casting = 0, sized = 0;
-    bool directional = false;
-    for (const scene::Light& light : plan.lights) {
-        if (!light.casts || light.kind == scene::LightKind::ambient) continue;
-        names += (names.empty() ? "" : ", ") + light.name;
-        ++casting;
-        sized += light.size > 0 ? 1 : 0;
-        directional = directional || light.kind == scene::LightKind::directional;
-    }
+    const Casting casting(plan, facts, view);
     TRY(const std::string name,
-        choose("shadow", plan.options.shadow, sized > 0 ? "map_soft" : "map_pcf"));
+        choose("shadow", plan.options.shadow, casting.sized > 0 ? "map_soft" : "map_pcf"));
     const bool floor = name != "projected" || facts.ground.triangles > 0;
     const bool falls = name == "attached" || shadows_itself(plan, facts, view);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     const bool throws = name == "attached" || something_throws(plan.options, facts);
     std::string because =
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
-        : casting == 0                    ? "no light that reaches anything casts shadows"
+        : casting.lights == 0             ? "no light that reaches anything casts shadows"
         : !throws ? "every triangle is blended or clear, and those throw none"
         : !falls && facts.sides.bodies.size() > 1
             ? fmt::format("its {} parts, flat or convex, stand clear of one another in the light: "
@@ -233,24 +256,27 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
                                    shading.card.name)
         : !floor && facts.ground.asked
             ? "no triangle lies in the plane of --shadow-plane, to project shadows onto"
-        : !floor
-            ? "no triangle lies flat on a side of the model's box, to project shadows onto"
-            : fmt::format("{} light{}: {}", casting, casting == 1 ? " casts" : "s cast", names);
-    const bool possible = casting > 0 && throws && floor && at_pixels; // it can be forced on
+        : !floor ? "no triangle lies flat on a side of the model's box, to project shadows onto"
+                 : fmt::format("{} light{}: {}", casting.lights,
+                               casting.lights == 1 ? " casts" : "s cast", casting.names);
+    const bool possible = casting.lights > 0 && throws && floor && at_pixels; // it can be forced on
     const bool called = possible && falls;
-    if (called && sized > 0) because += fmt::format("; {} with a size", sized);
+    if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
     if (called && facts.alpha.blended_triangles > 0)
         because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
+    const bool maps = name == "map" || name == "map_pcf" || name == "map_soft";
+    if (called && maps) because += casting.why_fronts();
     if (!planner.effect("shadow", name, called, std::move(because)) || !possible) return {};
     if (name == "attached") {
         planner.technique("shadow", name);
         return {};
     }
     // A directional light now differs from lane to lane, too.
-    if (directional) planner.stage("light", "directional");
+    if (casting.directional) planner.stage("light", "directional");
     planner.stage("shadow", name);
     plan.shadow.stage = plan.stages.back();
     plan.shadow.ground = facts.ground;
+    plan.shadow.in_maps = casting.in_maps;
     return {};
 }
 

@@ -60,18 +60,20 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
         maps_.push_back(map_of(from, light, to_floats(in.view)));
         if (depths_.size() < maps_.size()) depths_.emplace_back();
         std::vector<float>& depth = depths_[maps_.size() - 1];
-        draw(in, from, depth);
+        draw(in, from, in.plan.shadow.in_maps[light.source], depth);
         maps_.back().depth = depth.data(); // stays where it is when depths_ grows
         if (soft) maps_.back().nearest = *std::max_element(depth.begin(), depth.end());
     }
 }
 
-void ShadowMaps::draw(const ShadowScene& in, const LightView& from, std::vector<float>& depth) {
+void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
+                      std::vector<float>& depth) {
     const auto side = static_cast<std::size_t>(from.size);
     depth.resize(side * side);
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;
+    options.keep = keep;
     options.mirrored = in.view.mirrored;
     options.triangles_only = true;
     options.layers = in.plan.shadow.casters;

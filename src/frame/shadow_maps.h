@@ -38,7 +38,8 @@ private:
         raster::VisibilityTile tile;
         std::unique_ptr<shade::Layers> layers; // made when something is cut out
     };
-    void draw(const ShadowScene& in, const LightView& from, std::vector<float>& depth);
+    void draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
+              std::vector<float>& depth);
 
     raster::Geometry geometry_;
     std::vector<Worker> workers_;
