@@ -25,7 +25,31 @@ protected:
     void place(int lane, double x, double y) {
         block->position[0][lane] = static_cast<float>(x);
         block->position[1][lane] = static_cast<float>(y);
-        block->position[2][lane] = static_cast<float>(-0.2 * x - 0.1 * y);
+        block->position[2][lane] = static_cast<float>(height(x, y));
+    }
+    double height(double x, double y) const { return -lean * x - 0.1 * y; }
+    void lean_by(double slope) {
+        lean = slope;
+        triangle.facing[0] = static_cast<float>(lean);
+        triangle.facing[1] = 0.1F;
+        triangle.facing[2] = 1;
+        const double corner[3][2] = {{-50, -50}, {50, -50}, {0, 50}};
+        for (int k = 0; k < 3; ++k) {
+            const double x = corner[k][0], y = corner[k][1], at[3] = {x, y, height(x, y)};
+            for (int c = 0; c < 3; ++c)
+                triangle.position[c][k] = static_cast<float>(at[c]);
+        }
+    }
+    // The plane itself, and about it noise of so many texels' width.
+    void map_the_plane(double noise, Random& random) {
+        map.depth_scale = 0x1p-12F;
+        for (int y = 0; y < map.size; ++y)
+            for (int x = 0; x < map.size; ++x) {
+                const double middle = 0.5 * map.size - 0.5;
+                const double z = height(x - middle, middle - y) + random.in(-noise, noise);
+                depth[static_cast<std::size_t>(y * map.size + x)] =
+                    static_cast<float>(z * 0x1p-12 + 0.5);
+            }
     }
     // Each lane's share of the light.
     std::vector<float> shares(int filter) {
@@ -35,14 +59,9 @@ protected:
         return {block->light[0].colour[0], block->light[0].colour[0] + kLanes};
     }
     void SetUp() override {
-        for (int k = 0; k < 3; ++k) {
-            triangle.facing[k] = k == 2 ? 1.0F : k == 0 ? 0.2F : 0.1F;
-            map.turn[k][k] = 1;
-        }
-        const DVec3 corner[3] = {{-50, -50, 15}, {50, -50, -5}, {0, 50, -5}};
         for (int k = 0; k < 3; ++k)
-            for (int c = 0; c < 3; ++c)
-                triangle.position[c][k] = static_cast<float>(corner[k][c]);
+            map.turn[k][k] = 1;
+        lean_by(0.2);
         light.kind = scene::LightKind::directional;
         light.towards = {0, 0, 1};
         block->count = 0;
@@ -61,6 +80,7 @@ protected:
     scene::ViewLight light;
     bool varies = true;
     Primitive triangle{};
+    double lean = 0;
     std::vector<float> depth;
     ShadowMap map;
     LightShadow shadow;
@@ -102,6 +122,44 @@ TEST_F(ShadowMaps, SayTheSameOfALaneWhateverLanesAreBesideIt) {
         }
     EXPECT_GT(partly, 2000);
     EXPECT_GT(moved, 500);
+}
+
+// Where all that a register asks of surely lies low it is lit without more questions.
+TEST_F(ShadowMaps, SayTheSameOfWhatLiesLowBesideWhatDoesNot) {
+    Random random(8);
+    int lit = 0, partly = 0;
+    for (const double slope : {0.2, 3.0, 14.0, 40.0, 300.0})
+        for (const double noise : {0.0, 1.0, 4.0, 40.0, 400.0})
+            for (const int filter : {1, 2, 3, 4, 7}) {
+                lean_by(slope);
+                make_map(64, random);
+                map_the_plane(noise, random);
+                for (int x = 0; x < 12; ++x) // a tower in one corner
+                    for (int y = 0; y < 12; ++y)
+                        depth[static_cast<std::size_t>(y * 64 + x)] = 100;
+                for (int lane = 0; lane < kRoom; ++lane)
+                    place(lane, random.in(-14, 14), random.in(-14, 14));
+                for (int lane = 0; lane < kLanes; lane += 8) { // registers of one place each
+                    for (int k = 1; k < 8; ++k)
+                        for (auto& axis : block->position)
+                            axis[lane + k] = axis[lane];
+                }
+                const std::vector<float> alone = shares(filter);
+                for (int lane = 3; lane < kLanes; lane += 4)
+                    place(lane, -27, 27);
+                scanout::test::on_every_target([&](const std::string&) {
+                    const std::vector<float> beside = shares(filter);
+                    for (std::size_t lane = 0; lane < beside.size(); ++lane)
+                        EXPECT_TRUE(lane % 4 == 3 ? beside[lane] < 1 : beside[lane] == alone[lane])
+                            << slope << ' ' << noise << ' ' << filter;
+                });
+                for (const float share : alone) {
+                    lit += share == 1 ? 1 : 0;
+                    partly += share > 0 && share < 1 ? 1 : 0;
+                }
+            }
+    EXPECT_GT(lit, 3000);
+    EXPECT_GT(partly, 1000);
 }
 
 } // namespace

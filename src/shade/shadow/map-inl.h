@@ -64,9 +64,9 @@ HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     if (m.perspective) {
         // n.(x, y, -w) = d, so 1 / w = (n_x x/w + n_y y/w - n_z) / d; d < 0 on the lit side.
         const F64x8 reach = maximum(maximum(abs(p[0]), abs(p[1])), abs(p[2]));
-        to_depth = scale / -maximum(-dot(n, p), length * reach / F64x8(kSteepest));
+        to_depth = scale / -maximum(-dot(n, p), length * reach * F64x8(1 / kSteepest));
     } else {
-        to_depth = -scale / maximum(n[2], length / F64x8(kSteepest));
+        to_depth = -scale / maximum(n[2], length * F64x8(1 / kSteepest));
     }
     F64x8 nearest = 0.0;
     SIMD_UNROLL
@@ -113,6 +113,7 @@ struct Receiver {
     F32x8 nearest;          // of its triangle
     F32x8 fold;             // rises more that hide nothing
     F32x8 aside_x, aside_y; // towards its lit side, a texel that a lookup reaches from its middle
+    Mask<F32x8::Tag> asked; // an answer for the other lanes is not used
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
@@ -218,12 +219,16 @@ HWY_INLINE F32x8 hidden(const Texel& t) {
 // what rises aside then stands between it and the light, however close behind (a face that is
 // folded over, as the lips of a mouth about a lamp within). Without this a filter let in light from
 // as far behind as kRise forgives at its rim.
-HWY_INLINE void forgive_nothing_behind(const ShadowMap& m, Receiver& r) {
-    const Texel own = own_texel(m, r);
-    const auto behind = own.depth > own.own;
-    const F32x8 zero = 0.0F;
-    r.rise_x = select(behind, zero, r.rise_x);
-    r.rise_y = select(behind, zero, r.rise_y);
+HWY_INLINE void forgive_nothing_behind(const Texel& own, Line& line) {
+    line.rise = select(own.depth > own.own, F32x8(0.0F), line.rise);
+}
+
+// Surely light: no higher than the lower of plane and receiver. What the fold forgives, and the
+// triangle's own height, only add to that.
+HWY_INLINE Mask<F32x8::Tag> is_low(const Receiver& r, const Line& column, const Line& row,
+                                   F32x8 depth) {
+    const F32x8 plane = (r.depth + (column.plane + row.plane)) + r.bias;
+    return depth <= minimum(r.depth, plane) + (column.rise + row.rise);
 }
 
 // What a square asks of a row is read four texels at a time: up to three more.
@@ -240,10 +245,29 @@ HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& 
         out[i] = from_bits(four.word(i));
 }
 
+// f(0), ... as often as is known when this is compiled, or, where that is 0, `count` times.
+template <int kCount, class F>
+HWY_INLINE void times(int count, const F& f) {
+    if constexpr (kCount > 0) {
+        SIMD_UNROLL
+        for (int i = 0; i < kCount; ++i)
+            f(i);
+    } else {
+        for (int i = 0; i < count; ++i)
+            f(i);
+    }
+}
+
 // The share of k x k texels about the receiver that is hidden, weighted by how much of each the
-// square covers. Weights are whole 256ths: all hidden sums up to 1 exactly.
-HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
-    forgive_nothing_behind(m, r);
+// square covers. Weights are whole 256ths: all hidden sums up to 1 exactly. kSide: k, or 0 where it
+// is not known when this is compiled.
+template <int kSide>
+HWY_INLINE F32x8 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
+    constexpr int kLines = kSide > 0 ? kSide + 1 : 0;
+    constexpr int kFours = kSide > 0 ? kSide / 4 + 1 : 0;
+    constexpr int kRows = kSide > 0 ? kLines : kMostFilter + 1,
+                  kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
+    const auto each = [k](const auto& f) HWY_ATTR { times<kLines>(k + 1, f); };
     const float wide = static_cast<float>(k);
     const F32x8 reach = 0.5F * (wide + 1), x0 = (r.x + reach * r.aside_x) - F32x8(wide * 0.5F),
                 y0 = (r.y + reach * r.aside_y) - F32x8(wide * 0.5F);
@@ -252,28 +276,55 @@ HWY_INLINE F32x8 hidden_square(const ShadowMap& m, Receiver r, int k) {
         return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
     };
     const F32x8 one = 1.0F, fx = part(x0 - to_f32(left)), fy = part(y0 - to_f32(top));
-    Line columns[kMostColumns];
-    for (int x = 0; x <= k; ++x)
-        columns[x] = column(m, r, left + I32x8(x));
+    Line columns[kColumns], rows[kRows];
+    each([&](int i) HWY_ATTR {
+        columns[i] = column(m, r, left + I32x8(i));
+        rows[i] = row(m, r, top + I32x8(i));
+    });
     // No column that is read lies beyond the map's border.
     const int read = k / 4 * 4 + 4;
     const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - read)));
-    F32x8 depth[kMostColumns];
+    F32x8 depth[kRows][kColumns];
+    each([&](int y) HWY_ATTR {
+        if (side_by_side)
+            times<kFours>(read / 4, [&](int x) HWY_ATTR {
+                four_depths(m, columns[4 * x], rows[y], depth[y] + 4 * x);
+            });
+        else
+            each([&](int x) HWY_ATTR { depth[y][x] = depth_at(m, columns[x], rows[y]); });
+    });
+    // Most of what is lit lies low in all texels. Its own is one of them and so forgives as much;
+    // where lookups have moved over, rounding may leave it out.
+    auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F));
+    each([&](int y) HWY_ATTR {
+        each([&](int x) HWY_ATTR { low = low & is_low(r, columns[x], rows[y], depth[y][x]); });
+    });
+    if (all(low | !r.asked)) return F32x8(0.0F);
+    const Texel own = own_texel(m, r);
+    each([&](int i) HWY_ATTR {
+        forgive_nothing_behind(own, columns[i]);
+        forgive_nothing_behind(own, rows[i]);
+    });
     F32x8 sum = 0.0F;
-    for (int y = 0; y <= k; ++y) {
-        const Line across = row(m, r, top + I32x8(y));
-        for (int x = 0; side_by_side && x < read; x += 4)
-            four_depths(m, columns[x], across, depth + x);
-        for (int x = 0; !side_by_side && x <= k; ++x)
-            depth[x] = depth_at(m, columns[x], across);
+    each([&](int y) HWY_ATTR {
         F32x8 in_row = 0.0F;
-        for (int x = 0; x <= k; ++x) {
+        each([&](int x) HWY_ATTR {
             const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;
-            in_row = in_row + weight * hidden(texel(r, columns[x], across, depth[x]));
-        }
+            in_row = in_row + weight * hidden(texel(r, columns[x], rows[y], depth[y][x]));
+        });
         sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * in_row;
-    }
+    });
     return sum / F32x8(wide * wide);
+}
+HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
+    switch (k) {
+    case 2: // what a GPU's filter reads
+        return hidden_square_of<2>(m, r, k);
+    case 3: // usual
+        return hidden_square_of<3>(m, r, k);
+    default:
+        return hidden_square_of<0>(m, r, k);
+    }
 }
 
 // hide(map, receiver, light): the share that is hidden. A lane asks the first map that it stands
@@ -286,23 +337,25 @@ HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
                                const F32x8 none = -1.0F; // asked no map yet
                                for (int i = first; i < end; i += kLanesX8)
                                    store(none, left + i);
+                               const auto lit = to_f32(select(facing.lit, F64x8(1.0), F64x8(0.0))) >
+                                                F32x8(0.5F); // the others lie in their own shadow
                                const std::size_t maps = shadow.maps.size();
                                for (std::size_t face = 0; face < maps; ++face) {
                                    const ShadowMap& m = shadow.maps.data()[face];
                                    const MapPlane plane = plane_in(m, facing);
                                    for (int i = first; i < end; i += kLanesX8) {
                                        auto inside = F32x8(0.0F) < F32x8(0.0F);
-                                       const Receiver r = receiver(m, plane, b, i, inside);
+                                       Receiver r = receiver(m, plane, b, i, inside);
                                        const F32x8 before = load<F32x8>(left + i);
-                                       inside = inside & (before < F32x8(0.0F));
-                                       if (!any(inside)) continue;
-                                       const F32x8 lit = F32x8(1.0F) - hide(m, r, shadow);
-                                       store(select(inside, lit, before), left + i);
+                                       r.asked = inside & lit & (before < F32x8(0.0F));
+                                       if (!any(r.asked)) continue;
+                                       const F32x8 kept = F32x8(1.0F) - hide(m, r, shadow);
+                                       store(select(r.asked, kept, before), left + i);
                                    }
                                }
                                for (int i = first; i < end; i += kLanesX8) {
-                                   const F32x8 lit = load<F32x8>(left + i);
-                                   store(select(lit < F32x8(0.0F), F32x8(1.0F), lit), left + i);
+                                   const F32x8 kept = load<F32x8>(left + i);
+                                   store(select(kept < F32x8(0.0F), F32x8(1.0F), kept), left + i);
                                }
                            };
     shadow_lanes(b, frame, share);
