@@ -39,6 +39,19 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
     return map;
 }
 
+// What finds alpha at the texels of what is cut out.
+shade::LayerInput layer_input(const FramePlan& plan) {
+    const TransparencyPlan& alpha = plan.transparency;
+    shade::LayerInput layers;
+    layers.alpha = alpha.alpha;
+    layers.stages = alpha.stages;
+    layers.frame.attributes = alpha.attributes;
+    layers.frame.filter = alpha.filter;
+    layers.frame.mapped = plan.mapped;
+    layers.cut = static_cast<float>(plan.options.alpha_cut);
+    return layers;
+}
+
 } // namespace
 
 void ShadowMaps::clear() {
@@ -49,7 +62,7 @@ void ShadowMaps::clear() {
 std::size_t ShadowMaps::bytes() const {
     std::size_t bytes = 0;
     for (std::size_t i = 0; i < maps_.size(); ++i)
-        bytes += depths_[i].size() * sizeof(float);
+        bytes += depths_[i].depth.size() * sizeof(float);
     return bytes;
 }
 
@@ -59,17 +72,18 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
     for (const LightView& from : views_) {
         maps_.push_back(map_of(from, light, to_floats(in.view)));
         if (depths_.size() < maps_.size()) depths_.emplace_back();
-        std::vector<float>& depth = depths_[maps_.size() - 1];
-        draw(in, from, in.plan.shadow.in_maps[light.source], depth);
+        Depths& drawn = depths_[maps_.size() - 1];
+        draw(in, from, in.plan.shadow.in_maps[light.source], drawn);
+        const std::vector<float>& depth = drawn.depth;
         maps_.back().depth = depth.data(); // stays where it is when depths_ grows
         if (soft) maps_.back().nearest = *std::max_element(depth.begin(), depth.end());
     }
 }
 
 void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
-                      std::vector<float>& depth) {
+                      Depths& out) {
     const auto side = static_cast<std::size_t>(from.size);
-    depth.resize(side * side);
+    out.depth.resize(side * side);
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;
@@ -78,15 +92,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     options.triangles_only = true;
     options.layers = in.plan.shadow.casters;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
-    // What finds alpha at the texels of what is cut out.
-    const TransparencyPlan& alpha = in.plan.transparency;
-    shade::LayerInput layers;
-    layers.alpha = alpha.alpha;
-    layers.stages = alpha.stages;
-    layers.frame.attributes = alpha.attributes;
-    layers.frame.filter = alpha.filter;
-    layers.frame.mapped = in.plan.mapped;
-    layers.cut = static_cast<float>(in.plan.options.alpha_cut);
+    out.bare.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
+    const shade::LayerInput layers = layer_input(in.plan);
     shade::GatherInput gather;
     gather.mesh = &in.scene.mesh;
     gather.geometry = &geometry_;
@@ -99,9 +106,18 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     gather.frame = &layers.frame;
     gather.layers = &layers;
     in.jobs.for_each(geometry_.tiles(), [&](int number, int worker_number) {
+        const image::Rect area = geometry_.tile_area(number);
+        const auto row = [&](int y) {
+            return out.depth.data() + static_cast<std::size_t>(y) * side + area.x0;
+        };
+        const bool empty = geometry_.is_empty(number);
+        if (empty && !out.bare.is_bare(number))
+            for (int y = area.y0; y < area.y1; ++y)
+                std::fill_n(row(y), area.width(), 0.0F);
+        out.bare.set_bare(number, empty);
+        if (empty) return;
         Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
         raster::VisibilityTile& tile = worker.tile;
-        const image::Rect area = geometry_.tile_area(number);
         const bool cut = !in.plan.shadow.casters.empty(); // which asks whose texels they are
         tile.reset(area, 1, {}, cut ? raster::Keeps::depth_and_id : raster::Keeps::depth);
         geometry_.draw_triangles(number, tile);
@@ -110,11 +126,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
             worker.layers->cut_out(geometry_, number, gather, tile);
         }
         const std::span<const float> seen = tile.depths(0);
-        for (int y = area.y0; y < area.y1; ++y) {
-            const float* row = seen.data() + (y - area.y0) * raster::kTileSize;
-            std::copy_n(row, area.x1 - area.x0,
-                        depth.data() + static_cast<std::size_t>(y) * side + area.x0);
-        }
+        for (int y = area.y0; y < area.y1; ++y)
+            std::copy_n(seen.data() + (y - area.y0) * raster::kTileSize, area.width(), row(y));
     });
 }
 

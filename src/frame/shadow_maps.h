@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "frame/bare_tiles.h"
 #include "frame/light_view.h"
 #include "frame/plan.h"
 #include "raster/geometry.h"
@@ -38,14 +39,17 @@ private:
         raster::VisibilityTile tile;
         std::unique_ptr<shade::Layers> layers; // made when something is cut out
     };
-    void draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
-              std::vector<float>& depth);
+    struct Depths {
+        std::vector<float> depth;
+        BareTiles bare; // of it
+    };
+    void draw(const ShadowScene& in, const LightView& from, raster::Facing keep, Depths& out);
 
     raster::Geometry geometry_;
     std::vector<Worker> workers_;
     std::vector<shade::ShadowMap> maps_;
-    std::vector<std::vector<float>> depths_; // of the maps, and those of the frame before
-    std::vector<LightView> views_;           // of one light
+    std::vector<Depths> depths_;   // of the maps, and those of the frame before
+    std::vector<LightView> views_; // of one light
 };
 
 } // namespace scanout::frame
