@@ -293,14 +293,26 @@ HWY_INLINE F32x8 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) 
         else
             each([&](int x) HWY_ATTR { depth[y][x] = depth_at(m, columns[x], rows[y]); });
     });
+    const auto for_all = [&r](Mask<F32x8::Tag> lanes) HWY_ATTR { return all(lanes | !r.asked); };
     // Most of what is lit lies low in all texels. Its own is one of them and so forgives as much;
-    // where lookups have moved over, rounding may leave it out.
-    auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F));
-    each([&](int y) HWY_ATTR {
-        each([&](int x) HWY_ATTR { low = low & is_low(r, columns[x], rows[y], depth[y][x]); });
-    });
-    if (all(low | !r.asked)) return F32x8(0.0F);
+    // where lookups have moved over, rounding may leave it out. What is hidden shows in the middle.
+    auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F)) &
+               is_low(r, columns[k / 2], rows[k / 2], depth[k / 2][k / 2]);
+    if (for_all(low)) {
+        each([&](int y) HWY_ATTR {
+            each([&](int x) HWY_ATTR { low = low & is_low(r, columns[x], rows[y], depth[y][x]); });
+        });
+        if (for_all(low)) return F32x8(0.0F);
+    }
     const Texel own = own_texel(m, r);
+    // Of what lies behind, nothing is forgiven that is higher than its triangle.
+    if (for_all(own.depth > own.own)) {
+        F32x8 lowest = depth[0][0];
+        each([&](int y) HWY_ATTR {
+            each([&](int x) HWY_ATTR { lowest = minimum(lowest, depth[y][x]); });
+        });
+        if (for_all(lowest > maximum(maximum(r.nearest, r.depth), F32x8(0.0F)))) return one;
+    }
     each([&](int i) HWY_ATTR {
         forgive_nothing_behind(own, columns[i]);
         forgive_nothing_behind(own, rows[i]);
