@@ -18,16 +18,17 @@ struct BlockWalk {
 // Of a triangle in the blocks of a tile, by their column and row: what no edge function (times any
 // number above 0) and no depth is greater than, at the tile's first block and its steps a block.
 struct BlockBounds {
-    double edge[3], across[3], down[3];
-    double depth, depth_across, depth_down;
+    float edge[3], across[3], down[3];
+    float depth, depth_across, depth_down;
+    float most;         // of depth, anywhere
     int x0, y0, x1, y1; // the blocks asked about
     // What is added up in float, over all of a tile, is rounded by far less than this of its terms,
     // which are far from the least floats: depths are 2^-120 or more (scene/view.cpp).
     static constexpr double kMargin = 0x1p-18;
 };
 struct BlockList {
-    static constexpr int kRow = kTileSize / BlockWalk::kSide;
-    std::int32_t x[kRow * kRow + BlockWalk::kSide], y[kRow * kRow + BlockWalk::kSide];
+    static constexpr int kRow = kTileSize / BlockWalk::kSide, kBlocks = kRow * kRow;
+    std::int32_t x[kBlocks], y[kBlocks];
     int count;
 };
 

@@ -12,18 +12,6 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Registers that a row of a block takes where they are narrow; rows that one has where they are
-// wide.
-constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
-constexpr int kRows = kLanes > BlockWalk::kSide ? kLanes / BlockWalk::kSide : 1;
-// Of the lanes of a register of these: which column of the block, and which of its rows.
-HWY_INLINE I32 columns(int number) {
-    return iota<I32>(number * kLanes) & I32(BlockWalk::kSide - 1);
-}
-HWY_INLINE I32 rows() {
-    return shift_right<3>(iota<I32>(0));
-}
-
 // What walks in lanes read of Walks: of several triangles, or of one in all lanes.
 struct WalkLanes {
     F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
@@ -58,32 +46,7 @@ struct Blocks {
     float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
 };
 
-// A block that the triangle covers whole, by the usual rule: the same bits as draw_rows.
-template <Shows kShows>
-HWY_INLINE void draw_whole(const Blocks& b, int lane, SampleOffset at, std::uint32_t primitive,
-                           float* depth, std::uint32_t* id, I32& drawn) {
-    const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
-    const F32 base = b.base[lane], rest = b.rest[lane];
-    const F32 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
-    F32 across[kRegisters];
-    SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r)
-        across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
-    const auto inside = I32(0) == I32(0);
-    F32 row = to_f32(rows()) + sample_y;
-    for (int y = 0; y < BlockWalk::kSide; y += kRows) {
-        const F32 down_here = row * per_pixel_y;
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r)
-            show_samples<kShows>({}, inside, base + (rest + (across[r] + down_here)), primitive,
-                                 depth + r * kLanes, id_after<kShows>(id, r * kLanes), drawn);
-        row = row + F32(kRows);
-        depth += kRows * kTileSize;
-        id = id_after<kShows>(id, kRows * kTileSize);
-    }
-}
-
+// Row by row, the rows that the triangle's box leaves.
 template <Shows kShows>
 HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
                           std::uint32_t primitive, float* depth, std::uint32_t* id, I32& drawn) {
@@ -224,23 +187,38 @@ HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
     draw_pixels<kShows>(b, few, kFew, depth_at, name, depth, id, drawn);
 }
 
-// Their edges at a place in the pattern. Saturates at 2^29 (BlockWalk).
+// floor((E + bias) / 256), which saturates at 2^29 (BlockWalk).
+HWY_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
+    const F64x8 most = 0x1p29;
+    const F64x8 pixels = (e + bias) * F64x8(1.0 / kSubpixel);
+    const F64x8 near = minimum(maximum(pixels, -most), most);
+    const F64x8 cut = to_f64(to_i32(near)); // towards zero
+    return cut - select(cut > near, F64x8(1.0), F64x8(0.0));
+}
+
+// Their edges at a place in the pattern.
 HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
                             const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
                             I32x8 begin, Blocks& out) {
-    const F64x8 most = 0x1p29, zero = 0.0, x = double(at.x), y = double(at.y);
+    const F64x8 zero = 0.0, x = double(at.x), y = double(at.y);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const F64x8 e = corner[k] + (w.a[k] * x + w.b[k] * y);
-        const F64x8 pixels = (e + w.bias[k]) * F64x8(1.0 / kSubpixel);
-        const F64x8 near = minimum(maximum(pixels, -most), most);
-        const F64x8 cut = to_f64(to_i32(near)); // towards zero
-        const F64x8 floor = cut - select(cut > near, F64x8(1.0), zero);
+        const F64x8 floor = floor_in_pixels(e, w.bias[k]);
         const I32x8 per_y = to_i32(select(whole[k], zero, w.b[k]));
         store(to_i32(select(whole[k], zero, floor)) + per_y * begin, out.first[k]);
         store(to_i32(select(whole[k], zero, w.a[k])), out.per_x[k]);
         store(per_y, out.per_y[k]);
     }
+}
+
+// The same as draw_large wants them: of edges that hold for the whole block, too.
+HWY_INLINE void set_up_firsts(const WalkLanes& w, const F64x8 (&corner)[3], SampleOffset at,
+                              std::int32_t (&first)[3][kLanesX8]) {
+    const F64x8 x = double(at.x), y = double(at.y);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        store(to_i32(floor_in_pixels(corner[k] + (w.a[k] * x + w.b[k] * y), w.bias[k])), first[k]);
 }
 
 // Blocks (x, y) of the tile, one a lane, and what a triangle is at their corners.
@@ -279,20 +257,13 @@ HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const 
     for (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
     if (!kUsual || live == 0 || tile.farthest == nullptr) return live;
-    std::int32_t x[kLanesX8], y[kLanesX8];
-    float nearest[kLanesX8];
-    store(shift_right<3>(at.left), x);
-    store(shift_right<3>(at.top), y);
-    store(nearest_in(at.depth, w.per_x, w.per_y), nearest);
-    for (std::uint32_t ask = live; ask != 0; ask &= ask - 1) {
-        const int lane = __builtin_ctz(ask);
-        if (hides(tile, x[lane], y[lane], nearest[lane])) live &= ~(1U << lane);
-    }
-    return live;
+    // Lanes past their triangle's end may be past the tile's.
+    const I32x8 block = minimum(at.top + shift_right<3>(at.left), BlockList::kBlocks - 1);
+    return live & bits(nearest_in(at.depth, w.per_x, w.per_y) >= gather(tile.farthest, block));
 }
 
-// Draws the blocks of `live` lanes: of one triangle, or of one a lane, which `id` names.
-template <Shows kShows, bool kOne>
+// Draws the blocks of `live` lanes, each of a triangle of its own.
+template <Shows kShows>
 HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
                           std::uint32_t live, const std::uint32_t* id, I32& drawn) {
     const F64x8 zero = 0.0;
@@ -300,7 +271,6 @@ HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBl
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         whole[k] = block.edge[k] + w.lowest[k] >= zero;
-    const std::uint32_t covered = bits(whole[0]) & bits(whole[1]) & bits(whole[2]) & live;
     Blocks b;
     const F32x8 base = to_f32(block.depth);
     store(base, b.base);
@@ -312,27 +282,21 @@ HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBl
     store(begin, b.begin);
     store(end, b.end);
     Few few{0, begin, begin, begin};
-    if constexpr (is_usual(kShows) && !kOne)
-        few = few_pixels(w, block.left, begin, end, live & ~covered);
+    if constexpr (is_usual(kShows)) few = few_pixels(w, block.left, begin, end, live);
     store(block.top * I32x8(kTileSize) + block.left, b.place);
     std::ptrdiff_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
-        if (!is_usual(kShows) || covered != live) set_up_rows(w, block.edge, whole, *at, begin, b);
+        set_up_rows(w, block.edge, whole, *at, begin, b);
         float* const depth = tile.depth + plane;
         std::uint32_t* const ids = id_after<kShows>(tile.id, plane);
         if (few.lanes != 0) draw_few<kShows>(b, few, *at, id, depth, ids, drawn);
         for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
             const std::int32_t first = b.place[lane];
-            const std::uint32_t name = id[kOne ? 0 : lane];
-            float* const to = depth + first;
-            std::uint32_t* const id_to = id_after<kShows>(ids, first);
-            if (is_usual(kShows) && (covered >> lane & 1) != 0)
-                draw_whole<kShows>(b, lane, *at, name, to, id_to, drawn);
-            else
-                draw_rows<kShows>(tile.rule, b, lane, *at, name, to, id_to, drawn);
+            draw_rows<kShows>(tile.rule, b, lane, *at, id[lane], depth + first,
+                              id_after<kShows>(ids, first), drawn);
         }
     }
 }

@@ -3,7 +3,7 @@
 #define SIMD_FILE "raster/coverage.cpp"
 #include "simd/for_each_target.h"
 
-#include "raster/blocks-inl.h"
+#include "raster/large-inl.h"
 
 SIMD_BEGIN(scanout::raster)
 
@@ -23,7 +23,7 @@ HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::u
     while (live != 0) {
         const AtBlocks blocks = at_blocks(tile, lanes, x, y);
         const std::uint32_t show = seen<is_usual(kShows)>(tile, lanes, blocks, live);
-        if (show != 0) draw_flat<kShows, false>(tile, lanes, blocks, show, w.id + i, drawn);
+        if (show != 0) draw_flat<kShows>(tile, lanes, blocks, show, w.id + i, drawn);
         x = x + 1;
         const MaskX8 next = x >= x1;
         x = select(next, x0, x);
@@ -32,26 +32,70 @@ HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::u
     }
 }
 
-HWY_INLINE BlockBounds bounds_of(const TilePlanes& tile, const Walks& w, int i) {
+// BlockBounds of triangles, one a lane.
+struct BoundsLanes {
+    float edge[3][Walks::kRoom], across[3][Walks::kRoom], down[3][Walks::kRoom];
+    float depth[Walks::kRoom], depth_across[Walks::kRoom], depth_down[Walks::kRoom];
+    float most[Walks::kRoom];
+};
+
+// Returns those of which some block may be seen. farthest: nothing in the tile is farther away.
+HWY_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, float farthest,
+                                   BoundsLanes& out) {
     constexpr int kSide = BlockWalk::kSide;
-    constexpr double kBlock = kSide * kSubpixel;
+    const F64x8 block = double{kSide * kSubpixel}, margin = BlockBounds::kMargin, zero = 0.0;
+    const F64x8 corner_x = static_cast<double>(tile.area.x0 * kSubpixel),
+                corner_y = static_cast<double>(tile.area.y0 * kSubpixel);
+    // From the tile's first block to where it is greatest.
+    const auto highest = [&](F64x8 first, F64x8 across, F64x8 down) HWY_ATTR {
+        return first +
+               (maximum(across, zero) + maximum(down, zero)) * F64x8(double{BlockList::kRow});
+    };
+    std::uint32_t seen = 0;
+    for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
+        const auto read = [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); };
+        F64x8 depth = 0.0;
+        auto here = read(w.nearest) >= F64x8(double{farthest}) * F64x8(1 - 0x1p-20);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k) {
+            const F64x8 a = read(w.a[k]), b = read(w.b[k]), high = read(w.highest[k]);
+            const F64x8 corner = (a * corner_x + b * corner_y) + read(w.c[k]);
+            const F64x8 across = a * block, down = b * block;
+            const F64x8 terms = (abs(corner) + abs(high)) +
+                                F64x8(double{BlockList::kRow}) * (abs(across) + abs(down));
+            const F64x8 edge = (corner + high) + terms * margin;
+            depth = depth + (corner + terms * margin) * read(w.share[k]);
+            here = here & (highest(edge, across, down) >= zero);
+            store(to_f32(edge), out.edge[k] + i);
+            store(to_f32(across), out.across[k] + i);
+            store(to_f32(down), out.down[k] + i);
+        }
+        const F64x8 across = read(w.per_x) * F64x8(double{kSide}),
+                    down = read(w.per_y) * F64x8(double{kSide});
+        depth = depth + (maximum(across, zero) + maximum(down, zero));
+        here = here & (highest(depth, across, down) >= F64x8(double{farthest}));
+        store(to_f32(depth), out.depth + i);
+        store(to_f32(across), out.depth_across + i);
+        store(to_f32(down), out.depth_down + i);
+        store(to_f32(read(w.nearest) * F64x8(1 + 0x1p-20)), out.most + i);
+        seen |= bits(here) << i;
+    }
+    return seen;
+}
+
+HWY_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i) {
+    constexpr int kSide = BlockWalk::kSide;
     BlockBounds b;
-    b.depth = 0;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const double corner =
-            (w.a[k][i] * (tile.area.x0 * kSubpixel) + w.b[k][i] * (tile.area.y0 * kSubpixel)) +
-            w.c[k][i];
-        b.across[k] = w.a[k][i] * kBlock;
-        b.down[k] = w.b[k][i] * kBlock;
-        const double terms = (std::abs(corner) + std::abs(w.highest[k][i])) +
-                             BlockList::kRow * (std::abs(b.across[k]) + std::abs(b.down[k]));
-        b.edge[k] = (corner + w.highest[k][i]) + terms * BlockBounds::kMargin;
-        b.depth += (corner + terms * BlockBounds::kMargin) * w.share[k][i];
+        b.edge[k] = lanes.edge[k][i];
+        b.across[k] = lanes.across[k][i];
+        b.down[k] = lanes.down[k][i];
     }
-    b.depth_across = w.per_x[i] * kSide;
-    b.depth_down = w.per_y[i] * kSide;
-    b.depth += (b.depth_across > 0 ? b.depth_across : 0) + (b.depth_down > 0 ? b.depth_down : 0);
+    b.depth = lanes.depth[i];
+    b.depth_across = lanes.depth_across[i];
+    b.depth_down = lanes.depth_down[i];
+    b.most = lanes.most[i];
     b.x0 = w.x0[i] / kSide;
     b.y0 = w.y0[i] / kSide;
     b.x1 = (w.x1[i] + kSide - 1) / kSide;
@@ -59,69 +103,24 @@ HWY_INLINE BlockBounds bounds_of(const TilePlanes& tile, const Walks& w, int i) 
     return b;
 }
 
-// Blocks are many: those of one triangle side by side.
+// Blocks are many: those of one triangle side by side. large: of the triangles, a bit each.
 template <Shows kShows>
-HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, const BlockList& list,
-                           I32& drawn) {
-    WalkLanes lanes = walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
-    lanes.x0 = w.x0[i];
-    lanes.y0 = w.y0[i];
-    lanes.x1 = w.x1[i];
-    lanes.y1 = w.y1[i];
-    for (int k = 0; k < list.count; k += kLanesX8) {
-        const int left = list.count - k;
-        const std::uint32_t live = left < kLanesX8 ? (1U << left) - 1 : (1U << kLanesX8) - 1;
-        const AtBlocks blocks =
-            at_blocks(tile, lanes, load<I32x8>(list.x + k), load<I32x8>(list.y + k));
-        draw_flat<kShows, true>(tile, lanes, blocks, live, w.id + i, drawn);
+HWY_INLINE void draw_each_large(const TilePlanes& tile, const Walks& w, std::uint32_t large,
+                                I32& drawn) {
+    const bool ask = is_usual(kShows) && tile.farthest != nullptr;
+    BoundsLanes bounds;
+    for (large &= bounds_of(tile, w, ask ? farthest_of_all(tile) : 0.0F, bounds); large != 0;
+         large &= large - 1) {
+        const int i = __builtin_ctz(large);
+        std::uint64_t blocks =
+            find_blocks<is_usual(kShows)>(tile, bounds_at(w, bounds, i), nullptr);
+        if ((w.flat >> i & 1) != 0) {
+            draw_large<kShows>(tile, w, i, blocks, drawn);
+            continue;
+        }
+        for (; blocks != 0; blocks &= blocks - 1)
+            draw_steep_block<kShows>(tile, w, i, __builtin_ctzll(blocks), drawn);
     }
-}
-
-// A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
-template <Shows kShows>
-HWY_INLINE void draw_steep(const TilePlanes& tile, const Walks& w, int i, std::uint32_t id, int bx,
-                           int by, I32& drawn) {
-    constexpr int kSide = BlockWalk::kSide;
-    const double x = (tile.area.x0 + bx * kSide) * kSubpixel;
-    const double y = (tile.area.y0 + by * kSide) * kSubpixel;
-    double corner[3];
-    F64x8 share[3];
-    for (int k = 0; k < 3; ++k) {
-        corner[k] = (w.a[k][i] * x + w.b[k][i] * y) + w.c[k][i];
-        share[k] = w.share[k][i];
-    }
-    const int begin = w.y0[i] > by * kSide ? w.y0[i] : by * kSide;
-    const int end = w.y1[i] < (by + 1) * kSide ? w.y1[i] : (by + 1) * kSide;
-    I32x8 here = 0;
-    for (std::size_t s = 0; s < tile.pattern.size(); ++s) {
-        const SampleOffset at = tile.pattern.data()[s];
-        for (int row = begin; row < end; ++row)
-            for (int column = 0; column < kSide; column += kLanesX8) {
-                const F64x8 pixel = to_f64(iota<I32x8>(column));
-                F64x8 e[3];
-                const auto edge = [&](int k) HWY_ATTR {
-                    const double a = w.a[k][i], b = w.b[k][i];
-                    const double start =
-                        (corner[k] + (a * at.x + b * at.y)) + b * kSubpixel * (row - by * kSide);
-                    return F64x8(start) + pixel * F64x8(a * kSubpixel);
-                };
-                SIMD_UNROLL
-                for (int k = 0; k < 3; ++k)
-                    e[k] = edge(k);
-                const F32x8 z = to_f32(depth_of(e, share));
-                const auto covers = [&](int k) HWY_ATTR {
-                    return e[k] + F64x8(w.bias[k][i]) >= F64x8(0.0);
-                };
-                const auto inside =
-                    select(covers(0) & covers(1) & covers(2), F64x8(1.0), F64x8(0.0));
-                const std::ptrdiff_t first =
-                    static_cast<std::ptrdiff_t>(s) * kTileSize * kTileSize + row * kTileSize +
-                    (bx * kSide + column);
-                show_samples<kShows>(tile.rule, to_f32(inside) > F32x8(0.5F), z, id,
-                                     tile.depth + first, id_after<kShows>(tile.id, first), here);
-            }
-    }
-    if (any(!(here == I32x8(0)))) drawn = I32(-1);
 }
 
 template <Shows kShows>
@@ -130,7 +129,6 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32 drawn = 0;
     Walks w;
-    BlockList blocks;
     const auto all = static_cast<int>(list.which.size());
     for (int begin = 0; begin < all; begin += Walks::kRoom) {
         const int count = all - begin < Walks::kRoom ? all - begin : Walks::kRoom;
@@ -139,16 +137,7 @@ HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
         const std::uint32_t small = w.live & w.flat & w.small;
         for (int i = 0; i < Walks::kRoom; i += kLanesX8)
             draw_small<kShows>(tile, w, i, small >> i & kRegister, drawn);
-        for (std::uint32_t rest = w.live & ~small; rest != 0; rest &= rest - 1) {
-            const int i = __builtin_ctz(rest);
-            find_blocks<is_usual(kShows)>(tile, bounds_of(tile, w, i), blocks);
-            if ((w.flat >> i & 1) != 0) {
-                draw_large<kShows>(tile, w, i, blocks, drawn);
-                continue;
-            }
-            for (int k = 0; k < blocks.count; ++k)
-                draw_steep<kShows>(tile, w, i, w.id[i], blocks.x[k], blocks.y[k], drawn);
-        }
+        if (w.live != small) draw_each_large<kShows>(tile, w, w.live & ~small, drawn);
     }
     return any(!(drawn == I32(0)));
 }

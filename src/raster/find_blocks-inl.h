@@ -15,18 +15,13 @@ SIMD_BEGIN(scanout::raster)
 // The farthest depth in a block; place: of its first pixel.
 HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
     const float* depth = tile.depth + place;
-    F32x8 least = load<F32x8>(depth);
+    F32x8 nearest_lane = load<F32x8>(depth);
     for (std::size_t s = 0; s < tile.pattern.size(); ++s, depth += kTileSize * kTileSize)
         SIMD_UNROLL
     for (int y = 0; y < BlockWalk::kSide; ++y)
         for (int x = 0; x < BlockWalk::kSide; x += kLanesX8)
-            least = minimum(least, load<F32x8>(depth + y * kTileSize + x));
-    float lane[kLanesX8], farthest;
-    store(least, lane);
-    farthest = lane[0];
-    for (int i = 1; i < kLanesX8; ++i)
-        farthest = lane[i] < farthest ? lane[i] : farthest;
-    return farthest;
+            nearest_lane = minimum(nearest_lane, load<F32x8>(depth + y * kTileSize + x));
+    return least(nearest_lane);
 }
 
 // Is a block all behind what is there by now? Asked where tile.farthest, which is of when it was
@@ -40,61 +35,61 @@ HWY_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest
     farthest = farthest_in(tile, place);
     return nearest < farthest;
 }
-// As was known or is by now.
-HWY_INLINE bool hides(const TilePlanes& tile, int x, int y, float nearest) {
-    return nearest < tile.farthest[y * (kTileSize / BlockWalk::kSide) + x] ||
-           hides_by_now(tile, x, y, nearest);
+// Nothing seen anywhere in the tile is farther away.
+HWY_INLINE float farthest_of_all(const TilePlanes& tile) {
+    F32 all = load<F32>(tile.farthest);
+    SIMD_UNROLL
+    for (int i = 0; i < BlockList::kBlocks; i += kLanes)
+        all = minimum(all, load<F32>(tile.farthest + i));
+    return least(all);
 }
 
-// Bounds of the edges and the depth of each block in float, a row of blocks side by side.
+// Bounds of the edges and the depth of each block in float, side by side, where lanes are blocks of
+// the tile as they are pixels of a block elsewhere. Bit 8 y + x of what may be seen, by what is
+// known of the blocks so far. nearest: no depth in a block is nearer.
 template <bool kUsual>
-HWY_INLINE void find_blocks(const TilePlanes& tile, const BlockBounds& b, BlockList& out) {
-    constexpr int kRow = BlockList::kRow, kAcross = kRow / kLanesX8;
+HWY_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds& b, float* nearest) {
+    constexpr int kRow = BlockList::kRow;
+    static_assert(kRow == BlockWalk::kSide);
     const bool ask = kUsual && tile.farthest != nullptr;
-    const auto lanes = [](double first, double per_block, int r) HWY_ATTR {
-        return F32x8(static_cast<float>(first)) +
-               to_f32(iota<I32x8>(r * kLanesX8)) * F32x8(static_cast<float>(per_block));
+    const auto lanes = [](float first, float across, float down, int r) HWY_ATTR {
+        return F32(first) + (to_f32(columns(r)) * F32(across) + to_f32(rows()) * F32(down));
     };
-    F32x8 edge[3][kAcross], down[3], nearest[kAcross];
-    const F32x8 farther = static_cast<float>(b.depth_down), zero = 0.0F;
+    F32 edge[3][kRegisters], down[3], depth[kRegisters];
+    const F32 farther = b.depth_down * kRows, most = b.most, zero = 0.0F;
     SIMD_UNROLL
-    for (int r = 0; r < kAcross; ++r) {
+    for (int r = 0; r < kRegisters; ++r) {
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            edge[k][r] = lanes(b.edge[k], b.across[k], r);
-        nearest[r] = lanes(b.depth, b.depth_across, r);
+            edge[k][r] = lanes(b.edge[k], b.across[k], b.down[k], r);
+        depth[r] = lanes(b.depth, b.depth_across, b.depth_down, r);
     }
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        down[k] = static_cast<float>(b.down[k]);
-    const std::uint32_t columns = (1U << b.x1) - (1U << b.x0);
-    out.count = 0;
-    for (int y = 0; y < b.y1; ++y) {
-        std::uint32_t live = 0;
-        float depth[kRow];
+        down[k] = b.down[k] * kRows;
+    std::uint64_t live = 0;
+    SIMD_UNROLL
+    for (int y = 0; y < kRow; y += kRows) {
         SIMD_UNROLL
-        for (int r = 0; r < kAcross; ++r) {
+        for (int r = 0; r < kRegisters; ++r) {
+            const int first = y * kRow + r * kLanes;
             auto seen = (edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero);
-            if (ask) // of a whole row: what one block answers is hard to foretell
-                seen = seen & !(nearest[r] < load<F32x8>(tile.farthest + y * kRow + r * kLanesX8));
-            live |= bits(seen) << (r * kLanesX8);
-            if (kUsual) store(nearest[r], depth + r * kLanesX8);
-            nearest[r] = nearest[r] + farther;
+            const F32 here = minimum(depth[r], most);
+            if (ask) seen = seen & !(here < load<F32>(tile.farthest + first));
+            if (nearest != nullptr) store(here, nearest + first);
+            live |= std::uint64_t{bits(seen)} << first;
+            depth[r] = depth[r] + farther;
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
         }
-        if (y < b.y0) continue;
-        for (live &= columns; live != 0; live &= live - 1) {
-            const int x = __builtin_ctz(live);
-            if (ask && hides_by_now(tile, x, y, depth[x])) continue;
-            out.x[out.count] = x;
-            out.y[out.count++] = y;
-        }
     }
-    static_assert(kLanesX8 <= BlockWalk::kSide);
-    for (int k = 0; k < BlockWalk::kSide; ++k) // what the last register reads beyond
-        out.x[out.count + k] = out.y[out.count + k] = 0;
+    // All rows above y.
+    const auto above = [](int y) {
+        return y < kRow ? (std::uint64_t{1} << y * kRow) - 1 : ~std::uint64_t{0};
+    };
+    const std::uint64_t columns = (1U << b.x1) - (1U << b.x0);
+    return live & columns * 0x0101010101010101 & (above(b.y1) & ~above(b.y0));
 }
 
 SIMD_END

@@ -73,10 +73,18 @@ PieceBlockSigns block_signs(const PieceBlockEdges& e) {
 }
 
 void blocks_of_piece(const TilePlanes& tile, const BlockBounds& bounds, BlockList& out) {
-    if (tile.rule.usual())
-        find_blocks<true>(tile, bounds, out);
-    else
-        find_blocks<false>(tile, bounds, out);
+    float nearest[BlockList::kBlocks];
+    const bool ask = tile.rule.usual() && tile.farthest != nullptr;
+    std::uint64_t live =
+        ask ? find_blocks<true>(tile, bounds, nearest) : find_blocks<false>(tile, bounds, nearest);
+    out.count = 0;
+    for (; live != 0; live &= live - 1) {
+        const int block = __builtin_ctzll(live);
+        const int x = block % BlockList::kRow, y = block / BlockList::kRow;
+        if (ask && hides_by_now(tile, x, y, nearest[block])) continue;
+        out.x[out.count] = x;
+        out.y[out.count++] = y;
+    }
 }
 
 SIMD_END
@@ -159,6 +167,7 @@ private:
     // Of each edge in units of its terms, so that float holds them.
     BlockBounds bounds_of(const image::Rect& box) const {
         BlockBounds b{};
+        double nearest = 0, per_across = 0, per_down = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto corner = static_cast<double>(at(k, tile_.area.x0, tile_.area.y0)),
                        highest = static_cast<double>(block_.highest[k]),
@@ -166,17 +175,20 @@ private:
                        down = b_[k] * static_cast<double>(kBlock);
             const double terms = std::abs(corner) + std::abs(highest) +
                                  BlockList::kRow * (std::abs(across) + std::abs(down));
-            b.edge[k] = (corner + highest) / terms + BlockBounds::kMargin;
-            b.across[k] = across / terms;
-            b.down[k] = down / terms;
-            b.depth += corner * share_[k] + BlockBounds::kMargin * terms * std::abs(share_[k]);
-            b.depth_across += across * share_[k];
-            b.depth_down += down * share_[k];
+            b.edge[k] = static_cast<float>((corner + highest) / terms + BlockBounds::kMargin);
+            b.across[k] = static_cast<float>(across / terms);
+            b.down[k] = static_cast<float>(down / terms);
+            nearest += corner * share_[k] + BlockBounds::kMargin * terms * std::abs(share_[k]);
+            per_across += across * share_[k];
+            per_down += down * share_[k];
         }
-        b.depth += std::max(b.depth_across, 0.0) + std::max(b.depth_down, 0.0);
-        if (!(std::abs(b.depth) + std::abs(b.depth_across) + std::abs(b.depth_down) < 0x1p120)) {
-            b.depth = 0x1p120; // more than float may hold: nothing hides it
-            b.depth_across = b.depth_down = 0;
+        nearest += std::max(per_across, 0.0) + std::max(per_down, 0.0);
+        b.most = static_cast<float>(most_ * (1 + BlockBounds::kMargin));
+        b.depth = b.most; // where float may not hold the others
+        if (std::abs(nearest) + std::abs(per_across) + std::abs(per_down) < 0x1p120) {
+            b.depth = static_cast<float>(nearest);
+            b.depth_across = static_cast<float>(per_across);
+            b.depth_down = static_cast<float>(per_down);
         }
         b.x0 = (box.x0 - tile_.area.x0) / kSide;
         b.y0 = (box.y0 - tile_.area.y0) / kSide;

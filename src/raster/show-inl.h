@@ -27,6 +27,18 @@ HWY_INLINE std::uint32_t* id_after(std::uint32_t* id, std::ptrdiff_t pixels) {
     return kShows == Shows::depth ? nullptr : id + pixels;
 }
 
+// Registers that a row of a block takes where they are narrow; rows that one has where they are
+// wide.
+constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
+constexpr int kRows = kLanes > BlockWalk::kSide ? kLanes / BlockWalk::kSide : 1;
+// Of the lanes of a register of these: which column of the block, and which of its rows.
+HWY_INLINE I32 columns(int number) {
+    return iota<I32>(number * kLanes) & I32(BlockWalk::kSide - 1);
+}
+HWY_INLINE I32 rows() {
+    return shift_right<3>(iota<I32>(0));
+}
+
 // Pixels of a tile from one on: of its row, and where a register has room for eight more of the row
 // below.
 template <class T, class Word>
@@ -45,29 +57,34 @@ HWY_INLINE void store_pixels(T a, Word* to) {
         store(a, to);
 }
 
-// Of what is inside the nearest stays, at a tie the lower id.
+// Of what is inside the nearest stays, at a tie the lower id. Returns the depths that are there
+// now.
 template <class D>
-HWY_INLINE void show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
-                     std::uint32_t* id, Int<D>& drawn) {
+HWY_INLINE Float<D> show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
+                         std::uint32_t* id, Int<D>& drawn) {
     using Id = Int<D>;
     const auto old = load_pixels<Float<D>>(depth);
     const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
     // Ids are compared as unsigned numbers: their order is that of signed ones moved by 2^31.
     const Id half = INT32_MIN;
     const Mask<D> pass = inside & ((z > old) | ((z == old) & ((new_id + half) < (old_id + half))));
-    store_pixels(select(pass, z, old), depth);
+    const Float<D> now = select(pass, z, old);
+    store_pixels(now, depth);
     store_pixels(select(pass, new_id, old_id), id);
     drawn = select(pass, Id(-1), drawn);
+    return now;
 }
 
 // The same depths: at a tie they are one, whatever the ids. What has shown is nearer than what was
 // there.
 template <class D>
-HWY_INLINE void show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>& drawn) {
+HWY_INLINE Float<D> show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>& drawn) {
     const auto old = load_pixels<Float<D>>(depth);
     const Mask<D> pass = inside & (z > old);
-    store_pixels(select(pass, z, old), depth);
+    const Float<D> now = select(pass, z, old);
+    store_pixels(now, depth);
     drawn = select(pass, Int<D>(-1), drawn);
+    return now;
 }
 
 // VisibleRule::kept.
@@ -84,8 +101,9 @@ HWY_INLINE Float<D> kept(Float<D> z, const VisibleRule& rule) {
 
 // The same by another rule than the usual one.
 template <class D>
-HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_here,
-                        std::uint32_t primitive, float* depth, std::uint32_t* id, Int<D>& drawn) {
+HWY_INLINE Float<D> show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_here,
+                            std::uint32_t primitive, float* depth, std::uint32_t* id,
+                            Int<D>& drawn) {
     using Id = Int<D>;
     const Float<D> z = kept(depth_here, rule), old = load_pixels<Float<D>>(depth);
     const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
@@ -117,21 +135,23 @@ HWY_INLINE void show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_
         break;
     }
     pass = pass & inside;
-    store_pixels(select(pass, z, old), depth);
+    const Float<D> now = select(pass, z, old);
+    store_pixels(now, depth);
     store_pixels(select(pass, new_id, old_id), id);
     drawn = select(pass, Id(-1), drawn);
+    return now;
 }
 
 template <Shows kShows, class D>
-HWY_INLINE void show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
-                             std::uint32_t primitive, float* depth, std::uint32_t* id,
-                             Int<D>& drawn) {
+HWY_INLINE Float<D> show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
+                                 std::uint32_t primitive, float* depth, std::uint32_t* id,
+                                 Int<D>& drawn) {
     if constexpr (kShows == Shows::usual)
-        show(inside, z, primitive, depth, id, drawn);
+        return show(inside, z, primitive, depth, id, drawn);
     else if constexpr (kShows == Shows::depth)
-        show_depth(inside, z, depth, drawn);
+        return show_depth(inside, z, depth, drawn);
     else
-        show_by(rule, inside, z, primitive, depth, id, drawn);
+        return show_by(rule, inside, z, primitive, depth, id, drawn);
 }
 
 SIMD_END

@@ -23,6 +23,7 @@ struct Walks {
     // How far E + bias may lie below and above E at a block's corner.
     double lowest[3][kRoom], highest[3][kRoom];
     double share[3][kRoom], per_x[kRoom], per_y[kRoom];      // DepthPlane
+    double nearest[kRoom];                                   // depth of the nearest vertex
     std::int32_t x0[kRoom], y0[kRoom], x1[kRoom], y1[kRoom]; // pixels of the tile that it may touch
     std::uint32_t live, flat, small; // bit i: triangle i; small: it touches four blocks at most
 };
@@ -168,6 +169,7 @@ HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             store(plane.share[k], w.share[k] + i);
+        store(maximum(maximum(v[0].depth, v[1].depth), v[2].depth), w.nearest + i);
         store(plane.per_x, w.per_x + i);
         store(plane.per_y, w.per_y + i);
         w.flat |= plane.flat << i;

@@ -6,7 +6,7 @@
 // in eights (an F64x8 is one register where there are such). The rules that make all targets give
 // the same bits (DESIGN 4): + - * / sqrt are exact IEEE operations and never fused, conversions are
 // of values in range, minimum and maximum are comparisons with a chosen outcome for NaN, and there
-// is no operation across lanes but any, all and bits.
+// is no operation across lanes but any, all, bits and least, for which their order is no matter.
 #if defined(SCANOUT_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SIMD_LANES_INL_H
 #undef SCANOUT_SIMD_LANES_INL_H
@@ -95,6 +95,11 @@ struct Float {
     friend HWY_INLINE Float sqrt(Float a) { return Float(hn::Sqrt(a.raw)); }
     friend HWY_INLINE Float abs(Float a) { return Float(hn::Abs(a.raw)); }
 };
+// The least of all lanes, none of which is NaN or -0.
+template <class D>
+HWY_INLINE float least(Float<D> a) {
+    return hn::GetLane(hn::MinOfLanes(D(), a.raw));
+}
 
 // --- 32-bit integers, which wrap around
 
@@ -204,6 +209,11 @@ template <class T>
 HWY_INLINE T load(const std::uint32_t* from) { // bits as they are
     return T(
         hn::BitCast(typename T::Tag(), hn::LoadU(hn::RebindToUnsigned<typename T::Tag>(), from)));
+}
+template <class T>
+HWY_INLINE T load(const std::uint8_t* from) {
+    const hn::Rebind<std::uint8_t, typename T::Tag> bytes;
+    return T(hn::PromoteTo(typename T::Tag(), hn::LoadU(bytes, from)));
 }
 template <class T>
 HWY_INLINE T load(const double* from) {
