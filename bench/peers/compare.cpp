@@ -28,7 +28,7 @@ PicturePair pictures_of(const Ours& ours, const Theirs& theirs, const Load& load
                         const scene::View& view) {
     if (load.shading != Shading::depth) return {ours.picture(), theirs.picture()};
     const image::Image size = theirs.picture();
-    std::vector<float> distances = ours.depth();
+    std::vector<float> distances(ours.depth().begin(), ours.depth().end());
     for (float& depth : distances)
         if (depth > 0) depth = static_cast<float>(view.near_distance / static_cast<double>(depth));
     const DepthRange range = depth_range(view, is_inside(load));

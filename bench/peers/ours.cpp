@@ -1,6 +1,9 @@
 #include "bench/peers/ours.h"
 
+#include "raster/copy_depths.h"
+
 #include <algorithm>
+#include <memory>
 
 namespace scanout::bench {
 
@@ -21,7 +24,15 @@ Result<void> Ours::draw(const scene::View& view) {
 
 void Ours::draw_depth(const scene::View& view) {
     const auto width = static_cast<std::size_t>(options_.width);
-    depth_.resize(width * static_cast<std::size_t>(options_.height));
+    const std::size_t pixels = width * static_cast<std::size_t>(options_.height);
+    if (depth_.size() != pixels) {
+        constexpr std::size_t kLine = 64; // bytes
+        room_.resize(pixels + kLine / sizeof(float));
+        void* begin = room_.data();
+        std::size_t bytes = room_.size() * sizeof(float);
+        std::align(kLine, pixels * sizeof(float), begin, bytes);
+        depth_ = {static_cast<float*>(begin), pixels};
+    }
     raster::GeometryOptions options;
     options.width = options_.width;
     options.height = options_.height;
@@ -44,9 +55,7 @@ void Ours::draw_depth(const scene::View& view) {
         raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
         tile.reset(area, 1, {}, raster::Keeps::depth);
         geometry_.draw_triangles(number, tile);
-        for (int y = area.y0; y < area.y1; ++y)
-            std::copy_n(tile.depths(0).data() + (y - area.y0) * raster::kTileSize, area.width(),
-                        row(y));
+        raster::copy_depths(tile, row(area.y0), width);
     });
 }
 

@@ -9,6 +9,7 @@
 #include "raster/geometry.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace scanout::bench {
@@ -23,7 +24,7 @@ public:
 
     const image::Image& picture() const { return *picture_; } // of shaded loads
     // Of loads of depth alone: reversed, rows from the top.
-    const std::vector<float>& depth() const { return depth_; }
+    std::span<const float> depth() const { return depth_; }
     std::uint64_t triangles_drawn() const;
 
 private:
@@ -41,7 +42,8 @@ private:
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;
     std::vector<raster::VisibilityTile> tiles_; // one a worker
-    std::vector<float> depth_;
+    std::vector<float> room_;
+    std::span<float> depth_; // in that, from the start of a line of the cache
     frame::BareTiles bare_;
 };
 

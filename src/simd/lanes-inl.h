@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <hwy/cache_control.h>
+
 #include "simd/doubles-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -235,6 +237,15 @@ HWY_INLINE void store(Int<D> a, std::uint32_t* to) {
 template <class D>
 HWY_INLINE void store(Double<D> a, double* to) {
     a.store_to(to);
+}
+// Past the caches, to an address that the register's size divides. Others may read it after
+// finish_streams().
+template <class D>
+HWY_INLINE void stream(Float<D> a, float* to) {
+    hn::Stream(a.raw, D(), to);
+}
+HWY_INLINE void finish_streams() {
+    hwy::FlushStream();
 }
 // The lower lanes from one place, the upper ones from another.
 template <class T, class Word>

@@ -1,0 +1,14 @@
+// A tile's depths, out of the tile: to the rows of a picture that is not read again soon.
+#pragma once
+
+#include "raster/tile.h"
+
+#include <cstddef>
+
+namespace scanout::raster {
+
+// to: of the pixel at the tile's corner; stride: floats from row to row. Whole lines of the cache
+// are written past it, so that none of them is fetched before.
+void copy_depths(const VisibilityTile& tile, float* to, std::size_t stride);
+
+} // namespace scanout::raster
