@@ -8,9 +8,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <numeric>
 
 namespace scanout::raster {
+namespace {
+
+// Words whose bytes are all the same: several times as fast as word by word.
+template <class Word>
+void fill_bytes(std::vector<Word>& words, std::size_t size, int byte) {
+    words.resize(size);
+    std::memset(words.data(), byte, size * sizeof(Word));
+}
+
+} // namespace
 
 void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRule& rule,
                            Keeps keeps) {
@@ -21,8 +32,9 @@ void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRu
     pattern_ = sample_pattern(samples);
     touched_ = false;
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
-    depth_.assign(size + kRegisterRoom, 0.0F);
-    if (keeps_ids()) id_.assign(size + kRegisterRoom, kNoPrimitive);
+    fill_bytes(depth_, size + kRegisterRoom, 0);
+    static_assert(kNoPrimitive == ~std::uint32_t{0});
+    if (keeps_ids()) fill_bytes(id_, size + kRegisterRoom, 0xff);
     farthest_.fill(0);
     ground_depth_.clear();
     ground_id_.clear();
