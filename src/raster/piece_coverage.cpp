@@ -106,6 +106,7 @@ constexpr std::int64_t kBlock = std::int64_t{kSide} * kSubpixel;
 // How far the edge functions of a square of pixels may lie below and above those of its corner.
 struct Reach {
     Int128 lowest[3], highest[3];
+    Reach() = default;
     Reach(const ExactEdges& e, const SampleExtent& extent, int side) {
         const Int128 more = Int128{side - 1} * kSubpixel;
         const Int128 across[2] = {extent.low.x, more + extent.high.x};
@@ -120,7 +121,24 @@ struct Reach {
 class PieceWalk {
 public:
     PieceWalk(const TilePlanes& tile, const SampleExtent& extent, const Piece& piece)
-        : tile_(tile), extent_(extent), edges_(edges_of(piece)), block_(edges_, extent, kSide) {
+        : tile_(tile), extent_(extent), piece_(piece), edges_(edges_of(piece)) {}
+
+    bool draw(const image::Rect& box) {
+        const image::Rect here = {std::max(box.x0, tile_.area.x0), std::max(box.y0, tile_.area.y0),
+                                  std::min(box.x1, tile_.area.x1), std::min(box.y1, tile_.area.y1)};
+        if (here.empty() || !reaches_tile()) return false; // most tiles that its box touches
+        set_up(piece_);
+        BlockList blocks;
+        SIMD_CALL(blocks_of_piece)(tile_, bounds_of(here), blocks);
+        bool drawn = false;
+        for (int i = 0; i < blocks.count; ++i)
+            drawn |= draw_block_at(blocks.x[i], blocks.y[i]);
+        return drawn;
+    }
+
+private:
+    void set_up(const Piece& piece) {
+        block_ = Reach(edges_, extent_, kSide);
         const double size = size_of(piece);
         least_ = most_ = piece.vertex[0].depth;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -136,19 +154,6 @@ public:
         id_ = piece.id;
     }
 
-    bool draw(const image::Rect& box) {
-        const image::Rect here = {std::max(box.x0, tile_.area.x0), std::max(box.y0, tile_.area.y0),
-                                  std::min(box.x1, tile_.area.x1), std::min(box.y1, tile_.area.y1)};
-        if (here.empty() || !reaches_tile()) return false;
-        BlockList blocks;
-        SIMD_CALL(blocks_of_piece)(tile_, bounds_of(here), blocks);
-        bool drawn = false;
-        for (int i = 0; i < blocks.count; ++i)
-            drawn |= draw_block_at(blocks.x[i], blocks.y[i]);
-        return drawn;
-    }
-
-private:
     // Depth is E_0 z_0 / size + E_1 z_1 / size + E_2 z_2 / size.
     double sum(const double (&e)[3]) const {
         return (e[0] * share_[0] + e[1] * share_[1]) + e[2] * share_[2];
@@ -298,8 +303,9 @@ private:
 
     const TilePlanes& tile_;
     const SampleExtent& extent_;
+    const Piece& piece_;
     ExactEdges edges_;
-    Reach block_;
+    Reach block_; // from here on: once it is known that the tile is reached
     std::uint32_t id_;
     double share_[3]; // z of a vertex / size
     double a_[3], b_[3];
