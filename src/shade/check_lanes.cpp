@@ -81,20 +81,21 @@ void check_primitive(const Primitive& p, const Attributes& wanted) {
 
 void check_triangles(const LaneTriangles& t, const Attributes& wanted, int first, int count) {
     for (int i = first; i < first + count; ++i) {
+        const int n = t.of_lane[i];
         const auto check_one = [&](double value, std::string_view what) {
-            check_value(value, what, "triangle", t.id[i], "set-up");
+            check_value(value, what, "triangle", t.id[n], "set-up");
         };
         for (int k = 0; k < 3; ++k) {
             check_one(t.weight[k][i], "weight");
             for (int c = 0; c < 3; ++c) {
-                if (wanted.normal) check_one(t.normal[c][k][i], "normal");
-                if (wanted.colour) check_one(t.colour[c][k][i], "colour");
-                if (wanted.position) check_one(t.position[c][k][i], "position");
-                if (wanted.uv && c < 2) check_one(t.uv[c][k][i], "uv");
+                if (wanted.normal) check_one(t.normal[c][k][n], "normal");
+                if (wanted.colour) check_one(t.colour[c][k][n], "colour");
+                if (wanted.position) check_one(t.position[c][k][n], "position");
+                if (wanted.uv && c < 2) check_one(t.uv[c][k][n], "uv");
             }
         }
         for (const auto& component : t.facing)
-            check_one(component[i], "facing");
+            check_one(component[n], "facing");
         if (wanted.uv && wanted.footprint)
             for (const auto& slope : t.slope)
                 check_one(slope[i], "slope of u or v");

@@ -4,10 +4,10 @@
 
 namespace scanout::shade {
 
-FewPixels::FewPixels() : pixel_(kPixels + (kRoom - kLanes)), id_(kPixels) {}
+FewPixels::FewPixels() : pixel_(kPixels + (kRoom - kLanes)), triangle_(pixel_.size()), id_(kPixels) {}
 
 void FewPixels::clear() {
-    size_ = 0;
+    size_ = triangles_ = 0;
     parts_.clear();
 }
 

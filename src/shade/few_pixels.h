@@ -1,10 +1,11 @@
-// The pixels of a tile that are filled by triangles with few of them: a list, one triangle a pixel.
+// The pixels of a tile that are filled by triangles with few of them: a list, and of which triangle
+// each is.
 #pragma once
 
 #include "raster/coverage.h"
+#include "shade/spans.h"
 #include "shade/stage.h"
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -14,20 +15,19 @@ namespace scanout::shade {
 
 class FewPixels {
 public:
-    static constexpr int kMost = 6; // of a triangle: more are cheaper with one set-up for all
+    static constexpr int kMost = 24; // of a triangle: more are cheaper in registers of their own
 
     FewPixels();
     void clear();
-    // Pixels of one triangle. Returns where their numbers in the tile go, and a few more may be
-    // written behind them; each pixel once at most.
-    std::int32_t* add(std::int32_t material, std::uint32_t id, int count) {
-        std::int32_t* const pixels = pixel_.data() + size_;
-        std::fill_n(id_.data() + size_, count, id);
-        if (parts_.empty() || parts_.back().material != material)
-            parts_.push_back({material, size_, 0});
-        size_ += static_cast<std::size_t>(count);
+    // The pixels of a group, which is one triangle's.
+    void add(const Spans& spans, const Spans::Group& group) {
+        spans.put_pixels(group, pixel_.data() + size_, triangle_.data() + size_,
+                         static_cast<std::int32_t>(triangles_));
+        id_[triangles_++] = group.id;
+        if (parts_.empty() || parts_.back().material != group.look.material)
+            parts_.push_back({group.look.material, size_, 0});
+        size_ += group.count;
         parts_.back().end = size_;
-        return pixels;
     }
 
     // Those pixels of a row whose bit is set, `first` and those after it, each with its own
@@ -38,7 +38,8 @@ public:
         for (; pixels != 0; pixels &= pixels - 1) {
             const int x = std::countr_zero(pixels);
             pixel_[size_] = first + x;
-            id_[size_++] = id[x];
+            triangle_[size_++] = static_cast<std::int32_t>(triangles_);
+            id_[triangles_++] = id[x];
         }
         parts_.back().end = size_;
     }
@@ -52,12 +53,14 @@ public:
     std::span<const Part> parts() const { return parts_; }
     std::size_t size() const { return size_; } // pixels
     const std::int32_t* pixels() const { return pixel_.data(); }
-    const std::uint32_t* ids() const { return id_.data(); }
+    // Of a pixel: its triangle; from pixel to pixel of a part the same or the next one.
+    const std::int32_t* triangles() const { return triangle_.data(); }
+    const std::uint32_t* ids() const { return id_.data(); } // of triangles
 
 private:
     static constexpr std::size_t kPixels = std::size_t{raster::kTileSize} * raster::kTileSize;
-    std::size_t size_ = 0;
-    std::vector<std::int32_t> pixel_;
+    std::size_t size_ = 0, triangles_ = 0;
+    std::vector<std::int32_t> pixel_, triangle_;
     std::vector<std::uint32_t> id_;
     std::vector<Part> parts_;
 };

@@ -22,6 +22,15 @@ struct OnPlane {
     Float<D> value[kCount], right[kCount], down[kCount];
 };
 
+// Of a plane: 1 / w of the vertices; f of vertex 0, and of the others, from there; how N and D
+// change in 1/256 pixel.
+template <int kCount, class Number>
+struct PlaneTerms {
+    Number inverse_w[3];
+    Number f0[kCount], f[kCount][2];
+    Number f_x[kCount], f_y[kCount], sum_x, sum_y;
+};
+
 // With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i,
 // f = N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex
 // 0, to which f is relative, the difference cancels by the ratio of distances.
@@ -29,31 +38,33 @@ struct OnPlane {
 template <int kCount, class Number>
 class PlaneOf {
 public:
+    HWY_INLINE explicit PlaneOf(const PlaneTerms<kCount, Number>& terms) : of_(terms) {}
     // Of the weights, how they change in 1/256 pixel to the right and down; 1 / w and f of the
     // vertices.
     HWY_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
                        const Number (&f)[kCount][3]) {
-        sum_x_ = sum_y_ = Number(0.0);
+        of_.sum_x = of_.sum_y = Number(0.0);
         SIMD_UNROLL
         for (int n = 0; n < kCount; ++n) {
-            f0_[n] = f[n][0];
-            f_x_[n] = f_y_[n] = Number(0.0);
+            of_.f0[n] = f[n][0];
+            of_.f_x[n] = of_.f_y[n] = Number(0.0);
         }
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k) {
-            inverse_w_[k] = inverse_w[k];
+            of_.inverse_w[k] = inverse_w[k];
             const Number right = a[k] * inverse_w[k], down = b[k] * inverse_w[k];
-            sum_x_ = sum_x_ + right;
-            sum_y_ = sum_y_ + down;
+            of_.sum_x = of_.sum_x + right;
+            of_.sum_y = of_.sum_y + down;
             if (k == 0) continue; // f is relative to it
             SIMD_UNROLL
             for (int n = 0; n < kCount; ++n) {
-                f_[n][k - 1] = f[n][k] - f[n][0];
-                f_x_[n] = f_x_[n] + right * f_[n][k - 1];
-                f_y_[n] = f_y_[n] + down * f_[n][k - 1];
+                of_.f[n][k - 1] = f[n][k] - f[n][0];
+                of_.f_x[n] = of_.f_x[n] + right * of_.f[n][k - 1];
+                of_.f_y[n] = of_.f_y[n] + down * of_.f[n][k - 1];
             }
         }
     }
+    HWY_INLINE const PlaneTerms<kCount, Number>& terms() const { return of_; }
 
     // weight: at the sample. Slopes within +-2^60, which also stands for those without end, or not
     // a number.
@@ -61,7 +72,7 @@ public:
     HWY_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
         const auto share = [&](int k) HWY_ATTR {
-            return maximum(weight[k], F64s(0.0)) * F64s(inverse_w_[k]); // as interpolated
+            return maximum(weight[k], F64s(0.0)) * F64s(of_.inverse_w[k]); // as interpolated
         };
         const F64s p0 = share(0), p1 = share(1), p2 = share(2);
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2), pixel = F64s(256.0) * inverse;
@@ -72,18 +83,16 @@ public:
         OnPlane<kCount, D> found;
         SIMD_UNROLL
         for (int n = 0; n < kCount; ++n) {
-            const F64s f = (p1 * F64s(f_[n][0]) + p2 * F64s(f_[n][1])) * inverse;
-            found.value[n] = to_f32(F64s(f0_[n]) + f);
-            found.right[n] = slope(f_x_[n], f, sum_x_);
-            found.down[n] = slope(f_y_[n], f, sum_y_);
+            const F64s f = (p1 * F64s(of_.f[n][0]) + p2 * F64s(of_.f[n][1])) * inverse;
+            found.value[n] = to_f32(F64s(of_.f0[n]) + f);
+            found.right[n] = slope(of_.f_x[n], f, of_.sum_x);
+            found.down[n] = slope(of_.f_y[n], f, of_.sum_y);
         }
         return found;
     }
 
 private:
-    Number inverse_w_[3];
-    Number f0_[kCount], f_[kCount][2];                 // of vertex 0; of the others, from there
-    Number f_x_[kCount], f_y_[kCount], sum_x_, sum_y_; // of N and D, 1/256 pixel
+    PlaneTerms<kCount, Number> of_;
 };
 
 // The plane of a primitive.

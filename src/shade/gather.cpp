@@ -312,6 +312,7 @@ const float* Gatherer::lane_offsets(const GatherInput& in) {
 // Lanes that fill pixels, and those that have triangles of their own, which are set up there.
 void Gatherer::place_block() {
     Block& b = *block_;
+    triangles_->centred = own_;
     place_at_centres(b, pixel_, 0, own_, area_.x0, area_.y0);
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
@@ -352,7 +353,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     else
         put_pixels(code.data(), picture);
     pixel_ += own_;
-    own_ = b.count = b.runs = 0;
+    own_ = b.count = b.runs = triangles_->count = 0;
 }
 
 // The pixels that a fragment fills as codes; the others add up.
@@ -443,8 +444,9 @@ std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture
     spans_->arrange();
     std::uint64_t lanes = 0;
     for (const Spans::Group& group : spans_->groups()) {
-        if (group.count <= FewPixels::kMost && has_own_lanes(in, group.id)) {
-            spans_->put_pixels(group, few_->add(group.look.material, group.id, group.count));
+        if (group.count <= FewPixels::kMost && group.look.lit &&
+            (all_whole_ || has_own_lanes(in, group.id))) {
+            few_->add(*spans_, group);
             continue;
         }
         lanes += group.count;
@@ -477,9 +479,14 @@ void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
             const std::size_t count =
                 std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
             std::copy_n(few_->pixels() + i, count, pixel_ + b.count);
-            std::copy_n(few_->ids() + i, count, triangles_->id + b.count);
-            std::fill_n(triangles_->sample_x + b.count, count, 0); // they cover the centre
-            std::fill_n(triangles_->sample_y + b.count, count, 0);
+            LaneTriangles& t = *triangles_;
+            const std::int32_t first = few_->triangles()[i];
+            const std::int32_t triangles = few_->triangles()[i + count - 1] + 1 - first;
+            for (std::size_t k = 0; k < count; ++k)
+                t.of_lane[static_cast<std::size_t>(b.count) + k] =
+                    few_->triangles()[i + k] - first + t.count;
+            std::copy_n(few_->ids() + first, triangles, t.id + t.count);
+            t.count += triangles;
             add_lanes(b, nullptr, static_cast<int>(count));
             own_ = b.count;
             i += count;

@@ -97,7 +97,8 @@ void Gatherer::add_fragment(const GatherInput& in, const Fragment& f, image::Ima
     pixel_[lane] = f.pixel;
     share_[lane] = {f.shared, f.samples, f.weight, f.layer};
     if (own) {
-        triangles_->id[lane] = f.id;
+        triangles_->of_lane[lane] = triangles_->count;
+        triangles_->id[triangles_->count++] = f.id;
         triangles_->sample_x[lane] = f.at_x - raster::kPixelCentre.x;
         triangles_->sample_y[lane] = f.at_y - raster::kPixelCentre.y;
         add_lanes(b, nullptr, 1);
@@ -145,15 +146,17 @@ int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample
     LaneTriangles& t = *triangles_;
     std::int32_t* const pixel = pixel_;
     Share* const share = share_.get();
-    int lane = b.count;
+    int lane = b.count, triangle = t.count;
     for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {
         const int x = std::countr_zero(rest);
-        t.id[lane] = ids[x];
+        t.of_lane[lane] = triangle;
+        t.id[triangle++] = ids[x];
         t.sample_x[lane] = right;
         t.sample_y[lane] = down;
         pixel[lane] = row * kTileSize + x;
         share[lane] = {place_of_[static_cast<std::size_t>(x)], 0, shares[x], kNoLayer};
     }
+    t.count = triangle;
     add_lanes(b, nullptr, count);
     return count;
 }

@@ -8,146 +8,180 @@
 
 #include "shade/footprint-inl.h"
 #include "shade/triangle_lanes-inl.h"
+#include "simd/entries-inl.h"
 
 SIMD_BEGIN(scanout::shade)
 
-// Whole numbers of lanes: of 32 bits, or doubles.
-HWY_INLINE void convert(I32x8 from, I32x8& to) {
-    to = from;
-}
-HWY_INLINE void convert(I32x8 from, F64x8& to) {
-    to = to_f64(from);
-}
-HWY_INLINE F32x8 rounded(I32x8 a) {
-    return to_f32(a);
-}
-HWY_INLINE F32x8 rounded(F64x8 a) {
-    return to_f32(a);
-}
-HWY_INLINE MaskX8 narrow(MaskX8 mask) {
-    return mask;
+using Plane = texture::HWY_NAMESPACE::PlaneTerms<2, F64x8>;
+
+// visit(a term of the plane, where it is kept).
+template <class Visit>
+HWY_INLINE void for_terms(Plane& plane, const Visit& visit) {
+    SIMD_UNROLL
+    for (int n = 0; n < 2; ++n) {
+        visit(plane.f[n][0], 5 * n);
+        visit(plane.f[n][1], 5 * n + 1);
+        visit(plane.f_x[n], 5 * n + 2);
+        visit(plane.f_y[n], 5 * n + 3);
+    }
+    visit(plane.sum_x, 4);
+    visit(plane.sum_y, 9);
 }
 
-// Where a register of lanes lies.
-struct Places {
-    I32x8 x, y;               // centres, 1/256 pixel
-    I32x8 sample_x, sample_y; // from there
-};
-
-// Areas opposite the vertices, where the lanes are shaded; exact, how they change in 1/256 pixel to
-// the right and down, and the same areas, if they are wanted.
-struct Areas {
-    F32x8 rounded[3];
-    F64x8 right[3], down[3], exact[3];
-};
-
-HWY_INLINE F64x8 wide(I32x8 a) {
-    return to_f64(a);
-}
-HWY_INLINE F64x8 wide(F64x8 a) {
-    return a;
-}
-
-// Moves the lanes where they are shaded. Returns which triangles wind clockwise on the screen, in
-// this order of the vertices.
-template <class N, class Scalar>
-HWY_INLINE MaskX8 find_areas(const Vertices (&v)[3], bool wants_exact, Places& at, Areas& area) {
-    const N zero = Scalar{0}, one = Scalar{1};
-    const auto number = [](I32x8 whole) HWY_ATTR {
-        N n;
-        convert(whole, n);
-        return n;
-    };
-    const N twice = number(v[1].x - v[0].x) * number(v[2].y - v[0].y) -
-                    number(v[1].y - v[0].y) * number(v[2].x - v[0].x);
-    const N sign = select(twice < zero, N(Scalar{-1}), one);
-    N a[3], b[3], e[3];
+// How u and v lie on a register of triangles that are set up.
+HWY_INLINE void put_plane(LaneTriangles& t, int at) {
+    F64x8 a[3], b[3], inverse_w[3], f[2][3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const Vertices &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
-        a[k] = sign * number(from.y - to.y);
-        b[k] = sign * number(to.x - from.x);
-        e[k] = a[k] * number(at.x - from.x) + b[k] * number(at.y - from.y);
+        if (k > 0) {
+            a[k] = to_f64(load<I32x8>(t.right[k - 1] + at));
+            b[k] = to_f64(load<I32x8>(t.down[k - 1] + at));
+        }
+        inverse_w[k] = to_f64(load<F32x8>(t.inverse_w[k] + at));
+        f[0][k] = to_f64(load<F32x8>(t.uv[0][k] + at));
+        f[1][k] = to_f64(load<F32x8>(t.uv[1][k] + at));
     }
-    if (any(!((at.sample_x | at.sample_y) == I32x8(0)))) { // not all cover the centre
-        auto inside = zero == zero;
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            inside = inside & (e[k] >= select(is_top_left(a[k], b[k]), zero, one));
-        const MaskX8 stays = narrow(inside);
-        const I32x8 move_x = select(stays, 0, at.sample_x), move_y = select(stays, 0, at.sample_y);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            e[k] = e[k] + (a[k] * number(move_x) + b[k] * number(move_y));
-        at.x = at.x + move_x;
-        at.y = at.y + move_y;
+    a[0] = F64x8(0.0) - (a[1] + a[2]);
+    b[0] = F64x8(0.0) - (b[1] + b[2]);
+    Plane plane = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(a, b, inverse_w, f).terms();
+    for_terms(plane,
+              [&](const F64x8& term, int row) HWY_ATTR { store(term, t.uv_plane[row] + at); });
+}
+
+// Areas opposite the vertices are exact in 32 bits, or in doubles. The register is as wide as D.
+template <class D>
+struct Whole {
+    using Number = Int<D>;
+    static HWY_INLINE Number of(Int<D> a) { return a; }
+    static HWY_INLINE Number twice(const LaneTriangles& t, int, int, const Entries<D>& entries) {
+        return entries.of(t.twice);
     }
+    static HWY_INLINE Mask<D> narrow(Mask<D> mask) { return mask; }
+};
+template <class D>
+struct Wide {
+    using Number = Double<D>;
+    static HWY_INLINE Number of(Int<D> a) { return to_f64(a); }
+    static HWY_INLINE Number twice(const LaneTriangles& t, int lane, int live, const Entries<D>&) {
+        return DoubleEntries<D>(t.of_lane + lane, live).of(t.exact_twice);
+    }
+    static HWY_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
+        return HWY_NAMESPACE::narrow(mask);
+    }
+};
+
+// Of vertices 1 and 2; what is left of the triangle lies opposite vertex 0.
+template <class N>
+struct Areas {
+    N one, two;
+};
+template <class In, class D>
+HWY_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<D> right,
+                         Int<D> down) {
+    const auto across = In::of(right), along = In::of(down);
+    const auto area = [&](int k) HWY_ATTR {
+        return (In::of(entries.of(t.right[k])) * across + In::of(entries.of(t.down[k])) * along) +
+               In::of(Int<D>(0)); // no double is -0
+    };
+    return Areas<typename In::Number>{area(0), area(1)};
+}
+
+// Which lanes their triangles cover where these areas are.
+template <class In, class D, class N>
+HWY_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, const N (&area)[3]) {
+    const Int<D> zero = 0, one = 1;
+    const Int<D> a[2] = {entries.of(t.right[0]), entries.of(t.right[1])};
+    const Int<D> b[2] = {entries.of(t.down[0]), entries.of(t.down[1])};
+    const auto inside = [&](const N& at, Int<D> right, Int<D> down) HWY_ATTR {
+        return In::narrow(at >= In::of(select(is_top_left(right, down), zero, one)));
+    };
+    return inside(area[0], zero - (a[0] + a[1]), zero - (b[0] + b[1])) &
+           inside(area[1], a[0], b[0]) & inside(area[2], a[1], b[1]);
+}
+
+// Of a register of triangles of which it may not be known yet, where they are small.
+HWY_INLINE void fill_exact(LaneTriangles& t, int at) {
+    const I32x8 known = load<I32x8>(t.whole + at);
+    const F64x8 twice = to_f64(load<I32x8>(t.twice + at));
+    const auto whole = to_f64(known) > F64x8(0.5);
+    store(select(whole, twice, load<F64x8>(t.exact_twice + at)), t.exact_twice + at);
+}
+
+// Moves a register of lanes where they are shaded, and finds their weights there.
+template <class D, template <class> class In>
+HWY_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
+    using I = Int<D>;
+    using N = typename In<D>::Number;
+    const Entries<D> entries(t.of_lane + lane, live);
+    I x = load<I>(block.x + lane), y = load<I>(block.y + lane);
+    const I from_x = entries.of(t.x), from_y = entries.of(t.y);
+    const N twice = In<D>::twice(t, lane, live, entries);
+    auto found = areas_at<In<D>>(t, entries, x - from_x, y - from_y);
+    if (lane + static_cast<int>(I::kLanes) > t.centred) { // not all cover the centre
+        const I sample_x = load<I>(t.sample_x + lane), sample_y = load<I>(t.sample_y + lane);
+        const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
+        const auto mine = (iota<I>(0) < I(live)) & (iota<I>(lane) >= I(t.centred));
+        const auto moves = mine & !covered<In<D>>(t, entries, area);
+        x = x + select(moves, sample_x, I(0));
+        y = y + select(moves, sample_y, I(0));
+        store(x, block.x + lane);
+        store(y, block.y + lane);
+        found = areas_at<In<D>>(t, entries, x - from_x, y - from_y);
+    }
+    const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        area.rounded[k] = rounded(e[k]);
-    if (wants_exact) SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        area.right[k] = wide(a[k]);
-        area.down[k] = wide(b[k]);
-        area.exact[k] = wide(e[k]);
-    }
-    return narrow(twice > zero);
-}
-
-// No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
-HWY_INLINE bool are_small(const Vertices (&v)[3]) {
-    const auto extent = [](I32x8 a, I32x8 b, I32x8 c) HWY_ATTR {
-        return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
-    };
-    return all(maximum(extent(v[0].x, v[1].x, v[2].x), extent(v[0].y, v[1].y, v[2].y)) <
-               I32x8(1 << 14));
+        store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + lane);
 }
 
 // How u and v change on the screen (footprint-inl.h).
-HWY_INLINE void put_slopes(const Attribute<2>& uv, const Vertices (&v)[3], const Areas& area,
-                           LaneTriangles& out, int lane) {
-    F64x8 inverse_w[3], f[2][3];
+HWY_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int live) {
+    using D = F32x8::Tag;
+    const Entries<D> entries(t.of_lane + lane, live);
+    const DoubleEntries<D> doubles(t.of_lane + lane, live);
+    const auto found = areas_at<Wide<D>>(t, entries, load<I32x8>(block.x + lane) - entries.of(t.x),
+                                         load<I32x8>(block.y + lane) - entries.of(t.y));
+    const F64x8 area[3] = {(doubles.of(t.exact_twice) - found.one) - found.two, found.one,
+                           found.two};
+    Plane plane;
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        inverse_w[k] = to_f64(v[k].inverse_w);
-        f[0][k] = to_f64(uv.of[0][k]);
-        f[1][k] = to_f64(uv.of[1][k]);
-    }
-    const texture::HWY_NAMESPACE::PlaneOf<2, F64x8> plane(area.right, area.down, inverse_w, f);
-    const auto at = plane.at(area.exact);
+    for (int k = 0; k < 3; ++k)
+        plane.inverse_w[k] = to_f64(entries.of(t.inverse_w[k]));
+    for_terms(plane, [&](F64x8& term, int row) HWY_ATTR { term = doubles.of(t.uv_plane[row]); });
+    plane.f0[0] = plane.f0[1] = F64x8(0.0); // of the values, which nobody asks
+    const auto at = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(plane).at(area);
     SIMD_UNROLL
     for (int c = 0; c < 2; ++c) {
-        store(at.right[c], out.slope[c] + lane);
-        store(at.down[c], out.slope[2 + c] + lane);
+        store(at.right[c], t.slope[c] + lane);
+        store(at.down[c], t.slope[2 + c] + lane);
     }
 }
 
-void set_up_triangles(const TriangleSource& s, LaneTriangles& out, Block& b, int first, int count) {
-    const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
-    for (int i = first; i < first + count; i += kLanesX8) {
-        const int live = first + count - i;
-        const Corners corner = corners_of(s, out.id + i, live);
-        Vertices v[3];
-        load_vertices(s, corner, v);
-        const Turns turns = put_in_order(v);
-        Places at = {load<I32x8>(b.x + i), load<I32x8>(b.y + i), load<I32x8>(out.sample_x + i),
-                     load<I32x8>(out.sample_y + i)};
-        const bool sloped = s.wanted.uv && s.wanted.footprint;
-        Areas area;
-        const MaskX8 clockwise = are_small(v) ? find_areas<I32x8, std::int32_t>(v, sloped, at, area)
-                                              : find_areas<F64x8, double>(v, sloped, at, area);
-        const MaskX8 mine = iota<I32x8>(0) < I32x8(live);
-        store(select(mine, at.x, load<I32x8>(b.x + i)), b.x + i);
-        store(select(mine, at.y, load<I32x8>(b.y + i)), b.y + i);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            store(area.rounded[k] * v[k].inverse_w, out.weight[k] + i);
-        put_attributes(s, corner, turns, windings_of(clockwise, turns, mirrored), out, i);
-        if (!s.wanted.uv) continue;
-        const Attribute<2> uv = fetch<2>(s.uv, corner, turns);
-        put(uv, out.uv, i);
-        if (sloped) put_slopes(uv, v, area, out, i);
+void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int first, int count) {
+    const bool sloped = s.wanted.uv && s.wanted.footprint;
+    const int begin = t.of_lane[first], triangles = t.of_lane[first + count - 1] + 1;
+    bool whole = true;
+    for (int i = 0; i < kLanesX8; ++i) // registers reach beyond the last
+        t.id[t.count + i] = t.id[t.count - 1];
+    for (int i = begin; i < triangles; i += kLanesX8)
+        whole &= set_up_register(s, sloped, t, i);
+    for (int i = begin; i < triangles; i += kLanesX8) {
+        put_attributes(s, t, i);
+        if (sloped) put_plane(t, i);
     }
+    const int end = first + count;
+    if (whole) {
+        for (int i = first; i < end; i += kLanes)
+            weigh<F32::Tag, Whole>(t, b, i, end - i);
+    } else {
+        for (int i = begin; i < triangles; i += kLanesX8)
+            fill_exact(t, i);
+        for (int i = first; i < end; i += kLanesX8)
+            weigh<F32x8::Tag, Wide>(t, b, i, end - i);
+    }
+    if (!sloped) return;
+    for (int i = first; i < end; i += kLanesX8)
+        put_slopes(t, b, i, end - i);
 }
 
 SIMD_END

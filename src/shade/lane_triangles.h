@@ -1,7 +1,7 @@
-// A lane's own triangle: set up once a lane instead of once a triangle, many side by side. Cheaper
-// where triangles show in few pixels, and where pixels are shared by many; nothing is kept from
-// lane to lane, so that neither order nor number of triangles matters. The same operations as
-// shade/primitives.cpp, and so the same bits.
+// Triangles of a block's lanes: set up once a block, many side by side, whence each lane takes its
+// own's. Cheaper than one by one where triangles show in few pixels, and where pixels are shared by
+// many; nothing is kept from block to block, so that neither order nor number of triangles matters.
+// The same operations as shade/primitives.cpp, and so the same bits.
 #pragma once
 
 #include "raster/screen.h"
@@ -13,22 +13,41 @@ namespace scanout::shade {
 
 struct GatherInput;
 
-// Of lanes of a block; their vertices are in canonical order.
+// Their vertices are in canonical order.
 struct LaneTriangles {
-    // Set by the gatherer: the triangle, with all its vertices on the screen; and from the pixel's
-    // centre to a sample that shows it (1/256 pixel), where it is shaded if it does not cover the
-    // centre.
+    // Set by the gatherer: the triangles, with all their vertices on the screen; which of them each
+    // lane shows: from lane to lane of a run the same or the next one. The block's first lanes are
+    // known to be covered at their pixels' centres; of the others, from there to a sample that
+    // shows them (1/256 pixel), where they are shaded if they do not cover the centre.
+    int count = 0;
     std::uint32_t id[kRoom];
+    std::int32_t of_lane[kRoom];
+    int centred = 0;
     std::int32_t sample_x[kRoom], sample_y[kRoom];
 
-    // Set up. weight: opposite areas times 1/w, none is negative. side: what normals are multiplied
-    // by (Sides). The rest as in Primitive, [component][vertex].
+    // Set up on the way: their vertices, and which face the other way than those are wound.
+    alignas(64) std::uint32_t corner[3][kRoom];
+    alignas(64) std::int32_t turned[kRoom];
+
+    // Set up, of lanes. weight: opposite areas times 1/w, none is negative.
     alignas(64) float weight[3][kRoom];
+    alignas(64) float slope[4][kRoom]; // u_x, v_x, u_y, v_y of the block
+
+    // Of triangles. x, y: vertex 0, 1/256 pixel. How the areas opposite vertices 1 and 2 change in
+    // 1/256 pixel to the right and down; both are 0 at vertex 0, and with the third they add up to
+    // twice the triangle: modulo 2^32, which is exact for those that are `whole` (Primitive), and
+    // where doubles() wants it, exact for all.
+    alignas(64) std::int32_t x[kRoom], y[kRoom], right[2][kRoom], down[2][kRoom], twice[kRoom];
+    alignas(64) std::int32_t whole[kRoom];
+    alignas(64) double exact_twice[kRoom];
+    alignas(64) float inverse_w[3][kRoom];
+    // side: what normals are multiplied by (Sides). The rest as in Primitive, [component][vertex].
     alignas(64) float side[kRoom];
     alignas(64) float facing[3][kRoom];
     alignas(64) float normal[3][3][kRoom], uv[2][3][kRoom], colour[3][3][kRoom];
     alignas(64) float position[3][3][kRoom];
-    alignas(64) float slope[4][kRoom]; // u_x, v_x, u_y, v_y of the block
+    // How u and v lie on it (footprint-inl.h).
+    alignas(64) double uv_plane[10][kRoom];
 };
 
 // What the frame's triangles are made of.
@@ -45,7 +64,7 @@ struct TriangleSource {
 };
 TriangleSource triangle_source(const GatherInput& input);
 
-// Of lanes first to first + count, which lie at the centres of their pixels: sets up their
+// Of lanes first to first + count of a run, which lie at the centres of their pixels: sets up their
 // triangles, and moves those lanes that their triangles do not cover there.
 void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,
                   int count);

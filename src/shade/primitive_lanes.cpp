@@ -7,54 +7,40 @@
 
 SIMD_BEGIN(scanout::shade)
 
-// The edges opposite the vertices (raster::Edges) of a register of triangles.
-struct EdgeLanes {
-    std::int32_t a[3][kLanesX8], b[3][kLanesX8];
-    std::int32_t low_c[3][kLanesX8]; // modulo 2^32
-    double c[3][kLanesX8];
-    std::int32_t least[3][kLanesX8];
-    float inverse_w[3][kLanesX8];
-    std::int32_t whole[kLanesX8];
-};
-
-HWY_INLINE void find_edges(const Vertices (&v)[3], F64x8 twice, EdgeLanes& out) {
-    const I32x8 zero = 0, side = 1 << 20;
-    const MaskX8 flipped = narrow(twice < F64x8(0.0));
-    MaskX8 whole = narrow(abs(twice) < F64x8(0x1p30));
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const Vertices &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
-        const I32x8 up = from.y - to.y, right = to.x - from.x;
-        const I32x8 a = select(flipped, zero - up, up), b = select(flipped, zero - right, right);
-        store(a, out.a[k]);
-        store(b, out.b[k]);
-        store(zero - (a * from.x + b * from.y), out.low_c[k]);
-        store(F64x8(0.0) - (to_f64(a) * to_f64(from.x) + to_f64(b) * to_f64(from.y)), out.c[k]);
-        store(select(is_top_left(a, b), zero, I32x8(1)), out.least[k]);
-        store(v[k].inverse_w, out.inverse_w[k]);
-        whole = whole & (zero - side < a) & (a < side) & (zero - side < b) & (b < side);
-    }
-    store(select(whole, I32x8(1), zero), out.whole);
-}
-
 HWY_INLINE void put_vertices(const float (&from)[3][kRoom], int lane, float (&to)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         to[k] = from[k][lane];
 }
 
-HWY_INLINE void put_primitive(const TriangleSource& s, const EdgeLanes& e, const LaneTriangles& t,
-                              int lane, Primitive& p) {
+// The edge functions: a x + b y + c.
+HWY_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
+    const std::int32_t a[3] = {-(t.right[0][lane] + t.right[1][lane]), t.right[0][lane],
+                               t.right[1][lane]};
+    const std::int32_t b[3] = {-(t.down[0][lane] + t.down[1][lane]), t.down[0][lane],
+                               t.down[1][lane]};
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        p.a[k] = p.whole_a[k] = e.a[k][lane];
-        p.b[k] = p.whole_b[k] = e.b[k][lane];
-        p.c[k] = e.c[k][lane];
-        p.whole_c[k] = e.low_c[k][lane];
-        p.least[k] = e.least[k][lane];
-        p.inverse_w[k] = e.inverse_w[k][lane];
+        p.a[k] = p.whole_a[k] = a[k];
+        p.b[k] = p.whole_b[k] = b[k];
+        const std::int64_t at_vertex =
+            std::int64_t{a[k]} * t.x[lane] + std::int64_t{b[k]} * t.y[lane];
+        const std::int64_t there = k != 0 ? 0
+                                   : t.whole[lane] != 0
+                                       ? t.twice[lane]
+                                       : static_cast<std::int64_t>(t.exact_twice[lane]);
+        const std::int64_t c = there - at_vertex;
+        p.c[k] = static_cast<double>(c);
+        p.whole_c[k] = static_cast<std::int32_t>(static_cast<std::uint32_t>(c));
+        p.least[k] = a[k] > 0 || (a[k] == 0 && b[k] > 0) ? 0 : 1; // top and left edges
+        p.inverse_w[k] = t.inverse_w[k][lane];
     }
-    p.whole = e.whole[lane] != 0;
+    p.whole = t.whole[lane] != 0;
+}
+
+HWY_INLINE void put_primitive(const TriangleSource& s, const LaneTriangles& t, int lane,
+                              Primitive& p) {
+    put_edges(t, lane, p);
     const float side = t.side[lane];
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
@@ -69,24 +55,14 @@ HWY_INLINE void put_primitive(const TriangleSource& s, const EdgeLanes& e, const
 }
 
 void set_up_all(const TriangleSource& s, LaneTriangles& room, Primitive* first, int count) {
-    const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
     for (int i = 0; i < count; i += kLanesX8) {
         const int live = count - i < kLanesX8 ? count - i : kLanesX8;
+        for (int lane = 0; lane < kLanesX8; ++lane)
+            room.id[lane] = first[i + (lane < live ? lane : live - 1)].id;
+        set_up_register(s, false, room, 0);
+        put_attributes(s, room, 0);
         for (int lane = 0; lane < live; ++lane)
-            room.id[lane] = first[i + lane].id;
-        const Corners corner = corners_of(s, room.id, live);
-        Vertices v[3];
-        load_vertices(s, corner, v);
-        const Turns turns = put_in_order(v);
-        const F64x8 twice = to_f64(v[1].x - v[0].x) * to_f64(v[2].y - v[0].y) -
-                            to_f64(v[1].y - v[0].y) * to_f64(v[2].x - v[0].x);
-        EdgeLanes edges;
-        find_edges(v, twice, edges);
-        put_attributes(s, corner, turns, windings_of(narrow(twice > F64x8(0.0)), turns, mirrored),
-                       room, 0);
-        if (s.wanted.uv) put(fetch<2>(s.uv, corner, turns), room.uv, 0);
-        for (int lane = 0; lane < live; ++lane)
-            put_primitive(s, edges, room, lane, first[i + lane]);
+            put_primitive(s, room, lane, first[i + lane]);
     }
 }
 

@@ -59,14 +59,17 @@ public:
     // The numbers of a group's pixels; writes up to kBeyond more.
     static constexpr int kBeyond = 3;
     void put_pixels(const Group& group, std::int32_t* to) const {
-        for (std::uint16_t i = group.last; i != kNone;) {
-            const Span& span = span_[i];
-            Four pixel = Four{0, 1, 2, 3} + span.pixel;
-            for (int k = 0; k < span.count; k += 4, pixel += 4) // most are no longer
-                std::memcpy(to + k, &pixel, sizeof pixel);
-            to += span.count;
-            i = span.before;
-        }
+        for_fours(group,
+                  [=](int at, const Four& pixel) { std::memcpy(to + at, &pixel, sizeof pixel); });
+    }
+    // And as often the group's number.
+    void put_pixels(const Group& group, std::int32_t* to, std::int32_t* number_to,
+                    std::int32_t number) const {
+        const Four numbers = Four{} + number;
+        for_fours(group, [=](int at, const Four& pixel) {
+            std::memcpy(to + at, &pixel, sizeof pixel);
+            std::memcpy(number_to + at, &numbers, sizeof numbers);
+        });
     }
 
 private:
@@ -83,6 +86,20 @@ private:
         span_[spans_] = {static_cast<std::uint16_t>(pixel), before,
                          static_cast<std::uint16_t>(count), 0};
         return static_cast<std::uint16_t>(spans_++);
+    }
+    // put(place of a pixel in the group, that one and the three behind it).
+    template <class Put>
+    void for_fours(const Group& group, const Put& put) const {
+        const Span* const spans = span_.data();
+        int at = 0;
+        for (std::uint16_t i = group.last; i != kNone;) {
+            const Span span = spans[i];
+            Four pixel = Four{0, 1, 2, 3} + span.pixel;
+            for (int k = 0; k < span.count; k += 4, pixel += 4) // most are no longer
+                put(at + k, pixel);
+            at += span.count;
+            i = span.before;
+        }
     }
     void add_group(const Look& look, std::uint32_t id, int pixel, int count);
 

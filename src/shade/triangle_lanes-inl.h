@@ -1,4 +1,5 @@
-// Triangles in the lanes of a register: their vertices in canonical order, and what those carry.
+// Triangles in the lanes of a register: their vertices in canonical order, the edges between them,
+// and what those carry.
 // The same operations as shade/primitives.cpp, and so the same bits. Included once for every SIMD
 // target.
 #if defined(SCANOUT_SHADE_TRIANGLE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -55,34 +56,91 @@ HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
     return turns;
 }
 
-// Vertices in file order. Lanes from `count` on repeat the last one.
-struct Corners {
-    std::uint32_t of[3][kLanesX8];
-};
-HWY_INLINE Corners corners_of(const TriangleSource& source, const std::uint32_t* id, int count) {
-    Corners corner;
+// Of a register of triangles, in the order of the file. In memory, whence they are read one by one.
+HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
     SIMD_UNROLL
-    for (int lane = 0; lane < kLanesX8; ++lane) {
-        const std::uint32_t triangle = id[lane < count ? lane : count - 1];
+    for (int lane = at; lane < at + kLanesX8; ++lane) {
+        const std::uint32_t* index = source.index + std::size_t{out.id[lane]} * 3;
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
-            corner.of[k][lane] = source.index[std::size_t{triangle} * 3 + std::size_t(k)];
+            out.corner[k][lane] = index[k];
     }
-    return corner;
+}
+// Into the order that their vertices have been put in: cheaper than to turn all that they carry.
+HWY_INLINE void turn_corners(const Turns& turns, LaneTriangles& out, int at) {
+    I32x8 corner[3] = {load<I32x8>(out.corner[0] + at), load<I32x8>(out.corner[1] + at),
+                       load<I32x8>(out.corner[2] + at)};
+    turn(turns, corner);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        store(corner[k], out.corner[k] + at);
 }
 
-HWY_INLINE void load_vertices(const TriangleSource& source, const Corners& corner,
+HWY_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles& of, int at,
                               Vertices (&v)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const auto at = vertices_at<F32x8>(source.vertex, corner.of[k]);
-        v[k] = {at.word(0), at.word(1),
-                source.perspective ? to_f32(at.last_double()) : F32x8(1.0F)};
+        const auto found = vertices_at<F32x8>(source.vertex, of.corner[k] + at);
+        v[k] = {found.word(0), found.word(1),
+                source.perspective ? to_f32(found.last_double()) : F32x8(1.0F)};
     }
 }
 
 HWY_INLINE MaskX8 narrow(const F64x8::DoubleMask& mask) {
     return to_f32(select(mask, F64x8(1.0), F64x8(0.0))) > F32x8(0.5F);
+}
+
+// No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
+HWY_INLINE bool are_small(const Vertices (&v)[3]) {
+    const auto extent = [](I32x8 a, I32x8 b, I32x8 c) HWY_ATTR {
+        return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
+    };
+    return all(maximum(extent(v[0].x, v[1].x, v[2].x), extent(v[0].y, v[1].y, v[2].y)) <
+               I32x8(1 << 14));
+}
+
+// Twice the area of a register of triangles, counter-clockwise below 0 as y runs down.
+struct Doubled {
+    MaskX8 below_zero, above_zero, whole;
+    I32x8 low; // its amount, modulo 2^32
+};
+HWY_INLINE Doubled doubled(const Vertices (&v)[3], bool wants_exact, double* exact) {
+    const I32x8 right_1 = v[1].x - v[0].x, down_1 = v[1].y - v[0].y, right_2 = v[2].x - v[0].x,
+                down_2 = v[2].y - v[0].y, zero = 0;
+    const I32x8 low = right_1 * down_2 - down_1 * right_2;
+    if (are_small(v) & !wants_exact)
+        return {low<zero, low> zero, zero == zero, maximum(low, zero - low)};
+    const F64x8 twice = to_f64(right_1) * to_f64(down_2) - to_f64(down_1) * to_f64(right_2);
+    const MaskX8 below_zero = narrow(twice < F64x8(0.0));
+    store(abs(twice), exact);
+    // Below 2^30 inside, and a pixel further by less than 2^30 more: sides of less than 2^20.
+    MaskX8 whole = narrow(abs(twice) < F64x8(0x1p30));
+    const I32x8 side = 1 << 20;
+    const I32x8 steps[6] = {right_1, down_1, right_2, down_2, right_2 - right_1, down_2 - down_1};
+    SIMD_UNROLL
+    for (const I32x8& step : steps)
+        whole = whole & (zero - side < step) & (step < side);
+    return {below_zero, narrow(twice > F64x8(0.0)), whole, select(below_zero, zero - low, low)};
+}
+
+// The areas opposite the vertices.
+HWY_INLINE void put_areas(const Vertices (&v)[3], const Doubled& twice, LaneTriangles& out,
+                          int lane) {
+    const I32x8 zero = 0;
+    store(v[0].x, out.x + lane);
+    store(v[0].y, out.y + lane);
+    store(twice.low, out.twice + lane);
+    store(select(twice.whole, I32x8(1), zero), out.whole + lane);
+    SIMD_UNROLL
+    for (int k = 1; k < 3; ++k) { // the edge from vertex 2 to 0, or 0 to 1
+        const Vertices &from = v[k == 1 ? 2 : 0], &to = v[k == 1 ? 0 : 1];
+        const I32x8 up = from.y - to.y, right = to.x - from.x;
+        store(select(twice.below_zero, zero - up, up), out.right[k - 1] + lane);
+        store(select(twice.below_zero, zero - right, right), out.down[k - 1] + lane);
+    }
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        store(v[k].inverse_w, out.inverse_w[k] + lane);
 }
 
 // Attributes of kComponents floats a vertex, in canonical order: of[component][vertex].
@@ -91,7 +149,7 @@ struct Attribute {
     F32x8 of[kComponents][3];
 };
 template <int kComponents>
-HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t (&index)[kLanesX8], int vertex,
+HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int vertex,
                              Attribute<kComponents>& to) {
     const auto at = [&](int lane) HWY_ATTR {
         return reinterpret_cast<const std::int32_t*>(from) + std::size_t{index[lane]} * kComponents;
@@ -103,18 +161,14 @@ HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t (&index)[kLa
         blocks = load_three<F32x8::Tag>(at);
     SIMD_UNROLL
     for (int c = 0; c < kComponents; ++c)
-        to.of[c][vertex] = from_bits(blocks.word(c == 2 ? 3 : c));
+        to.of[c][vertex] = from_bits(blocks.word(c == 2 ? kThird : c));
 }
 template <int kComponents>
-HWY_INLINE Attribute<kComponents> fetch(const float* from, const Corners& corner,
-                                        const Turns& turns) {
+HWY_INLINE Attribute<kComponents> fetch(const float* from, const LaneTriangles& of, int at) {
     Attribute<kComponents> fetched;
-    fetch_vertex(from, corner.of[0], 0, fetched);
-    fetch_vertex(from, corner.of[1], 1, fetched);
-    fetch_vertex(from, corner.of[2], 2, fetched);
     SIMD_UNROLL
-    for (int c = 0; c < kComponents; ++c)
-        turn(turns, fetched.of[c]);
+    for (int k = 0; k < 3; ++k)
+        fetch_vertex(from, of.corner[k] + at, k, fetched);
     return fetched;
 }
 template <int kComponents>
@@ -176,27 +230,44 @@ HWY_INLINE Windings windings_of(MaskX8 clockwise_in_order, const Turns& turns, M
     return {differ(behind, differ(turns.of[0], differ(turns.of[1], turns.of[2]))), behind};
 }
 
-// The side that normals are on, and `facing` (Vertices in shade/primitives.cpp).
-HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, const MeshPlaces& place,
-                          LaneTriangles& out, int lane) {
+// The side that normals are on, and which way `facing` goes (Vertices in shade/primitives.cpp).
+HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, LaneTriangles& out,
+                          int lane) {
     const MaskX8 none = F32x8(0.0F) > F32x8(0.0F);
     store(select(s.sides == Sides::face ? behind.of_file : none, F32x8(-1.0F), F32x8(1.0F)),
           out.side + lane);
     if (!s.wants_facing()) return;
-    put_facing(place,
-               s.sides == Sides::file ? differ(behind.of_order, behind.of_file) : behind.of_order,
-               out, lane);
+    const MaskX8 turned =
+        s.sides == Sides::file ? differ(behind.of_order, behind.of_file) : behind.of_order;
+    store(select(turned, I32x8(1), I32x8(0)), out.turned + lane);
 }
 
-// What the vertices carry, besides u and v.
-HWY_INLINE void put_attributes(const TriangleSource& s, const Corners& corner, const Turns& turns,
-                               const Windings& behind, LaneTriangles& out, int lane) {
-    MeshPlaces place;
-    if (s.wanted.position || s.wants_facing()) place = fetch<3>(s.position, corner, turns);
-    put_sides(s, behind, place, out, lane);
-    if (s.wanted.normal) put(fetch<3>(s.normal, corner, turns), out.normal, lane);
-    if (s.wanted.colour) put(fetch<3>(s.colour, corner, turns), out.colour, lane);
-    if (s.wanted.position) put_positions(s, place, out, lane);
+// A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.
+// Returns whether all are whole; exact_twice is set where not all are, or if it is wanted.
+HWY_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneTriangles& out,
+                                int at) {
+    put_corners(s, out, at);
+    Vertices v[3];
+    load_vertices(s, out, at, v);
+    const Turns turns = put_in_order(v);
+    turn_corners(turns, out, at);
+    const Doubled twice = doubled(v, wants_exact, out.exact_twice + at);
+    put_areas(v, twice, out, at);
+    const MaskX8 mirrored = F32x8(s.mirrored ? 1.0F : 0.0F) > F32x8(0.0F);
+    put_sides(s, windings_of(twice.above_zero, turns, mirrored), out, at);
+    return all(twice.whole);
+}
+// And then what their vertices carry: not at once with it, so that compilers leave the corners in
+// memory, and so that no load waits for them.
+HWY_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int at) {
+    if (s.wanted.position || s.wants_facing()) {
+        const MeshPlaces place = fetch<3>(s.position, out, at);
+        if (s.wants_facing()) put_facing(place, load<I32x8>(out.turned + at) == I32x8(1), out, at);
+        if (s.wanted.position) put_positions(s, place, out, at);
+    }
+    if (s.wanted.normal) put(fetch<3>(s.normal, out, at), out.normal, at);
+    if (s.wanted.colour) put(fetch<3>(s.colour, out, at), out.colour, at);
+    if (s.wanted.uv) put(fetch<2>(s.uv, out, at), out.uv, at);
 }
 
 SIMD_END

@@ -92,7 +92,16 @@ HWY_INLINE WordBlocks<D> load_two(const At& at) {
         return hn::ZeroExtendVector(tag, hn::LoadU(half, at(lane)));
     });
 }
-// Where three are: they become words 0, 1 and 3.
+// Where three are: they become words 0, 1 and kThird.
+#if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86 // loads three and leaves the fourth alone
+inline constexpr int kThird = 2;
+template <class D, class At>
+HWY_INLINE WordBlocks<D> load_three(const At& at) {
+    return load_rows<D>([&](auto tag, int lane)
+                            HWY_ATTR { return hn::MaskedLoad(hn::FirstN(tag, 3), tag, at(lane)); });
+}
+#else
+inline constexpr int kThird = 3;
 template <class D, class At>
 HWY_INLINE WordBlocks<D> load_three(const At& at) {
     return load_rows<D>([&](auto tag, int lane) HWY_ATTR {
@@ -101,6 +110,7 @@ HWY_INLINE WordBlocks<D> load_three(const At& at) {
         return hn::Combine(tag, hn::LoadU(half, from + 1), hn::LoadU(half, from));
     });
 }
+#endif
 
 } // namespace scanout::simd::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -122,6 +122,10 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
     }
 }
 
+std::uint32_t id_at(const LaneTriangles& triangles, int lane) {
+    return triangles.id[triangles.of_lane[lane]];
+}
+
 // Light that is another in each triangle and at each sample, so that sums tell their order.
 float speckle(std::uint32_t id, int x, int y, std::uint32_t channel) {
     const std::uint32_t mixed = (id * 0x9e3779b9U ^ static_cast<std::uint32_t>(x * 40503 + y)) *
@@ -137,7 +141,7 @@ const Stage kSpeckled{{.axis = "test", .name = "speckled", .blurb = "", .source 
                                   for (std::uint32_t c = 0; c < 3; ++c)
                                       block.albedo[c][i] = block.colour[c][i] =
                                           speckle(primitive != nullptr ? primitive->id
-                                                                       : block.triangles->id[i],
+                                                                       : id_at(*block.triangles, i),
                                                   block.x[i], block.y[i], c);
                           }
                       }};

@@ -13,6 +13,7 @@
 
 #include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
+#include "simd/entries-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
@@ -31,21 +32,20 @@ struct OfRun {
 };
 struct OfLanes {
     const LaneTriangles& t;
-    int lane; // the register's first
+    Entries<F32::Tag> entries; // of the register's lanes
     HWY_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
-        return mix(w, load<F32>(vertex[0] + lane), load<F32>(vertex[1] + lane),
-                   load<F32>(vertex[2] + lane));
+        return mix(w, entries.of(vertex[0]), entries.of(vertex[1]), entries.of(vertex[2]));
     }
     HWY_INLINE F32 normal(const Weights& w, int c) const {
-        const F32 side = load<F32>(t.side + lane);
+        const F32 side = entries.of(t.side);
         const auto& vertex = t.normal[c];
-        return mix(w, load<F32>(vertex[0] + lane) * side, load<F32>(vertex[1] + lane) * side,
-                   load<F32>(vertex[2] + lane) * side);
+        return mix(w, entries.of(vertex[0]) * side, entries.of(vertex[1]) * side,
+                   entries.of(vertex[2]) * side);
     }
     HWY_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
     HWY_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
     HWY_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
-    HWY_INLINE F32 facing(int c) const { return load<F32>(t.facing[c] + lane); }
+    HWY_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
 };
 
 // How a frame wants its normals. Asked for every register of lanes: as a template's argument it
@@ -180,11 +180,13 @@ HWY_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) 
 // The same at lanes that have triangles of their own.
 HWY_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
     const LaneTriangles& t = *b.triangles;
-    for (int i = run.first; i < run.first + run.count; i += kLanes)
-        put(b, want, OfLanes{t, i},
+    for (int i = run.first; i < run.first + run.count; i += kLanes) {
+        const Live live{i, run.first + run.count - i};
+        put(b, want, OfLanes{t, {t.of_lane + i, live.count}},
             weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
-                       load<F32>(t.weight[2] + i), {i, run.first + run.count - i}),
+                       load<F32>(t.weight[2] + i), live),
             i);
+    }
 }
 
 // All runs of a block; Rung::lanes fills those of one.

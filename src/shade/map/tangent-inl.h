@@ -12,7 +12,7 @@
 
 #include "shade/lane_triangles.h"
 
-#include "simd/lanes-inl.h"
+#include "simd/entries-inl.h"
 
 SIMD_BEGIN(scanout::shade::map)
 
@@ -79,8 +79,10 @@ HWY_INLINE void write_tangents(Block& b, const FrameState& frame) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
             const auto facing = [&](int c) HWY_ATTR {
-                return run->primitive != nullptr ? F32x8(run->primitive->facing[c])
-                                                 : load<F32x8>(b.triangles->facing[c] + i);
+                if (run->primitive != nullptr) return F32x8(run->primitive->facing[c]);
+                const LaneTriangles& t = *b.triangles;
+                return Entries<F32x8::Tag>(t.of_lane + i, run->first + run->count - i)
+                    .of(t.facing[c]);
             };
             const F32x8 f[3] = {facing(0), facing(1), facing(2)};
             const auto row = [&](int r) HWY_ATTR {

@@ -11,7 +11,7 @@
 #include "shade/shadow.h"
 #include "shade/stage.h"
 
-#include "simd/lanes-inl.h"
+#include "simd/entries-inl.h"
 
 SIMD_BEGIN(scanout::shade::shadow)
 
@@ -30,9 +30,9 @@ struct OfRun {
 };
 struct OfLanes {
     const LaneTriangles& t;
-    int lane; // the register's first
-    HWY_INLINE F32x8 facing(int c) const { return load<F32x8>(t.facing[c] + lane); }
-    HWY_INLINE F32x8 position(int c, int k) const { return load<F32x8>(t.position[c][k] + lane); }
+    Entries<F32x8::Tag> entries; // of the register's lanes
+    HWY_INLINE F32x8 facing(int c) const { return entries.of(t.facing[c]); }
+    HWY_INLINE F32x8 position(int c, int k) const { return entries.of(t.position[c][k]); }
 };
 
 HWY_INLINE F64x8 dot(const F64x8 (&a)[3], const F64x8 (&b)[3]) {
@@ -83,9 +83,12 @@ HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
             const int end = run->first + run->count;
             const int step = run->primitive != nullptr ? run->count : kLanesX8;
             for (int i = run->first; i < end; i += step) {
+                const auto of_lanes = [&]() HWY_ATTR {
+                    return OfLanes{*b.triangles, {b.triangles->of_lane + i, end - i}};
+                };
                 const Facing facing = run->primitive != nullptr
                                           ? facing_of(OfRun{*run->primitive}, frame, light)
-                                          : facing_of(OfLanes{*b.triangles, i}, frame, light);
+                                          : facing_of(of_lanes(), frame, light);
                 const std::uint32_t lit = bits(facing.lit);
                 if (lit != 0) share(k, i, i + step, facing, left);
                 if (lit == (1U << kLanesX8) - 1) continue;
