@@ -30,18 +30,23 @@ public:
         parts_.back().end = size_;
     }
 
-    // Those pixels of a row whose bit is set, `first` and those after it, each with its own
-    // triangle.
+    // Those pixels of a row whose bit is set, `first` and those after it; pixels side by side may
+    // show the same triangle.
     void add_row(std::int32_t material, const std::uint32_t* id, int first, std::uint64_t pixels) {
         if (pixels == 0) return;
         if (parts_.empty()) parts_.push_back({material, size_, 0});
-        for (; pixels != 0; pixels &= pixels - 1) {
+        std::size_t triangle = triangles_, size = size_;
+        std::uint32_t last = id[std::countr_zero(pixels)];
+        for (; pixels != 0; pixels &= pixels - 1, ++size) {
             const int x = std::countr_zero(pixels);
-            pixel_[size_] = first + x;
-            triangle_[size_++] = static_cast<std::int32_t>(triangles_);
-            id_[triangles_++] = id[x];
+            triangle += id[x] != last ? 1 : 0;
+            last = id[x];
+            pixel_[size] = first + x;
+            triangle_[size] = static_cast<std::int32_t>(triangle);
+            id_[triangle] = last;
         }
-        parts_.back().end = size_;
+        triangles_ = triangle + 1;
+        parts_.back().end = size_ = size;
     }
 
     // Materials one after the other. add() may not follow.

@@ -147,16 +147,19 @@ int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample
     std::int32_t* const pixel = pixel_;
     Share* const share = share_.get();
     int lane = b.count, triangle = t.count;
+    std::uint32_t last = ids[std::countr_zero(found.first[s])]; // neighbours may show the same
     for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {
         const int x = std::countr_zero(rest);
+        triangle += ids[x] != last ? 1 : 0;
+        last = ids[x];
         t.of_lane[lane] = triangle;
-        t.id[triangle++] = ids[x];
+        t.id[triangle] = last;
         t.sample_x[lane] = right;
         t.sample_y[lane] = down;
         pixel[lane] = row * kTileSize + x;
         share[lane] = {place_of_[static_cast<std::size_t>(x)], 0, shares[x], kNoLayer};
     }
-    t.count = triangle;
+    t.count = triangle + 1;
     add_lanes(b, nullptr, count);
     return count;
 }
