@@ -45,9 +45,10 @@ struct Box {
 };
 
 // Does the triangle, tiny and not without area, cover no sample of its box? No lane's box is larger
-// than kSide each way. The box cuts the triangle only at the picture's edge: only for lanes that lie
-// there (at_edge: some do) is a sample outside the box told from one within, so that what a lane
-// says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers below 2^23.
+// than kSide each way. The box cuts the triangle only at the picture's edge: only for lanes that
+// lie there (at_edge: some do) is a sample outside the box told from one within, so that what a
+// lane says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers below
+// 2^23.
 template <int kSide>
 HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
                              Mask32 negative, const Box& box, bool at_edge) {

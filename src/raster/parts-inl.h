@@ -13,166 +13,204 @@
 
 SIMD_BEGIN(scanout::raster)
 
+// All of this is for registers of any width: strips are set up eight at a time, specks as many as a
+// register holds.
+
 // A vertex relative to the corner of the first block: x + 2^16 y, both below 2^14, and its depth.
+template <class D>
 struct NearCorner {
-    F64x8 place, depth;
+    Double<D> place, depth;
 };
 
-HWY_INLINE void sort_two(NearCorner& a, NearCorner& b) {
+template <class D>
+HWY_INLINE void sort_two(NearCorner<D>& a, NearCorner<D>& b) {
     const auto turn = b.place < a.place;
     exchange(turn, a.place, b.place);
     exchange(turn, a.depth, b.depth);
 }
 
 // The parts of a register, in pixels of the tile.
+template <class D>
 struct PartLanes {
-    I32x8 x0, y0, x1, y1; // what may hold samples
-    I32x8 left, top;      // of the first block
-    NearCorner vertex[3];
-    std::uint32_t name[kLanesX8];
+    Int<D> x0, y0, x1, y1; // what may hold samples
+    Int<D> left, top;      // of the first block
+    NearCorner<D> vertex[3];
+    std::uint32_t name[Int<D>::kLanes];
 };
 
 // The vertices of a register of parts.
+template <class D>
 struct PartCorners {
-    std::uint32_t at[3][kLanesX8];
+    std::uint32_t at[3][Int<D>::kLanes];
 };
 // Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
 // asked for, and the indices of those that are two registers further on.
-HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners& out) {
+template <class D>
+HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>& out) {
+    constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
     const auto last = static_cast<int>(list.parts.size()) - 1;
     if (first > last) return;
     const auto index = [&](int i) {
         return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].triangle} * 3;
     };
-    for (int i = 0; i < kLanesX8; ++i) {
+    for (int i = 0; i < kWidth; ++i) {
         const std::uint32_t* corner = index(first + i);
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k) {
             out.at[k][i] = corner[k];
             __builtin_prefetch(list.vertices.data() + corner[k]);
         }
-        __builtin_prefetch(index(first + i + 2 * kLanesX8));
+        __builtin_prefetch(index(first + i + 2 * kWidth));
     }
 }
 
 // A register of parts; the last stands for what is missing.
+template <class D>
 struct StoredParts {
-    I32x8 triangle, where;
+    Int<D> triangle, where;
 };
-HWY_INLINE StoredParts stored_parts(const TilePart* part, int count) {
+template <class D>
+HWY_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
     static_assert(sizeof(TilePart) == 8);
-    const I32x8 at = shift_left<1>(minimum(iota<I32x8>(0), I32x8(count - 1)));
+    const Int<D> at = shift_left<1>(minimum(iota<Int<D>>(0), Int<D>(count - 1)));
     const auto* stored = reinterpret_cast<const std::int32_t*>(part);
     return {gather(stored, at), gather(stored + 1, at)};
 }
 
+// x, y and depth of vertices; those of sixteen lanes come in two eights.
+template <class D>
+struct ScreenLanes {
+    Int<D> x, y;
+    Double<D> depth;
+};
+template <class D>
+HWY_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::uint32_t* index) {
+    if constexpr (Int<D>::kLanes <= 8) {
+        const auto v = vertices_at<Float<D>>(vertices, index);
+        return {v.word(0), v.word(1), v.last_double()};
+    } else {
+        const auto low = screen_lanes<F32x8::Tag>(vertices, index);
+        const auto high = screen_lanes<F32x8::Tag>(vertices, index + kLanesX8);
+        const auto both = [](auto a, auto b) HWY_ATTR {
+            return Int<D>(hn::Combine(typename Int<D>::Tag(), b.raw, a.raw));
+        };
+        const auto depths = [](auto a, auto b) HWY_ATTR { return Double<D>(a.raw, b.raw); };
+        return {both(low.x, high.x), both(low.y, high.y), depths(low.depth, high.depth)};
+    }
+}
+
+template <class D>
 HWY_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
-                           int count, const PartCorners& corner, PartLanes& out) {
+                           int count, const PartCorners<D>& corner, PartLanes<D>& out) {
     using P = TilePart;
-    const StoredParts s = stored_parts(part, count);
+    using N = Int<D>;
+    const auto s = stored_parts<D>(part, count);
     store(s.triangle, out.name);
-    out.x0 = s.where & I32x8(63);
-    out.y0 = shift_right<P::kFirstRow>(s.where) & I32x8(63);
-    out.x1 = shift_right<P::kEndColumn>(s.where) & I32x8(127);
+    out.x0 = s.where & N(63);
+    out.y0 = shift_right<P::kFirstRow>(s.where) & N(63);
+    out.x1 = shift_right<P::kEndColumn>(s.where) & N(127);
     out.y1 = shift_right<P::kEndRow>(s.where);
-    out.left = out.x0 & I32x8(-8);
-    out.top = out.y0 & I32x8(-8);
-    const I32x8 corner_x = shift_left<kSubpixelBits>(out.left + I32x8(tile.area.x0));
-    const I32x8 corner_y = shift_left<kSubpixelBits>(out.top + I32x8(tile.area.y0));
+    out.left = out.x0 & N(-8);
+    out.top = out.y0 & N(-8);
+    const N corner_x = shift_left<kSubpixelBits>(out.left + N(tile.area.x0));
+    const N corner_y = shift_left<kSubpixelBits>(out.top + N(tile.area.y0));
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const auto v = vertices_at<F32x8>(list.vertices.data(), corner.at[k]);
-        const I32x8 x = v.word(0) - corner_x, y = v.word(1) - corner_y;
-        out.vertex[k].place = to_f64(shift_left<16>(y) + x);
-        out.vertex[k].depth = v.last_double();
+        const auto v = screen_lanes<D>(list.vertices.data(), corner.at[k]);
+        out.vertex[k].place = to_f64(shift_left<16>(v.y - corner_y) + (v.x - corner_x));
+        out.vertex[k].depth = v.depth;
     }
 }
 
 // Edge functions a x + b y + c, positive inside, from the corner of the first block on; below 2^28.
 // bias: the top-left rule.
+template <class D>
 struct PartEdges {
-    I32x8 a[3], b[3], c[3], bias[3];
-    I32x8 area; // twice the triangle's
+    Int<D> a[3], b[3], c[3], bias[3];
+    Int<D> area; // twice the triangle's
 };
 
-// The top-left rule.
-HWY_INLINE I32x8 bias_of(I32x8 a, I32x8 b) {
-    return select(is_top_left(a, b), I32x8(0), I32x8(-1));
-}
-
-HWY_INLINE PartEdges edges_of(const PartLanes& part) {
-    I32x8 x[3], y[3];
+template <class D>
+HWY_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
+    using N = Int<D>;
+    const N zero = 0;
+    N x[3], y[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const I32x8 place = to_i32(part.vertex[k].place);
-        y[k] = shift_right<16>(place + I32x8(1 << 15));
+        const N place = to_i32(part.vertex[k].place);
+        y[k] = shift_right<16>(place + N(1 << 15));
         x[k] = place - shift_left<16>(y[k]);
     }
-    const I32x8 twice = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
-    const MaskX8 turned = twice < I32x8(0);
-    PartEdges e;
-    e.area = select(turned, I32x8(0) - twice, twice);
+    const N twice = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    const Mask<D> turned = twice < zero;
+    PartEdges<D> e;
+    e.area = select(turned, zero - twice, twice);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const int from = k == 2 ? 0 : k + 1, to = k == 0 ? 2 : k - 1;
-        const I32x8 a = y[from] - y[to], b = x[to] - x[from];
-        e.a[k] = select(turned, I32x8(0) - a, a);
-        e.b[k] = select(turned, I32x8(0) - b, b);
-        e.c[k] = I32x8(0) - (e.a[k] * x[from] + e.b[k] * y[from]);
-        e.bias[k] = bias_of(e.a[k], e.b[k]);
+        const N a = y[from] - y[to], b = x[to] - x[from];
+        e.a[k] = select(turned, zero - a, a);
+        e.b[k] = select(turned, zero - b, b);
+        e.c[k] = zero - (e.a[k] * x[from] + e.b[k] * y[from]);
+        e.bias[k] = select(is_top_left(e.a[k], e.b[k]), zero, N(-1));
     }
     return e;
 }
 
 // At the corner of a pixel. column, row: from the first block's corner.
-HWY_INLINE void edges_at_pixel(const PartEdges& e, I32x8 column, I32x8 row, I32x8 (&out)[3]) {
+template <class D>
+HWY_INLINE void edges_at_pixel(const PartEdges<D>& e, Int<D> column, Int<D> row, Int<D> (&out)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         out[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * column + e.b[k] * row);
 }
 
-HWY_INLINE F64x8 depth_of(const I32x8 (&edge)[3], const F64x8 (&share)[3]) {
-    const F64x8 exact[3] = {to_f64(edge[0]), to_f64(edge[1]), to_f64(edge[2])};
+template <class D>
+HWY_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)[3]) {
+    const Double<D> exact[3] = {to_f64(edge[0]), to_f64(edge[1]), to_f64(edge[2])};
     return depth_of(exact, share);
 }
 
 // At the samples of one place in the pattern, so that the sign tells which side they lie on.
 // corner: the edges at the corner of the first pixel.
-HWY_INLINE void edges_at(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
-                         I32x8 (&out)[3]) {
+template <class D>
+HWY_INLINE void edges_at(const PartEdges<D>& e, const Int<D> (&corner)[3], SampleOffset at,
+                         Int<D> (&out)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        out[k] = (corner[k] + e.bias[k]) + (e.a[k] * I32x8(at.x) + e.b[k] * I32x8(at.y));
+        out[k] = (corner[k] + e.bias[k]) + (e.a[k] * Int<D>(at.x) + e.b[k] * Int<D>(at.y));
 }
 
 // A register of parts with what all kinds need.
+template <class D>
 struct SetUpParts {
-    PartLanes part;
-    PartEdges edges;
-    DepthPlane plane;
+    PartLanes<D> part;
+    PartEdges<D> edges;
+    DepthPlane<D> plane;
     std::uint32_t live; // has an area
 };
+template <class D>
 HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
-                             const TilePart* first, int count, const PartCorners& corner,
-                             SetUpParts& s) {
+                             const TilePart* first, int count, const PartCorners<D>& corner,
+                             SetUpParts<D>& s) {
     load_parts(tile, list, first, count, corner, s.part);
     put_in_order(s.part.vertex);
     s.edges = edges_of(s.part);
-    F64x8 a[3], b[3];
+    Double<D> a[3], b[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         a[k] = to_f64(s.edges.a[k]);
         b[k] = to_f64(s.edges.b[k]);
     }
-    const NearCorner(&v)[3] = s.part.vertex;
-    // All steps together are at most 2^14 (kSmallSide). Depths over which a flat plane goes differ by
-    // a sixteenth, or by the rounding of sums; so from this area on terms are less than 2^9 times the
-    // least depth, which is what depth_plane asks.
+    const NearCorner<D>(&v)[3] = s.part.vertex;
+    // All steps together are at most 2^14 (kSmallSide). Depths over which a flat plane goes differ
+    // by a sixteenth, or by the rounding of sums; so from this area on terms are less than 2^9
+    // times the least depth, which is what depth_plane asks.
     constexpr std::int32_t kPlain = 1 << 6;
-    const bool cancels = any(s.edges.area < I32x8(kPlain));
-    s.plane = depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b,
-                          to_f64(maximum(s.edges.area, 1)), cancels);
-    s.live = bits(s.edges.area > I32x8(0)) & ((2U << (count - 1)) - 1);
+    const bool cancels = any(s.edges.area < Int<D>(kPlain));
+    const Double<D> depth[3] = {v[0].depth, v[1].depth, v[2].depth};
+    s.plane = depth_plane(depth, a, b, to_f64(maximum(s.edges.area, Int<D>(1))), cancels);
+    s.live = bits(s.edges.area > Int<D>(0)) & ((2U << (count - 1)) - 1);
 }
 
 SIMD_END

@@ -9,8 +9,12 @@
 
 SIMD_BEGIN(scanout::raster)
 
+using PartLanesX8 = PartLanes<F32x8::Tag>;
+using PartEdgesX8 = PartEdges<F32x8::Tag>;
+using SetUpPartsX8 = SetUpParts<F32x8::Tag>;
+
 // For rows from `begin` on.
-HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], SampleOffset at,
+HWY_INLINE void set_up_samples(const PartEdgesX8& e, const I32x8 (&corner)[3], SampleOffset at,
                                I32x8 begin, Blocks& out) {
     I32x8 first[3];
     edges_at(e, corner, at, first);
@@ -25,8 +29,8 @@ HWY_INLINE void set_up_samples(const PartEdges& e, const I32x8 (&corner)[3], Sam
 
 // Depth by the edge functions at every sample, in double (coverage.h).
 template <Shows kShows>
-HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanes& part,
-                                   const PartEdges& edges, const F64x8 (&share)[3],
+HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanesX8& part,
+                                   const PartEdgesX8& edges, const F64x8 (&share)[3],
                                    std::uint32_t live, I32x8& drawn) {
     Blocks b;
     const I32x8 row = part.y0 - part.top;
@@ -66,10 +70,10 @@ struct Strips {
 constexpr int kAcross = BlockWalk::kSide / kLanesX8; // registers, of a row
 
 // The blocks' depths. Returns the lanes of which something may be seen.
-HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
+HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
                                       I32x8 x1, std::uint32_t live, Strips& out) {
     constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
-    const PartLanes& part = s.part;
+    const PartLanesX8& part = s.part;
     const I32x8 left = x0 & I32x8(-kSide), right = left + I32x8(kSide);
     I32x8 edge[3], step[3];
     SIMD_UNROLL
@@ -182,10 +186,10 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
 }
 
 template <Shows kShows>
-HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x0,
+HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
                             std::uint32_t live, Blocks& b, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
-    const PartLanes& part = s.part;
+    const PartLanesX8& part = s.part;
     const I32x8 x1 = minimum(part.x1, x0 + I32x8(kSide));
     Strips strips;
     const std::uint32_t seen = set_up_depth(tile, s, x0, x1, live, strips);
@@ -216,7 +220,7 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpParts& s, I32x8 x
 }
 
 template <Shows kShows>
-HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
+HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpPartsX8& s, std::uint32_t live,
                                 I32x8& drawn) {
     Blocks b;
     store(I32x8(0), b.begin);
@@ -231,9 +235,9 @@ HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpParts& s, std
 // A register of them at most.
 template <Shows kShows>
 HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-    PartCorners corner;
+    PartCorners<F32x8::Tag> corner;
     read_corners(list, 0, corner);
-    SetUpParts s;
+    SetUpPartsX8 s;
     set_up_parts(tile, list, list.parts.data(), static_cast<int>(list.parts.size()), corner, s);
     draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
 }
@@ -243,40 +247,37 @@ template <Shows kShows>
 class SteepParts {
 public:
     // Those of a register whose bit is set.
-    HWY_INLINE void add(const TilePart* first, std::uint32_t some) {
-        for (; some != 0; some &= some - 1)
+    HWY_INLINE void add(const TilePlanes& tile, const TilePartList& list, const TilePart* first,
+                        std::uint32_t some, I32x8& drawn) {
+        for (; some != 0; some &= some - 1) {
             part_[count_++] = first[__builtin_ctz(some)];
+            if (count_ == kLanesX8) draw_rest(tile, list, drawn);
+        }
     }
-    HWY_INLINE void draw_full(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        if (count_ < kLanesX8) return;
-        draw(tile, list, kLanesX8, drawn);
-        count_ -= kLanesX8;
-        for (int i = 0; i < count_; ++i)
-            part_[i] = part_[kLanesX8 + i];
-    }
-    HWY_INLINE void draw_rest(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        if (count_ > 0) draw(tile, list, count_, drawn);
+    HWY_NOINLINE void draw_rest(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        if (count_ == 0) return;
+        const std::span<const TilePart> some(part_, static_cast<std::size_t>(count_));
+        draw_steep_parts<kShows>(tile, {list.vertices, list.index, some}, drawn);
+        count_ = 0;
     }
 
 private:
-    void draw(const TilePlanes& tile, const TilePartList& list, int count, I32x8& drawn) const {
-        const std::span<const TilePart> some(part_, static_cast<std::size_t>(count));
-        draw_steep_parts<kShows>(tile, {list.vertices, list.index, some}, drawn);
-    }
-    TilePart part_[2 * kLanesX8];
+    TilePart part_[kLanesX8];
     int count_ = 0;
 };
 
 // Any part.
 template <Shows kShows>
 struct AsStrips {
-    static HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
+    using Tag = F32x8::Tag;
+    static HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list,
+                                const SetUpPartsX8& s, const TilePart* first,
                                 SteepParts<kShows>& steep, I32x8& drawn) {
         const std::uint32_t some = s.live & ~s.plane.flat;
         if (__builtin_popcount(some) >= kLanesX8 / 2)
             draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
         else
-            steep.add(first, some);
+            steep.add(tile, list, first, some, drawn);
         draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
     }
     static HWY_INLINE void finish(const TilePlanes&, I32x8&) {}
@@ -284,10 +285,11 @@ struct AsStrips {
 
 template <Shows kShows, PartKind kKind>
 struct AsSpecks {
+    using Tag = F32::Tag;
     SpeckBatch<speck_side(kKind)> batch;
-    HWY_INLINE void draw(const TilePlanes& tile, const SetUpParts& s, const TilePart* first,
-                         SteepParts<kShows>& steep, I32x8& drawn) {
-        steep.add(first, s.live & ~s.plane.flat);
+    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpParts<Tag>& s,
+                         const TilePart* first, SteepParts<kShows>& steep, I32x8& drawn) {
+        steep.add(tile, list, first, s.live & ~s.plane.flat, drawn);
         add_specks<kShows, speck_side(kKind), kKind == PartKind::speck_astride>(
             tile, s, s.live & s.plane.flat, batch, drawn);
     }
@@ -296,29 +298,31 @@ struct AsSpecks {
     }
 };
 
-// A register is set up before the one in front of it is drawn. Drawing branches on what nobody could
-// foretell; were it the end of a set-up that it waits for, the next one could not have begun either.
+// A register is set up before the one in front of it is drawn. Drawing branches on what nobody
+// could foretell; were it the end of a set-up that it waits for, the next one could not have begun
+// either.
 template <Shows kShows, class As>
 HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
+    using Tag = typename As::Tag;
+    constexpr int kWidth = static_cast<int>(Int<Tag>::kLanes);
     I32x8 drawn = 0;
     As as;
     SteepParts<kShows> steep;
     const TilePart* const parts = list.parts.data();
     const auto all = static_cast<int>(list.parts.size());
-    PartCorners corner, next;
+    PartCorners<Tag> corner, next;
     read_corners(list, 0, next);
-    SetUpParts room[2];
-    for (int begin = 0; begin < all + kLanesX8; begin += kLanesX8) {
-        const int number = begin / kLanesX8, left = all - begin;
+    SetUpParts<Tag> room[2];
+    for (int begin = 0; begin < all + kWidth; begin += kWidth) {
+        const int number = begin / kWidth, left = all - begin;
         if (left > 0) {
             corner = next;
-            read_corners(list, begin + kLanesX8, next);
-            set_up_parts(tile, list, parts + begin, left < kLanesX8 ? left : kLanesX8, corner,
+            read_corners(list, begin + kWidth, next);
+            set_up_parts(tile, list, parts + begin, left < kWidth ? left : kWidth, corner,
                          room[number & 1]);
         }
         if (begin == 0) continue;
-        as.draw(tile, room[(number & 1) ^ 1], parts + begin - kLanesX8, steep, drawn);
-        steep.draw_full(tile, list, drawn);
+        as.draw(tile, list, room[(number & 1) ^ 1], parts + begin - kWidth, steep, drawn);
     }
     as.finish(tile, drawn);
     steep.draw_rest(tile, list, drawn);
@@ -368,7 +372,7 @@ int drop_hidden(const TilePlanes& tile, const TilePartList& list, TilePart* out)
     const auto* real = reinterpret_cast<const double*>(list.vertices.data());
     const auto all = static_cast<int>(list.parts.size());
     int left = 0;
-    PartCorners corner, next;
+    PartCorners<F32x8::Tag> corner, next;
     read_corners(list, 0, next);
     for (int begin = 0; begin < all; begin += kLanesX8) {
         const TilePart* part = list.parts.data() + begin;
@@ -379,7 +383,7 @@ int drop_hidden(const TilePlanes& tile, const TilePartList& list, TilePart* out)
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             nearest = maximum(nearest, gather(real + 1, shift_left<1>(load<I32x8>(corner.at[k]))));
-        const F32x8 farthest = farthest_of(tile, stored_parts(part, count).where);
+        const F32x8 farthest = farthest_of(tile, stored_parts<F32x8::Tag>(part, count).where);
         std::uint32_t rest =
             bits(to_f32(nearest * F64x8(1 + 0x1p-20)) >= farthest) & ((2U << (count - 1)) - 1);
         for (; rest != 0; rest &= rest - 1)

@@ -17,17 +17,17 @@ SIMD_BEGIN(scanout::raster)
 // A register of parts, at one sample. The pixels of a lane are those of a square, row by row.
 template <int kMost>
 struct Specks {
-    static constexpr int kSteps = 64 / kLanesX8; // pixels of all lanes in a word
+    static constexpr int kSteps = 64 / kLanes; // pixels of all lanes in a word
     static constexpr int kWords = (kMost * kMost + kSteps - 1) / kSteps;
     std::uint64_t covered[kWords];
-    float depth[kMost * kMost][kLanesX8];
-    std::int32_t place[kLanesX8]; // of the first pixel, in a plane of the tile
-    std::uint32_t name[kLanesX8];
+    float depth[kMost * kMost][kLanes];
+    std::int32_t place[kLanes]; // of the first pixel, in a plane of the tile
+    std::uint32_t name[kLanes];
     std::ptrdiff_t plane;
 };
 template <int kMost>
 struct SpeckBatch {
-    static constexpr int kRoom = 8; // registers, each at one sample
+    static constexpr int kRoom = 64 / kLanes; // registers, each at one sample
     Specks<kMost> specks[kRoom];
     int count = 0;
 };
@@ -40,8 +40,8 @@ HWY_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32
         std::uint32_t* const id = id_after<kShows>(tile.id, s->plane);
         for (int word = 0; word < s->kWords; ++word)
             for (std::uint64_t rest = s->covered[word]; rest != 0; rest &= rest - 1) {
-                const int bit = __builtin_ctzll(rest), lane = bit % kLanesX8;
-                const int pixel = bit / kLanesX8 + word * s->kSteps;
+                const int bit = __builtin_ctzll(rest), lane = bit % kLanes;
+                const int pixel = bit / kLanes + word * s->kSteps;
                 const int to = s->place[lane] + pixel / kMost * kTileSize + pixel % kMost;
                 const float z = s->depth[pixel][lane], old = depth[to];
                 if constexpr (kShows == Shows::depth) {
@@ -62,74 +62,73 @@ HWY_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32
 template <bool kAstride>
 struct SpeckDepths {
     static constexpr int kBlocks = kAstride ? 2 : 1; // each way
-    F32x8 base[kBlocks][kBlocks], rest[kBlocks][kBlocks];
-    F32x8 per_x, per_y;
+    F32 base[kBlocks][kBlocks], rest[kBlocks][kBlocks];
+    F32 per_x, per_y;
 
-    HWY_INLINE explicit SpeckDepths(const SetUpParts& s)
+    HWY_INLINE explicit SpeckDepths(const SetUpParts<F32::Tag>& s)
         : per_x(to_f32(s.plane.per_x)), per_y(to_f32(s.plane.per_y)) {
         SIMD_UNROLL
         for (int down = 0; down < kBlocks; ++down)
             SIMD_UNROLL
         for (int across = 0; across < kBlocks; ++across) {
             constexpr std::int32_t kBlock = BlockWalk::kSide * kSubpixel;
-            I32x8 corner[3] = {s.edges.c[0], s.edges.c[1], s.edges.c[2]};
+            I32 corner[3] = {s.edges.c[0], s.edges.c[1], s.edges.c[2]};
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k) {
-                if (across > 0) corner[k] = corner[k] + s.edges.a[k] * I32x8(kBlock);
-                if (down > 0) corner[k] = corner[k] + s.edges.b[k] * I32x8(kBlock);
+                if (across > 0) corner[k] = corner[k] + s.edges.a[k] * I32(kBlock);
+                if (down > 0) corner[k] = corner[k] + s.edges.b[k] * I32(kBlock);
             }
-            const F64x8 depth = depth_of(corner, s.plane.share);
+            const F64 depth = depth_of(corner, s.plane.share);
             base[down][across] = to_f32(depth);
             rest[down][across] = to_f32(depth - to_f64(base[down][across]));
         }
     }
     // x, y: whole pixels from the corner of the first block; sample_x, sample_y: in the pixel.
-    HWY_INLINE F32x8 at(I32x8 x, I32x8 y, F32x8 sample_x, F32x8 sample_y) const {
+    HWY_INLINE F32 at(I32 x, I32 y, F32 sample_x, F32 sample_y) const {
         if constexpr (kAstride) {
-            const I32x8 side = BlockWalk::kSide, within = BlockWalk::kSide - 1;
-            const MaskX8 right = x >= side, below = y >= side;
-            const auto here = [&](const F32x8(&corner)[kBlocks][kBlocks]) HWY_ATTR {
+            const I32 side = BlockWalk::kSide, within = BlockWalk::kSide - 1;
+            const Mask<F32::Tag> right = x >= side, below = y >= side;
+            const auto here = [&](const F32(&corner)[kBlocks][kBlocks]) HWY_ATTR {
                 return select(below, select(right, corner[1][1], corner[1][0]),
                               select(right, corner[0][1], corner[0][0]));
             };
             return here(base) + (here(rest) + ((to_f32(x & within) + sample_x) * per_x +
                                                (to_f32(y & within) + sample_y) * per_y));
         } else {
-            return base[0][0] + (rest[0][0] + ((to_f32(x) + sample_x) * per_x +
-                                               (to_f32(y) + sample_y) * per_y));
+            return base[0][0] +
+                   (rest[0][0] + ((to_f32(x) + sample_x) * per_x + (to_f32(y) + sample_y) * per_y));
         }
     }
 };
 
 // At one place in the pattern. first: the edges at the corner of the first pixel.
 template <int kMost, bool kAstride>
-HWY_INLINE void cover_specks(const SetUpParts& s, std::uint32_t live,
-                             const SpeckDepths<kAstride>& depths, const I32x8 (&first)[3],
+HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
+                             const SpeckDepths<kAstride>& depths, const I32 (&first)[3],
                              SampleOffset sample, Specks<kMost>& out) {
-    const PartLanes& part = s.part;
-    const I32x8 column = part.x0 - part.left, row = part.y0 - part.top;
-    const I32x8 across = part.x1 - part.x0, down = part.y1 - part.y0; // 1 and more
-    store(part.y0 * I32x8(kTileSize) + part.x0, out.place);
-    store(load<I32x8>(part.name), out.name);
-    const F32x8 sample_x = static_cast<float>(sample.x) / kSubpixel;
-    const F32x8 sample_y = static_cast<float>(sample.y) / kSubpixel;
-    I32x8 in_row[3];
+    const PartLanes<F32::Tag>& part = s.part;
+    const I32 column = part.x0 - part.left, row = part.y0 - part.top;
+    const I32 across = part.x1 - part.x0, down = part.y1 - part.y0; // 1 and more
+    store(part.y0 * I32(kTileSize) + part.x0, out.place);
+    store(load<I32>(part.name), out.name);
+    const F32 sample_x = static_cast<float>(sample.x) / kSubpixel;
+    const F32 sample_y = static_cast<float>(sample.y) / kSubpixel;
+    I32 in_row[3];
     edges_at(s.edges, first, sample, in_row);
     std::uint64_t covered[Specks<kMost>::kWords] = {};
     SIMD_UNROLL
     for (int j = 0; j < kMost; ++j) {
-        I32x8 edge[3] = {in_row[0], in_row[1], in_row[2]};
+        I32 edge[3] = {in_row[0], in_row[1], in_row[2]};
         SIMD_UNROLL
         for (int i = 0; i < kMost; ++i) {
             constexpr int kSteps = Specks<kMost>::kSteps;
             const int pixel = j * kMost + i;
-            store(depths.at(column + I32x8(i), row + I32x8(j), sample_x, sample_y),
-                  out.depth[pixel]);
-            I32x8 outside = edge[0] | edge[1] | edge[2]; // where it is negative
-            if (i > 0) outside = outside | (across - I32x8(i + 1));
-            if (j > 0) outside = outside | (down - I32x8(j + 1));
-            covered[pixel / kSteps] |= std::uint64_t{bits(outside > I32x8(-1)) & live}
-                                       << (pixel % kSteps * kLanesX8);
+            store(depths.at(column + I32(i), row + I32(j), sample_x, sample_y), out.depth[pixel]);
+            I32 outside = edge[0] | edge[1] | edge[2]; // where it is negative
+            if (i > 0) outside = outside | (across - I32(i + 1));
+            if (j > 0) outside = outside | (down - I32(j + 1));
+            covered[pixel / kSteps] |= std::uint64_t{bits(outside > I32(-1)) & live}
+                                       << (pixel % kSteps * kLanes);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k] = edge[k] + shift_left<kSubpixelBits>(s.edges.a[k]);
@@ -146,11 +145,11 @@ HWY_INLINE void cover_specks(const SetUpParts& s, std::uint32_t live,
 // live: of the lanes of s, which are flat and no larger than the square; where they are not
 // astride of blocks, within one. The same bits as their strips.
 template <Shows kShows, int kMost, bool kAstride>
-HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts& s, std::uint32_t live,
-                           SpeckBatch<kMost>& batch, I32x8& drawn) {
+HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts<F32::Tag>& s,
+                           std::uint32_t live, SpeckBatch<kMost>& batch, I32x8& drawn) {
     if (live == 0) return;
     const SpeckDepths<kAstride> depths(s);
-    I32x8 first[3];
+    I32 first[3];
     edges_at_pixel(s.edges, s.part.x0 - s.part.left, s.part.y0 - s.part.top, first);
     std::ptrdiff_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();

@@ -64,8 +64,8 @@ HWY_NOINLINE Lanes transform_any(const ScreenTransform& t, const ClipLanes& c) {
     const auto over_w = [&](F64 a) { return t.perspective ? a / divisor : a; }; // else w is 1
     const F64 pixel_x = over_w(x), pixel_y = over_w(y);
     return {to_i32(select(on_screen, snap(pixel_x), none)),
-            to_i32(select(on_screen, snap(pixel_y), flags)),
-            select(on_screen, over_w(z), F64(0.0)), pixel_x, pixel_y};
+            to_i32(select(on_screen, snap(pixel_y), flags)), select(on_screen, over_w(z), F64(0.0)),
+            pixel_x, pixel_y};
 }
 
 // Of a view: all that vertices on the screen need.
@@ -81,8 +81,8 @@ struct Usual {
 HWY_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, const ClipLanes& c,
                                 Lanes& out) {
     const F64 reach = F64(usual.guard) * c.w, near = t.box.near_w, most = 0x1p900;
-    const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) &
-                        (abs(c.y) <= reach) & (abs(c.z) <= F64(kMostDepth) * near); // no NaN is
+    const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) & (abs(c.y) <= reach) &
+                        (abs(c.z) <= F64(kMostDepth) * near); // no NaN is
     out.depth = t.perspective ? near / c.w : c.z;
     const F64 over_w = t.perspective ? out.depth * F64(usual.per_near) : F64(1.0);
     const F64 shift = 0x1.8p52;

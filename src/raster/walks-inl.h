@@ -60,36 +60,40 @@ HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
 
 // Depth from the edge functions' values, or its step from their steps. share: a vertex's depth
 // divided by twice the area.
-HWY_INLINE F64x8 depth_of(const F64x8 (&edge)[3], const F64x8 (&share)[3]) {
+template <class D>
+HWY_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&share)[3]) {
     return (edge[0] * share[0] + edge[1] * share[1]) + edge[2] * share[2];
 }
 
 // Depth over the screen, and which of the lanes are near to flat (coverage.h).
+template <class D>
 struct DepthPlane {
-    F64x8 share[3]; // as depth_of wants them
-    F64x8 per_x, per_y;
+    Double<D> share[3]; // as depth_of wants them
+    Double<D> per_x, per_y;
     std::uint32_t flat;
 };
 // a, b: steps of the edge functions; area: twice the triangle's. cancels: perhaps more than matters
 // is lost in the sums below, which is found out; else it is known not to be.
-HWY_INLINE DepthPlane depth_plane(const F64x8 (&depth)[3], const F64x8 (&a)[3], const F64x8 (&b)[3],
-                                  F64x8 area, bool cancels = true) {
-    DepthPlane plane;
+template <class D>
+HWY_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<D> (&a)[3],
+                                     const Double<D> (&b)[3], Double<D> area, bool cancels = true) {
+    using Wide = Double<D>;
+    DepthPlane<D> plane;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         plane.share[k] = depth[k] / area;
-    plane.per_x = depth_of(a, plane.share) * F64x8(kSubpixel);
-    plane.per_y = depth_of(b, plane.share) * F64x8(kSubpixel);
-    const F64x8 least = minimum(minimum(depth[0], depth[1]), depth[2]);
+    plane.per_x = depth_of(a, plane.share) * Wide(kSubpixel);
+    plane.per_y = depth_of(b, plane.share) * Wide(kSubpixel);
+    const Wide least = minimum(minimum(depth[0], depth[1]), depth[2]);
     constexpr double kBlock = BlockWalk::kSide;
-    auto flat = (least >= F64x8(0x1p-100)) & (F64x8(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <=
-                                              least * F64x8(1 / 32.0));
+    auto flat = (least >= Wide(0x1p-100)) &
+                (Wide(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <= least * Wide(1 / 32.0));
     if (cancels) {
-        F64x8 terms = 0.0; // of the sums, across a block
+        Wide terms = 0.0; // of the sums, across a block
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
-        flat = flat & (F64x8(kBlock * kSubpixel) * terms <= least * F64x8(0x1p20));
+        flat = flat & (Wide(kBlock * kSubpixel) * terms <= least * Wide(0x1p20));
     }
     plane.flat = bits(flat);
     return plane;
@@ -165,7 +169,8 @@ HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         }
         set_up_edges(a, b, v, extent, w, i);
         set_up_bounds(v, tile, extent, w, i);
-        const DepthPlane plane = depth_plane({v[0].depth, v[1].depth, v[2].depth}, a, b, area);
+        const F64x8 depth[3] = {v[0].depth, v[1].depth, v[2].depth};
+        const auto plane = depth_plane(depth, a, b, area);
         SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             store(plane.share[k], w.share[k] + i);

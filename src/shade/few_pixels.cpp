@@ -4,7 +4,8 @@
 
 namespace scanout::shade {
 
-FewPixels::FewPixels() : pixel_(kPixels + (kRoom - kLanes)), triangle_(pixel_.size()), id_(kPixels) {}
+FewPixels::FewPixels()
+    : pixel_(kPixels + (kRoom - kLanes)), triangle_(pixel_.size()), id_(kPixels) {}
 
 void FewPixels::clear() {
     size_ = triangles_ = 0;

@@ -397,8 +397,8 @@ TEST(Snap, InLanesIsToTheNearestWithTiesToEvenOnEveryTarget) {
 }
 
 // Lanes find places on the screen without a quotient of their own, but for those next to the middle
-// between two: there one that is off by its last bit would snap to the other side. Here x / w is such
-// a middle, or next to it, for every w, whatever 1 / w is rounded to.
+// between two: there one that is off by its last bit would snap to the other side. Here x / w is
+// such a middle, or next to it, for every w, whatever 1 / w is rounded to.
 TEST(Snap, InLanesIsThatOfTheQuotientNextToTheMiddleOfAStep) {
     scene::View view = eye_view(0, 0, 0.01);
     view.linear = DMat3(1); // what is ahead lies at -z
@@ -411,7 +411,8 @@ TEST(Snap, InLanesIsThatOfTheQuotientNextToTheMiddleOfAStep) {
     int middles = 0;
     for (int i = 0; i < 200000; ++i) {
         const float w = static_cast<float>(random.whole(3, 4095)) / 1024;
-        const int half_steps = random.whole(0, 64 * 256 - 1) * 2 + 1; // from the left, in 1/512 pixel
+        const int half_steps =
+            random.whole(0, 64 * 256 - 1) * 2 + 1; // from the left, in 1/512 pixel
         const double x = w * (half_steps / 512.0 - 32) / 32;
         position.emplace_back(static_cast<float>(x), static_cast<float>(-x), -w);
         const ClipVertex clip = transform.to_clip(position.back());
@@ -424,10 +425,10 @@ TEST(Snap, InLanesIsThatOfTheQuotientNextToTheMiddleOfAStep) {
         int differ = 0;
         for (std::size_t i = 0; i < got.size(); ++i) {
             const ScreenVertex expected = transform.transform(position[i]);
-            differ += got[i].x != expected.x || got[i].y != expected.y ||
-                              got[i].depth != expected.depth
-                          ? 1
-                          : 0;
+            differ +=
+                got[i].x != expected.x || got[i].y != expected.y || got[i].depth != expected.depth
+                    ? 1
+                    : 0;
         }
         EXPECT_EQ(differ, 0);
     });

@@ -255,8 +255,8 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 EXPECT_EQ(placed.kind[i], static_cast<std::int32_t>(kind));
                 ++of_kind[static_cast<std::size_t>(kind)];
             }
-            for (const PartKind kind : {PartKind::speck_2, PartKind::speck_3, PartKind::strip,
-                                        PartKind::back})
+            for (const PartKind kind :
+                 {PartKind::speck_2, PartKind::speck_3, PartKind::strip, PartKind::back})
                 EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 10);
             // A tile of 8 pixels is one block.
             EXPECT_EQ(of_kind[static_cast<std::size_t>(PartKind::speck_astride)] > 10, bits > 3);
