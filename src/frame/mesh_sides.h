@@ -36,7 +36,8 @@ struct MeshSides {
     PlaneSet open_planes;          // in which those lie: before all of them no back is seen
     std::vector<Box> closed_boxes; // of the closed parts; the last of all that come after it, too
 
-    // From outside of every part the backs lie behind fronts, all of them.
+    // From outside of every part the backs lie behind fronts, all of them; but for parts that pass
+    // through themselves and so turn some of their inside out, which is not looked for.
     bool fronts_hide_backs() const { return closed && inward == 0 && !back_to_back; }
 };
 // Two of the triangle's corners stand at one place: it is never drawn.

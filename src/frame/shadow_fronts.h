@@ -8,8 +8,8 @@
 namespace scanout::frame {
 
 // Wherever the light looks, what is nearest to it is a front: the mesh is closed and wound
-// outwards, and the light stands outside of its parts. Never true of a light at a place in a view
-// that is not known.
+// outwards (MeshSides::fronts_hide_backs, with its limit), and the light stands outside of its
+// parts. Never true of a light at a place in a view that is not known.
 bool meets_fronts_first(const MeshSides& sides, const scene::ViewLight& light,
                         const scene::View& view);
 

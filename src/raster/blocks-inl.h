@@ -110,7 +110,7 @@ HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end
 
 // By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
 // depth, columns from few.column, rows from b.begin.
-template <Shows kShows = Shows::usual, class DepthAt, class Drawn>
+template <Shows kShows, class DepthAt, class Drawn>
 HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
                             const std::uint32_t* name, float* depth, std::uint32_t* id,
                             Drawn& drawn) {

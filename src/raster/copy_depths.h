@@ -7,6 +7,8 @@
 
 namespace scanout::raster {
 
+inline constexpr int kFloatsOfLine = 16; // of the cache
+
 // to: of the pixel at the tile's corner; stride: floats from row to row. Whole lines of the cache
 // are written past it, so that none of them is fetched before.
 void copy_depths(const VisibilityTile& tile, float* to, std::size_t stride);

@@ -24,8 +24,9 @@ struct TilePlanes {
     std::uint32_t* id; // null: depth alone is kept, by the usual rule
     VisibleRule rule{};
     // By the usual rule: for each block of 8 x 8 pixels, row by row, a depth that nothing seen at
-    // its samples is farther away than; 0 where nothing is known. What is farther is not drawn;
-    // drawing finds it anew where that promises to hide something.
+    // its samples is farther away than; 0 where nothing is known. What is farther is not drawn.
+    // Large triangles keep it up as they are drawn, pieces look a block through that may hide them,
+    // find_farthest looks all through.
     float* farthest = nullptr;
 };
 

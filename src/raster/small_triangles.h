@@ -17,9 +17,10 @@ namespace scanout::raster {
 
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
-// What is drawn side by side. Of fronts: specks lie in one tile alone and are at most speck_side
-// pixels wide and high, in one block or astride of several; strips are all others. Backs are drawn
-// last, because fronts hide the most of them.
+// What is drawn side by side. Of fronts: specks have at most speck_side pixels each way in their
+// tile, those within one block lie in that tile alone, those astride of several may be what a tile's
+// edge leaves of a triangle; strips are all others. Backs are drawn last, because fronts hide the
+// most of them.
 enum class PartKind : std::uint8_t { speck_2, speck_3, speck_astride, strip, back };
 inline constexpr std::size_t kPartKinds = 5;
 inline constexpr std::array kFrontKinds = {PartKind::strip, PartKind::speck_2, PartKind::speck_3,
@@ -83,7 +84,8 @@ struct TilePartList {
     PartKind kind = PartKind::strip; // of all of them; strip: of any
 };
 
-// Did any of them show? By the usual rule; the same bits as draw_triangles.
+// Did any of them show? By the usual rule; the same bits as draw_triangles. Where depth alone is
+// kept, specks count in any case.
 bool draw_parts(const TilePlanes& tile, const TilePartList& list);
 // Makes tile.farthest as great as what is drawn there allows.
 void find_farthest(const TilePlanes& tile);

@@ -22,8 +22,6 @@ using raster::HWY_NAMESPACE::vertices_at;
 
 using MaskX8 = Mask<F32x8::Tag>;
 
-using Blocks = WordBlocks<F32x8::Tag>;
-
 // Vertex k of a register of triangles.
 struct Vertices {
     I32x8 x, y; // 1/256 pixel
@@ -109,7 +107,7 @@ HWY_INLINE Doubled doubled(const Vertices (&v)[3], bool wants_exact, double* exa
                 down_2 = v[2].y - v[0].y, zero = 0;
     const I32x8 low = right_1 * down_2 - down_1 * right_2;
     if (are_small(v) & !wants_exact)
-        return {low<zero, low> zero, zero == zero, maximum(low, zero - low)};
+        return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low)};
     const F64x8 twice = to_f64(right_1) * to_f64(down_2) - to_f64(down_1) * to_f64(right_2);
     const MaskX8 below_zero = narrow(twice < F64x8(0.0));
     store(abs(twice), exact);
