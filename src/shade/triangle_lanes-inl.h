@@ -56,10 +56,8 @@ HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
 
 // Of a register of triangles, in the order of the file. In memory, whence they are read one by one.
 HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
-    SIMD_UNROLL
     for (int lane = at; lane < at + kLanesX8; ++lane) {
         const std::uint32_t* index = source.index + std::size_t{out.id[lane]} * 3;
-        SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             out.corner[k][lane] = index[k];
     }
