@@ -258,75 +258,110 @@ HWY_INLINE void times(int count, const F& f) {
     }
 }
 
-// The share of k x k texels about the receiver that is hidden, weighted by how much of each the
-// square covers. Weights are whole 256ths: all hidden sums up to 1 exactly. kSide: k, or 0 where it
-// is not known when this is compiled.
+// The texels that a square of k x k about the receiver touches, k + 1 each way. kSide: k, or 0
+// where it is not known when this is compiled.
+template <int kSide>
+class Square {
+public:
+    HWY_INLINE Square(const ShadowMap& m, const Receiver& r, int k) : k_(k) {
+        const float wide = static_cast<float>(k);
+        const F32x8 reach = 0.5F * (wide + 1);
+        const F32x8 x0 = (r.x + reach * r.aside_x) - F32x8(wide * 0.5F),
+                    y0 = (r.y + reach * r.aside_y) - F32x8(wide * 0.5F);
+        const I32x8 left = texel_of(x0), top = texel_of(y0);
+        const auto part = [](F32x8 a) HWY_ATTR {
+            return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
+        };
+        fx_ = part(x0 - to_f32(left));
+        fy_ = part(y0 - to_f32(top));
+        each([&](int i) HWY_ATTR {
+            columns_[i] = column(m, r, left + I32x8(i));
+            rows_[i] = row(m, r, top + I32x8(i));
+        });
+        read(m, left);
+    }
+
+    // Are all lanes that ask surely lit, for they lie low in all texels? Its own is one of them and
+    // so forgives as much; where lookups have moved over, rounding may leave it out.
+    HWY_INLINE bool lie_low(const Receiver& r) const {
+        // What is hidden shows in the middle.
+        auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F)) &
+                   is_low(r, columns_[k_ / 2], rows_[k_ / 2], depth_[k_ / 2][k_ / 2]);
+        if (!all(low | !r.asked)) return false;
+        each([&](int y) HWY_ATTR {
+            each([&](int x)
+                     HWY_ATTR { low = low & is_low(r, columns_[x], rows_[y], depth_[y][x]); });
+        });
+        return all(low | !r.asked);
+    }
+    // Do all lanes that ask lie behind all texels? Of what lies behind, nothing is forgiven that is
+    // higher than its triangle.
+    HWY_INLINE bool lie_behind(const Receiver& r, const Texel& own) const {
+        if (!all((own.depth > own.own) | !r.asked)) return false;
+        F32x8 lowest = depth_[0][0];
+        each([&](int y) HWY_ATTR {
+            each([&](int x) HWY_ATTR { lowest = minimum(lowest, depth_[y][x]); });
+        });
+        return all((lowest > maximum(maximum(r.nearest, r.depth), F32x8(0.0F))) | !r.asked);
+    }
+    // Weighted by how much of each texel the square covers. Weights are whole 256ths: all hidden
+    // sums up to 1 exactly.
+    HWY_INLINE F32x8 hidden_share(const Receiver& r, const Texel& own) {
+        each([&](int i) HWY_ATTR {
+            forgive_nothing_behind(own, columns_[i]);
+            forgive_nothing_behind(own, rows_[i]);
+        });
+        const F32x8 one = 1.0F;
+        F32x8 sum = 0.0F;
+        each([&](int y) HWY_ATTR {
+            F32x8 in_row = 0.0F;
+            each([&](int x) HWY_ATTR {
+                const F32x8 weight = x == 0 ? one - fx_ : x == k_ ? fx_ : one;
+                in_row = in_row + weight * hidden(texel(r, columns_[x], rows_[y], depth_[y][x]));
+            });
+            sum = sum + (y == 0 ? one - fy_ : y == k_ ? fy_ : one) * in_row;
+        });
+        const float wide = static_cast<float>(k_);
+        return sum / F32x8(wide * wide);
+    }
+
+private:
+    static constexpr int kLines = kSide > 0 ? kSide + 1 : 0, kFours = kSide > 0 ? kSide / 4 + 1 : 0;
+    static constexpr int kRows = kSide > 0 ? kLines : kMostFilter + 1;
+    static constexpr int kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
+
+    template <class F>
+    HWY_INLINE void each(const F& f) const {
+        times<kLines>(k_ + 1, f);
+    }
+    HWY_INLINE void read(const ShadowMap& m, I32x8 left) {
+        // No column that is read lies beyond the map's border.
+        const int count = k_ / 4 * 4 + 4;
+        const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - count)));
+        each([&](int y) HWY_ATTR {
+            if (side_by_side)
+                times<kFours>(count / 4, [&](int x) HWY_ATTR {
+                    four_depths(m, columns_[4 * x], rows_[y], depth_[y] + 4 * x);
+                });
+            else
+                each([&](int x) HWY_ATTR { depth_[y][x] = depth_at(m, columns_[x], rows_[y]); });
+        });
+    }
+
+    int k_;
+    F32x8 fx_, fy_; // how much of the first texels it leaves, of the last ones it covers
+    Line columns_[kColumns], rows_[kRows];
+    F32x8 depth_[kRows][kColumns];
+};
+
+// The share of a square that is hidden.
 template <int kSide>
 HWY_INLINE F32x8 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
-    constexpr int kLines = kSide > 0 ? kSide + 1 : 0;
-    constexpr int kFours = kSide > 0 ? kSide / 4 + 1 : 0;
-    constexpr int kRows = kSide > 0 ? kLines : kMostFilter + 1,
-                  kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
-    const auto each = [k](const auto& f) HWY_ATTR { times<kLines>(k + 1, f); };
-    const float wide = static_cast<float>(k);
-    const F32x8 reach = 0.5F * (wide + 1), x0 = (r.x + reach * r.aside_x) - F32x8(wide * 0.5F),
-                y0 = (r.y + reach * r.aside_y) - F32x8(wide * 0.5F);
-    const I32x8 left = texel_of(x0), top = texel_of(y0);
-    const auto part = [](F32x8 a) HWY_ATTR {
-        return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
-    };
-    const F32x8 one = 1.0F, fx = part(x0 - to_f32(left)), fy = part(y0 - to_f32(top));
-    Line columns[kColumns], rows[kRows];
-    each([&](int i) HWY_ATTR {
-        columns[i] = column(m, r, left + I32x8(i));
-        rows[i] = row(m, r, top + I32x8(i));
-    });
-    // No column that is read lies beyond the map's border.
-    const int read = k / 4 * 4 + 4;
-    const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - read)));
-    F32x8 depth[kRows][kColumns];
-    each([&](int y) HWY_ATTR {
-        if (side_by_side)
-            times<kFours>(read / 4, [&](int x) HWY_ATTR {
-                four_depths(m, columns[4 * x], rows[y], depth[y] + 4 * x);
-            });
-        else
-            each([&](int x) HWY_ATTR { depth[y][x] = depth_at(m, columns[x], rows[y]); });
-    });
-    const auto for_all = [&r](Mask<F32x8::Tag> lanes) HWY_ATTR { return all(lanes | !r.asked); };
-    // Most of what is lit lies low in all texels. Its own is one of them and so forgives as much;
-    // where lookups have moved over, rounding may leave it out. What is hidden shows in the middle.
-    auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F)) &
-               is_low(r, columns[k / 2], rows[k / 2], depth[k / 2][k / 2]);
-    if (for_all(low)) {
-        each([&](int y) HWY_ATTR {
-            each([&](int x) HWY_ATTR { low = low & is_low(r, columns[x], rows[y], depth[y][x]); });
-        });
-        if (for_all(low)) return F32x8(0.0F);
-    }
+    Square<kSide> square(m, r, k);
+    if (square.lie_low(r)) return F32x8(0.0F); // most of what is lit
     const Texel own = own_texel(m, r);
-    // Of what lies behind, nothing is forgiven that is higher than its triangle.
-    if (for_all(own.depth > own.own)) {
-        F32x8 lowest = depth[0][0];
-        each([&](int y) HWY_ATTR {
-            each([&](int x) HWY_ATTR { lowest = minimum(lowest, depth[y][x]); });
-        });
-        if (for_all(lowest > maximum(maximum(r.nearest, r.depth), F32x8(0.0F)))) return one;
-    }
-    each([&](int i) HWY_ATTR {
-        forgive_nothing_behind(own, columns[i]);
-        forgive_nothing_behind(own, rows[i]);
-    });
-    F32x8 sum = 0.0F;
-    each([&](int y) HWY_ATTR {
-        F32x8 in_row = 0.0F;
-        each([&](int x) HWY_ATTR {
-            const F32x8 weight = x == 0 ? one - fx : x == k ? fx : one;
-            in_row = in_row + weight * hidden(texel(r, columns[x], rows[y], depth[y][x]));
-        });
-        sum = sum + (y == 0 ? one - fy : y == k ? fy : one) * in_row;
-    });
-    return sum / F32x8(wide * wide);
+    if (square.lie_behind(r, own)) return F32x8(1.0F);
+    return square.hidden_share(r, own);
 }
 HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
     switch (k) {
