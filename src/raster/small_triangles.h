@@ -18,9 +18,9 @@ namespace scanout::raster {
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
 // What is drawn side by side. Of fronts: specks have at most speck_side pixels each way in their
-// tile, those within one block lie in that tile alone, those astride of several may be what a tile's
-// edge leaves of a triangle; strips are all others. Backs are drawn last, because fronts hide the
-// most of them.
+// tile, those within one block lie in that tile alone, those astride of several may be what a
+// tile's edge leaves of a triangle; strips are all others. Backs are drawn last, because fronts
+// hide the most of them.
 enum class PartKind : std::uint8_t { speck_2, speck_3, speck_astride, strip, back };
 inline constexpr std::size_t kPartKinds = 5;
 inline constexpr std::array kFrontKinds = {PartKind::strip, PartKind::speck_2, PartKind::speck_3,

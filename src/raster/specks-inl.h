@@ -1,9 +1,8 @@
 // Parts of up to two or three pixels each way, most of what a mesh finer than the picture has, and
-// what a tile's edge leaves of larger ones: all pixels of the square are asked about, a part a lane,
-// without a branch, and what is covered waits until several registers are done, each at one sample.
-// What decides on a pixel comes at the end of a long chain of operations; were it asked for at once,
-// the next register's chain could not begin.
-// Included once for every SIMD target.
+// what a tile's edge leaves of larger ones: all pixels of the square are asked about, a part a
+// lane, without a branch, and what is covered waits until several registers are done, each at one
+// sample. What decides on a pixel comes at the end of a long chain of operations; were it asked for
+// at once, the next register's chain could not begin. Included once for every SIMD target.
 #if defined(SCANOUT_RASTER_SPECKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_SPECKS_INL_H
 #undef SCANOUT_RASTER_SPECKS_INL_H
