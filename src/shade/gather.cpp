@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -81,10 +82,9 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : spans_(std::make_unique<Spans>()), few_(std::make_unique<FewPixels>()),
-      primitives_(std::make_unique<Primitives>()), block_(std::make_unique<Block>()),
-      triangles_(std::make_unique<LaneTriangles>()),
-      pixels_(raster::VisibilityTile::kPlane + kRoom), share_(std::make_unique<Share[]>(kLanes)) {
+    : own_pixels_(std::make_unique<TilePixels>()), primitives_(std::make_unique<Primitives>()),
+      block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
+      share_(std::make_unique<Share[]>(kLanes)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -178,17 +178,13 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
         in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
     by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
                sink_.filter == nullptr; // which asks what samples a fragment shows at
+    if (!scattered) own_pixels_->add_rows(tile.ids(0).data(), own, part.y0, part.y1);
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
-        const std::uint32_t* ids = tile.ids(0).data() + row * kTileSize;
         if (scattered)
-            few_->add_row(*in.looks.only_material, ids, y * kTileSize, own.pixels[row]);
-        else
-            for (std::uint64_t rest = own.starts[row]; rest != 0; rest &= rest - 1) {
-                const int x = std::countr_zero(rest);
-                const int count = std::countr_zero(own.ends[row] >> x) + 1;
-                spans_->add(in.looks, ids[x], y * kTileSize + x, count);
-            }
+            own_pixels_->add_scattered(*in.looks.only_material,
+                                       tile.ids(0).data() + row * kTileSize, y * kTileSize,
+                                       own.pixels[row]);
         const std::uint64_t shared = rows[row].shared & inside;
         if (by_rows_) {
             collect_row(y, shared);
@@ -210,7 +206,7 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
     std::uint32_t id = raster::kNoPrimitive; // of a run of pixels of its own
     int first = 0, count = 0;
     const auto end_run = [&] {
-        if (count > 0) spans_->add(in.looks, id, first, count);
+        if (count > 0) own_pixels_->add(id, first, count);
         count = 0;
     };
     for (int y = area_.y0; y < area_.y1; ++y, end_run())
@@ -414,12 +410,11 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
     if (in.frame->own_triangles) source_ = triangle_source(in);
     all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
     set_up_later_ = all_whole_ && in.frame->steps == nullptr;
-    few_->clear();
+    own_pixels_->clear();
     area_ = area;
-    pixel_ = pixels_.data();
+    pixel_ = own_pixels_->pixels();
     samples_ = samples;
     block_->blended = blended;
-    spans_->clear();
     fragments_.clear();
     shared_.clear();
     through_.clear();
@@ -439,59 +434,67 @@ std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
     return shade_collected(in, picture, nullptr);
 }
 
-std::uint64_t Gatherer::shade_spans(const GatherInput& in, image::Image& picture) {
-    Block& b = *block_;
-    spans_->arrange();
-    std::uint64_t lanes = 0;
-    for (const Spans::Group& group : spans_->groups()) {
-        if (group.count <= FewPixels::kMost && group.look.lit &&
-            (all_whole_ || has_own_lanes(in, group.id))) {
-            few_->add(*spans_, group);
-            continue;
-        }
-        lanes += group.count;
-        if (look_ != group.look) begin_look(in, group.look, picture);
-        const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
-        spans_->put_pixels(group, pixel_ + b.count); // also those beyond the end of the block
-        for (int left = group.count; left > 0;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            const int count = std::min(left, kLanes - b.count);
-            if (of != nullptr)
-                add_lit(*of, count);
-            else
-                add_unlit(in, group.id, count);
-            own_ = b.count;
-            left -= count;
-        }
+// to[k] = number[k] + more; also for up to three behind the last. Four at a time: compilers take
+// them one by one where they know little of the arrays.
+static void renumber(const std::int32_t* number, std::size_t count, std::int32_t more,
+                     std::int32_t* to) {
+    using Four __attribute__((vector_size(16))) = std::int32_t;
+    for (std::size_t k = 0; k < count; k += 4) {
+        Four four;
+        std::memcpy(&four, number + k, sizeof four);
+        four += more;
+        std::memcpy(to + k, &four, sizeof four);
     }
-    shade_few(in, picture);
-    return lanes + few_->size();
 }
 
-void Gatherer::shade_few(const GatherInput& in, image::Image& picture) {
+void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
+                          image::Image& picture) {
     Block& b = *block_;
-    few_->arrange();
-    for (const FewPixels::Part& part : few_->parts()) {
-        const Look look = {part.material, true};
-        if (look_ != look) begin_look(in, look, picture);
-        for (std::size_t i = part.first; i < part.end;) {
-            if (b.count == kLanes) finish_block(in, picture);
-            const std::size_t count =
-                std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
-            std::copy_n(few_->pixels() + i, count, pixel_ + b.count);
-            LaneTriangles& t = *triangles_;
-            const std::int32_t first = few_->triangles()[i];
-            const std::int32_t triangles = few_->triangles()[i + count - 1] + 1 - first;
-            for (std::size_t k = 0; k < count; ++k)
-                t.of_lane[static_cast<std::size_t>(b.count) + k] =
-                    few_->triangles()[i + k] - first + t.count;
-            std::copy_n(few_->ids() + first, triangles, t.id + t.count);
-            t.count += triangles;
-            add_lanes(b, nullptr, static_cast<int>(count));
-            own_ = b.count;
-            i += count;
-        }
+    LaneTriangles& t = *triangles_;
+    const Look look = {part.material, true};
+    if (look_ != look) begin_look(in, look, picture);
+    const std::int32_t* const triangle = own_pixels_->triangles();
+    for (std::size_t i = part.first; i < part.end;) {
+        if (b.count == kLanes) finish_block(in, picture);
+        const std::size_t count =
+            std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
+        const std::int32_t first = triangle[i], triangles = triangle[i + count - 1] + 1 - first;
+        renumber(triangle + i, count, t.count - first, t.of_lane + b.count);
+        std::copy_n(own_pixels_->ids() + first, triangles, t.id + t.count);
+        t.count += triangles;
+        add_lanes(b, nullptr, static_cast<int>(count));
+        own_ = b.count;
+        i += count;
     }
+}
+
+void Gatherer::shade_group(const TilePixels::Group& group, const GatherInput& in,
+                           image::Image& picture) {
+    Block& b = *block_;
+    if (look_ != group.look) begin_look(in, group.look, picture);
+    const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
+    for (int left = static_cast<int>(group.count); left > 0;) {
+        if (b.count == kLanes) finish_block(in, picture);
+        const int count = std::min(left, kLanes - b.count);
+        if (of != nullptr)
+            add_lit(*of, count);
+        else
+            add_unlit(in, group.id, count);
+        own_ = b.count;
+        left -= count;
+    }
+}
+
+// In the order of their list.
+void Gatherer::shade_own_pixels(const GatherInput& in, image::Image& picture) {
+    if (all_whole_)
+        own_pixels_->arrange(in.looks, [](std::uint32_t) { return true; });
+    else
+        own_pixels_->arrange(in.looks, [&](std::uint32_t id) { return has_own_lanes(in, id); });
+    for (const TilePixels::Part& part : own_pixels_->parts())
+        shade_part(part, in, picture);
+    for (const TilePixels::Group& group : own_pixels_->groups())
+        shade_group(group, in, picture);
 }
 
 // rows: of what tile shared pixels are bits of rows; null: they are fragments.
@@ -512,7 +515,8 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
     look_.reset();
-    std::uint64_t lanes = shade_spans(in, picture);
+    shade_own_pixels(in, picture);
+    std::uint64_t lanes = own_pixels_->size();
     lanes += rows != nullptr ? shade_rows(*rows, in, picture) : shade_fragments(in, picture);
     finish_block(in, picture);
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);

@@ -10,17 +10,16 @@
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/composed_layers.h"
-#include "shade/few_pixels.h"
 #include "shade/lane_triangles.h"
 #include "shade/linear_picture.h"
+#include "shade/looks.h"
 #include "shade/mip_chain.h"
 #include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
 #include "shade/shared_row.h"
-#include "shade/spans.h"
 #include "shade/stage.h"
-#include "shade/tile_runs.h"
+#include "shade/tile_pixels.h"
 #include "shade/transparency.h"
 #include "shade/wide_filter.h"
 
@@ -132,8 +131,10 @@ private:
                const BlendedPixels* blended);
     std::uint64_t shade_collected(const GatherInput& input, image::Image& picture,
                                   const raster::VisibilityTile* rows);
-    std::uint64_t shade_spans(const GatherInput& input, image::Image& picture);
-    void shade_few(const GatherInput& input, image::Image& picture);
+    void shade_own_pixels(const GatherInput& input, image::Image& picture);
+    void shade_part(const TilePixels::Part& part, const GatherInput& input, image::Image& picture);
+    void shade_group(const TilePixels::Group& group, const GatherInput& input,
+                     image::Image& picture);
     std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);
     void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
     std::uint64_t shade_rows(const raster::VisibilityTile& tile, const GatherInput& input,
@@ -165,8 +166,7 @@ private:
     MixtureSink sink_;
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
-    std::unique_ptr<Spans> spans_;
-    std::unique_ptr<FewPixels> few_;
+    std::unique_ptr<TilePixels> own_pixels_;
     TriangleSource source_{};
     bool all_whole_ = false;    // every triangle may have lanes of its own
     bool set_up_later_ = false; // primitives, with their block
@@ -186,9 +186,7 @@ private:
     // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.
     struct Share;
     int own_ = 0;
-    // Pixels of lanes, in the tile: of those that one primitive fills, block after block, with room
-    // for the shares of the last one and for registers. pixel_: this block's first.
-    std::vector<std::int32_t> pixels_;
+    // Pixels of its lanes, in the tile: in the list of own_pixels_, and behind it those of shares.
     std::int32_t* pixel_ = nullptr;
     std::unique_ptr<Share[]> share_;
     PixelSums sums_;               // of the pixels in shared_

@@ -238,6 +238,12 @@ template <class D>
 HWY_INLINE void store(Double<D> a, double* to) {
     a.store_to(to);
 }
+// The first `count` lanes, or all.
+template <class D>
+HWY_INLINE void store_first(Int<D> a, int count, std::int32_t* to) {
+    const typename Int<D>::Tag tag;
+    hn::BlendedStore(a.raw, hn::FirstN(tag, static_cast<std::size_t>(count)), tag, to);
+}
 // Past the caches, to an address that the register's size divides. Others may read it after
 // finish_streams().
 template <class D>

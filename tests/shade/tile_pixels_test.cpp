@@ -1,0 +1,211 @@
+// Pixels of a tile by the primitive that fills them: each comes back once, under its primitive's
+// name, however many names share a slot of the table.
+#include "raster/coverage.h"
+#include "shade/tile_pixels.h"
+#include "support/random.h"
+
+#include <algorithm>
+#include <bit>
+#include <functional>
+#include <set>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace scanout::shade::test {
+namespace {
+
+using raster::kTileSize;
+using scanout::test::Random;
+
+constexpr int kPixels = kTileSize * kTileSize;
+
+class PixelsOfATile : public ::testing::Test {
+protected:
+    Random random{1};
+    TilePixels pixels;
+    Looks looks{nullptr, 0};
+    std::vector<std::uint32_t> name_of = std::vector<std::uint32_t>(kPixels);
+    std::function<bool(std::uint32_t)> own_lanes = [](std::uint32_t) { return true; };
+
+    // Fills the tile; next: the name of the run that begins at a pixel, `most` pixels at most.
+    void fill(const std::function<std::uint32_t(int)>& name, int most) {
+        for (int pixel = 0; pixel < kPixels;) {
+            const int left = kTileSize - pixel % kTileSize;
+            const int count = random.whole(1, std::min(most, left));
+            const std::uint32_t id = name(pixel);
+            pixels.add(id, pixel, count);
+            std::fill_n(name_of.begin() + pixel, count, id);
+            pixel += count;
+        }
+        pixels.arrange(looks, own_lanes);
+    }
+
+    std::vector<int> seen = std::vector<int>(kPixels);
+    void expect_pixel(std::size_t at, std::uint32_t id) {
+        ASSERT_LT(at, pixels.size());
+        const auto pixel = static_cast<std::size_t>(pixels.pixels()[at]);
+        ASSERT_LT(pixel, name_of.size());
+        EXPECT_EQ(name_of[pixel], id) << "pixel " << pixel;
+        ++seen[pixel];
+    }
+    // Also that each triangle of a part has few pixels, and may set itself up.
+    void expect_each_pixel_once() {
+        std::fill(seen.begin(), seen.end(), 0);
+        std::size_t at = 0;
+        for (const TilePixels::Part& part : pixels.parts()) {
+            ASSERT_EQ(part.first, at);
+            for (; at < part.end; ++at) {
+                const auto triangle = static_cast<std::size_t>(pixels.triangles()[at]);
+                const std::uint32_t id = pixels.ids()[triangle];
+                expect_pixel(at, id);
+                EXPECT_TRUE(own_lanes(id));
+                EXPECT_EQ(part.material, looks.of(id).material);
+                EXPECT_TRUE(looks.of(id).lit);
+                if (at == part.first) continue;
+                const int step = pixels.triangles()[at] - pixels.triangles()[at - 1];
+                EXPECT_TRUE(step == 0 || step == 1);
+            }
+        }
+        for (const TilePixels::Group& group : pixels.groups()) {
+            EXPECT_EQ(group.look, looks.of(group.id));
+            if (group.look.lit && own_lanes(group.id)) {
+                EXPECT_GT(group.count, std::uint32_t{TilePixels::kMost});
+            }
+            for (const std::size_t end = at + group.count; at < end; ++at)
+                expect_pixel(at, group.id);
+        }
+        EXPECT_EQ(at, pixels.size());
+        EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), kPixels);
+    }
+    std::size_t part_triangles() const {
+        return pixels.parts().empty()
+                   ? 0
+                   : static_cast<std::size_t>(pixels.triangles()[pixels.parts().back().end - 1]) +
+                         1;
+    }
+};
+
+TEST_F(PixelsOfATile, StandTogetherOncePerPrimitive) {
+    fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 40);
+    expect_each_pixel_once();
+    std::vector<std::uint32_t> names(pixels.ids(), pixels.ids() + part_triangles());
+    EXPECT_FALSE(names.empty());
+    EXPECT_FALSE(pixels.groups().empty());
+    for (const TilePixels::Group& group : pixels.groups())
+        names.push_back(group.id);
+    std::sort(names.begin(), names.end());
+    EXPECT_TRUE(std::adjacent_find(names.begin(), names.end()) == names.end());
+}
+
+TEST_F(PixelsOfATile, AreAllThereWhenNamesShareASlot) {
+    for (int round = 0; round < 50; ++round) {
+        const int names = random.whole(1, 8);
+        pixels.clear();
+        fill([&](int) { return static_cast<std::uint32_t>(random.whole(1, names)) * 1024; }, 64);
+        expect_each_pixel_once();
+    }
+}
+
+TEST_F(PixelsOfATile, MayBeOneOfEveryPrimitive) {
+    fill([](int pixel) { return static_cast<std::uint32_t>(pixel) * 1024; }, 1);
+    EXPECT_EQ(part_triangles(), static_cast<std::size_t>(kPixels));
+    EXPECT_TRUE(pixels.groups().empty());
+    expect_each_pixel_once();
+}
+
+TEST_F(PixelsOfATile, AreForgottenWithTheTile) {
+    fill([](int) { return 7U; }, 64);
+    pixels.clear();
+    EXPECT_TRUE(pixels.groups().empty());
+    EXPECT_EQ(pixels.size(), 0U);
+    fill([](int) { return 7U; }, 64);
+    expect_each_pixel_once();
+    EXPECT_EQ(pixels.groups().size(), 1U);
+}
+
+TEST_F(PixelsOfATile, HaveGroupsWhereLanesMayNotSetUpTheirTriangles) {
+    own_lanes = [](std::uint32_t id) { return id % 3 != 0; };
+    fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 6);
+    expect_each_pixel_once();
+    EXPECT_TRUE(std::any_of(pixels.groups().begin(), pixels.groups().end(),
+                            [](const auto& group) { return group.count <= TilePixels::kMost; }));
+}
+
+TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
+    geom::Mesh mesh;
+    constexpr std::uint32_t kTriangles = 900;
+    mesh.index.resize(std::size_t{kTriangles} * 3);
+    for (std::uint32_t i = 0; i < kTriangles; ++i)
+        mesh.material.push_back(random.whole(-1, 4));
+    constexpr std::uint32_t kPoints = 100;
+    mesh.point_index.resize(kPoints);
+    for (std::uint32_t i = 0; i < kPoints; ++i)
+        mesh.point_material.push_back(random.whole(-1, 4));
+    looks = {&mesh, std::nullopt};
+    fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 12);
+    expect_each_pixel_once();
+    std::set<std::int32_t> materials;
+    for (const TilePixels::Part& part : pixels.parts())
+        EXPECT_TRUE(materials.insert(part.material).second) << "two parts of one material";
+    EXPECT_EQ(materials.size(), 6U);
+    const auto key = [](const TilePixels::Group& group) {
+        return std::pair(group.look.lit, group.look.material);
+    };
+    EXPECT_TRUE(std::is_sorted(pixels.groups().begin(), pixels.groups().end(),
+                               [&](const auto& a, const auto& b) { return key(a) < key(b); }));
+    EXPECT_FALSE(pixels.groups().front().look.lit);
+}
+
+TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
+    OwnPixels own{};
+    std::vector<std::uint32_t> ids(kPixels);
+    const auto make = [&] {
+        for (std::size_t row = 0; row < kTileSize; ++row) {
+            own.starts[row] = own.ends[row] = 0;
+            for (int x = 0; x < kTileSize;) {
+                const int count = std::min(random.whole(1, 20), kTileSize - x);
+                own.starts[row] |= std::uint64_t{1} << x;
+                own.ends[row] |= std::uint64_t{1} << (x + count - 1);
+                const auto id = static_cast<std::uint32_t>(random.whole(0, 3000));
+                std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(row) * kTileSize + x, count,
+                            id);
+                x += count;
+            }
+        }
+    };
+    for (int round = 0; round < 20; ++round) {
+        make();
+        name_of = ids;
+        pixels.clear();
+        pixels.add_rows(ids.data(), own, 0, kTileSize);
+        pixels.arrange(looks, own_lanes);
+        expect_each_pixel_once();
+    }
+}
+
+TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
+    for (int pixel = 0; pixel < kPixels; ++pixel)
+        name_of[static_cast<std::size_t>(pixel)] =
+            static_cast<std::uint32_t>(random.whole(0, 5)); // neighbours may show the same
+    std::size_t count = 0;
+    for (int row = 0; row < kTileSize; ++row) {
+        const std::uint64_t some = random.bits() & random.bits();
+        pixels.add_scattered(0, name_of.data() + std::ptrdiff_t{row} * kTileSize, row * kTileSize,
+                             some);
+        count += static_cast<std::size_t>(std::popcount(some));
+    }
+    pixels.arrange(looks, own_lanes);
+    ASSERT_EQ(pixels.size(), count);
+    ASSERT_EQ(pixels.parts().size(), 1U);
+    EXPECT_TRUE(pixels.groups().empty());
+    for (std::size_t at = 0; at < count; ++at) {
+        expect_pixel(at, pixels.ids()[static_cast<std::size_t>(pixels.triangles()[at])]);
+        if (at > 0) {
+            EXPECT_LT(pixels.pixels()[at - 1], pixels.pixels()[at]);
+        }
+    }
+}
+
+} // namespace
+} // namespace scanout::shade::test
