@@ -16,9 +16,10 @@ struct GatherInput;
 // Their vertices are in canonical order.
 struct LaneTriangles {
     // Set by the gatherer: the triangles, with all their vertices on the screen; which of them each
-    // lane shows: from lane to lane of a run the same or the next one. The block's first lanes are
-    // known to be covered at their pixels' centres; of the others, from there to a sample that
-    // shows them (1/256 pixel), where they are shaded if they do not cover the centre.
+    // lane shows: from lane to lane of a run the same or the next one, and any number behind the
+    // last lane. The block's first lanes are known to be covered at their pixels' centres; of the
+    // others, from there to a sample that shows them (1/256 pixel), where they are shaded if they
+    // do not cover the centre.
     int count = 0;
     std::uint32_t id[kRoom];
     std::int32_t of_lane[kRoom];

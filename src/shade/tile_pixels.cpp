@@ -8,15 +8,13 @@
 SIMD_BEGIN(scanout::shade)
 
 // In a kernel's file because most targets count bits by one instruction.
-void find_spans(const std::uint32_t* ids, const OwnPixels& own, int first, int end,
-                SpanTable& table) {
+void find_spans(const std::uint32_t* ids, const std::uint64_t* starts, const std::uint64_t* ends,
+                int first, int end, SpanTable& table) {
     std::uint32_t spans = table.spans, groups = table.groups;
     for (int row = first; row < end; ++row) {
-        const std::uint64_t ends = own.ends[static_cast<std::size_t>(row)];
-        for (std::uint64_t rest = own.starts[static_cast<std::size_t>(row)]; rest != 0;
-             rest &= rest - 1) {
+        for (std::uint64_t rest = starts[row]; rest != 0; rest &= rest - 1) {
             const int x = __builtin_ctzll(rest), pixel = row * raster::kTileSize + x;
-            table.add(ids[pixel], pixel, __builtin_ctzll(ends >> x) + 1, spans, groups);
+            table.add(ids[pixel], pixel, __builtin_ctzll(ends[row] >> x) + 1, spans, groups);
         }
     }
     table.spans = spans;
@@ -39,10 +37,13 @@ void put_spans(const SpanTable& table, std::uint32_t* place, std::int32_t* pixel
 SIMD_END
 
 #if SIMD_ONCE
-#include "shade/check_lanes.h"
+#include "base/check.h"
+#include "raster/primitive.h"
+#include "shade/stage.h"
 
 #include <algorithm>
 #include <bit>
+#include <iterator>
 #include <tuple>
 
 namespace scanout::shade {
@@ -73,7 +74,7 @@ void TilePixels::clear() {
 }
 
 void TilePixels::add_rows(const std::uint32_t* ids, const OwnPixels& own, int first, int end) {
-    SIMD_CALL(find_spans)(ids, own, first, end, *table_);
+    SIMD_CALL(find_spans)(ids, own.starts.data(), own.ends.data(), first, end, *table_);
 }
 
 void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, int first,
@@ -111,6 +112,7 @@ void TilePixels::find_order(const Looks& looks) {
 }
 
 void TilePixels::put_pixels() {
+    CHECK_LE(table_->spans, std::uint32_t{SpanTable::kPixels}); // each pixel once
     for (const Group& group : groups_) {
         place_[group.in_table] = static_cast<std::uint32_t>(size_);
         size_ += group.count;

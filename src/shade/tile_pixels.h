@@ -6,9 +6,9 @@
 
 #include "raster/coverage.h"
 #include "shade/looks.h"
-#include "shade/stage.h"
 #include "shade/tile_runs.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <memory>
@@ -29,9 +29,15 @@ struct SpanTable {
     };
     struct Span { // in a word: group, pixels less one, first pixel
         std::uint32_t word;
-        std::uint32_t pixel() const { return word & ((1U << kPixelBits) - 1); }
-        std::uint32_t count() const { return (word >> kPixelBits & ((1U << kCountBits) - 1)) + 1; }
-        std::uint32_t group() const { return word >> (kPixelBits + kCountBits); }
+        [[gnu::always_inline]] std::uint32_t pixel() const {
+            return word & ((1U << kPixelBits) - 1);
+        }
+        [[gnu::always_inline]] std::uint32_t count() const {
+            return (word >> kPixelBits & ((1U << kCountBits) - 1)) + 1;
+        }
+        [[gnu::always_inline]] std::uint32_t group() const {
+            return word >> (kPixelBits + kCountBits);
+        }
     };
 
     struct Group {
@@ -49,8 +55,8 @@ struct SpanTable {
     void add(std::uint32_t id, int pixel, int count) { add(id, pixel, count, spans, groups); }
     // With counters in registers. No branch: one span in four begins a group, and no processor
     // foresees which.
-    void add(std::uint32_t id, int pixel, int count, std::uint32_t& span_count,
-             std::uint32_t& group_count) {
+    [[gnu::always_inline]] void add(std::uint32_t id, int pixel, int count,
+                                    std::uint32_t& span_count, std::uint32_t& group_count) {
         Slot& at = slot[id % kSlots];
         const std::uint32_t fresh = at.id != id ? 1 : 0;
         const std::uint32_t of = group_count ^ ((group_count ^ at.group) & (fresh - 1));
@@ -131,7 +137,7 @@ private:
         const Four number = Four{} + static_cast<std::int32_t>(triangles_++);
         static_assert(kMost == 24);
 #pragma GCC unroll 6
-        for (int i = 0; i < kMost; i += 4) // those beyond are the next triangle's
+        for (std::size_t i = 0; i < kMost; i += 4) // those beyond are the next triangle's
             std::memcpy(&triangle_[size_ + i], &number, sizeof number);
         place_[next.group] = static_cast<std::uint32_t>(size_);
         parts_.back().end = size_ += count;

@@ -49,8 +49,8 @@ protected:
         EXPECT_EQ(name_of[pixel], id) << "pixel " << pixel;
         ++seen[pixel];
     }
-    // Also that each triangle of a part has few pixels, and may set itself up.
-    void expect_each_pixel_once() {
+    // Also that each triangle of a part may set itself up.
+    void expect_names() {
         std::fill(seen.begin(), seen.end(), 0);
         std::size_t at = 0;
         for (const TilePixels::Part& part : pixels.parts()) {
@@ -76,6 +76,9 @@ protected:
                 expect_pixel(at, group.id);
         }
         EXPECT_EQ(at, pixels.size());
+    }
+    void expect_each_pixel_once() {
+        expect_names();
         EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), kPixels);
     }
     std::size_t part_triangles() const {
@@ -158,29 +161,37 @@ TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
 }
 
 TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
-    OwnPixels own{};
-    std::vector<std::uint32_t> ids(kPixels);
-    const auto make = [&] {
-        for (std::size_t row = 0; row < kTileSize; ++row) {
-            own.starts[row] = own.ends[row] = 0;
-            for (int x = 0; x < kTileSize;) {
-                const int count = std::min(random.whole(1, 20), kTileSize - x);
-                own.starts[row] |= std::uint64_t{1} << x;
-                own.ends[row] |= std::uint64_t{1} << (x + count - 1);
-                const auto id = static_cast<std::uint32_t>(random.whole(0, 3000));
-                std::fill_n(ids.begin() + static_cast<std::ptrdiff_t>(row) * kTileSize + x, count,
-                            id);
-                x += count;
+    for (int round = 0; round < 40; ++round) {
+        TileRows rows{};
+        std::fill(name_of.begin(), name_of.end(), raster::kNoPrimitive);
+        for (std::size_t row = 0; row < kTileSize; ++row)
+            for (int x = 0, count = 0; x < kTileSize; x += count) {
+                count = std::min(random.whole(1, random.whole(1, kTileSize)), kTileSize - x);
+                rows[row].ends |= std::uint64_t{1} << (x + count - 1);
+                if (random.whole(0, 4) == 0) continue; // the background
+                std::fill_n(name_of.begin() + static_cast<std::ptrdiff_t>(row) * kTileSize + x,
+                            count, static_cast<std::uint32_t>(random.whole(0, 3000)));
+            }
+        const int first = random.whole(0, 20), end = random.whole(40, kTileSize);
+        const std::uint64_t columns = ~std::uint64_t{0} >> random.whole(0, 20) << 5;
+        std::vector<int> expected(kPixels);
+        for (int row = first; row < end; ++row) {
+            RowBits& of = rows[static_cast<std::size_t>(row)];
+            of.shared = random.whole(0, 1) == 0 ? 0 : random.bits() & random.bits();
+            for (int x = 0; x < kTileSize; ++x) {
+                const auto pixel = static_cast<std::size_t>(row * kTileSize + x);
+                const bool shows = name_of[pixel] != raster::kNoPrimitive;
+                of.shown |= std::uint64_t{shows} << x;
+                if (shows && ((columns & ~of.shared) >> x & 1) != 0) expected[pixel] = 1;
             }
         }
-    };
-    for (int round = 0; round < 20; ++round) {
-        make();
-        name_of = ids;
+        OwnPixels own;
+        find_own(rows, first, end, columns, own);
         pixels.clear();
-        pixels.add_rows(ids.data(), own, 0, kTileSize);
+        pixels.add_rows(name_of.data(), own, first, end);
         pixels.arrange(looks, own_lanes);
-        expect_each_pixel_once();
+        expect_names();
+        EXPECT_EQ(seen, expected);
     }
 }
 
