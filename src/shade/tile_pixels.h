@@ -119,7 +119,8 @@ public:
     struct Group {
         std::uint32_t id;
         Look look;
-        std::uint32_t in_table, count; // pixels
+        std::uint32_t in_table; // its number there
+        std::uint32_t count;    // pixels
     };
     std::span<const Group> groups() const { return groups_; }
 
