@@ -54,4 +54,25 @@ geom::PolygonMesh knot(std::size_t triangles) {
     return mesh;
 }
 
+geom::PolygonMesh crate(std::size_t triangles_inside) {
+    geom::PolygonMesh mesh = knot(triangles_inside);
+    const std::size_t first = mesh.positions.size();
+    const DVec3 half(1.7, 1.7, 0.7); // beyond the tube's reach
+    for (int corner = 0; corner < 8; ++corner) {
+        const auto side = [&](int axis) { return (corner >> axis & 1) != 0 ? 1.0 : -1.0; };
+        mesh.positions.push_back(half * DVec3(side(0), side(1), side(2)));
+    }
+    const auto face = [&](std::size_t a, std::size_t b, std::size_t c, std::size_t d) {
+        add_triangle(mesh, first + a, first + b, first + c);
+        add_triangle(mesh, first + a, first + c, first + d);
+    };
+    face(0, 2, 3, 1);
+    face(4, 5, 7, 6);
+    face(0, 1, 5, 4);
+    face(2, 6, 7, 3);
+    face(0, 4, 6, 2);
+    face(1, 3, 7, 5);
+    return mesh;
+}
+
 } // namespace scanout::bench

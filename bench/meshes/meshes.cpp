@@ -19,6 +19,7 @@ constexpr std::array kMeshes = {
     MeshCard{"dragon", "a rough knotted tube", 871222, false},
     MeshCard{"building", "a hall with aisles, from inside", 60352, true},
     MeshCard{"large", "the dragon's shape, finer", 5399460, false},
+    MeshCard{"crate", "the dragon in a box that hides it", 871234, false},
 };
 constexpr std::size_t kDragon = 871414, kLarge = 5400000;
 constexpr std::string_view kBunny = SCANOUT_BENCH_ASSETS "/stanford_bunny/stanford-bunny.obj";
@@ -43,6 +44,7 @@ Result<geom::PolygonMesh> make_polygons(std::string_view name) {
     if (name == "dragon") return knot(kDragon);
     if (name == "building") return building();
     if (name == "large") return knot(kLarge);
+    if (name == "crate") return crate(kDragon);
     constexpr std::string_view kKnot = "knot:";
     std::size_t triangles = 0;
     if (name.starts_with(kKnot)) {
@@ -51,10 +53,11 @@ Result<geom::PolygonMesh> make_polygons(std::string_view name) {
         if (error == std::errc() && stop == end && triangles >= 100 && triangles <= 100000000)
             return knot(triangles);
     }
-    return fail(Exit::usage,
-                "{}: there is no such mesh; say teapot, bunny, dragon, building, large, or knot:N "
-                "with 100 to 100000000 triangles",
-                name);
+    return fail(
+        Exit::usage,
+        "{}: there is no such mesh; say teapot, bunny, dragon, building, large, crate, or knot:N "
+        "with 100 to 100000000 triangles",
+        name);
 }
 
 Result<geom::Mesh> make_mesh(std::string_view name) {

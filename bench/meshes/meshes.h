@@ -19,7 +19,7 @@ struct MeshCard {
     std::size_t triangles; // exactly
     bool inside;           // the camera stands in it, not before it
 };
-// teapot dragon building large; and bunny, where the repository's assets stand beside it.
+// teapot dragon building large crate; and bunny, where the repository's assets stand beside it.
 std::span<const MeshCard> meshes();
 
 // Triangles alone, as a file would say them: no normals, no uv. "knot:N" is the dragon's shape with

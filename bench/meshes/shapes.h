@@ -15,6 +15,8 @@ geom::PolygonMesh teapot();
 // A rough tube along a torus knot, of about so many triangles: a long body that winds before and
 // behind itself, as the dragon's does.
 geom::PolygonMesh knot(std::size_t triangles);
+// The same in a box, all of it hidden from outside.
+geom::PolygonMesh crate(std::size_t triangles_inside);
 // A hall with aisles, piers, columns, beams and furniture, seen from inside.
 geom::PolygonMesh building();
 

@@ -38,6 +38,7 @@ void Ours::draw_depth(const scene::View& view) {
     options.height = options_.height;
     options.keep = options_.cull == frame::Cull::back ? raster::Facing::front : raster::Facing::any;
     options.mirrored = view.mirrored;
+    options.hidden = &hidden_;
     geometry_.run(jobs_, scene_.mesh,
                   raster::ScreenTransform(view, options_.width, options_.height), options);
     bare_.begin({options_.width, options_.height, raster::kTileSize, geometry_.tiles(), {}});

@@ -49,7 +49,7 @@ const bool kRegistered = [] {
                  {"textured", Shading::textured, 1},
                  {"shadow_map", Shading::shadowed, 1},
                  {"4_samples", Shading::blinn_phong, 4}};
-    for (const char* mesh : {"teapot", "bunny", "dragon", "building"})
+    for (const char* mesh : {"teapot", "bunny", "dragon", "building", "crate"})
         for (const auto& kind : kinds)
             benchmark::RegisterBenchmark((std::string(mesh) + "/" + kind.name).c_str(), frame_of,
                                          Load{kind.name, mesh, kind.shading, kind.samples, 0, 0})

@@ -95,6 +95,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<Worker> workers;
     raster::Geometry geometry;
+    raster::HiddenClusters hidden;
     shade::MipChains mips;
     image::Image back_buffer;
     BareTiles bare;          // of it
@@ -248,7 +249,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
 }
 
 // What a tile shows at its samples, cut-out surfaces and lines included.
-static void draw_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
+static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                          Worker& worker) {
     geometry.draw_triangles(tile, worker.visibility);
     const shade::LayerInput* layers = in.layers;
@@ -410,9 +411,13 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const AntiAliasing& aa = *plan.aa;
     const int width = o.width * aa.scale, height = o.height * aa.scale;
     const raster::ScreenTransform transform(view, width, height);
+    // Who draws every triangle by itself lets none wait.
+    const bool all = !plan.transparency.layers.empty() || aa.exact || !plan.visible.usual() ||
+                     plan.stencil != nullptr;
     s.geometry.run(s.jobs, scene.mesh, transform,
                    {width, height, raster::cullings()[static_cast<std::size_t>(o.cull)]->keep,
-                    view.mirrored, aa.samples, aa.exact, tile_size, plan.transparency.layers});
+                    view.mirrored, aa.samples, aa.exact, tile_size, plan.transparency.layers, false,
+                    all ? nullptr : &s.hidden});
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =

@@ -91,6 +91,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     options.mirrored = in.view.mirrored;
     options.triangles_only = true;
     options.layers = in.plan.shadow.casters;
+    if (options.layers.empty()) options.hidden = &out.hidden;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
     out.bare.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
     const shade::LayerInput layers = layer_input(in.plan);

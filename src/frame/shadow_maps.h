@@ -42,6 +42,7 @@ private:
     struct Depths {
         std::vector<float> depth;
         BareTiles bare; // of it
+        raster::HiddenClusters hidden;
     };
     void draw(const ShadowScene& in, const LightView& from, raster::Facing keep, Depths& out);
 

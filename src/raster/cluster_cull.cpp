@@ -12,6 +12,7 @@ constexpr double kBesidePixels = 2; // beyond the picture, however far samples l
 constexpr double kSlack = 1 + 1e-9, kAngle = 1e-6;
 // Vertices move by up to half a step each way, an edge by twice that.
 constexpr double kMove = 1.4143 / kSubpixel;
+constexpr double kNearer = 0x1p-20; // depths at samples are rounded (raster/coverage.h)
 
 } // namespace
 
@@ -31,6 +32,7 @@ ClusterCull::ClusterCull(const ScreenTransform& t, Facing keep)
         row_[r] = {t.linear[r][0], t.linear[r][1], t.linear[r][2]};
     x_ = plane({1, 0, 0});
     y_ = plane({0, 1, 0});
+    z_ = plane({0, 0, 1});
     w_ = plane({0, 0, -1});
     if (!t.perspective) w_ = {DVec3(0), 1, 0};
     const auto edge = [&](const Plane& axis, double scale, double from) {
@@ -97,6 +99,40 @@ bool ClusterCull::hides(const geom::Cluster& c) const {
     if (beside(c, most_w)) return true;
     const double least_w = (w - reach) * (1 - 1e-9);
     return least_w > transform_.box.near_w && turned_away(c, least_w, most_w);
+}
+
+std::optional<ClusterBounds> ClusterCull::bounds(const geom::Cluster& c) const {
+    const ScreenTransform& t = transform_;
+    struct Range {
+        double least, most;
+    };
+    const auto range = [&](const Plane& axis) {
+        const double middle = dot3(axis.normal, c.centre) + axis.offset,
+                     reach = axis.length * c.radius * kSlack;
+        return Range{middle - reach, middle + reach};
+    };
+    const Range w = range(w_);
+    if (!(w.least > t.box.near_w * (1 + 1e-6))) return std::nullopt;
+    const auto pixels = [&](const Plane& axis, double scale, double centre) {
+        const Range a = range(axis);
+        const double least = a.least / (a.least > 0 ? w.most : w.least),
+                     most = a.most / (a.most > 0 ? w.least : w.most);
+        return Range{centre + std::min(least * scale, most * scale) - kBesidePixels,
+                     centre + std::max(least * scale, most * scale) + kBesidePixels};
+    };
+    const Range x = pixels(x_, t.scale_x, t.centre_x), y = pixels(y_, -t.scale_y, t.centre_y);
+    if (!(x.least > t.box.left && x.most < t.box.right && y.least > t.box.top &&
+          y.most < t.box.bottom))
+        return std::nullopt;
+    const double nearest = t.perspective ? t.box.near_w / w.least
+                                         : (range(z_).most - t.depth_origin) * t.depth_scale +
+                                               kNearer * kNearer; // of a difference
+    const auto within = [](double at, int size) {
+        return static_cast<int>(std::clamp(at, 0.0, static_cast<double>(size)));
+    };
+    return ClusterBounds{{within(x.least, t.width), within(y.least, t.height),
+                          within(x.most + 1, t.width), within(y.most + 1, t.height)},
+                         static_cast<float>(nearest * (1 + kNearer))};
 }
 
 } // namespace scanout::raster

@@ -3,7 +3,6 @@
 #include "base/check.h"
 #include "raster/check_lanes.h"
 #include "raster/clip.h"
-#include "raster/cluster_cull.h"
 
 #include <algorithm>
 #include <atomic>
@@ -29,6 +28,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
     pieces.clear();
     segments.clear();
     points.clear();
+    waiting.clear();
     bins.resize(static_cast<std::size_t>(tiles));
     layered.resize(layers ? static_cast<std::size_t>(tiles) : 0);
     for (auto* all : {&bins, &layered}) {
@@ -37,6 +37,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.pieces.clear();
             bin.segments.clear();
             bin.points.clear();
+            bin.waiting.clear();
             bin.large.clear();
             for (auto& parts : bin.parts)
                 parts.clear();
@@ -62,19 +63,6 @@ void Geometry::Batch::Bin::for_small(F&& f) const {
             f(part.triangle);
 }
 
-template <class F>
-void Geometry::for_tiles(int x0, int y0, int x1, int y1, F&& f) const {
-    const int first = x0 >> tile_bits_, end = ((x1 - 1) >> tile_bits_) + 1;
-    for (int y = y0 >> tile_bits_; y <= (y1 - 1) >> tile_bits_; ++y)
-        for (int x = first; x < end; ++x)
-            f(static_cast<std::size_t>(y * across_ + x));
-}
-
-template <class F>
-void Geometry::for_tiles(const image::Rect& bounds, F&& f) const {
-    if (!bounds.empty()) for_tiles(bounds.x0, bounds.y0, bounds.x1, bounds.y1, f);
-}
-
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
                    const GeometryOptions& options) {
     tile_size_ = options.tile_size;
@@ -94,6 +82,9 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     mesh_ = &mesh;
     transform_ = transform;
     layers_.assign(options.layers.begin(), options.layers.end());
+    hidden_ = options.hidden;
+    late_drawn_ = 0;
+    CHECK(hidden_ == nullptr || layers_.empty());
     CHECK_LE(mesh.position.size(), kMostVertices);
     vertices_.resize(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
@@ -137,11 +128,13 @@ void Geometry::find_needed(Jobs& jobs, bool all_vertices) {
     CHECK_EQ(clusters.cluster.size(),
              (mesh_->triangles() + Clusters::kTriangles - 1) / Clusters::kTriangles);
     seen_.resize(clusters.cluster.size());
-    const ClusterCull cull(*transform_, cull_.keep);
-    jobs.for_each(chunks(seen_.size()), [&](int chunk, int) {
+    if (hidden_ != nullptr) hidden_->begin_frame(seen_.size());
+    cluster_cull_.emplace(*transform_, cull_.keep);
+    jobs.for_each(chunks(seen_.size()), [&](int chunk, int worker) {
         const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
+        Batch& batch = batches_[static_cast<std::size_t>(worker)];
         for (std::size_t c = begin; c < std::min(seen_.size(), begin + kChunk); ++c) {
-            seen_[c] = cull.hides(clusters.cluster[c]) ? 0 : 1;
+            seen_[c] = cluster_cull_->hides(clusters.cluster[c]) || waits(batch, c) ? 0 : 1;
             if (seen_[c] == 0) continue;
             for (const std::uint32_t block : clusters.blocks_of(c))
                 std::atomic_ref(needed_[block]).store(1, std::memory_order_relaxed);
@@ -159,17 +152,21 @@ void Geometry::transform_needed(Jobs& jobs) {
             const std::size_t from = block;
             while (block < last && needed_[block] != 0)
                 ++block;
-            const std::size_t begin = from * kBlock,
-                              n = std::min(block * kBlock, mesh_->position.size()) - begin;
-            if (block > from) {
-                const auto out = std::span(vertices_).subspan(begin, n);
-                transform_vertices(*transform_, std::span(mesh_->position).subspan(begin, n), out);
-                check_lanes(out);
-            } else {
+            if (block > from)
+                transform_blocks(from, block);
+            else
                 ++block;
-            }
         }
     });
+}
+
+void Geometry::transform_blocks(std::size_t begin, std::size_t end) {
+    constexpr std::size_t kBlock = geom::Clusters::kVertices;
+    const std::size_t first = begin * kBlock,
+                      n = std::min(end * kBlock, mesh_->position.size()) - first;
+    const auto out = std::span(vertices_).subspan(first, n);
+    transform_vertices(*transform_, std::span(mesh_->position).subspan(first, n), out);
+    check_lanes(out);
 }
 
 void Geometry::add_seen(Batch& batch, std::size_t begin, std::size_t end) const {
@@ -202,20 +199,21 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
 }
 
 void Geometry::add_small(Batch& batch, const KeptTriangle& t) const {
-    const auto clamped = [&](int at, int begin) { return std::clamp(at - begin, 0, tile_size_); };
     for (int y = t.y0() >> tile_bits_; y <= (t.y1() - 1) >> tile_bits_; ++y)
-        for (int x = t.x0() >> tile_bits_; x <= (t.x1() - 1) >> tile_bits_; ++x) {
-            const int left = x << tile_bits_, top = y << tile_bits_;
-            const int x0 = clamped(t.x0(), left), x1 = clamped(t.x1(), left);
-            const int y0 = clamped(t.y0(), top), y1 = clamped(t.y1(), top);
-            const bool tiny = std::max(x1 - x0, y1 - y0) <= speck_side(PartKind::speck_astride);
-            const PartKind kind = t.away() ? PartKind::back
-                                  : tiny   ? PartKind::speck_astride
-                                           : PartKind::strip;
-            batch.bins[static_cast<std::size_t>(y * across_ + x)]
-                .parts[static_cast<std::size_t>(kind)]
-                .push_back(TilePart::of(t.triangle, x0, y0, x1, y1));
-        }
+        for (int x = t.x0() >> tile_bits_; x <= (t.x1() - 1) >> tile_bits_; ++x)
+            add_part(t, x << tile_bits_, y << tile_bits_,
+                     batch.bins[static_cast<std::size_t>(y * across_ + x)].parts);
+}
+
+void Geometry::add_part(const KeptTriangle& t, int left, int top, Parts& parts) const {
+    const auto clamped = [&](int at, int begin) { return std::clamp(at - begin, 0, tile_size_); };
+    const int x0 = clamped(t.x0(), left), x1 = clamped(t.x1(), left);
+    const int y0 = clamped(t.y0(), top), y1 = clamped(t.y1(), top);
+    const bool tiny = std::max(x1 - x0, y1 - y0) <= speck_side(PartKind::speck_astride);
+    const PartKind kind = t.away() ? PartKind::back
+                          : tiny   ? PartKind::speck_astride
+                                   : PartKind::strip;
+    parts[static_cast<std::size_t>(kind)].push_back(TilePart::of(t.triangle, x0, y0, x1, y1));
 }
 
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
@@ -340,7 +338,7 @@ bool Geometry::is_empty(int tile) const {
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [](const Batch::Bin& bin) {
         return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
-               bin.points.empty() &&
+               bin.points.empty() && bin.waiting.empty() &&
                std::all_of(bin.parts.begin(), bin.parts.end(),
                            [](const auto& parts) { return parts.empty(); });
     };
@@ -350,6 +348,7 @@ bool Geometry::is_empty(int tile) const {
 }
 
 void Geometry::draw(int tile, AreaTile& out) const {
+    CHECK(hidden_ == nullptr);
     const auto add = [&](std::uint32_t id) {
         if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
     };
@@ -363,12 +362,12 @@ void Geometry::draw(int tile, AreaTile& out) const {
     out.finish();
 }
 
-void Geometry::draw(int tile, VisibilityTile& out) const {
+void Geometry::draw(int tile, VisibilityTile& out) {
     draw_triangles(tile, out);
     draw_on_ground(tile, out, out);
 }
 
-void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
+void Geometry::draw_triangles(int tile, VisibilityTile& out) {
     // By another rule than the usual one parts are drawn as the triangles that they are of.
     std::array<std::uint32_t, 64> some;
     std::size_t count = 0;
@@ -396,6 +395,7 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) const {
             out.draw(batch.pieces[i]);
     }
     if (out.rule().usual()) draw_backs(tile, out);
+    if (hidden_ != nullptr) draw_waiting(tile, out);
     check_lanes(out);
 }
 
@@ -467,6 +467,7 @@ image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) cons
 }
 
 void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const {
+    CHECK(hidden_ == nullptr);
     const auto at = static_cast<std::size_t>(tile);
     std::vector<std::uint32_t> triangles;
     std::vector<Segment> segments;
@@ -510,7 +511,7 @@ bool Geometry::all_whole() const {
 }
 
 std::uint64_t Geometry::triangles_drawn() const {
-    std::uint64_t drawn = 0;
+    std::uint64_t drawn = late_drawn_;
     for (const Batch& batch : batches_)
         drawn += batch.triangles_drawn;
     return drawn;

@@ -6,7 +6,9 @@
 #include "base/jobs.h"
 #include "geom/mesh.h"
 #include "raster/area.h"
+#include "raster/cluster_cull.h"
 #include "raster/cull.h"
+#include "raster/hidden_clusters.h"
 #include "raster/layer.h"
 #include "raster/piece.h"
 #include "raster/primitive.h"
@@ -14,8 +16,10 @@
 #include "raster/tile.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <functional>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -32,6 +36,9 @@ struct GeometryOptions {
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const Layer> layers = {};
     bool triangles_only = false; // no lines, no points
+    // Of the frame before. Given, clusters that were hidden then wait, and tiles are drawn by
+    // draw() or draw_triangles() into a VisibilityTile, by the usual rule. Not with layers.
+    HiddenClusters* hidden = nullptr;
 };
 
 class Geometry {
@@ -45,9 +52,9 @@ public:
     image::Rect tile_area(int tile) const;
     bool is_empty(int tile) const; // no primitive may touch it
     // Draws everything opaque that may touch the tile.
-    void draw(int tile, VisibilityTile& out) const;
+    void draw(int tile, VisibilityTile& out);
     // The same in two parts: triangles, then lines and points on the ground that is shown.
-    void draw_triangles(int tile, VisibilityTile& out) const;
+    void draw_triangles(int tile, VisibilityTile& out);
     void draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const;
     // Those of this layer that may touch the tile, by id.
     void layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const;
@@ -64,11 +71,12 @@ public:
     std::span<const ScreenVertex> vertices() const { return vertices_; }
     // What is drawn of a triangle that has a vertex off the screen.
     Pieces pieces(std::uint32_t triangle) const;
-    std::uint64_t triangles_drawn() const;
+    std::uint64_t triangles_drawn() const; // when the tiles are: of clusters that waited, too
     // No triangle that may be seen has a vertex off the screen.
     bool all_whole() const;
 
 private:
+    using Parts = std::array<std::vector<TilePart>, kPartKinds>;
     // What one worker found, with one list a tile. Whole triangles are named by their id and set up
     // again by the tile that draws them: four bytes each instead of sixty.
     struct Batch {
@@ -77,7 +85,8 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
-            std::array<std::vector<TilePart>, kPartKinds> parts; // of small triangles
+            std::vector<std::uint32_t> waiting; // clusters, by number in the batch
+            Parts parts;                        // of small triangles
             const std::vector<TilePart>& parts_of(PartKind kind) const {
                 return parts[static_cast<std::size_t>(kind)];
             }
@@ -89,6 +98,11 @@ private:
             template <class F>
             void for_small(F&& f) const;
         };
+        struct Waiting {
+            std::uint32_t cluster;
+            ClusterBounds bounds;
+        };
+        std::vector<Waiting> waiting;
         std::vector<Bin> bins;
         std::vector<Bin> layered; // what is not opaque: none where everything is
         CullResult found;         // of one chunk
@@ -98,12 +112,19 @@ private:
         void clear(int tiles, bool layers);
     };
     void find_needed(Jobs& jobs, bool all_vertices);
+    bool waits(Batch& batch, std::size_t cluster) const; // then the batch has it
     void transform_needed(Jobs& jobs);
+    void transform_blocks(std::size_t begin, std::size_t end);
+    void transform_late(std::size_t cluster);
+    void draw_waiting(int tile, VisibilityTile& out);
+    void find_late(std::size_t cluster, const image::Rect& area, LateParts& out);
     // Of a chunk, without those of clusters that are not seen.
     void add_seen(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_large(Batch& batch, const KeptTriangle& triangle) const;
     void add_small(Batch& batch, const KeptTriangle& triangle) const;
+    // What the tile whose corner is this pixel has of a small triangle.
+    void add_part(const KeptTriangle& triangle, int left, int top, Parts& parts) const;
     void draw_backs(int tile, VisibilityTile& out) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;
@@ -113,10 +134,18 @@ private:
     std::uint32_t flags(std::uint32_t vertex) const;
     void add_segment(Batch& batch, std::uint32_t segment) const;
     void add_point(Batch& batch, std::uint32_t point) const;
+    // f(tile) of each that has some of these pixels.
     template <class F>
-    void for_tiles(int x0, int y0, int x1, int y1, F&& f) const;
+    void for_tiles(int x0, int y0, int x1, int y1, F&& f) const {
+        const int first = x0 >> tile_bits_, end = ((x1 - 1) >> tile_bits_) + 1;
+        for (int y = y0 >> tile_bits_; y <= (y1 - 1) >> tile_bits_; ++y)
+            for (int x = first; x < end; ++x)
+                f(static_cast<std::size_t>(y * across_ + x));
+    }
     template <class F>
-    void for_tiles(const image::Rect& bounds, F&& f) const;
+    void for_tiles(const image::Rect& bounds, F&& f) const {
+        if (!bounds.empty()) for_tiles(bounds.x0, bounds.y0, bounds.x1, bounds.y1, f);
+    }
 
     int width_ = 0, height_ = 0, across_ = 0, down_ = 0;
     int tile_size_ = kTileSize, tile_bits_ = 0; // 1 << tile_bits_ is tile_size_
@@ -126,8 +155,13 @@ private:
     std::vector<Layer> layers_;
     // Of clusters of triangles that may be seen: is it one? Empty: all may.
     std::vector<std::uint8_t> seen_;
-    // Of blocks of vertices: does one have it? What no triangle needs keeps old places.
+    std::optional<ClusterCull> cluster_cull_;
+    HiddenClusters* hidden_ = nullptr;
+    // Of blocks of vertices: does one have it? What no triangle needs keeps old places. Those of
+    // clusters that waited are found when a tile first needs them, under one of the locks.
     std::vector<std::uint8_t> needed_;
+    std::array<std::mutex, 64> late_;
+    std::atomic<std::uint64_t> late_drawn_ = 0; // triangles
     std::vector<ScreenVertex> vertices_;
     std::vector<Batch> batches_;
 };

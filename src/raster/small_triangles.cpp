@@ -1,5 +1,7 @@
 #include "raster/small_triangles.h"
 
+#include <algorithm>
+
 #define SIMD_FILE "raster/small_triangles.cpp"
 #include "simd/for_each_target.h"
 
@@ -399,6 +401,15 @@ void find_farthest_of_all(const TilePlanes& tile) {
             tile.farthest[y * kBlocks + x] = farthest_in(tile, (y * kTileSize + x) * kSide);
 }
 
+bool hidden_in_blocks(const TilePlanes& tile, int x0, int y0, int x1, int y1, float nearest) {
+    constexpr int kBlocks = kTileSize / BlockWalk::kSide;
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x)
+            if (!(nearest < tile.farthest[y * kBlocks + x]) && !hides_by_now(tile, x, y, nearest))
+                return false;
+    return true;
+}
+
 template <int kTileBits>
 HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle, std::int32_t* tile,
                             std::uint32_t* where, std::int32_t* kind) {
@@ -451,6 +462,7 @@ namespace scanout::raster {
 SIMD_REGISTER(draw_all_parts);
 SIMD_REGISTER(drop_hidden);
 SIMD_REGISTER(find_farthest_of_all);
+SIMD_REGISTER(hidden_in_blocks);
 SIMD_REGISTER(place_all);
 
 void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out) {
@@ -471,6 +483,16 @@ bool draw_parts(const TilePlanes& tile, const TilePartList& list) {
 
 void find_farthest(const TilePlanes& tile) {
     SIMD_CALL(find_farthest_of_all)(tile);
+}
+
+bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
+    constexpr int kSide = BlockWalk::kSide;
+    const auto first = [](int at, int begin) { return std::max(at - begin, 0) / kSide; };
+    const auto end = [](int at, int begin) { return (at - begin + kSide - 1) / kSide; };
+    const image::Rect& a = tile.area;
+    return SIMD_CALL(hidden_in_blocks)(tile, first(pixels.x0, a.x0), first(pixels.y0, a.y0),
+                                       end(std::min(pixels.x1, a.x1), a.x0),
+                                       end(std::min(pixels.y1, a.y1), a.y0), nearest);
 }
 
 bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,

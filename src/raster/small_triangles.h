@@ -89,6 +89,9 @@ struct TilePartList {
 bool draw_parts(const TilePlanes& tile, const TilePartList& list);
 // Makes tile.farthest as great as what is drawn there allows.
 void find_farthest(const TilePlanes& tile);
+// Is all that is no nearer behind what is drawn in these pixels of the picture, or of their blocks
+// in the tile? Makes tile.farthest greater where that tells.
+bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest);
 // The same as draw_parts, for parts most of which that hides: they are told by their vertices'
 // depths alone. room: for those that are left.
 bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,

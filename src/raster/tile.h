@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "raster/coverage.h"
 #include "raster/ground.h"
+#include "raster/late_parts.h"
 #include "raster/primitive.h"
 #include "raster/sample_pattern.h"
 #include "raster/small_triangles.h"
@@ -33,6 +34,11 @@ public:
     // The same, when what hides the most of them is drawn: find_farthest(), then these.
     void find_farthest() { raster::find_farthest(planes()); }
     bool draw_behind(const TilePartList& parts);
+    // Is all that is no nearer hidden in these pixels of the picture? By the usual rule.
+    bool hides(const image::Rect& pixels, float nearest) {
+        return touched_ && raster::hides(planes(), pixels, nearest);
+    }
+    LateParts& late_parts() { return late_parts_; }
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
     bool draw(const Piece& piece);
@@ -119,6 +125,7 @@ private:
     std::vector<std::uint32_t> id_;
     std::array<float, (kTileSize / 8) * (kTileSize / 8)> farthest_{}; // TilePlanes
     std::vector<TilePart> seen_;                                      // of draw_behind
+    LateParts late_parts_;
     std::vector<float> ground_depth_; // empty until lines or points come
     std::vector<std::uint32_t> ground_id_;
 };

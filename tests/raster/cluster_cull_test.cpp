@@ -82,6 +82,42 @@ TEST(ClusterCull, ChangesNoBit) {
     EXPECT_GT(turned_away, all / 50);
 }
 
+// Vertices of a cluster that has bounds stand on the screen, within them.
+TEST(ClusterCull, BoundsHoldEveryVertex) {
+    Random random(84);
+    Jobs jobs(1);
+    std::size_t bounded = 0, all = 0, near = 0;
+    for (int round = 0; round < 300; ++round) {
+        const geom::Mesh mesh = things(random);
+        const geom::Clusters clusters = geom::find_clusters(jobs, mesh);
+        const ScreenTransform transform(any_view(random, round), 80, 60);
+        const ClusterCull cull(transform, Facing::any);
+        for (std::size_t c = 0; c < clusters.cluster.size(); ++c) {
+            const auto bounds = cull.bounds(clusters.cluster[c]);
+            ++all;
+            if (!bounds) continue;
+            ++bounded;
+            double nearest = 0;
+            for (std::size_t k = c * geom::Clusters::kTriangles * 3;
+                 k < std::min((c + 1) * geom::Clusters::kTriangles * 3, mesh.index.size()); ++k) {
+                const ScreenVertex v = transform.transform(mesh.position[mesh.index[k]]);
+                ASSERT_TRUE(v.on_screen()) << round << ' ' << c;
+                const double x = std::clamp(v.x / double{kSubpixel}, 0.0, 80.0),
+                             y = std::clamp(v.y / double{kSubpixel}, 0.0, 60.0);
+                EXPECT_GE(x, bounds->pixels.x0) << round << ' ' << c;
+                EXPECT_LE(x, bounds->pixels.x1) << round << ' ' << c;
+                EXPECT_GE(y, bounds->pixels.y0) << round << ' ' << c;
+                EXPECT_LE(y, bounds->pixels.y1) << round << ' ' << c;
+                nearest = std::max(nearest, v.depth);
+            }
+            EXPECT_LE(nearest, double{bounds->nearest}) << round << ' ' << c;
+            near += nearest > double{bounds->nearest} * 0.8 ? 1 : 0;
+        }
+    }
+    EXPECT_GT(bounded, all / 2);
+    EXPECT_GT(near, bounded / 2); // and are no wider than they have to be
+}
+
 // The grid turns needles over, whichever way they face.
 TEST(ClusterCull, KeepsWhatIsThinnerThanTheGrid) {
     Random random(83);

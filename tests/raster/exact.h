@@ -79,7 +79,8 @@ struct Planes {
 };
 inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width,
                           int height, int samples = 1, Facing keep = Facing::any,
-                          int tile_size = kTileSize) {
+                          int tile_size = kTileSize, HiddenClusters* hidden = nullptr,
+                          std::uint64_t* drawn = nullptr) {
     Geometry geometry;
     GeometryOptions options;
     options.width = width;
@@ -88,6 +89,7 @@ inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View&
     options.keep = keep;
     options.mirrored = view.mirrored;
     options.tile_size = tile_size;
+    options.hidden = hidden;
     geometry.run(jobs, mesh, ScreenTransform(view, width, height), options);
     Planes out{width, samples, {}, {}};
     const std::size_t size = out.at(0, height);
@@ -113,6 +115,7 @@ inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View&
                 }
             }
     }
+    if (drawn != nullptr) *drawn = geometry.triangles_drawn();
     return out;
 }
 

@@ -1,0 +1,81 @@
+// Clusters that wait: what was hidden a frame ago is asked by each tile that it may touch, when the
+// tile's others are drawn, and only then transformed, culled and drawn, if they do not hide it.
+#include "base/check.h"
+#include "raster/geometry.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace scanout::raster {
+namespace {
+constexpr int kMostTiles = 9; // that one may touch: each of them culls it anew
+}
+
+bool Geometry::waits(Batch& batch, std::size_t cluster) const {
+    if (hidden_ == nullptr || !hidden_->waits(cluster)) return false;
+    const auto bounds = cluster_cull_->bounds(mesh_->clusters.cluster[cluster]);
+    int touched = 0;
+    if (bounds) for_tiles(bounds->pixels, [&](std::size_t) { ++touched; });
+    if (!bounds || touched > kMostTiles) { // some triangle may have to be cut: not by tiles
+        hidden_->show(cluster);
+        return false;
+    }
+    const auto number = static_cast<std::uint32_t>(batch.waiting.size());
+    batch.waiting.push_back({static_cast<std::uint32_t>(cluster), *bounds});
+    for_tiles(bounds->pixels,
+              [&](std::size_t tile) { batch.bins[tile].waiting.push_back(number); });
+    return true;
+}
+
+void Geometry::transform_late(std::size_t cluster) {
+    for (const std::uint32_t block : mesh_->clusters.blocks_of(cluster)) {
+        const std::atomic_ref needed(needed_[block]);
+        if (needed.load(std::memory_order_acquire) != 0) continue;
+        const std::scoped_lock lock(late_[block % late_.size()]);
+        if (needed.load(std::memory_order_relaxed) != 0) continue;
+        transform_blocks(block, block + 1);
+        needed.store(1, std::memory_order_release);
+    }
+}
+
+void Geometry::find_late(std::size_t cluster, const image::Rect& area, LateParts& out) {
+    const std::size_t begin = cluster * geom::Clusters::kTriangles,
+                      end = std::min(begin + geom::Clusters::kTriangles, mesh_->triangles());
+    cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
+         static_cast<std::uint32_t>(begin), out.found);
+    CHECK_EQ(out.found.cut_count, std::size_t{0});
+    std::uint64_t drawn = 0; // each by the tile of its first pixel
+    for (const KeptTriangle& t : std::span(out.found.kept).first(out.found.kept_count)) {
+        if (t.x0() >= area.x1 || t.x1() <= area.x0 || t.y0() >= area.y1 || t.y1() <= area.y0)
+            continue;
+        drawn += t.x0() >= area.x0 && t.y0() >= area.y0 ? 1 : 0;
+        if (t.small())
+            add_part(t, area.x0, area.y0, out.parts);
+        else
+            out.triangles.push_back(t.triangle);
+    }
+    late_drawn_.fetch_add(drawn, std::memory_order_relaxed);
+}
+
+void Geometry::draw_waiting(int tile, VisibilityTile& out) {
+    const auto at = static_cast<std::size_t>(tile);
+    LateParts& late = out.late_parts();
+    late.clear();
+    CHECK(out.rule().usual());
+    for (const Batch& batch : batches_)
+        for (const std::uint32_t i : batch.bins[at].waiting) {
+            const Batch::Waiting& w = batch.waiting[i];
+            if (out.hides(w.bounds.pixels, w.bounds.nearest)) continue;
+            hidden_->show(w.cluster);
+            transform_late(w.cluster);
+            find_late(w.cluster, out.area(), late);
+        }
+    if (!late.triangles.empty())
+        out.draw(TriangleList{vertices_, mesh_->index, late.triangles, late.triangles});
+    for (std::size_t kind = 0; kind < kPartKinds; ++kind)
+        if (!late.parts[kind].empty())
+            out.draw(TilePartList{vertices_, mesh_->index, late.parts[kind],
+                                  static_cast<PartKind>(kind)});
+}
+
+} // namespace scanout::raster

@@ -1,0 +1,28 @@
+// Which clusters of triangles were hidden when they were asked about last: a guess, kept from frame
+// to frame of one view. Those wait until a tile has drawn all others, and are drawn only where
+// these do not hide them. No picture depends on the guess.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace scanout::raster {
+
+class HiddenClusters {
+public:
+    void begin_frame(std::size_t clusters);
+    // Does this one wait? Asked once a frame at most. What is drawn waits once in a while, too: so
+    // one that has come to be hidden is found.
+    bool waits(std::size_t cluster);
+    // It waits, and some tile does not hide it. From any thread.
+    void show(std::size_t cluster);
+
+private:
+    enum : std::uint8_t { kDrawn, kWaits, kShown };
+    std::vector<std::uint8_t> state_; // kShown: it waited in the last frame and was drawn
+    std::size_t frame_ = 0;
+    std::size_t period_ = 0; // frames from one time that it waits to the next
+};
+
+} // namespace scanout::raster

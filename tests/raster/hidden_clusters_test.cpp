@@ -1,0 +1,125 @@
+// Clusters that wait because they were hidden change no bit of a picture, whatever was seen before;
+// what is hidden for a while costs no triangle, and what is not is seldom tried.
+#include "raster/exact.h"
+#include "raster/hidden_clusters.h"
+#include "support/meshes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::raster::test {
+namespace {
+
+// A wall in front of balls of small triangles, some of which come through it by a little.
+geom::Mesh balls_behind_a_wall(Jobs& jobs, Random& random) {
+    geom::Mesh mesh = scanout::test::empty_mesh();
+    constexpr double kWall = 0.9;
+    for (int i = 0; i < 5; ++i) {
+        const double radius = random.in(0.1, 0.5);
+        DVec3 centre = random.in_cube(1);
+        if (i < 3) centre.z = kWall - radius + std::exp2(random.in(-9, -4));
+        scanout::test::add_sphere(mesh, Vec3(centre), static_cast<float>(radius), 96, 32);
+    }
+    scanout::test::add_square(mesh, static_cast<float>(random.in(0.2, 1.2)),
+                              static_cast<float>(kWall));
+    mesh.clusters = geom::find_clusters(jobs, mesh);
+    return mesh;
+}
+
+scene::View turned(double angle, int number) {
+    scene::View view = eye_view(0.4, 0.3, 3, 1e-3);
+    view.linear = DMat3(DVec3(std::cos(angle), 0, -std::sin(angle)), DVec3(0, 1, 0),
+                        DVec3(std::sin(angle), 0, std::cos(angle)));
+    if (number % 3 == 2) {
+        view.projection = scene::Projection::orthographic;
+        view.half_width = 1.2;
+        view.half_height = 0.9;
+        view.depth_origin = -6;
+        view.depth_scale = 1.0 / 6;
+    }
+    return view;
+}
+
+TEST(HiddenClusters, ChangeNoBit) {
+    Random random(91);
+    Jobs one(1), three(3);
+    std::uint64_t drawn = 0, drawn_without = 0;
+    for (int round = 0; round < 12; ++round) {
+        const geom::Mesh mesh = balls_behind_a_wall(one, random);
+        const Facing keep = static_cast<Facing>(round % 3);
+        const int samples = round % 4 == 3 ? 4 : 1, tile_size = round % 5 == 4 ? 32 : 64;
+        HiddenClusters hidden;
+        double angle = 0;
+        for (int frame = 0; frame < 60; ++frame) {
+            angle = frame % 25 == 24 ? random.in(-3, 3) : angle + random.in(0, 0.02);
+            const scene::View view = turned(angle, round);
+            const auto draw = [&](Jobs& jobs, HiddenClusters* from, std::uint64_t& count) {
+                return draw_planes(jobs, mesh, view, 200, 150, samples, keep, tile_size, from,
+                                   &count);
+            };
+            std::uint64_t here = 0, here_without = 0;
+            const Planes without = draw(one, nullptr, here_without);
+            ASSERT_TRUE(draw(frame % 2 == 0 ? one : three, &hidden, here) == without)
+                << round << ' ' << frame;
+            EXPECT_LE(here, here_without) << round << ' ' << frame;
+            drawn += here;
+            drawn_without += here_without;
+        }
+    }
+    record("drawn", static_cast<double>(drawn) / static_cast<double>(drawn_without));
+    EXPECT_LT(drawn, drawn_without * 95 / 100);
+}
+
+// No triangle that a wall hides is drawn once each has waited; all are when the eye is behind it.
+TEST(HiddenClusters, WhatAWallHidesCostsNoTriangle) {
+    Jobs jobs(2);
+    geom::Mesh mesh = scanout::test::empty_mesh();
+    scanout::test::add_sphere(mesh, Vec3(0), 0.7F, 384, 64);
+    scanout::test::add_square(mesh, 2, 1);
+    mesh.clusters = geom::find_clusters(jobs, mesh);
+    const auto all = mesh.triangles();
+    HiddenClusters hidden;
+    const auto drawn = [&](double angle) {
+        std::uint64_t count = 0;
+        draw_planes(jobs, mesh, turned(angle, 0), 640, 480, 1, Facing::any, 64, &hidden, &count);
+        return count;
+    };
+    const std::uint64_t at_first = drawn(0);
+    EXPECT_GT(at_first, all * 8 / 10);
+    for (int frame = 0; frame < 40; ++frame)
+        drawn(0);
+    EXPECT_EQ(drawn(0), 2U);
+    EXPECT_GT(drawn(3.14159265358979), all * 8 / 10);
+    const std::size_t clusters = mesh.clusters.cluster.size();
+    std::size_t waiting = 0; // in the next frame
+    hidden.begin_frame(clusters);
+    for (std::size_t c = 0; c < clusters; ++c)
+        waiting += hidden.waits(c) ? 1 : 0;
+    EXPECT_LT(waiting, clusters / 10);
+}
+
+TEST(HiddenClusters, AreTriedSeldomWhereNoneIs) {
+    HiddenClusters hidden;
+    constexpr std::size_t kClusters = 4096;
+    const auto tried = [&](std::size_t hidden_to) { // those below are
+        hidden.begin_frame(kClusters);
+        std::size_t count = 0;
+        for (std::size_t c = 0; c < kClusters; ++c) {
+            if (!hidden.waits(c)) continue;
+            ++count;
+            if (c >= hidden_to) hidden.show(c);
+        }
+        return count;
+    };
+    EXPECT_EQ(tried(0), kClusters / 16);
+    for (int frame = 0; frame < 20; ++frame)
+        tried(0);
+    EXPECT_EQ(tried(0), kClusters / 2048);
+    // Many come to be hidden: they are found sooner than one by one.
+    for (int frame = 0; frame < 60; ++frame)
+        tried(kClusters / 2);
+    EXPECT_GE(tried(kClusters / 2), kClusters / 2);
+}
+
+} // namespace
+} // namespace scanout::raster::test
