@@ -133,8 +133,12 @@ void Geometry::find_needed(Jobs& jobs, bool all_vertices) {
     jobs.for_each(chunks(seen_.size()), [&](int chunk, int worker) {
         const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
         Batch& batch = batches_[static_cast<std::size_t>(worker)];
-        for (std::size_t c = begin; c < std::min(seen_.size(), begin + kChunk); ++c) {
-            seen_[c] = cluster_cull_->hides(clusters.cluster[c]) || waits(batch, c) ? 0 : 1;
+        const std::size_t end = std::min(seen_.size(), begin + kChunk);
+        std::uint8_t* const hidden = seen_.data(); // as yet
+        cluster_cull_->find_hidden(std::span(clusters.cluster).subspan(begin, end - begin),
+                                   hidden + begin);
+        for (std::size_t c = begin; c < end; ++c) {
+            seen_[c] = hidden[c] != 0 || waits(batch, c) ? 0 : 1;
             if (seen_[c] == 0) continue;
             for (const std::uint32_t block : clusters.blocks_of(c))
                 std::atomic_ref(needed_[block]).store(1, std::memory_order_relaxed);

@@ -124,6 +124,7 @@ struct Double {
             return {hn::Max(a.low, b.low), hn::Max(a.high, b.high)};
         return select(a > b, a, b);
     }
+    friend HWY_INLINE Double sqrt(Double a) { return {hn::Sqrt(a.low), hn::Sqrt(a.high)}; }
     friend HWY_INLINE Double abs(Double a) { return {hn::Abs(a.low), hn::Abs(a.high)}; }
 };
 
@@ -201,6 +202,7 @@ requires(hn::MaxLanes(hn::ScalableTag<double>()) >= hn::MaxLanes(D())) struct Do
         if constexpr (kMinimumIsFirstIfLess) return Double(hn::Max(a.raw, b.raw));
         return select(a > b, a, b);
     }
+    friend HWY_INLINE Double sqrt(Double a) { return Double(hn::Sqrt(a.raw)); }
     friend HWY_INLINE Double abs(Double a) { return Double(hn::Abs(a.raw)); }
 };
 
