@@ -95,7 +95,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<Worker> workers;
     raster::Geometry geometry;
-    raster::HiddenClusters hidden;
+    raster::HiddenClusters hidden; // of the view
     shade::MipChains mips;
     image::Image back_buffer;
     BareTiles bare;          // of it
@@ -411,13 +411,18 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const AntiAliasing& aa = *plan.aa;
     const int width = o.width * aa.scale, height = o.height * aa.scale;
     const raster::ScreenTransform transform(view, width, height);
-    // Who draws every triangle by itself lets none wait.
-    const bool all = !plan.transparency.layers.empty() || aa.exact || !plan.visible.usual() ||
-                     plan.stencil != nullptr;
-    s.geometry.run(s.jobs, scene.mesh, transform,
-                   {width, height, raster::cullings()[static_cast<std::size_t>(o.cull)]->keep,
-                    view.mirrored, aa.samples, aa.exact, tile_size, plan.transparency.layers, false,
-                    all ? nullptr : &s.hidden});
+    raster::GeometryOptions options{width,
+                                    height,
+                                    raster::cullings()[static_cast<std::size_t>(o.cull)]->keep,
+                                    view.mirrored,
+                                    aa.samples,
+                                    aa.exact,
+                                    tile_size,
+                                    plan.transparency.layers};
+    const bool one_by_one = !plan.transparency.layers.empty() || aa.exact ||
+                            !plan.visible.usual() || plan.stencil != nullptr;
+    if (!one_by_one) options.hidden = &s.hidden;
+    s.geometry.run(s.jobs, scene.mesh, transform, options);
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =

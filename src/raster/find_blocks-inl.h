@@ -24,8 +24,9 @@ HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
     return least(nearest_lane);
 }
 
-// Is a block all behind what is there by now? Asked, of pieces, where tile.farthest, which does not
-// know of small triangles and pieces drawn since, does not hide it. nearest: no depth in it is
+// Is a block all behind what is there by now? Asked, of pieces and of clusters, where
+// tile.farthest, which does not know of what small triangles and pieces have drawn since, does not
+// hide it. nearest: no depth in it is
 // nearer. It is looked through anew only where its middle pixel hides the triangle: else the block
 // cannot.
 HWY_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest) {

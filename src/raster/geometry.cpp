@@ -134,11 +134,11 @@ void Geometry::find_needed(Jobs& jobs, bool all_vertices) {
         const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
         Batch& batch = batches_[static_cast<std::size_t>(worker)];
         const std::size_t end = std::min(seen_.size(), begin + kChunk);
-        std::uint8_t* const hidden = seen_.data(); // as yet
         cluster_cull_->find_hidden(std::span(clusters.cluster).subspan(begin, end - begin),
-                                   hidden + begin);
+                                   seen_.data() + begin);
         for (std::size_t c = begin; c < end; ++c) {
-            seen_[c] = hidden[c] != 0 || waits(batch, c) ? 0 : 1;
+            const bool hidden = seen_[c] != 0;
+            seen_[c] = hidden || waits(batch, c) ? 0 : 1;
             if (seen_[c] == 0) continue;
             for (const std::uint32_t block : clusters.blocks_of(c))
                 std::atomic_ref(needed_[block]).store(1, std::memory_order_relaxed);
@@ -209,7 +209,7 @@ void Geometry::add_small(Batch& batch, const KeptTriangle& t) const {
                      batch.bins[static_cast<std::size_t>(y * across_ + x)].parts);
 }
 
-void Geometry::add_part(const KeptTriangle& t, int left, int top, Parts& parts) const {
+void Geometry::add_part(const KeptTriangle& t, int left, int top, PartsByKind& parts) const {
     const auto clamped = [&](int at, int begin) { return std::clamp(at - begin, 0, tile_size_); };
     const int x0 = clamped(t.x0(), left), x1 = clamped(t.x1(), left);
     const int y0 = clamped(t.y0(), top), y1 = clamped(t.y1(), top);

@@ -76,7 +76,6 @@ public:
     bool all_whole() const;
 
 private:
-    using Parts = std::array<std::vector<TilePart>, kPartKinds>;
     // What one worker found, with one list a tile. Whole triangles are named by their id and set up
     // again by the tile that draws them: four bytes each instead of sixty.
     struct Batch {
@@ -86,7 +85,7 @@ private:
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
             std::vector<std::uint32_t> waiting; // clusters, by number in the batch
-            Parts parts;                        // of small triangles
+            PartsByKind parts;                  // of small triangles
             const std::vector<TilePart>& parts_of(PartKind kind) const {
                 return parts[static_cast<std::size_t>(kind)];
             }
@@ -112,11 +111,14 @@ private:
         void clear(int tiles, bool layers);
     };
     void find_needed(Jobs& jobs, bool all_vertices);
-    bool waits(Batch& batch, std::size_t cluster) const; // then the batch has it
+    // Does a cluster wait? Then the batch has it.
+    bool waits(Batch& batch, std::size_t cluster) const;
     void transform_needed(Jobs& jobs);
     void transform_blocks(std::size_t begin, std::size_t end);
-    void transform_late(std::size_t cluster);
+    // Those that wait, in a tile whose others are drawn. Of one that is not hidden there: what no
+    // tile has transformed before, and what it has in the tile.
     void draw_waiting(int tile, VisibilityTile& out);
+    void transform_late(std::size_t cluster);
     void find_late(std::size_t cluster, const image::Rect& area, LateParts& out);
     // Of a chunk, without those of clusters that are not seen.
     void add_seen(Batch& batch, std::size_t begin, std::size_t end) const;
@@ -124,7 +126,7 @@ private:
     void add_large(Batch& batch, const KeptTriangle& triangle) const;
     void add_small(Batch& batch, const KeptTriangle& triangle) const;
     // What the tile whose corner is this pixel has of a small triangle.
-    void add_part(const KeptTriangle& triangle, int left, int top, Parts& parts) const;
+    void add_part(const KeptTriangle& triangle, int left, int top, PartsByKind& parts) const;
     void draw_backs(int tile, VisibilityTile& out) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;

@@ -8,16 +8,18 @@
 
 namespace scanout::raster {
 namespace {
-constexpr int kMostTiles = 9; // that one may touch: each of them culls it anew
-}
+// One that waits is all on the screen, because tiles do not cut triangles, and touches few of them,
+// because each culls it anew.
+constexpr int kMostTiles = 9;
+} // namespace
 
 bool Geometry::waits(Batch& batch, std::size_t cluster) const {
     if (hidden_ == nullptr || !hidden_->waits(cluster)) return false;
     const auto bounds = cluster_cull_->bounds(mesh_->clusters.cluster[cluster]);
     int touched = 0;
     if (bounds) for_tiles(bounds->pixels, [&](std::size_t) { ++touched; });
-    if (!bounds || touched > kMostTiles) { // some triangle may have to be cut: not by tiles
-        hidden_->show(cluster);
+    if (!bounds || touched > kMostTiles) {
+        hidden_->show(cluster); // as good as
         return false;
     }
     const auto number = static_cast<std::uint32_t>(batch.waiting.size());

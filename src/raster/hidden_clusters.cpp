@@ -18,21 +18,23 @@ void HiddenClusters::begin_frame(std::size_t clusters) {
         period_ = kOften;
     }
     ++frame_;
-    const auto count = [&](std::uint8_t state) {
-        return std::count(state_.begin(), state_.end(), state);
-    };
-    const auto hidden = count(kWaits), shown = count(kShown);
+    // Of those that the last frame asked about: what is out of sight says nothing.
+    std::size_t hidden = 0, shown = 0;
+    for (std::uint8_t& state : state_) {
+        hidden += state == kWaits ? 1 : 0;
+        shown += state == kShown ? 1 : 0;
+        if (state == kWaits) state = kHidden;
+        if (state == kShown) state = kDrawn;
+    }
     if (shown > hidden) period_ = std::min(period_ * 2, kSeldom);
     if (hidden > 3 * shown) period_ = std::max(period_ / 2, kOften);
 }
 
 bool HiddenClusters::waits(std::size_t cluster) {
     std::uint8_t& state = state_[cluster];
-    if (state == kShown)
-        state = kDrawn;
-    else if (state == kDrawn && (cluster + frame_) % period_ == 0)
-        state = kWaits;
-    return state == kWaits;
+    if (state == kDrawn && (cluster + frame_) % period_ != 0) return false;
+    state = kWaits;
+    return true;
 }
 
 void HiddenClusters::show(std::size_t cluster) {

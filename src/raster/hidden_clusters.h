@@ -19,8 +19,10 @@ public:
     void show(std::size_t cluster);
 
 private:
-    enum : std::uint8_t { kDrawn, kWaits, kShown };
-    std::vector<std::uint8_t> state_; // kShown: it waited in the last frame and was drawn
+    // From frame to frame a cluster is drawn at once, or hidden; in a frame that asks about it, a
+    // hidden one waits, and may be shown after all.
+    enum : std::uint8_t { kDrawn, kHidden, kWaits, kShown };
+    std::vector<std::uint8_t> state_;
     std::size_t frame_ = 0;
     std::size_t period_ = 0; // frames from one time that it waits to the next
 };

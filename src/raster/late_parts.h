@@ -4,7 +4,6 @@
 #include "raster/cull.h"
 #include "raster/small_triangles.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,7 +12,7 @@ namespace scanout::raster {
 struct LateParts {
     CullResult found; // of one cluster
     std::vector<std::uint32_t> triangles;
-    std::array<std::vector<TilePart>, kPartKinds> parts;
+    PartsByKind parts;
 
     void clear() {
         triangles.clear();

@@ -59,6 +59,8 @@ struct TilePart {
     }
 };
 
+using PartsByKind = std::array<std::vector<TilePart>, kPartKinds>;
+
 // How the tiles of a picture lie.
 struct TileGrid {
     int bits;   // a tile has 1 << bits pixels a side

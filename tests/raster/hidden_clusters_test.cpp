@@ -98,27 +98,46 @@ TEST(HiddenClusters, WhatAWallHidesCostsNoTriangle) {
     EXPECT_LT(waiting, clusters / 10);
 }
 
+constexpr std::size_t kClusters = 4096;
+
+// A frame that asks about those from `first` on, of which those below `end` are hidden. How many
+// waited?
+std::size_t tried(HiddenClusters& hidden, std::size_t first, std::size_t end) {
+    hidden.begin_frame(kClusters);
+    std::size_t count = 0;
+    for (std::size_t c = first; c < kClusters; ++c) {
+        if (!hidden.waits(c)) continue;
+        ++count;
+        if (c >= end) hidden.show(c);
+    }
+    return count;
+}
+
 TEST(HiddenClusters, AreTriedSeldomWhereNoneIs) {
     HiddenClusters hidden;
-    constexpr std::size_t kClusters = 4096;
-    const auto tried = [&](std::size_t hidden_to) { // those below are
-        hidden.begin_frame(kClusters);
-        std::size_t count = 0;
-        for (std::size_t c = 0; c < kClusters; ++c) {
-            if (!hidden.waits(c)) continue;
-            ++count;
-            if (c >= hidden_to) hidden.show(c);
-        }
-        return count;
-    };
-    EXPECT_EQ(tried(0), kClusters / 16);
+    EXPECT_EQ(tried(hidden, 0, 0), kClusters / 16);
     for (int frame = 0; frame < 20; ++frame)
-        tried(0);
-    EXPECT_EQ(tried(0), kClusters / 2048);
+        tried(hidden, 0, 0);
+    EXPECT_EQ(tried(hidden, 0, 0), kClusters / 2048);
     // Many come to be hidden: they are found sooner than one by one.
     for (int frame = 0; frame < 60; ++frame)
-        tried(kClusters / 2);
-    EXPECT_GE(tried(kClusters / 2), kClusters / 2);
+        tried(hidden, 0, kClusters / 2);
+    EXPECT_GE(tried(hidden, 0, kClusters / 2), kClusters / 2);
+}
+
+// How often they are tried goes by those in sight.
+TEST(HiddenClusters, WhatIsOutOfSightSaysNothing) {
+    HiddenClusters hidden;
+    constexpr std::size_t kHalf = kClusters / 2;
+    for (int frame = 0; frame < 60; ++frame)
+        tried(hidden, 0, kHalf); // one half is hidden, the other is not
+    for (int frame = 0; frame < 20; ++frame)
+        tried(hidden, kHalf, 0); // the other alone is in sight
+    EXPECT_EQ(tried(hidden, kHalf, 0), kHalf / 2048);
+    for (int frame = 0; frame < 40; ++frame)
+        tried(hidden, kHalf, kClusters); // and all of it comes to be hidden
+    EXPECT_EQ(tried(hidden, kHalf, kClusters), kHalf);
+    EXPECT_GE(tried(hidden, 0, kClusters), kClusters); // what was hidden before still is
 }
 
 } // namespace
