@@ -118,6 +118,26 @@ TEST(Meshes, the_dragons_stand_in_has_a_third_of_a_million_visible_pixels) {
     EXPECT_LT(16 * seen, 400000);
 }
 
+TEST(Meshes, the_crate_hides_all_that_is_in_it) {
+    auto mesh = make_mesh("crate");
+    ASSERT_TRUE(mesh) << mesh.error().what;
+    scene::Scene scene;
+    scene.mesh = std::move(*mesh);
+    scene.materials = {test::plain(Vec3(0.5F))};
+    constexpr std::size_t kSides = 12; // the last triangles
+    for (const double azimuth : {10.0, 100.0, 190.0, 280.0}) {
+        scene::CameraOptions camera;
+        camera.azimuth_degrees = azimuth;
+        camera.elevation_degrees = azimuth < 150 ? 25 : -25;
+        const Drawn drawn = draw(scene, camera, options());
+        EXPECT_TRUE(
+            std::all_of(drawn.visibility.id.begin(), drawn.visibility.id.end(),
+                        [&](std::uint32_t id) { return id + kSides >= scene.mesh.triangles(); }))
+            << azimuth;
+        EXPECT_GT(drawn.stats.triangles_drawn, kSides) << azimuth; // there is something in it
+    }
+}
+
 // Blended surfaces are all counted: this is how many lie behind each pixel, backs included.
 TEST(Meshes, the_building_has_many_layers_all_around) {
     auto mesh = make_mesh("building");
