@@ -13,10 +13,12 @@ constexpr std::size_t kOften = 16, kSeldom = 2048;
 } // namespace
 
 void HiddenClusters::begin_frame(std::size_t clusters) {
-    if (state_.size() != clusters) {
+    if (state_.size() != clusters) { // as if there were no other frame
         state_.assign(clusters, kDrawn);
-        period_ = kOften;
+        period_ = kNever;
+        return;
     }
+    if (period_ == kNever) period_ = kOften;
     ++frame_;
     // Of those that the last frame asked about: what is out of sight says nothing.
     std::size_t hidden = 0, shown = 0;
@@ -32,7 +34,7 @@ void HiddenClusters::begin_frame(std::size_t clusters) {
 
 bool HiddenClusters::waits(std::size_t cluster) {
     std::uint8_t& state = state_[cluster];
-    if (state == kDrawn && (cluster + frame_) % period_ != 0) return false;
+    if (state == kDrawn && (period_ == kNever || (cluster + frame_) % period_ != 0)) return false;
     state = kWaits;
     return true;
 }

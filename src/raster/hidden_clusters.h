@@ -13,7 +13,7 @@ class HiddenClusters {
 public:
     void begin_frame(std::size_t clusters);
     // Does this one wait? Asked once a frame at most. What is drawn waits once in a while, too: so
-    // one that has come to be hidden is found.
+    // one that has come to be hidden is found. Not in the first frame, which may be the only one.
     bool waits(std::size_t cluster);
     // It waits, and some tile does not hide it. From any thread.
     void show(std::size_t cluster);
@@ -24,7 +24,8 @@ private:
     enum : std::uint8_t { kDrawn, kHidden, kWaits, kShown };
     std::vector<std::uint8_t> state_;
     std::size_t frame_ = 0;
-    std::size_t period_ = 0; // frames from one time that it waits to the next
+    static constexpr std::size_t kNever = 0;
+    std::size_t period_ = kNever; // frames from one time that it waits to the next
 };
 
 } // namespace scanout::raster

@@ -115,6 +115,7 @@ std::size_t tried(HiddenClusters& hidden, std::size_t first, std::size_t end) {
 
 TEST(HiddenClusters, AreTriedSeldomWhereNoneIs) {
     HiddenClusters hidden;
+    EXPECT_EQ(tried(hidden, 0, 0), 0U); // the first frame may be the only one
     EXPECT_EQ(tried(hidden, 0, 0), kClusters / 16);
     for (int frame = 0; frame < 20; ++frame)
         tried(hidden, 0, 0);
