@@ -5,6 +5,7 @@
 #include "geom/framing.h"
 #include "geom/line_faces.h"
 #include "geom/normals.h"
+#include "geom/place_order.h"
 #include "geom/triangulate.h"
 #include "geom/usable.h"
 #include "geom/vertices.h"
@@ -277,6 +278,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
         builder.add_points();
         builder.make_vertices();
     }
+    order_by_place(jobs, result.mesh);
     find_line_faces(result.mesh);
     result.mesh.clusters = find_clusters(jobs, result.mesh);
     warn_of(result.skipped_faces, "faces", name, warnings);

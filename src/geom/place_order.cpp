@@ -1,0 +1,237 @@
+#include "geom/place_order.h"
+
+#include "base/blocks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace scanout::geom {
+namespace {
+
+constexpr std::size_t kRun = Clusters::kTriangles;
+constexpr std::size_t kFewest = 1024; // triangles from which on it matters
+// Of a run of equal squares that lie in a square the half diagonal's square is half their area.
+constexpr double kCompact = 8;
+constexpr double kWorthwhile = 0.5;    // of what the file's order has; else it stays
+constexpr double kThin = 0.15;         // of the mean height over the longest side
+constexpr std::size_t kTogether = 512; // triangles
+constexpr std::size_t kPart = 1 << 15; // triangles: a worker's next work
+
+struct Box {
+    Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
+    void add(const Vec3& p) {
+        low = glm::min(low, p);
+        high = glm::max(high, p);
+    }
+    Vec3 size() const { return high - low; }
+};
+
+struct Placed {
+    Vec3 middle; // of the triangle's box, times two
+    std::uint32_t triangle : 31, thin : 1;
+};
+using PlacedTriangles = std::span<Placed>;
+
+struct Corners {
+    Vec3 at[3];
+    Corners(const Mesh& mesh, std::size_t triangle) {
+        for (std::size_t k = 0; k < 3; ++k)
+            at[k] = mesh.position[mesh.index[triangle * 3 + k]];
+    }
+    // Twice.
+    float area() const {
+        const Vec3 n = glm::cross(at[1] - at[0], at[2] - at[0]);
+        return std::sqrt(glm::dot(n, n));
+    }
+    float height() const { // over the longest side
+        const auto square = [&](int a, int b) {
+            const Vec3 side = at[b] - at[a];
+            return glm::dot(side, side);
+        };
+        const float longest = std::max({square(0, 1), square(1, 2), square(2, 0)});
+        return longest > 0 ? area() / std::sqrt(longest) : 0;
+    }
+};
+
+// How far runs of triangles reach, and how large they are.
+struct Compactness {
+    double squares = 0;          // of the half diagonals of the runs' boxes
+    double area = 0, height = 0; // sums
+};
+// number(i): the triangle that stands at place i.
+template <class Number>
+Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
+    constexpr std::size_t kRuns = 1024;
+    const std::size_t triangles = mesh.triangles(), runs = (triangles + kRun - 1) / kRun;
+    std::vector<Compactness> of_block((runs + kRuns - 1) / kRuns);
+    for_blocks(jobs, runs, kRuns, [&](std::size_t begin, std::size_t end, int) {
+        Compactness& sum = of_block[begin / kRuns];
+        for (std::size_t run = begin; run < end; ++run) {
+            Box box;
+            for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, triangles); ++i) {
+                const Corners corners(mesh, number(i));
+                for (const Vec3& p : corners.at)
+                    box.add(p);
+                sum.area += corners.area() / 2;
+                sum.height += corners.height();
+            }
+            const Vec3 half = box.size() / 2.0F;
+            sum.squares += glm::dot(half, half);
+        }
+    });
+    Compactness all;
+    for (const Compactness& sum : of_block) {
+        all.squares += sum.squares;
+        all.area += sum.area;
+        all.height += sum.height;
+    }
+    return all;
+}
+
+// Cuts in two across the longest side of their box; so many come first. Of those in one place the
+// first of the file come first; nothing else decides which half one is in.
+std::pair<PlacedTriangles, PlacedTriangles> cut(PlacedTriangles all, std::size_t first) {
+    Box box;
+    for (const Placed& p : all)
+        box.add(p.middle);
+    const Vec3 size = box.size();
+    const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+    std::nth_element(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(first), all.end(),
+                     [axis](const Placed& a, const Placed& b) {
+                         return a.middle[axis] < b.middle[axis] ||
+                                (a.middle[axis] == b.middle[axis] && a.triangle < b.triangle);
+                     });
+    return {all.first(first), all.subspan(first)};
+}
+// By whole runs, as many in the first half as in the second.
+std::pair<PlacedTriangles, PlacedTriangles> halve(PlacedTriangles all) {
+    return cut(all, (all.size() + kRun - 1) / kRun / 2 * kRun);
+}
+
+void sort_runs(PlacedTriangles all) {
+    while (all.size() > kRun) {
+        const auto [first, second] = halve(all);
+        sort_runs(first);
+        all = second;
+    }
+    // Which of them a library puts where must not matter.
+    std::sort(all.begin(), all.end(),
+              [](const Placed& a, const Placed& b) { return a.triangle < b.triangle; });
+}
+
+// Of some that lie together, those last that are much thinner than the mesh's others, by whole
+// runs. Snapped to the grid of the screen they may turn over, and so no cluster that has one can be
+// turned away as a whole (raster/cluster_cull.h). Where a scan's surface passes close to a corner
+// of the volume that it was merged in, triangles come out like that: one in ten.
+void sort_by_place(PlacedTriangles all) {
+    while (all.size() > kTogether) {
+        const auto [first, second] = halve(all);
+        sort_by_place(first);
+        all = second;
+    }
+    const auto thin =
+        std::partition(all.begin(), all.end(), [](const Placed& p) { return p.thin == 0; });
+    const auto stout = static_cast<std::size_t>(thin - all.begin()), whole = stout / kRun * kRun;
+    cut(all.first(stout), whole);
+    sort_runs(all.first(whole));
+    sort_runs(all.subspan(whole));
+}
+
+std::vector<Placed> middles(Jobs& jobs, const Mesh& mesh, double thinnest) {
+    std::vector<Placed> all(mesh.triangles());
+    for_blocks(jobs, all.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t t = begin; t < end; ++t) {
+            Box box;
+            for (const Vec3& p : Corners(mesh, t).at)
+                box.add(p);
+            const bool thin = static_cast<double>(Corners(mesh, t).height()) < thinnest;
+            all[t] = {box.low + box.high, static_cast<std::uint32_t>(t), thin ? 1U : 0U};
+        }
+    });
+    return all;
+}
+
+// Halves until each part is one worker's work.
+void cut_in_parts(PlacedTriangles all, std::vector<PlacedTriangles>& parts) {
+    if (all.size() <= kPart) {
+        parts.push_back(all);
+        return;
+    }
+    const auto [first, second] = halve(all);
+    cut_in_parts(first, parts);
+    cut_in_parts(second, parts);
+}
+
+// Array i becomes what stood at from[i].
+template <class T>
+void take(Jobs& jobs, std::span<const std::uint32_t> from, std::vector<T>& array) {
+    if (array.empty()) return;
+    std::vector<T> taken(from.size());
+    for_blocks(jobs, taken.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            taken[i] = array[from[i]];
+    });
+    array = std::move(taken);
+}
+
+// As the triangles use them first; then those of lines and points alone, as they were.
+void order_vertices(Jobs& jobs, Mesh& mesh) {
+    constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::vector<std::uint32_t> number(mesh.position.size(), kNone), from;
+    from.reserve(number.size());
+    const auto add = [&](std::uint32_t vertex) {
+        if (number[vertex] != kNone) return;
+        number[vertex] = static_cast<std::uint32_t>(from.size());
+        from.push_back(vertex);
+    };
+    std::for_each(mesh.index.begin(), mesh.index.end(), add);
+    for (std::size_t v = 0; v < number.size(); ++v)
+        add(static_cast<std::uint32_t>(v));
+    for (auto* indices : {&mesh.index, &mesh.line_index, &mesh.point_index})
+        for_blocks(jobs, indices->size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+            for (std::size_t i = begin; i < end; ++i)
+                (*indices)[i] = number[(*indices)[i]];
+        });
+    take(jobs, from, mesh.position);
+    take(jobs, from, mesh.normal);
+    take(jobs, from, mesh.uv);
+    take(jobs, from, mesh.colour);
+}
+
+} // namespace
+
+void order_by_place(Jobs& jobs, Mesh& mesh) {
+    if (mesh.triangles() < kFewest) return;
+    const Compactness in_file =
+        compactness(jobs, mesh, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    if (!(in_file.squares > kCompact * in_file.area)) return;
+    std::vector<std::uint32_t> order;
+    {
+        std::vector<Placed> placed =
+            middles(jobs, mesh, kThin * in_file.height / static_cast<double>(mesh.triangles()));
+        std::vector<PlacedTriangles> parts;
+        cut_in_parts(placed, parts);
+        jobs.for_each(static_cast<int>(parts.size()),
+                      [&](int part, int) { sort_by_place(parts[static_cast<std::size_t>(part)]); });
+        order.reserve(placed.size());
+        for (const Placed& p : placed)
+            order.push_back(p.triangle);
+    }
+    const Compactness by_place =
+        compactness(jobs, mesh, [&order](std::size_t i) { return order[i]; });
+    if (by_place.squares > kWorthwhile * in_file.squares) return;
+    std::vector<std::uint32_t> index(mesh.index.size());
+    for_blocks(jobs, order.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t k = 0; k < 3; ++k)
+                index[i * 3 + k] = mesh.index[std::size_t{order[i]} * 3 + k];
+    });
+    mesh.index = std::move(index);
+    take(jobs, order, mesh.material);
+    take(jobs, order, mesh.face);
+    order_vertices(jobs, mesh);
+}
+
+} // namespace scanout::geom
