@@ -32,7 +32,7 @@ def instructions(scanout, frame):
                    "--size", "320x240", "--threads", "1", "--target", "avx2", "-o", os.path.join(folder, "frame.png")]
         done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
         if done.returncode != 0:
-            sys.exit(f"{' '.join(command)}: exit code {done.returncode}\n{done.stderr}")
+            sys.exit(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{done.stderr}")
         return int(re.search(r"^(?:totals|summary): (\d+)", pathlib.Path(out).read_text(), re.M)[1])
 
 
