@@ -35,7 +35,7 @@ struct Mesh {
     std::vector<Vec2> uv;     // v runs up; u and v of a face are moved by whole numbers towards 0
     std::vector<Vec3> colour; // linear
 
-    // Triangles in file order: three vertex indices each.
+    // Triangles in file order, or by place (geom/place_order.h): three vertex indices each.
     std::vector<std::uint32_t> index;
     std::vector<std::int32_t> material; // one a triangle, -1 none
     std::vector<std::uint32_t> face;    // one a triangle: the face of the file that it is part of

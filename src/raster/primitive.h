@@ -1,6 +1,6 @@
 // What the tiles draw: triangles, line segments and points in snapped screen coordinates. Ids name
 // primitives of the scene in one numbering: triangles first, then segments, then points, each in
-// file order; at equal depth the lower id is seen.
+// the order of the mesh; at equal depth the lower id is seen.
 #pragma once
 
 #include "image/image.h"
