@@ -6,7 +6,16 @@
 #include <cstdint>
 
 #include <hwy/highway.h>
+#include <hwy/nanobenchmark.h>
 #include <hwy/targets.h>
+
+// Highway's shared library measures its benchmark timer whenever it is loaded, by the instruction
+// rdtscp: where a processor or a virtual machine has none, the program would end before main.
+// Nothing here uses that timer, so this definition, which the dynamic linker finds first, measures
+// nothing.
+std::uint64_t hwy::platform::TimerResolution() {
+    return 1;
+}
 
 namespace scanout::simd {
 namespace {
