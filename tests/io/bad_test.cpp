@@ -7,9 +7,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 namespace scanout::io {
 namespace {
@@ -42,10 +42,19 @@ void expect_sound(const scene::Scene& scene) {
     EXPECT_TRUE(std::isfinite(m.radius) && m.radius >= 0.5 && m.radius <= 1);
 }
 
+// Of this program alone: neither what others take counts, nor what the kernel does to hand out a
+// file's pages.
+double seconds_computed() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec) +
+           static_cast<double>(usage.ru_utime.tv_usec) * 1e-6;
+}
+
 Result<scene::Scene> load_soundly(const std::string& path, Warnings& warnings) {
-    const std::clock_t begin = std::clock(); // of this process: others do not count
+    const double begin = seconds_computed();
     auto scene = load(path, {}, warnings);
-    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 2) << path;
+    EXPECT_LT(seconds_computed() - begin, 2) << path;
     if (scene) {
         expect_sound(*scene);
     } else {
