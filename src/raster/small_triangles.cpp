@@ -234,68 +234,87 @@ HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpPartsX8& s, s
     }
 }
 
-// A register of them at most.
-template <Shows kShows>
-HWY_INLINE void draw_steep_parts(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-    PartCorners<F32x8::Tag> corner;
-    read_corners(list, 0, corner);
-    SetUpPartsX8 s;
-    set_up_parts(tile, list, list.parts.data(), static_cast<int>(list.parts.size()), corner, s);
-    draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
-}
-
-// Of the parts of a list, which wait until they fill a register.
-template <Shows kShows>
+// Steep parts of a list, which wait until they fill a register.
+template <int kWidth>
 class SteepParts {
 public:
-    // Those of a register whose bit is set.
-    HWY_INLINE void add(const TilePlanes& tile, const TilePartList& list, const TilePart* first,
-                        std::uint32_t some, I32x8& drawn) {
+    // Those of a register whose bit is set. draw(parts): as many as fill one.
+    template <class Draw>
+    HWY_INLINE void add(const TilePart* first, std::uint32_t some, const Draw& draw) {
         for (; some != 0; some &= some - 1) {
             part_[count_++] = first[__builtin_ctz(some)];
-            if (count_ == kLanesX8) draw_rest(tile, list, drawn);
+            if (count_ == kWidth) finish(draw);
         }
     }
-    HWY_NOINLINE void draw_rest(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        if (count_ == 0) return;
-        const std::span<const TilePart> some(part_, static_cast<std::size_t>(count_));
-        draw_steep_parts<kShows>(tile, {list.vertices, list.index, some}, drawn);
+    template <class Draw>
+    HWY_INLINE void finish(const Draw& draw) {
+        if (count_ > 0) draw(std::span<const TilePart>(part_, static_cast<std::size_t>(count_)));
         count_ = 0;
     }
 
 private:
-    TilePart part_[kLanesX8];
+    TilePart part_[kWidth];
     int count_ = 0;
 };
+
+// A register of them at most.
+template <class D>
+HWY_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of,
+                            std::span<const TilePart> some, SetUpParts<D>& out) {
+    const TilePartList list{of.vertices, of.index, some};
+    PartCorners<D> corner;
+    read_corners(list, 0, corner);
+    set_up_parts(tile, list, some.data(), static_cast<int>(some.size()), corner, out);
+}
 
 // Any part.
 template <Shows kShows>
 struct AsStrips {
     using Tag = F32x8::Tag;
-    static HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list,
-                                const SetUpPartsX8& s, const TilePart* first,
-                                SteepParts<kShows>& steep, I32x8& drawn) {
+    SteepParts<kLanesX8> steep;
+
+    static HWY_NOINLINE void draw_steep(const TilePlanes& tile, const TilePartList& list,
+                                        std::span<const TilePart> some, I32x8& drawn) {
+        SetUpPartsX8 s;
+        set_up_some(tile, list, some, s);
+        draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
+    }
+    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpPartsX8& s,
+                         const TilePart* first, I32x8& drawn) {
         const std::uint32_t some = s.live & ~s.plane.flat;
         if (__builtin_popcount(some) >= kLanesX8 / 2)
             draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
         else
-            steep.add(tile, list, first, some, drawn);
+            steep.add(first, some,
+                      [&](auto parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
         draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
     }
-    static HWY_INLINE void finish(const TilePlanes&, I32x8&) {}
+    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        steep.finish([&](auto parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
+    }
 };
 
 template <Shows kShows, PartKind kKind>
 struct AsSpecks {
     using Tag = F32::Tag;
     SpeckBatch<speck_side(kKind)> batch;
+    SteepParts<kLanes> steep;
+
+    HWY_NOINLINE void add_steep(const TilePlanes& tile, const TilePartList& list,
+                                std::span<const TilePart> some, I32x8& drawn) {
+        SetUpParts<Tag> s;
+        set_up_some(tile, list, some, s);
+        add_specks<SteepSpeckDepths, kShows>(tile, s, s.live, batch, drawn);
+    }
     HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpParts<Tag>& s,
-                         const TilePart* first, SteepParts<kShows>& steep, I32x8& drawn) {
-        steep.add(tile, list, first, s.live & ~s.plane.flat, drawn);
-        add_specks<kShows, speck_side(kKind), kKind == PartKind::speck_astride>(
+                         const TilePart* first, I32x8& drawn) {
+        steep.add(first, s.live & ~s.plane.flat,
+                  [&](auto parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
+        add_specks<SpeckDepths<kKind == PartKind::speck_astride>, kShows>(
             tile, s, s.live & s.plane.flat, batch, drawn);
     }
-    HWY_INLINE void finish(const TilePlanes& tile, I32x8& drawn) {
+    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        steep.finish([&](auto parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
         draw_batch<kShows>(tile, batch, drawn);
     }
 };
@@ -309,7 +328,6 @@ HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
     constexpr int kWidth = static_cast<int>(Int<Tag>::kLanes);
     I32x8 drawn = 0;
     As as;
-    SteepParts<kShows> steep;
     const TilePart* const parts = list.parts.data();
     const auto all = static_cast<int>(list.parts.size());
     PartCorners<Tag> corner, next;
@@ -324,10 +342,9 @@ HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
                          room[number & 1]);
         }
         if (begin == 0) continue;
-        as.draw(tile, list, room[(number & 1) ^ 1], parts + begin - kWidth, steep, drawn);
+        as.draw(tile, list, room[(number & 1) ^ 1], parts + begin - kWidth, drawn);
     }
-    as.finish(tile, drawn);
-    steep.draw_rest(tile, list, drawn);
+    as.finish(tile, list, drawn);
     return any(!(drawn == I32x8(0)));
 }
 

@@ -58,7 +58,7 @@ HWY_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32
     batch.count = 0;
 }
 
-// The depth of specks at their pixels, from the corner of the block that each lies in.
+// The depth of flat specks at their pixels, from the corner of the block that each lies in.
 template <bool kAstride>
 struct SpeckDepths {
     static constexpr int kBlocks = kAstride ? 2 : 1; // each way
@@ -84,7 +84,7 @@ struct SpeckDepths {
         }
     }
     // x, y: whole pixels from the corner of the first block; sample_x, sample_y: in the pixel.
-    HWY_INLINE F32 at(I32 x, I32 y, F32 sample_x, F32 sample_y) const {
+    HWY_INLINE F32 at(const I32 (&)[3], I32 x, I32 y, F32 sample_x, F32 sample_y) const {
         if constexpr (kAstride) {
             const I32 side = BlockWalk::kSide, within = BlockWalk::kSide - 1;
             const Mask<F32::Tag> right = x >= side, below = y >= side;
@@ -101,11 +101,24 @@ struct SpeckDepths {
     }
 };
 
+// The depth of steep ones: by the edge functions at every sample, in double (coverage.h).
+struct SteepSpeckDepths {
+    const SetUpParts<F32::Tag>& s;
+
+    HWY_INLINE explicit SteepSpeckDepths(const SetUpParts<F32::Tag>& of) : s(of) {}
+    // edge: at the sample, with its bias.
+    HWY_INLINE F32 at(const I32 (&edge)[3], I32, I32, F32, F32) const {
+        const I32 unbiased[3] = {edge[0] - s.edges.bias[0], edge[1] - s.edges.bias[1],
+                                 edge[2] - s.edges.bias[2]};
+        return to_f32(depth_of(unbiased, s.plane.share));
+    }
+};
+
 // At one place in the pattern. first: the edges at the corner of the first pixel.
-template <int kMost, bool kAstride>
+template <int kMost, class Depths>
 HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
-                             const SpeckDepths<kAstride>& depths, const I32 (&first)[3],
-                             SampleOffset sample, Specks<kMost>& out) {
+                             const Depths& depths, const I32 (&first)[3], SampleOffset sample,
+                             Specks<kMost>& out) {
     const PartLanes<F32::Tag>& part = s.part;
     const I32 column = part.x0 - part.left, row = part.y0 - part.top;
     const I32 across = part.x1 - part.x0, down = part.y1 - part.y0; // 1 and more
@@ -123,7 +136,8 @@ HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
         for (int i = 0; i < kMost; ++i) {
             constexpr int kSteps = Specks<kMost>::kSteps;
             const int pixel = j * kMost + i;
-            store(depths.at(column + I32(i), row + I32(j), sample_x, sample_y), out.depth[pixel]);
+            store(depths.at(edge, column + I32(i), row + I32(j), sample_x, sample_y),
+                  out.depth[pixel]);
             I32 outside = edge[0] | edge[1] | edge[2]; // where it is negative
             if (i > 0) outside = outside | (across - I32(i + 1));
             if (j > 0) outside = outside | (down - I32(j + 1));
@@ -142,13 +156,13 @@ HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
         out.covered[word] = covered[word];
 }
 
-// live: of the lanes of s, which are flat and no larger than the square; where they are not
-// astride of blocks, within one. The same bits as their strips.
-template <Shows kShows, int kMost, bool kAstride>
+// live: of the lanes of s, which are no larger than the square, and as flat or steep as Depths are
+// for: SpeckDepths<false> where they lie within a block. The same bits as their strips.
+template <class Depths, Shows kShows, int kMost>
 HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts<F32::Tag>& s,
                            std::uint32_t live, SpeckBatch<kMost>& batch, I32x8& drawn) {
     if (live == 0) return;
-    const SpeckDepths<kAstride> depths(s);
+    const Depths depths(s);
     I32 first[3];
     edges_at_pixel(s.edges, s.part.x0 - s.part.left, s.part.y0 - s.part.top, first);
     std::ptrdiff_t plane = 0;
@@ -158,7 +172,7 @@ HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts<F32::Tag>& s
         if (batch.count == batch.kRoom) draw_batch<kShows>(tile, batch, drawn);
         Specks<kMost>& out = batch.specks[batch.count++];
         out.plane = plane;
-        cover_specks<kMost, kAstride>(s, live, depths, first, *at, out);
+        cover_specks(s, live, depths, first, *at, out);
     }
 }
 
