@@ -41,8 +41,10 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
     polygons_.clear();
     receives_.clear();
     lights_.assign(count, {});
-    if (volume || projected) polygons_.resize(count);
-    find_casters(mesh, in.plan.shadow.casters, casts_);
+    if (volume || projected) {
+        polygons_.resize(count);
+        find_casters(mesh, in.plan.shadow.casters, casts_);
+    }
     const Welded welded = volume ? weld(mesh, casts_) : Welded();
     ViewPlane ground;
     if (projected) {

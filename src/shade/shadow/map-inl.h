@@ -37,18 +37,18 @@ constexpr float kEdgeOn = 3 * kBeyond;
 
 // The lanes' triangles' planes in a map.
 struct MapPlane {
-    F32x8 per_x, per_y;     // depth a texel
-    F32x8 bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
-    F32x8 error;            // of a position, view units
-    F32x8 nearest;          // depth of the triangle's vertices: the greatest
+    F32 per_x, per_y;     // depth a texel
+    F32 bias, bias_slope; // fixed part, a unit of depth; and times 1 / distance
+    F32 error;            // of a position, view units
+    F32 nearest;          // depth of the triangle's vertices: the greatest
 };
 
 HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
-    F64x8 n[3], p[3], extent = 0.0;
+    F64 n[3], p[3], extent = 0.0;
     SIMD_UNROLL
     for (int r = 0; r < 3; ++r) {
-        const F64x8 row[3] = {double{m.turn[r][0]}, double{m.turn[r][1]}, double{m.turn[r][2]}};
-        const F64x8 move = double{m.move[r]};
+        const F64 row[3] = {double{m.turn[r][0]}, double{m.turn[r][1]}, double{m.turn[r][2]}};
+        const F64 move = double{m.move[r]};
         n[r] = dot(row, facing.normal);
         p[r] = dot(row, facing.corner[0]) + move;
         extent = maximum(extent, abs(move));
@@ -58,38 +58,38 @@ HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     }
     // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
     // half a unit in the last place of the largest term.
-    const F64x8 error = extent * F64x8(0x1p-21), scale = double{m.depth_scale}, zero = 0.0;
-    const F64x8 length = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
-    F64x8 to_depth;
+    const F64 error = extent * F64(0x1p-21), scale = double{m.depth_scale}, zero = 0.0;
+    const F64 length = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
+    F64 to_depth;
     if (m.perspective) {
         // n.(x, y, -w) = d, so 1 / w = (n_x x/w + n_y y/w - n_z) / d; d < 0 on the lit side.
-        const F64x8 reach = maximum(maximum(abs(p[0]), abs(p[1])), abs(p[2]));
-        to_depth = scale / -maximum(-dot(n, p), length * reach * F64x8(1 / kSteepest));
+        const F64 reach = maximum(maximum(abs(p[0]), abs(p[1])), abs(p[2]));
+        to_depth = scale / -maximum(-dot(n, p), length * reach * F64(1 / kSteepest));
     } else {
-        to_depth = -scale / maximum(n[2], length * F64x8(1 / kSteepest));
+        to_depth = -scale / maximum(n[2], length * F64(1 / kSteepest));
     }
-    F64x8 nearest = 0.0;
+    F64 nearest = 0.0;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        F64x8 depth = 0.0;
+        F64 depth = 0.0;
         SIMD_UNROLL
         for (int c = 0; c < 3; ++c)
-            depth = depth + F64x8(double{m.turn[2][c]}) * facing.corner[k][c];
-        depth = depth + F64x8(double{m.move[2]});
+            depth = depth + F64(double{m.turn[2][c]}) * facing.corner[k][c];
+        depth = depth + F64(double{m.move[2]});
         if (m.perspective) // else beside the light, or behind it
-            depth = select(depth < zero, scale / -depth, F64x8(0x1p100));
+            depth = select(depth < zero, scale / -depth, F64(0x1p100));
         else
-            depth = depth * scale + F64x8(double{m.depth_offset});
+            depth = depth * scale + F64(double{m.depth_offset});
         nearest = maximum(nearest, depth);
     }
-    const F64x8 per_x = n[0] * to_depth / F64x8(double{m.scale_x}),
-                per_y = -(n[1] * to_depth) / F64x8(double{m.scale_y});
+    const F64 per_x = n[0] * to_depth / F64(double{m.scale_x}),
+              per_y = -(n[1] * to_depth) / F64(double{m.scale_y});
     // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
-    const F64x8 slope = abs(per_x) + abs(per_y);
-    const F64x8 texels = F64x8(double{m.scale_x > m.scale_y ? m.scale_x : m.scale_y}) * error *
-                         F64x8(m.perspective ? 2.5 : 1.0);
-    const F64x8 fixed = m.perspective ? zero : scale * error;
-    return {to_f32(per_x),          to_f32(per_y), to_f32(slope * F64x8(0x1p-6) + fixed),
+    const F64 slope = abs(per_x) + abs(per_y);
+    const F64 texels = F64(double{m.scale_x > m.scale_y ? m.scale_x : m.scale_y}) * error *
+                       F64(m.perspective ? 2.5 : 1.0);
+    const F64 fixed = m.perspective ? zero : scale * error;
+    return {to_f32(per_x),          to_f32(per_y), to_f32(slope * F64(0x1p-6) + fixed),
             to_f32(slope * texels), to_f32(error), to_f32(nearest)};
 }
 
@@ -107,35 +107,35 @@ constexpr float kRise = 3;
 constexpr float kFold = 0.1F;
 
 struct Receiver {
-    F32x8 x, y; // texels
-    F32x8 depth, per_x, per_y, bias;
-    F32x8 rise_x, rise_y;   // depth that hides nothing, a texel aside
-    F32x8 nearest;          // of its triangle
-    F32x8 fold;             // rises more that hide nothing
-    F32x8 aside_x, aside_y; // towards its lit side, a texel that a lookup reaches from its middle
-    Mask<F32x8::Tag> asked; // an answer for the other lanes is not used
+    F32 x, y; // texels
+    F32 depth, per_x, per_y, bias;
+    F32 rise_x, rise_y;   // depth that hides nothing, a texel aside
+    F32 nearest;          // of its triangle
+    F32 fold;             // rises more that hide nothing
+    F32 aside_x, aside_y; // towards its lit side, a texel that a lookup reaches from its middle
+    Mask<F32::Tag> asked; // an answer for the other lanes is not used
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
 HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
-                             Mask<F32x8::Tag>& inside) {
-    const F32x8 px = load<F32x8>(b.position[0] + i), py = load<F32x8>(b.position[1] + i),
-                pz = load<F32x8>(b.position[2] + i);
+                             Mask<F32::Tag>& inside) {
+    const F32 px = load<F32>(b.position[0] + i), py = load<F32>(b.position[1] + i),
+              pz = load<F32>(b.position[2] + i);
     const auto row = [&](int r) HWY_ATTR {
-        return ((F32x8(m.turn[r][0]) * px + F32x8(m.turn[r][1]) * py) + F32x8(m.turn[r][2]) * pz) +
-               F32x8(m.move[r]);
+        return ((F32(m.turn[r][0]) * px + F32(m.turn[r][1]) * py) + F32(m.turn[r][2]) * pz) +
+               F32(m.move[r]);
     };
-    const F32x8 one = 1.0F, lx = row(0), ly = row(1), lz = row(2);
-    const F32x8 middle = 0.5F * static_cast<float>(m.size), half = m.half;
-    F32x8 inverse = one, depth = lz * F32x8(m.depth_scale) + F32x8(m.depth_offset);
+    const F32 one = 1.0F, lx = row(0), ly = row(1), lz = row(2);
+    const F32 middle = 0.5F * static_cast<float>(m.size), half = m.half;
+    F32 inverse = one, depth = lz * F32(m.depth_scale) + F32(m.depth_offset);
     inside = one == one;
     if (m.perspective) {
-        const F32x8 w = F32x8(0.0F) - lz;
-        inside = w > F32x8(0x1p-40F);
+        const F32 w = F32(0.0F) - lz;
+        inside = w > F32(0x1p-40F);
         inverse = one / select(inside, w, one);
-        depth = F32x8(m.depth_scale) * inverse;
+        depth = F32(m.depth_scale) * inverse;
     }
-    const F32x8 right = (lx * inverse) * F32x8(m.scale_x), up = (ly * inverse) * F32x8(m.scale_y);
+    const F32 right = (lx * inverse) * F32(m.scale_x), up = (ly * inverse) * F32(m.scale_y);
     inside = inside & (abs(right) <= half) & (abs(up) <= half);
     Receiver r;
     r.x = select(inside, middle + right, middle);
@@ -143,76 +143,75 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
     r.depth = depth;
     r.per_x = plane.per_x;
     r.per_y = plane.per_y;
-    r.bias = (plane.bias + plane.bias_slope * inverse) + abs(depth) * F32x8(0x1p-21F);
+    r.bias = (plane.bias + plane.bias_slope * inverse) + abs(depth) * F32(0x1p-21F);
     if (m.perspective) r.bias = r.bias + (depth * plane.error) * inverse;
-    const F32x8 rise = F32x8(kRise) * (m.perspective ? depth : F32x8(m.depth_scale));
-    r.rise_x = rise * F32x8(1.0F / m.scale_x);
-    r.rise_y = rise * F32x8(1.0F / m.scale_y);
+    const F32 rise = F32(kRise) * (m.perspective ? depth : F32(m.depth_scale));
+    r.rise_x = rise * F32(1.0F / m.scale_x);
+    r.rise_y = rise * F32(1.0F / m.scale_y);
     r.nearest = plane.nearest + r.bias;
-    const F32x8 slope_x = r.per_x / r.rise_x, slope_y = r.per_y / r.rise_y; // of kRise
-    const F32x8 steep = slope_x * slope_x + slope_y * slope_y;
-    r.fold = steep * F32x8(kFold * kRise);
+    const F32 slope_x = r.per_x / r.rise_x, slope_y = r.per_y / r.rise_y; // of kRise
+    const F32 steep = slope_x * slope_x + slope_y * slope_y;
+    r.fold = steep * F32(kFold * kRise);
     constexpr float kFrom = kBeyond * kBeyond / (kRise * kRise),
                     kTo = kEdgeOn * kEdgeOn / (kRise * kRise);
-    const F32x8 edge_on =
-        minimum(maximum((steep - F32x8(kFrom)) * F32x8(1 / (kTo - kFrom)), F32x8(0.0F)), one);
+    const F32 edge_on =
+        minimum(maximum((steep - F32(kFrom)) * F32(1 / (kTo - kFrom)), F32(0.0F)), one);
     // Down the plane, as far as a square's corner is.
-    const F32x8 aside = edge_on * (abs(r.per_x) + abs(r.per_y)) /
-                        maximum(r.per_x * r.per_x + r.per_y * r.per_y, F32x8(0x1p-100F));
-    r.aside_x = F32x8(0.0F) - r.per_x * aside;
-    r.aside_y = F32x8(0.0F) - r.per_y * aside;
+    const F32 aside = edge_on * (abs(r.per_x) + abs(r.per_y)) /
+                      maximum(r.per_x * r.per_x + r.per_y * r.per_y, F32(0x1p-100F));
+    r.aside_x = F32(0.0F) - r.per_x * aside;
+    r.aside_y = F32(0.0F) - r.per_y * aside;
     return r;
 }
 
 // Towards -infinity.
-HWY_INLINE I32x8 texel_of(F32x8 a) {
-    const I32x8 whole = to_i32(a);
-    return whole - select(to_f32(whole) > a, I32x8(1), I32x8(0));
+HWY_INLINE I32 texel_of(F32 a) {
+    const I32 whole = to_i32(a);
+    return whole - select(to_f32(whole) > a, I32(1), I32(0));
 }
 
 struct Texel {
-    F32x8 depth; // in the map; its border goes on for ever
-    F32x8 own;   // of the receiver's plane at the texel's centre
+    F32 depth; // in the map; its border goes on for ever
+    F32 own;   // of the receiver's plane at the texel's centre
 };
 // What texels of a column, or of a row, have in common.
 struct Line {
-    I32x8 place; // in the map: the column; where the row begins
-    F32x8 rise, plane;
+    I32 place; // in the map: the column; where the row begins
+    F32 rise, plane;
 };
-HWY_INLINE Line column(const ShadowMap& m, const Receiver& r, I32x8 x) {
-    const F32x8 aside = (to_f32(x) + F32x8(0.5F)) - r.x;
-    return {minimum(maximum(x, I32x8(0)), I32x8(m.size - 1)), r.rise_x * abs(aside),
-            r.per_x * aside};
+HWY_INLINE Line column(const ShadowMap& m, const Receiver& r, I32 x) {
+    const F32 aside = (to_f32(x) + F32(0.5F)) - r.x;
+    return {minimum(maximum(x, I32(0)), I32(m.size - 1)), r.rise_x * abs(aside), r.per_x * aside};
 }
-HWY_INLINE Line row(const ShadowMap& m, const Receiver& r, I32x8 y) {
-    const F32x8 aside = (to_f32(y) + F32x8(0.5F)) - r.y;
-    return {minimum(maximum(y, I32x8(0)), I32x8(m.size - 1)) * I32x8(m.size), r.rise_y * abs(aside),
+HWY_INLINE Line row(const ShadowMap& m, const Receiver& r, I32 y) {
+    const F32 aside = (to_f32(y) + F32(0.5F)) - r.y;
+    return {minimum(maximum(y, I32(0)), I32(m.size - 1)) * I32(m.size), r.rise_y * abs(aside),
             r.per_y * aside};
 }
 // depth: the map's, where column and row cross.
-HWY_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, F32x8 depth) {
-    const F32x8 rise = column.rise + row.rise;
-    const F32x8 plane = (r.depth + (column.plane + row.plane)) + r.bias;
-    const F32x8 beyond = minimum(plane, r.nearest) + rise * F32x8(kBeyond / kRise);
-    const F32x8 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
-    return {depth, maximum(own, F32x8(0.0F))};
+HWY_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, F32 depth) {
+    const F32 rise = column.rise + row.rise;
+    const F32 plane = (r.depth + (column.plane + row.plane)) + r.bias;
+    const F32 beyond = minimum(plane, r.nearest) + rise * F32(kBeyond / kRise);
+    const F32 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
+    return {depth, maximum(own, F32(0.0F))};
 }
-HWY_INLINE F32x8 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
+HWY_INLINE F32 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
     return gather(m.depth, row.place + column.place);
 }
 // The one that lies so far aside from the receiver.
-HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32x8 dx, F32x8 dy) {
-    const F32x8 half = 0.5F;
+HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32 dx, F32 dy) {
+    const F32 half = 0.5F;
     const Line across = column(m, r, texel_of((r.x + half * r.aside_x) + dx)),
                down = row(m, r, texel_of((r.y + half * r.aside_y) + dy));
     return texel(r, across, down, depth_at(m, across, down));
 }
 HWY_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
-    return texel_at(m, r, F32x8(0.0F), F32x8(0.0F));
+    return texel_at(m, r, F32(0.0F), F32(0.0F));
 }
 // 1 where something stands between the texel's part of the receiver's plane and the light.
-HWY_INLINE F32x8 hidden(const Texel& t) {
-    return select(t.depth > t.own, F32x8(1.0F), F32x8(0.0F));
+HWY_INLINE F32 hidden(const Texel& t) {
+    return select(t.depth > t.own, F32(1.0F), F32(0.0F));
 }
 
 // Where the receiver's own texel hides it, it lies in no hollow edge that the light looks into:
@@ -220,14 +219,14 @@ HWY_INLINE F32x8 hidden(const Texel& t) {
 // folded over, as the lips of a mouth about a lamp within). Without this a filter let in light from
 // as far behind as kRise forgives at its rim.
 HWY_INLINE void forgive_nothing_behind(const Texel& own, Line& line) {
-    line.rise = select(own.depth > own.own, F32x8(0.0F), line.rise);
+    line.rise = select(own.depth > own.own, F32(0.0F), line.rise);
 }
 
 // Surely light: no higher than the lower of plane and receiver. What the fold forgives, and the
 // triangle's own height, only add to that.
-HWY_INLINE Mask<F32x8::Tag> is_low(const Receiver& r, const Line& column, const Line& row,
-                                   F32x8 depth) {
-    const F32x8 plane = (r.depth + (column.plane + row.plane)) + r.bias;
+HWY_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const Line& row,
+                                 F32 depth) {
+    const F32 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     return depth <= minimum(r.depth, plane) + (column.rise + row.rise);
 }
 
@@ -235,11 +234,11 @@ HWY_INLINE Mask<F32x8::Tag> is_low(const Receiver& r, const Line& column, const 
 constexpr int kMostColumns = kMostFilter / 4 * 4 + 4;
 
 // Four texels of a row, from a column on, that lie side by side in the map.
-HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32x8* out) {
-    std::int32_t place[kLanesX8];
+HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32* out) {
+    std::int32_t place[kLanes];
     store(row.place + column.place, place);
     const auto* words = reinterpret_cast<const std::int32_t*>(m.depth);
-    const auto four = load_four<F32x8::Tag>([&](int lane) HWY_ATTR { return words + place[lane]; });
+    const auto four = load_four<F32::Tag>([&](int lane) HWY_ATTR { return words + place[lane]; });
     SIMD_UNROLL
     for (int i = 0; i < 4; ++i)
         out[i] = from_bits(four.word(i));
@@ -265,18 +264,18 @@ class Square {
 public:
     HWY_INLINE Square(const ShadowMap& m, const Receiver& r, int k) : k_(k) {
         const float wide = static_cast<float>(k);
-        const F32x8 reach = 0.5F * (wide + 1);
-        const F32x8 x0 = (r.x + reach * r.aside_x) - F32x8(wide * 0.5F),
-                    y0 = (r.y + reach * r.aside_y) - F32x8(wide * 0.5F);
-        const I32x8 left = texel_of(x0), top = texel_of(y0);
-        const auto part = [](F32x8 a) HWY_ATTR {
-            return to_f32(to_i32(maximum(a, F32x8(0.0F)) * F32x8(256.0F))) * F32x8(1.0F / 256);
+        const F32 reach = 0.5F * (wide + 1);
+        const F32 x0 = (r.x + reach * r.aside_x) - F32(wide * 0.5F),
+                  y0 = (r.y + reach * r.aside_y) - F32(wide * 0.5F);
+        const I32 left = texel_of(x0), top = texel_of(y0);
+        const auto part = [](F32 a) HWY_ATTR {
+            return to_f32(to_i32(maximum(a, F32(0.0F)) * F32(256.0F))) * F32(1.0F / 256);
         };
         fx_ = part(x0 - to_f32(left));
         fy_ = part(y0 - to_f32(top));
         each([&](int i) HWY_ATTR {
-            columns_[i] = column(m, r, left + I32x8(i));
-            rows_[i] = row(m, r, top + I32x8(i));
+            columns_[i] = column(m, r, left + I32(i));
+            rows_[i] = row(m, r, top + I32(i));
         });
         read(m, left);
     }
@@ -285,7 +284,7 @@ public:
     // so forgives as much; where lookups have moved over, rounding may leave it out.
     HWY_INLINE bool lie_low(const Receiver& r) const {
         // What is hidden shows in the middle.
-        auto low = (r.aside_x == F32x8(0.0F)) & (r.aside_y == F32x8(0.0F)) &
+        auto low = (r.aside_x == F32(0.0F)) & (r.aside_y == F32(0.0F)) &
                    is_low(r, columns_[k_ / 2], rows_[k_ / 2], depth_[k_ / 2][k_ / 2]);
         if (!all(low | !r.asked)) return false;
         each([&](int y) HWY_ATTR {
@@ -298,31 +297,31 @@ public:
     // higher than its triangle.
     HWY_INLINE bool lie_behind(const Receiver& r, const Texel& own) const {
         if (!all((own.depth > own.own) | !r.asked)) return false;
-        F32x8 lowest = depth_[0][0];
+        F32 lowest = depth_[0][0];
         each([&](int y) HWY_ATTR {
             each([&](int x) HWY_ATTR { lowest = minimum(lowest, depth_[y][x]); });
         });
-        return all((lowest > maximum(maximum(r.nearest, r.depth), F32x8(0.0F))) | !r.asked);
+        return all((lowest > maximum(maximum(r.nearest, r.depth), F32(0.0F))) | !r.asked);
     }
     // Weighted by how much of each texel the square covers. Weights are whole 256ths: all hidden
     // sums up to 1 exactly.
-    HWY_INLINE F32x8 hidden_share(const Receiver& r, const Texel& own) {
+    HWY_INLINE F32 hidden_share(const Receiver& r, const Texel& own) {
         each([&](int i) HWY_ATTR {
             forgive_nothing_behind(own, columns_[i]);
             forgive_nothing_behind(own, rows_[i]);
         });
-        const F32x8 one = 1.0F;
-        F32x8 sum = 0.0F;
+        const F32 one = 1.0F;
+        F32 sum = 0.0F;
         each([&](int y) HWY_ATTR {
-            F32x8 in_row = 0.0F;
+            F32 in_row = 0.0F;
             each([&](int x) HWY_ATTR {
-                const F32x8 weight = x == 0 ? one - fx_ : x == k_ ? fx_ : one;
+                const F32 weight = x == 0 ? one - fx_ : x == k_ ? fx_ : one;
                 in_row = in_row + weight * hidden(texel(r, columns_[x], rows_[y], depth_[y][x]));
             });
             sum = sum + (y == 0 ? one - fy_ : y == k_ ? fy_ : one) * in_row;
         });
         const float wide = static_cast<float>(k_);
-        return sum / F32x8(wide * wide);
+        return sum / F32(wide * wide);
     }
 
 private:
@@ -334,10 +333,10 @@ private:
     HWY_INLINE void each(const F& f) const {
         times<kLines>(k_ + 1, f);
     }
-    HWY_INLINE void read(const ShadowMap& m, I32x8 left) {
+    HWY_INLINE void read(const ShadowMap& m, I32 left) {
         // No column that is read lies beyond the map's border.
         const int count = k_ / 4 * 4 + 4;
-        const bool side_by_side = all((left >= I32x8(0)) & (left <= I32x8(m.size - count)));
+        const bool side_by_side = all((left >= I32(0)) & (left <= I32(m.size - count)));
         each([&](int y) HWY_ATTR {
             if (side_by_side)
                 times<kFours>(count / 4, [&](int x) HWY_ATTR {
@@ -349,21 +348,21 @@ private:
     }
 
     int k_;
-    F32x8 fx_, fy_; // how much of the first texels it leaves, of the last ones it covers
+    F32 fx_, fy_; // how much of the first texels it leaves, of the last ones it covers
     Line columns_[kColumns], rows_[kRows];
-    F32x8 depth_[kRows][kColumns];
+    F32 depth_[kRows][kColumns];
 };
 
 // The share of a square that is hidden.
 template <int kSide>
-HWY_INLINE F32x8 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
+HWY_INLINE F32 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
     Square<kSide> square(m, r, k);
-    if (square.lie_low(r)) return F32x8(0.0F); // most of what is lit
+    if (square.lie_low(r)) return F32(0.0F); // most of what is lit
     const Texel own = own_texel(m, r);
-    if (square.lie_behind(r, own)) return F32x8(1.0F);
+    if (square.lie_behind(r, own)) return F32(1.0F);
     return square.hidden_share(r, own);
 }
-HWY_INLINE F32x8 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
+HWY_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
     switch (k) {
     case 2: // what a GPU's filter reads
         return hidden_square_of<2>(m, r, k);
@@ -381,28 +380,28 @@ HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
     const auto share = [&](std::size_t k, int first, int end, const Facing& facing, float* left)
                            HWY_ATTR {
                                const LightShadow& shadow = frame.shadows[k];
-                               const F32x8 none = -1.0F; // asked no map yet
-                               for (int i = first; i < end; i += kLanesX8)
+                               const F32 none = -1.0F; // asked no map yet
+                               for (int i = first; i < end; i += kLanes)
                                    store(none, left + i);
-                               const auto lit = to_f32(select(facing.lit, F64x8(1.0), F64x8(0.0))) >
-                                                F32x8(0.5F); // the others lie in their own shadow
+                               const auto lit = to_f32(select(facing.lit, F64(1.0), F64(0.0))) >
+                                                F32(0.5F); // the others lie in their own shadow
                                const std::size_t maps = shadow.maps.size();
                                for (std::size_t face = 0; face < maps; ++face) {
                                    const ShadowMap& m = shadow.maps.data()[face];
                                    const MapPlane plane = plane_in(m, facing);
-                                   for (int i = first; i < end; i += kLanesX8) {
-                                       auto inside = F32x8(0.0F) < F32x8(0.0F);
+                                   for (int i = first; i < end; i += kLanes) {
+                                       auto inside = F32(0.0F) < F32(0.0F);
                                        Receiver r = receiver(m, plane, b, i, inside);
-                                       const F32x8 before = load<F32x8>(left + i);
-                                       r.asked = inside & lit & (before < F32x8(0.0F));
+                                       const F32 before = load<F32>(left + i);
+                                       r.asked = inside & lit & (before < F32(0.0F));
                                        if (!any(r.asked)) continue;
-                                       const F32x8 kept = F32x8(1.0F) - hide(m, r, shadow);
+                                       const F32 kept = F32(1.0F) - hide(m, r, shadow);
                                        store(select(r.asked, kept, before), left + i);
                                    }
                                }
-                               for (int i = first; i < end; i += kLanesX8) {
-                                   const F32x8 kept = load<F32x8>(left + i);
-                                   store(select(kept < F32x8(0.0F), F32x8(1.0F), kept), left + i);
+                               for (int i = first; i < end; i += kLanes) {
+                                   const F32 kept = load<F32>(left + i);
+                                   store(select(kept < F32(0.0F), F32(1.0F), kept), left + i);
                                }
                            };
     shadow_lanes(b, frame, share);

@@ -49,48 +49,47 @@ constexpr Lattice drawn_in(const Lattice& even) {
 constexpr Lattice kSquareSearch = drawn_in(kSquare), kDiscSearch = drawn_in(kDisc);
 
 // No wider than the map is from its middle.
-HWY_INLINE F32x8 radius(const ShadowMap& m, float texels, F32x8 depth) {
-    return minimum(F32x8(texels) * maximum(depth, F32x8(0.0F)), F32x8(m.half));
+HWY_INLINE F32 radius(const ShadowMap& m, float texels, F32 depth) {
+    return minimum(F32(texels) * maximum(depth, F32(0.0F)), F32(m.half));
 }
 
 // Is what lies so far aside, at this depth, seen before the light? A texel more, each way, for what
 // stands in it.
-HWY_INLINE Mask<F32x8::Tag> before_light(const ShadowMap& m, bool square, F32x8 dx, F32x8 dy,
-                                         F32x8 depth) {
-    const F32x8 one = 1.0F, x = dx / (radius(m, m.soft_x, depth) + one),
-                y = dy / (radius(m, m.soft_y, depth) + one);
+HWY_INLINE Mask<F32::Tag> before_light(const ShadowMap& m, bool square, F32 dx, F32 dy, F32 depth) {
+    const F32 one = 1.0F, x = dx / (radius(m, m.soft_x, depth) + one),
+              y = dy / (radius(m, m.soft_y, depth) + one);
     return square ? (abs(x) <= one) & (abs(y) <= one) : x * x + y * y <= one;
 }
 
 constexpr float kNone = 0x1p100F; // nothing hides the receiver
 
-HWY_INLINE F32x8 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
-                             int filter) {
-    const F32x8 sharp = hidden_square(m, r, filter);
+HWY_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
+                           int filter) {
+    const F32 sharp = hidden_square(m, r, filter);
     if (!shadow.soft) return sharp;
     const bool square = shadow.shape == scene::LightShape::square;
     const Lattice& lattice = square ? kSquare : kDisc;
     const Lattice& search = square ? kSquareSearch : kDiscSearch;
     // Nothing hides the receiver from farther away than what is nearest to the light would.
-    const F32x8 most = F32x8(m.nearest) - r.depth;
-    const F32x8 search_x = radius(m, m.soft_x, most), search_y = radius(m, m.soft_y, most);
-    F32x8 lowest = kNone;
+    const F32 most = F32(m.nearest) - r.depth;
+    const F32 search_x = radius(m, m.soft_x, most), search_y = radius(m, m.soft_y, most);
+    F32 lowest = kNone;
     for (int i = 0; i < search.count; ++i) {
-        const F32x8 dx = search_x * F32x8(search.x[i]), dy = search_y * F32x8(search.y[i]);
+        const F32 dx = search_x * F32(search.x[i]), dy = search_y * F32(search.y[i]);
         const Texel t = texel_at(m, r, dx, dy);
-        const F32x8 above = t.depth - r.depth;
+        const F32 above = t.depth - r.depth;
         const auto hides = (t.depth > t.own) & before_light(m, square, dx, dy, above);
-        lowest = minimum(lowest, select(hides, above, F32x8(kNone)));
+        lowest = minimum(lowest, select(hides, above, F32(kNone)));
     }
-    const F32x8 wide_x = radius(m, m.soft_x, lowest), wide_y = radius(m, m.soft_y, lowest);
-    const auto wide = (lowest < F32x8(kNone)) &
-                      (maximum(wide_x, wide_y) > F32x8(0.5F * static_cast<float>(filter)));
+    const F32 wide_x = radius(m, m.soft_x, lowest), wide_y = radius(m, m.soft_y, lowest);
+    const auto wide =
+        (lowest < F32(kNone)) & (maximum(wide_x, wide_y) > F32(0.5F * static_cast<float>(filter)));
     if (!any(wide)) return sharp;
     // A point of the light that stands behind the receiver's plane does not shine on it.
-    const F32x8 one = 1.0F, zero = 0.0F;
-    F32x8 hides = 0.0F, shines = 0.0F;
+    const F32 one = 1.0F, zero = 0.0F;
+    F32 hides = 0.0F, shines = 0.0F;
     for (int i = 0; i < lattice.count; ++i) {
-        const F32x8 dx = wide_x * F32x8(lattice.x[i]), dy = wide_y * F32x8(lattice.y[i]);
+        const F32 dx = wide_x * F32(lattice.x[i]), dy = wide_y * F32(lattice.y[i]);
         const auto above = r.per_x * dx + r.per_y * dy <= lowest;
         shines = shines + select(above, one, zero);
         hides = hides + select(above, hidden(texel_at(m, r, dx, dy)), zero);

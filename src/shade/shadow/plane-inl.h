@@ -17,32 +17,32 @@ SIMD_BEGIN(scanout::shade::shadow)
 
 // The triangles of a register of lanes, in view space.
 struct Facing {
-    F64x8 normal[3]; // towards the eye
-    F64x8 corner[3][3];
-    F64x8::DoubleMask lit; // the light stands on the side that the eye sees
+    F64 normal[3]; // towards the eye
+    F64 corner[3][3];
+    F64::DoubleMask lit; // the light stands on the side that the eye sees
 };
 
 // Where they come from: one for a whole run, or of each lane its own.
 struct OfRun {
     const Primitive& t;
-    HWY_INLINE F32x8 facing(int c) const { return t.facing[c]; }
-    HWY_INLINE F32x8 position(int c, int k) const { return t.position[c][k]; }
+    HWY_INLINE F32 facing(int c) const { return t.facing[c]; }
+    HWY_INLINE F32 position(int c, int k) const { return t.position[c][k]; }
 };
 struct OfLanes {
     const LaneTriangles& t;
-    Entries<F32x8::Tag> entries; // of the register's lanes
-    HWY_INLINE F32x8 facing(int c) const { return entries.of(t.facing[c]); }
-    HWY_INLINE F32x8 position(int c, int k) const { return entries.of(t.position[c][k]); }
+    Entries<F32::Tag> entries; // of the register's lanes
+    HWY_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
+    HWY_INLINE F32 position(int c, int k) const { return entries.of(t.position[c][k]); }
 };
 
-HWY_INLINE F64x8 dot(const F64x8 (&a)[3], const F64x8 (&b)[3]) {
+HWY_INLINE F64 dot(const F64 (&a)[3], const F64 (&b)[3]) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
 template <class Of>
 HWY_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
     Facing f;
-    F64x8 own[3];
+    F64 own[3];
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
         own[c] = to_f64(of.facing(c));
@@ -56,13 +56,13 @@ HWY_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::
     }
     const bool everywhere = light.kind == scene::LightKind::directional;
     const Vec3& from = everywhere ? light.towards : light.position;
-    F64x8 way[3] = {double{from.x}, double{from.y}, double{from.z}};
+    F64 way[3] = {double{from.x}, double{from.y}, double{from.z}};
     if (!everywhere) {
         SIMD_UNROLL
         for (int c = 0; c < 3; ++c)
             way[c] = way[c] - f.corner[0][c];
     }
-    f.lit = dot(f.normal, way) > F64x8(0.0);
+    f.lit = dot(f.normal, way) > F64(0.0);
     return f;
 }
 
@@ -81,7 +81,7 @@ HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
             left[i] = 0;
         for (const Run* run = b.run; run != b.run + b.runs; ++run) {
             const int end = run->first + run->count;
-            const int step = run->primitive != nullptr ? run->count : kLanesX8;
+            const int step = run->primitive != nullptr ? run->count : kLanes;
             for (int i = run->first; i < end; i += step) {
                 const auto of_lanes = [&]() HWY_ATTR {
                     return OfLanes{*b.triangles, {b.triangles->of_lane + i, end - i}};
@@ -91,10 +91,10 @@ HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
                                           : facing_of(of_lanes(), frame, light);
                 const std::uint32_t lit = bits(facing.lit);
                 if (lit != 0) share(k, i, i + step, facing, left);
-                if (lit == (1U << kLanesX8) - 1) continue;
-                const F32x8 shown = to_f32(select(facing.lit, F64x8(1.0), F64x8(0.0)));
-                for (int lane = i; lane < i + step; lane += kLanesX8)
-                    store(select(shown > F32x8(0.5F), load<F32x8>(left + lane), F32x8(0.0F)),
+                if (lit == (1U << kLanes) - 1) continue;
+                const F32 shown = to_f32(select(facing.lit, F64(1.0), F64(0.0)));
+                for (int lane = i; lane < i + step; lane += kLanes)
+                    store(select(shown > F32(0.5F), load<F32>(left + lane), F32(0.0F)),
                           left + lane);
             }
         }
