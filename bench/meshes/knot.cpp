@@ -22,17 +22,17 @@ DVec3 unit(const DVec3& v) {
 }
 
 // Scales and folds, of three sizes: their wavelengths are whole shares of the surface, so that it
-// closes.
-double displacement(double along, double around) {
+// closes. The finest are as high as asked.
+double displacement(double along, double around, double finest) {
     const double a = kTurn * along, b = kTurn * around;
     return 0.10 * std::sin(9 * a) + 0.035 * std::sin(61 * a + 3 * b) * std::sin(5 * b) +
            0.012 * std::sin(241 * a - 2 * b) * std::sin(19 * b + 23 * a) +
-           0.004 * std::sin(701 * a + 7 * b) * std::sin(97 * b);
+           finest * std::sin(701 * a + 7 * b) * std::sin(97 * b);
 }
 
 } // namespace
 
-geom::PolygonMesh knot(std::size_t triangles) {
+geom::PolygonMesh knot(std::size_t triangles, double finest_fold) {
     // The tube is about eleven times as long as around: squares are square.
     const double squares = static_cast<double>(triangles) / 2;
     GridSize size;
@@ -42,13 +42,13 @@ geom::PolygonMesh knot(std::size_t triangles) {
     geom::PolygonMesh mesh;
     mesh.positions.reserve(size.u * size.v);
     mesh.corners.reserve(size.u * size.v * 6);
-    add_grid(mesh, size, [](double u, double v) {
+    add_grid(mesh, size, [finest_fold](double u, double v) {
         const DVec3 at = on_curve(v);
         const DVec3 ahead = unit(on_curve(v + 1e-4) - on_curve(v - 1e-4));
         const DVec3 side = unit(cross3(ahead, DVec3(at.x, at.y, 0.2)));
         const DVec3 up = cross3(side, ahead);
         const double angle = kTurn * u;
-        const double radius = kTube * (1 + displacement(v, u));
+        const double radius = kTube * (1 + displacement(v, u, finest_fold));
         return at + (up * std::cos(angle) + side * std::sin(angle)) * radius;
     });
     return mesh;

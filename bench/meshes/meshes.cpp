@@ -16,10 +16,10 @@ namespace {
 constexpr std::array kMeshes = {
     MeshCard{"teapot", "Newell's patches", 6320, false},
     MeshCard{"bunny", "Stanford's scan, from the assets", 69451, false},
-    MeshCard{"dragon", "a rough knotted tube", 871222, false},
+    MeshCard{"dragon", "a knotted tube as a scan would hold it", 871222, false},
     MeshCard{"building", "a hall with aisles, from inside", 60352, true},
-    MeshCard{"large", "the dragon's shape, finer", 5399460, false},
-    MeshCard{"crate", "the dragon in a box that hides it", 871234, false},
+    MeshCard{"large", "a rough knotted tube", 5399460, false},
+    MeshCard{"crate", "a rough knotted tube in a box that hides it", 871234, false},
 };
 constexpr std::size_t kDragon = 871414, kLarge = 5400000;
 constexpr std::string_view kBunny = SCANOUT_BENCH_ASSETS "/stanford_bunny/stanford-bunny.obj";
@@ -41,7 +41,7 @@ std::span<const MeshCard> meshes() {
 Result<geom::PolygonMesh> make_polygons(std::string_view name) {
     if (name == "teapot") return teapot();
     if (name == "bunny") return bunny();
-    if (name == "dragon") return knot(kDragon);
+    if (name == "dragon") return dragon(kDragon);
     if (name == "building") return building();
     if (name == "large") return knot(kLarge);
     if (name == "crate") return crate(kDragon);

@@ -9,7 +9,12 @@
 #include "support/meshes.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
+#include <set>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -76,16 +81,56 @@ TEST(Meshes, have_as_many_triangles_as_they_are_said_to) {
 
 TEST(Meshes, of_a_knot_are_closed_and_wound_outwards) {
     for (const std::size_t triangles : {200U, 1000U, 20000U}) {
-        const geom::PolygonMesh mesh = knot(triangles);
-        EXPECT_NEAR(static_cast<double>(mesh.faces()), static_cast<double>(triangles),
-                    0.1 * static_cast<double>(triangles));
-        const auto count = edges(mesh);
-        for (const auto& [edge, times] : count) {
-            ASSERT_EQ(times, 1) << triangles;
-            ASSERT_TRUE(count.contains({edge.second, edge.first})) << triangles;
+        for (const geom::PolygonMesh& mesh : {knot(triangles), dragon(triangles)}) {
+            EXPECT_NEAR(static_cast<double>(mesh.faces()), static_cast<double>(triangles),
+                        0.1 * static_cast<double>(triangles));
+            const auto count = edges(mesh);
+            for (const auto& [edge, times] : count) {
+                ASSERT_EQ(times, 1) << triangles;
+                ASSERT_TRUE(count.contains({edge.second, edge.first})) << triangles;
+            }
+            EXPECT_GT(volume(mesh), 0) << triangles;
         }
-        EXPECT_GT(volume(mesh), 0) << triangles;
     }
+}
+
+// Stanford's dragon: 6.4 degrees, 1.12 vertices.
+TEST(Meshes, the_dragons_stand_in_is_as_smooth_and_as_scattered_as_a_scan) {
+    const auto mesh = make_polygons("dragon");
+    ASSERT_TRUE(mesh) << mesh.error().what;
+    const auto place = [&](std::size_t corner) { return mesh->positions[vertex(*mesh, corner)]; };
+    const auto normal = [&](std::size_t triangle) {
+        const std::size_t i = 3 * triangle;
+        const DVec3 n = cross3(place(i + 1) - place(i), place(i + 2) - place(i));
+        return n / std::sqrt(dot3(n, n));
+    };
+    // Each edge twice, once from either side: this one's triangle, by the edge's ends.
+    std::vector<std::array<std::size_t, 3>> sides; // low end, high end, triangle
+    for (std::size_t i = 0; i < mesh->corners.size(); ++i) {
+        const auto ends =
+            std::minmax({vertex(*mesh, i), vertex(*mesh, i % 3 == 2 ? i - 2 : i + 1)});
+        sides.push_back({ends.first, ends.second, i / 3});
+    }
+    std::sort(sides.begin(), sides.end());
+    double squares = 0;
+    for (std::size_t i = 0; i < sides.size(); i += 2) {
+        ASSERT_EQ(sides[i][0], sides[i + 1][0]);
+        ASSERT_EQ(sides[i][1], sides[i + 1][1]);
+        const double cosine = dot3(normal(sides[i][2]), normal(sides[i + 1][2]));
+        const double angle = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / std::numbers::pi;
+        squares += angle * angle;
+    }
+    EXPECT_NEAR(std::sqrt(squares / (static_cast<double>(sides.size()) / 2)), 6.4, 0.3);
+
+    constexpr std::size_t kInTurn = 1000;
+    std::size_t used = 0, batches = 0;
+    for (std::size_t first = 0; first + kInTurn <= mesh->faces(); first += kInTurn, ++batches) {
+        std::set<std::size_t> vertices;
+        for (std::size_t i = 3 * first; i < 3 * (first + kInTurn); ++i)
+            vertices.insert(vertex(*mesh, i));
+        used += vertices.size();
+    }
+    EXPECT_NEAR(static_cast<double>(used) / static_cast<double>(batches * kInTurn), 1.12, 0.05);
 }
 
 TEST(Meshes, the_teapot_stands_as_newell_drew_it) {
