@@ -9,9 +9,11 @@ namespace scanout::geom {
 
 // Puts the triangles in an order in which each run of Clusters::kTriangles lies together, and the
 // vertices in the order in which these use them first, so that what is read together lies together.
-// Leaves all as it is where they lie together well enough, and where they are few. Of triangles
-// that stand in one place the first in the file stays the first. Not with lines' faces, which name
-// triangles.
+// Leaves all as it is where they are few, where they lie together well enough, where that would
+// bring them no nearer, and where there are lines: what asks whether these lie on a face asks for
+// its triangles side by side (raster/ground.h). Of triangles that stand in one place the first in
+// the file stays the first; of others with one depth at a sample the first in the new order is
+// seen. Positions are finite, and clusters not found yet.
 void order_by_place(Jobs& jobs, Mesh& mesh);
 
 } // namespace scanout::geom

@@ -71,22 +71,16 @@ TEST(PlaceOrder, PutsNeighboursTogetherAndChangesNothingElse) {
         mesh.material[t] = static_cast<std::int32_t>(t % 3) - 1;
     shuffle(random, mesh);
     const auto v = static_cast<std::uint32_t>(mesh.position.size());
-    test::add_vertex(mesh, Vec3(0.9F, 0, 0)); // of a line and a point alone
-    test::add_line(mesh, 0, v);
+    test::add_vertex(mesh, Vec3(0.9F, 0, 0)); // of a point alone
     test::add_point(mesh, v);
-    Mesh placed = mesh, by_many = mesh;
-    Jobs one(1), three(3);
-    order_by_place(one, placed);
-    order_by_place(three, by_many);
-    EXPECT_EQ(placed.index, by_many.index);
-    EXPECT_EQ(placed.face, by_many.face);
+    Mesh placed = mesh;
+    Jobs jobs(2);
+    order_by_place(jobs, placed);
     EXPECT_NE(placed.face, mesh.face);
     EXPECT_EQ(by_face(placed), by_face(mesh));
     EXPECT_EQ(by_face(placed).size(), mesh.triangles());
     EXPECT_LT(mean_radius(placed), mean_radius(mesh) / 5);
     ASSERT_EQ(placed.position.size(), mesh.position.size());
-    for (std::size_t k = 0; k < 2; ++k)
-        EXPECT_EQ(placed.position[placed.line_index[k]], mesh.position[mesh.line_index[k]]);
     EXPECT_EQ(placed.position[placed.point_index[0]], mesh.position[v]);
     // Vertices as triangles use them first.
     std::uint32_t next = 0;
@@ -96,21 +90,70 @@ TEST(PlaceOrder, PutsNeighboursTogetherAndChangesNothingElse) {
     }
 }
 
-TEST(PlaceOrder, LeavesWhatLiesTogetherOrIsSmall) {
-    Random random(92);
+// Large enough that each worker has parts, and that vertices carry all that they can.
+TEST(PlaceOrder, DoesNotDependOnThreads) {
+    Random random(95);
+    Mesh mesh = test::empty_mesh();
+    test::add_sphere(mesh, Vec3(0), 0.8F, 500, 250);
+    mesh.uv.clear();
+    for (const Vec3& p : mesh.position)
+        mesh.uv.push_back({p.x, p.y});
+    mesh.colour = mesh.position;
+    for (std::size_t t = 0; t < mesh.triangles(); ++t)
+        mesh.material[t] = static_cast<std::int32_t>(t % 3) - 1;
+    shuffle(random, mesh);
+    Mesh one = mesh, many = mesh;
+    Jobs alone(1), three(3);
+    order_by_place(alone, one);
+    order_by_place(three, many);
+    EXPECT_GT(mesh.triangles(), 200000U);
+    EXPECT_NE(one.face, mesh.face);
+    EXPECT_TRUE(one.index == many.index && one.face == many.face && one.material == many.material &&
+                one.position == many.position && one.normal == many.normal && one.uv == many.uv &&
+                one.colour == many.colour);
+    for (std::size_t v = 0; v < one.position.size(); ++v) {
+        const Vec3& p = one.position[v];
+        ASSERT_TRUE(one.colour[v] == p && one.uv[v].x == p.x && one.uv[v].y == p.y) << v;
+    }
+}
+
+void expect_left(Mesh mesh) {
+    const Mesh before = mesh;
     Jobs jobs(2);
-    Mesh mesh = ball(), placed = mesh;
+    order_by_place(jobs, mesh);
+    EXPECT_EQ(mesh.index, before.index);
+    EXPECT_EQ(mesh.face, before.face);
+}
+Mesh first_of(Mesh mesh, std::size_t triangles) {
+    mesh.index.resize(triangles * 3);
+    mesh.material.resize(triangles);
+    mesh.face.resize(triangles);
+    return mesh;
+}
+
+TEST(PlaceOrder, LeavesWhatLiesTogetherOrWouldNotOrIsSmallOrHasLines) {
+    Random random(92);
+    expect_left(ball()); // as it was made: row by row
+    expect_left(test::empty_mesh());
+    Mesh mesh = ball();
+    shuffle(random, mesh);
+    expect_left(first_of(mesh, 1023));
+    Jobs jobs(2);
+    const Mesh enough = first_of(mesh, 1024);
+    Mesh placed = enough;
     order_by_place(jobs, placed);
-    EXPECT_EQ(placed.index, mesh.index); // as it was made: row by row
-    Mesh few = test::empty_mesh();
-    test::add_sphere(few, Vec3(0), 0.8F, 20, 10);
-    shuffle(random, few);
-    placed = few;
-    order_by_place(jobs, placed);
-    EXPECT_EQ(placed.index, few.index);
-    placed = test::empty_mesh();
-    order_by_place(jobs, placed);
-    EXPECT_EQ(placed.triangles(), 0U);
+    EXPECT_NE(placed.face, enough.face);
+    test::add_line(mesh, 0, 1);
+    expect_left(mesh);
+    Mesh needles = test::empty_mesh(); // all through the middle, each as long as the whole
+    for (int i = 0; i < 2000; ++i) {
+        const Vec3 end(random.in_cube(0.5));
+        const auto v = test::add_vertex(needles, end);
+        test::add_vertex(needles, -end);
+        test::add_vertex(needles, end * 0.999F + Vec3(0, 0, 0.001F));
+        test::add_triangle(needles, v, v + 1, v + 2);
+    }
+    expect_left(needles);
 }
 
 // Which of two that stand in one place is seen does not change.
@@ -119,7 +162,12 @@ TEST(PlaceOrder, KeepsTheFirstOfThoseInOnePlaceFirst) {
     Jobs jobs(2);
     Mesh mesh = ball();
     const std::vector<std::uint32_t> once = mesh.index;
+    // A third of them again from another corner on.
     mesh.index.insert(mesh.index.end(), once.begin(), once.end());
+    for (std::size_t i = once.size(); i < mesh.index.size(); i += 9)
+        std::rotate(mesh.index.begin() + static_cast<std::ptrdiff_t>(i),
+                    mesh.index.begin() + static_cast<std::ptrdiff_t>(i + 1),
+                    mesh.index.begin() + static_cast<std::ptrdiff_t>(i + 3));
     mesh.material.resize(mesh.triangles(), -1);
     mesh.face.resize(mesh.triangles());
     shuffle(random, mesh);
@@ -127,7 +175,9 @@ TEST(PlaceOrder, KeepsTheFirstOfThoseInOnePlaceFirst) {
     std::map<Drawn, std::uint32_t> last;
     int twice = 0;
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-        const auto [at, first] = last.emplace(drawn(mesh, t), mesh.face[t]);
+        Drawn d = drawn(mesh, t);
+        std::sort(d.corner.begin(), d.corner.end());
+        const auto [at, first] = last.emplace(d, mesh.face[t]);
         if (first) continue;
         EXPECT_LT(at->second, mesh.face[t]);
         ++twice;
