@@ -106,7 +106,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
         int steep = 0, seen = 0;
-        std::array<std::size_t, kPartKinds> of_kind{};
+        std::array<std::size_t, kPartKinds> of_kind{}, steep_of_kind{};
         for (int round = 0; round < 120; ++round) {
             const int samples = 1 << round % 5;
             const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
@@ -134,6 +134,9 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             for (const PartKind kind : kFrontKinds) {
                 const auto& list = lists[static_cast<std::size_t>(kind)];
                 of_kind[static_cast<std::size_t>(kind)] += list.size();
+                for (const TilePart& part : list)
+                    steep_of_kind[static_cast<std::size_t>(kind)] +=
+                        near_to_flat({all.corners(part.triangle), part.triangle}) ? 0U : 1U;
                 if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
                 depth_alone.draw(TilePartList{all.vertices, all.index, list, kind});
             }
@@ -152,8 +155,10 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                     }
             EXPECT_EQ(differ, 0) << samples << " samples";
         }
-        for (const PartKind kind : kFrontKinds)
+        for (const PartKind kind : kFrontKinds) {
             EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 1000U);
+            EXPECT_GT(steep_of_kind[static_cast<std::size_t>(kind)], 500U);
+        }
         EXPECT_GT(steep, 35000);
         EXPECT_GT(seen, 400000);
     });
