@@ -15,6 +15,7 @@ namespace scanout::raster {
 namespace {
 constexpr int kLarge = 16;            // pixels each way: some block of 8 x 8 may be covered whole
 constexpr std::size_t kFewBacks = 64; // in a tile: drawn sooner than asked whether they are hidden
+constexpr std::size_t kLine = 64;     // bytes that memory gives at once
 constexpr std::size_t kChunk = 4096;  // of vertices, triangles or clusters: a worker's next work
 
 int chunks(std::size_t n) {
@@ -241,11 +242,14 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
             }
         }
         const std::int32_t tile = batch.placed.tile[i];
-        if (tile != PlacedParts::kNone)
-            bins[static_cast<std::size_t>(tile)]
-                .parts[static_cast<std::size_t>(batch.placed.kind[i])]
-                .push_back({t.triangle, batch.placed.where[i]});
-        else if (t.small())
+        if (tile != PlacedParts::kNone) {
+            std::vector<TilePart>& parts =
+                bins[static_cast<std::size_t>(tile)]
+                    .parts[static_cast<std::size_t>(batch.placed.kind[i])];
+            parts.push_back({t.triangle, batch.placed.where[i]});
+            // The next line to write to: no processor foresees where so many lists go on.
+            __builtin_prefetch(&parts.back() + kLine / sizeof(TilePart), 1);
+        } else if (t.small())
             add_small(batch, t);
         else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
             add_large(batch, t);

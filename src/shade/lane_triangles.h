@@ -62,6 +62,7 @@ struct TriangleSource {
     Attributes wanted;
 
     bool wants_facing() const { return sides == Sides::eye || wanted.facing; }
+    bool wants_position() const { return wanted.position || wants_facing(); }
 };
 TriangleSource triangle_source(const GatherInput& input);
 

@@ -60,6 +60,11 @@ HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, in
         const std::uint32_t* index = source.index + std::size_t{out.id[lane]} * 3;
         for (int k = 0; k < 3; ++k)
             out.corner[k][lane] = index[k];
+        if (!source.wants_position()) continue;
+        for (int k = 0; k < 3; ++k) {
+            __builtin_prefetch(source.position + std::size_t{index[k]} * 3);
+            if (source.wanted.normal) __builtin_prefetch(source.normal + std::size_t{index[k]} * 3);
+        }
     }
 }
 // Into the order that their vertices have been put in: cheaper than to turn all that they carry.
@@ -256,7 +261,7 @@ HWY_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneT
 // And then what their vertices carry: not at once with it, so that compilers leave the corners in
 // memory, and so that no load waits for them.
 HWY_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int at) {
-    if (s.wanted.position || s.wants_facing()) {
+    if (s.wants_position()) {
         const MeshPlaces place = fetch<3>(s.position, out, at);
         if (s.wants_facing()) put_facing(place, load<I32x8>(out.turned + at) == I32x8(1), out, at);
         if (s.wanted.position) put_positions(s, place, out, at);
