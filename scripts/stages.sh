@@ -157,7 +157,7 @@ sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
 # hashes and the pictures go through the same code.
 numbers='^(math\.(LaneTranscendentals|Transcendental)|naive|raster\.(ExactCoverage|Guard\.(A|Tri|Its)|Depth)'
 numbers+='|raster\.(P[12]/|Row17/|Piece\.Covers|Clip\.TheTwoSides|Coverage\.(ATurned|AFan))'
-numbers+='|frame\.(Shadow\..*RaysSay|AntiAliasing|Metamorphic\.Scaling|Minification|LanesShaded|P4/|P11/)'
+numbers+='|bench\.Meshes\.the_dragons_stand_in_is|frame\.(Shadow\..*RaysSay|AntiAliasing|Metamorphic\.Scaling|Minification|LanesShaded|P4/|P11/)'
 numbers+='|frame\.(All/BlendingModes|Transparency\.(TheLength|AMaterial)))'
 
 # AddressSanitizer and UndefinedBehaviorSanitizer; the fuzz targets belong to the same build.

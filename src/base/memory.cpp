@@ -1,7 +1,9 @@
 #include "base/memory.h"
 
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <span>
 
 #include <malloc.h>
 #include <sys/mman.h>
@@ -29,14 +31,28 @@ std::uint64_t peak_resident_bytes() {
     return kib_in("/proc/self/status", "VmHWM:") * 1024;
 }
 
+// The whole pages of this size within these bytes; none: empty.
+static std::span<std::byte> pages_in(void* begin, std::size_t bytes, std::uintptr_t page) {
+    const auto start = reinterpret_cast<std::uintptr_t>(begin);
+    const std::uintptr_t first = (start + page - 1) / page * page,
+                         last = (start + bytes) / page * page;
+    if (first >= last) return {};
+    return {static_cast<std::byte*>(begin) + (first - start), last - first};
+}
+
 void release_pages(void* begin, std::size_t bytes) {
     static const auto page = static_cast<std::uintptr_t>(::sysconf(_SC_PAGESIZE));
-    const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) / page * page;
-    const auto last = (reinterpret_cast<std::uintptr_t>(begin) + bytes) / page * page;
-    if (first >= last) return;
-    std::byte* pages =
-        static_cast<std::byte*>(begin) + (first - reinterpret_cast<std::uintptr_t>(begin));
-    ::madvise(pages, last - first, MADV_DONTNEED);
+    const std::span<std::byte> pages = pages_in(begin, bytes, page);
+    if (!pages.empty()) ::madvise(pages.data(), pages.size(), MADV_DONTNEED);
+}
+
+void use_large_pages(void* begin, std::size_t bytes) {
+    constexpr std::uintptr_t kLarge = 1 << 21; // of x86 and of AArch64 with pages of 4 KiB
+    constexpr int kCollapse = 25;              // MADV_COLLAPSE, since Linux 6.1: what stands there
+    const std::span<std::byte> pages = pages_in(begin, bytes, kLarge);
+    if (pages.empty()) return;
+    ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
+    ::madvise(pages.data(), pages.size(), kCollapse);
 }
 
 void release_freed() {

@@ -20,6 +20,15 @@ void release(std::vector<T>& values) {
 // the place: for large arrays whose start is done with. What stood there reads as zeros afterwards.
 void release_pages(void* begin, std::size_t bytes);
 
+// Asks for pages as large as the machine has, for these bytes and what stands there: arrays that
+// are read out of order then need fewer entries of the tables that say where pages lie. Small
+// arrays stay as they are, and so do all where the machine refuses.
+void use_large_pages(void* begin, std::size_t bytes);
+template <class T>
+void use_large_pages(std::vector<T>& values) {
+    use_large_pages(values.data(), values.size() * sizeof(T));
+}
+
 // Gives the memory of small blocks that were freed back to the machine, wherever it lies.
 void release_freed();
 

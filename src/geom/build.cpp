@@ -281,6 +281,10 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     order_by_place(jobs, result.mesh);
     find_line_faces(result.mesh);
     result.mesh.clusters = find_clusters(jobs, result.mesh);
+    use_large_pages(result.mesh.index);
+    use_large_pages(result.mesh.position);
+    use_large_pages(result.mesh.normal);
+    use_large_pages(result.mesh.uv);
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);
     warn_of(result.skipped_points, "points", name, warnings);

@@ -1,6 +1,7 @@
 #include "raster/geometry.h"
 
 #include "base/check.h"
+#include "base/memory.h"
 #include "raster/check_lanes.h"
 #include "raster/clip.h"
 
@@ -20,6 +21,12 @@ constexpr std::size_t kChunk = 4096;  // of vertices, triangles or clusters: a w
 
 int chunks(std::size_t n) {
     return static_cast<int>((n + kChunk - 1) / kChunk);
+}
+
+// And asks for the line that is written next: no processor foresees where so many lists go on.
+void append(std::vector<TilePart>& parts, TilePart part) {
+    parts.push_back(part);
+    __builtin_prefetch(&parts.back() + kLine / sizeof(TilePart), 1);
 }
 } // namespace
 
@@ -87,7 +94,10 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     late_drawn_ = 0;
     CHECK(hidden_ == nullptr || layers_.empty());
     CHECK_LE(mesh.position.size(), kMostVertices);
-    vertices_.resize(mesh.position.size());
+    if (vertices_.size() != mesh.position.size()) {
+        vertices_.resize(mesh.position.size());
+        use_large_pages(vertices_);
+    }
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)
         batch.clear(tiles(), !layers_.empty());
@@ -218,7 +228,7 @@ void Geometry::add_part(const KeptTriangle& t, int left, int top, PartsByKind& p
     const PartKind kind = t.away() ? PartKind::back
                           : tiny   ? PartKind::speck_astride
                                    : PartKind::strip;
-    parts[static_cast<std::size_t>(kind)].push_back(TilePart::of(t.triangle, x0, y0, x1, y1));
+    append(parts[static_cast<std::size_t>(kind)], TilePart::of(t.triangle, x0, y0, x1, y1));
 }
 
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
@@ -243,12 +253,9 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
         }
         const std::int32_t tile = batch.placed.tile[i];
         if (tile != PlacedParts::kNone) {
-            std::vector<TilePart>& parts =
-                bins[static_cast<std::size_t>(tile)]
-                    .parts[static_cast<std::size_t>(batch.placed.kind[i])];
-            parts.push_back({t.triangle, batch.placed.where[i]});
-            // The next line to write to: no processor foresees where so many lists go on.
-            __builtin_prefetch(&parts.back() + kLine / sizeof(TilePart), 1);
+            append(bins[static_cast<std::size_t>(tile)]
+                       .parts[static_cast<std::size_t>(batch.placed.kind[i])],
+                   {t.triangle, batch.placed.where[i]});
         } else if (t.small())
             add_small(batch, t);
         else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)

@@ -10,6 +10,7 @@
 #define SCANOUT_RASTER_SPECKS_INL_H
 #endif
 
+#include "raster/blocks-inl.h"
 #include "raster/parts-inl.h"
 
 SIMD_BEGIN(scanout::raster)

@@ -1,0 +1,148 @@
+// A tile's lists of parts of small triangles, from set-up to pixels. Included once for every SIMD
+// target.
+#if defined(SCANOUT_RASTER_PART_LISTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_RASTER_PART_LISTS_INL_H
+#undef SCANOUT_RASTER_PART_LISTS_INL_H
+#else
+#define SCANOUT_RASTER_PART_LISTS_INL_H
+#endif
+
+#include "raster/specks-inl.h"
+#include "raster/strips-inl.h"
+
+SIMD_BEGIN(scanout::raster)
+
+using Parts = std::span<const TilePart>;
+
+// Steep parts of a list, which wait until they fill a register.
+template <int kWidth>
+class SteepParts {
+public:
+    // Those of a register whose bit is set. draw(parts): as many as fill one.
+    template <class Draw>
+    HWY_INLINE void add(const TilePart* first, std::uint32_t some, const Draw& draw) {
+        for (; some != 0; some &= some - 1) {
+            part_[count_++] = first[__builtin_ctz(some)];
+            if (count_ == kWidth) finish(draw);
+        }
+    }
+    template <class Draw>
+    HWY_INLINE void finish(const Draw& draw) {
+        if (count_ > 0) draw(Parts(part_, static_cast<std::size_t>(count_)));
+        count_ = 0;
+    }
+
+private:
+    TilePart part_[kWidth];
+    int count_ = 0;
+};
+
+// A register of them at most.
+template <class D>
+HWY_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of, Parts some,
+                            SetUpParts<D>& out) {
+    const TilePartList list{of.vertices, of.index, some};
+    PartCorners<D> corner;
+    read_corners(list, 0, corner);
+    set_up_parts(tile, list, some.data(), static_cast<int>(some.size()), corner, out);
+}
+
+// Any part.
+template <Shows kShows>
+struct AsStrips {
+    using Tag = F32x8::Tag;
+    SteepParts<kLanesX8> steep;
+
+    static HWY_NOINLINE void draw_steep(const TilePlanes& tile, const TilePartList& list,
+                                        Parts some, I32x8& drawn) {
+        SetUpPartsX8 s;
+        set_up_some(tile, list, some, s);
+        draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
+    }
+    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpPartsX8& s,
+                         const TilePart* first, I32x8& drawn) {
+        const std::uint32_t some = s.live & ~s.plane.flat;
+        if (__builtin_popcount(some) >= kLanesX8 / 2)
+            draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
+        else
+            steep.add(first, some,
+                      [&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
+        draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
+    }
+    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        steep.finish([&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
+    }
+};
+
+template <Shows kShows, PartKind kKind>
+struct AsSpecks {
+    using Tag = F32::Tag;
+    SpeckBatch<speck_side(kKind)> batch;
+    SteepParts<kLanes> steep;
+
+    HWY_NOINLINE void add_steep(const TilePlanes& tile, const TilePartList& list, Parts some,
+                                I32x8& drawn) {
+        SetUpParts<Tag> s;
+        set_up_some(tile, list, some, s);
+        add_specks<SteepSpeckDepths, kShows>(tile, s, s.live, batch, drawn);
+    }
+    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpParts<Tag>& s,
+                         const TilePart* first, I32x8& drawn) {
+        steep.add(first, s.live & ~s.plane.flat,
+                  [&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
+        add_specks<SpeckDepths<kKind == PartKind::speck_astride>, kShows>(
+            tile, s, s.live & s.plane.flat, batch, drawn);
+    }
+    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+        steep.finish([&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
+        draw_batch<kShows>(tile, batch, drawn);
+    }
+};
+
+// A register is set up before the one in front of it is drawn. Drawing branches on what nobody
+// could foretell; were it the end of a set-up that it waits for, the next one could not have begun
+// either.
+template <Shows kShows, class As>
+HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
+    using Tag = typename As::Tag;
+    constexpr int kWidth = static_cast<int>(Int<Tag>::kLanes);
+    I32x8 drawn = 0;
+    As as;
+    const TilePart* const parts = list.parts.data();
+    const auto all = static_cast<int>(list.parts.size());
+    PartCorners<Tag> corner, next;
+    read_corners(list, 0, next);
+    SetUpParts<Tag> room[2];
+    for (int begin = 0; begin < all + kWidth; begin += kWidth) {
+        const int number = begin / kWidth, left = all - begin;
+        if (left > 0) {
+            corner = next;
+            read_corners(list, begin + kWidth, next);
+            set_up_parts(tile, list, parts + begin, left < kWidth ? left : kWidth, corner,
+                         room[number & 1]);
+        }
+        if (begin == 0) continue;
+        as.draw(tile, list, room[(number & 1) ^ 1], parts + begin - kWidth, drawn);
+    }
+    as.finish(tile, list, drawn);
+    return any(!(drawn == I32x8(0)));
+}
+
+template <Shows kShows>
+HWY_INLINE bool draw_kind(const TilePlanes& tile, const TilePartList& list) {
+    switch (list.kind) {
+    case PartKind::speck_2:
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_2>>(tile, list);
+    case PartKind::speck_3:
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_3>>(tile, list);
+    case PartKind::speck_astride:
+        return draw_list<kShows, AsSpecks<kShows, PartKind::speck_astride>>(tile, list);
+    case PartKind::strip:
+    case PartKind::back:
+        break;
+    }
+    return draw_list<kShows, AsStrips<kShows>>(tile, list);
+}
+SIMD_END
+
+#endif

@@ -1,0 +1,61 @@
+// Large pages hold what stood there, and the machine gives them where it has them for the asking.
+#include "base/memory.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+
+namespace scanout {
+namespace {
+
+// KiB of large pages in this process.
+long large_pages() {
+    std::ifstream file("/proc/self/smaps_rollup");
+    long kib = 0;
+    for (std::string line; std::getline(file, line);)
+        if (std::sscanf(line.c_str(), "AnonHugePages: %ld", &kib) == 1) return kib;
+    return kib;
+}
+
+// Does the machine make large pages of a mapping that is full, when asked?
+bool gives_large_pages() {
+    constexpr std::size_t kBytes = 64 << 20;
+    constexpr int kCollapse = 25; // MADV_COLLAPSE
+    void* pages =
+        ::mmap(nullptr, kBytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (pages == MAP_FAILED) return false;
+    std::memset(pages, 1, kBytes);
+    const long before = large_pages();
+    ::madvise(pages, kBytes, kCollapse);
+    const bool gives = large_pages() > before + 30'000;
+    ::munmap(pages, kBytes);
+    return gives;
+}
+
+TEST(LargePages, KeepWhatStoodThere) {
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1000}, std::size_t{5'000'003}}) {
+        std::vector<std::uint32_t> values(size);
+        std::iota(values.begin(), values.end(), 7U);
+        use_large_pages(values);
+        for (std::size_t i = 0; i < size; ++i)
+            ASSERT_EQ(values[i], i + 7);
+    }
+}
+
+TEST(LargePages, AreGivenWhereTheMachineHasThem) {
+    if (!gives_large_pages()) GTEST_SKIP() << "this machine gives none";
+    std::vector<std::uint32_t> values(16 << 20, 1);
+    const long before = large_pages();
+    use_large_pages(values);
+    EXPECT_GT(large_pages(), before + 30'000);
+}
+
+} // namespace
+} // namespace scanout
