@@ -176,6 +176,7 @@ void cut_in_parts(PlacedTriangles all, std::vector<PlacedTriangles>& parts) {
 template <class T>
 void take(Jobs& jobs, std::span<const std::uint32_t> from, std::vector<T>& array) {
     if (array.empty()) return;
+    CHECK_EQ(array.size(), from.size());
     std::vector<T> taken(from.size());
     for_blocks(jobs, taken.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)

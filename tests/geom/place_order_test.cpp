@@ -41,6 +41,7 @@ std::map<std::uint32_t, Drawn> by_face(const Mesh& mesh) {
 Mesh ball() {
     Mesh mesh = test::empty_mesh();
     test::add_sphere(mesh, Vec3(0), 0.8F, 120, 60);
+    mesh.uv.clear(); // vertices are added that have none
     return mesh;
 }
 
