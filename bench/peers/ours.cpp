@@ -1,5 +1,6 @@
 #include "bench/peers/ours.h"
 
+#include "base/memory.h"
 #include "raster/copy_depths.h"
 
 #include <algorithm>
@@ -32,6 +33,7 @@ void Ours::draw_depth(const scene::View& view) {
         std::size_t bytes = room_.size() * sizeof(float);
         std::align(kLine, pixels * sizeof(float), begin, bytes);
         depth_ = {static_cast<float*>(begin), pixels};
+        use_large_pages(depth_);
     }
     raster::GeometryOptions options;
     options.width = options_.width;

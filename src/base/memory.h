@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scanout {
@@ -20,13 +21,18 @@ void release(std::vector<T>& values) {
 // the place: for large arrays whose start is done with. What stood there reads as zeros afterwards.
 void release_pages(void* begin, std::size_t bytes);
 
-// Asks for pages as large as the machine has, for these bytes and what stands there: arrays that
-// are read out of order then need fewer entries of the tables that say where pages lie. Small
-// arrays stay as they are, and so do all where the machine refuses.
+// Asks for pages as large as the machine has, for these bytes and what stands there. Arrays that
+// are read out of order, and pictures, of which a tile is a piece of many rows, then need fewer
+// entries of the tables that say where pages lie. Small arrays stay as they are, and so do all
+// where the machine refuses.
 void use_large_pages(void* begin, std::size_t bytes);
 template <class T>
+void use_large_pages(std::span<T> values) {
+    use_large_pages(values.data(), values.size_bytes());
+}
+template <class T>
 void use_large_pages(std::vector<T>& values) {
-    use_large_pages(values.data(), values.size() * sizeof(T));
+    use_large_pages(std::span(values));
 }
 
 // Gives the memory of small blocks that were freed back to the machine, wherever it lies.

@@ -1,5 +1,6 @@
 #include "frame/renderer.h"
 
+#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "frame/bare_tiles.h"
 #include "frame/lights.h"
@@ -404,6 +405,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height) {
         s.back_buffer = image::Image(o.width, o.height);
+        use_large_pages(s.back_buffer.pixels());
         s.bare.forget();
     }
     const Stopwatch total;

@@ -1,5 +1,7 @@
 #include "frame/shadow_maps.h"
 
+#include "base/memory.h"
+
 #include <algorithm>
 
 namespace scanout::frame {
@@ -83,7 +85,10 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
 void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
                       Depths& out) {
     const auto side = static_cast<std::size_t>(from.size);
-    out.depth.resize(side * side);
+    if (out.depth.size() != side * side) {
+        out.depth.resize(side * side);
+        use_large_pages(out.depth);
+    }
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;
