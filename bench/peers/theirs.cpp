@@ -3,9 +3,11 @@
 #include "bench/peers/gl_view.h"
 #include "math/srgb.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <numeric>
 
 namespace scanout::bench {
 namespace {
@@ -14,6 +16,34 @@ struct Vertex {
     Vec3 position, normal;
     Vec2 uv;
 };
+
+struct Buffers {
+    std::vector<Vertex> vertices;
+    std::vector<std::uint32_t> index;
+};
+// As the file has the triangles, which is how a viewer hands them to GL: that scanout may have put
+// them in another order (geom/place_order.h) is part of scanout. Vertices as triangles use them
+// first.
+Buffers in_file_order(const geom::Mesh& mesh) {
+    std::vector<std::uint32_t> triangles(mesh.triangles());
+    std::iota(triangles.begin(), triangles.end(), 0U);
+    std::stable_sort(triangles.begin(), triangles.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return mesh.face[a] < mesh.face[b]; });
+    constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::vector<std::uint32_t> number(mesh.position.size(), kNone);
+    Buffers made;
+    for (const std::uint32_t t : triangles)
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t v = mesh.index[std::size_t{t} * 3 + k];
+            if (number[v] == kNone) {
+                number[v] = static_cast<std::uint32_t>(made.vertices.size());
+                made.vertices.push_back(
+                    {mesh.position[v], mesh.normal[v], mesh.uv.empty() ? Vec2(0) : mesh.uv[v]});
+            }
+            made.index.push_back(number[v]);
+        }
+    return made;
+}
 
 // GL filters and writes codes as they are: they hold linear light, so that neither side encodes or
 // decodes more than its own renderer does. Rows from the bottom, where v is 0.
@@ -65,22 +95,19 @@ Result<Theirs> Theirs::create(const scene::Scene& scene, const Load& load, int w
 }
 
 void Theirs::upload(const scene::Scene& scene) {
-    const geom::Mesh& mesh = scene.mesh;
-    std::vector<Vertex> vertices(mesh.position.size());
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        vertices[i] = {mesh.position[i], mesh.normal[i], mesh.uv.empty() ? Vec2(0) : mesh.uv[i]};
+    const Buffers buffers = in_file_order(scene.mesh);
     GLuint layout = 0;
     glGenVertexArrays(1, &layout);
     glBindVertexArray(layout);
-    new_buffer(GL_ARRAY_BUFFER, vertices.size() * sizeof(Vertex), vertices.data());
-    new_buffer(GL_ELEMENT_ARRAY_BUFFER, mesh.index.size() * sizeof(mesh.index[0]),
-               mesh.index.data());
+    new_buffer(GL_ARRAY_BUFFER, buffers.vertices.size() * sizeof(Vertex), buffers.vertices.data());
+    new_buffer(GL_ELEMENT_ARRAY_BUFFER, buffers.index.size() * sizeof(buffers.index[0]),
+               buffers.index.data());
     for (GLuint i = 0; i < 3; ++i) {
         glEnableVertexAttribArray(i);
         glVertexAttribPointer(i, i == 2 ? 2 : 3, GL_FLOAT, GL_FALSE, sizeof(Vertex),
                               reinterpret_cast<const void*>(std::size_t{i} * sizeof(Vec3)));
     }
-    indices_ = static_cast<GLsizei>(mesh.index.size());
+    indices_ = static_cast<GLsizei>(buffers.index.size());
     if (scene.textures.empty()) return;
     const image::Image& picture = scene.textures.front().image;
     glGenTextures(1, &texture_);
