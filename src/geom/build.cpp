@@ -285,6 +285,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     use_large_pages(result.mesh.position);
     use_large_pages(result.mesh.normal);
     use_large_pages(result.mesh.uv);
+    use_large_pages(result.mesh.colour);
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);
     warn_of(result.skipped_points, "points", name, warnings);

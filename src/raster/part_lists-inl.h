@@ -7,6 +7,8 @@
 #define SCANOUT_RASTER_PART_LISTS_INL_H
 #endif
 
+#include <span>
+
 #include "raster/specks-inl.h"
 #include "raster/strips-inl.h"
 
@@ -143,6 +145,7 @@ HWY_INLINE bool draw_kind(const TilePlanes& tile, const TilePartList& list) {
     }
     return draw_list<kShows, AsStrips<kShows>>(tile, list);
 }
+
 SIMD_END
 
 #endif
