@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """shares.py BUILD [SECONDS]: what part of a frame's time each stage takes, for the loads of the table beside llvmpipe. Samples
 BUILD's bench_frame by the clock (linux-perf) for SECONDS (4) a load and writes the table between the shares marks of
-bench/README.md. A benchmark makes its mesh before it runs: the first seconds are not sampled, and what is left of that is known
-by its functions and left out.
+bench/README.md. A benchmark makes its mesh before it runs: the first seconds, which it runs longer, are not sampled, and what is
+left of that on a slow machine is known by its functions and left out.
 """
 import pathlib
 import re
@@ -18,8 +18,8 @@ README = growth.README
 BEGIN, END = "<!-- shares -->\n", "<!-- end of shares -->"
 LOADS = ("bunny/depth", "dragon/depth", "building/depth", "teapot/blinn_phong", "bunny/blinn_phong", "dragon/blinn_phong",
          "building/blinn_phong", "bunny/textured", "dragon/shadow_map", "bunny/4_samples")
-AFTER = 2500 # ms
-MAKING = r"geom::|frame::.*(facts|sides)|angle|sincos|scanout::(sqrt|normalized)|malloc|free"
+AFTER = 5 # s
+MAKING = r"geom::|bench::|frame::.*(facts|sides)|angle|sincos|scanout::(sqrt|normalized)|malloc|free"
 # The first that fits a function's name.
 STAGES = {
     "vertices, clusters": r"transform_|ClusterCull|::find_needed|::transform_needed",
@@ -40,8 +40,8 @@ def shares(program, load, seconds):
     """Of the stages: their parts of the samples."""
     with tempfile.TemporaryDirectory() as folder:
         data = str(pathlib.Path(folder) / "samples")
-        subprocess.run(["perf", "record", "-q", "-o", data, "-e", "cpu-clock", "-D", str(AFTER), program, f"--benchmark_filter=^{load}$",
-                        f"--benchmark_min_time={seconds}"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run(["perf", "record", "-q", "-o", data, "-e", "cpu-clock", "-D", str(1000 * AFTER), program, f"--benchmark_filter=^{load}$",
+                        f"--benchmark_min_time={AFTER + float(seconds)}"], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         report = subprocess.run(["perf", "report", "-i", data, "--no-children", "--stdio", "-F", "overhead,sym"], check=True,
                                 capture_output=True, text=True).stdout
     found = dict.fromkeys(STAGES, 0.0)

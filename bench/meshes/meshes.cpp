@@ -24,8 +24,7 @@ constexpr std::array kMeshes = {
 constexpr std::size_t kDragon = 871414, kLarge = 5400000;
 constexpr std::string_view kBunny = SCANOUT_BENCH_ASSETS "/stanford_bunny/stanford-bunny.obj";
 
-Result<geom::PolygonMesh> bunny() {
-    const std::string path(kBunny);
+Result<geom::PolygonMesh> from_file(const std::string& path) {
     TRY(const Mapping file, Mapping::open(path));
     Warnings warnings;
     TRY(io::ObjFile obj, io::read_obj(file.text(), path, warnings));
@@ -40,7 +39,8 @@ std::span<const MeshCard> meshes() {
 
 Result<geom::PolygonMesh> make_polygons(std::string_view name) {
     if (name == "teapot") return teapot();
-    if (name == "bunny") return bunny();
+    if (name == "bunny") return from_file(std::string(kBunny));
+    if (name.ends_with(".obj")) return from_file(std::string(name));
     if (name == "dragon") return dragon(kDragon);
     if (name == "building") return building();
     if (name == "large") return knot(kLarge);
@@ -55,8 +55,8 @@ Result<geom::PolygonMesh> make_polygons(std::string_view name) {
     }
     return fail(
         Exit::usage,
-        "{}: there is no such mesh; say teapot, bunny, dragon, building, large, crate, or knot:N "
-        "with 100 to 100000000 triangles",
+        "{}: there is no such mesh; say teapot, bunny, dragon, building, large, crate, knot:N "
+        "with 100 to 100000000 triangles, or FILE.obj",
         name);
 }
 

@@ -22,9 +22,9 @@ struct MeshCard {
 // teapot dragon building large crate; and bunny, where the repository's assets stand beside it.
 std::span<const MeshCard> meshes();
 
-// Triangles alone, as a file would say them: no normals, no uv. "knot:N" is a rough
-// knotted tube of about N triangles. Exit::usage for a name that is none; for the bunny,
-// Exit::unreadable without its file.
+// Triangles alone, as a file would say them: no normals, no uv. "knot:N" is a rough knotted tube of
+// about N triangles; a name that ends in .obj is a file's. Exit::usage for a name that is none;
+// Exit::unreadable without the file, the bunny's too.
 Result<geom::PolygonMesh> make_polygons(std::string_view name);
 
 // The same, ready to draw, with u and v laid on by a slanted projection (4 tiles a bounding

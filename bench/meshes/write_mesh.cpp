@@ -12,7 +12,7 @@ int main(int count, char** arguments) {
         fmt::print(stderr, "usage: bench_mesh NAME FILE.stl|FILE.obj\n");
         for (const bench::MeshCard& card : bench::meshes())
             fmt::print(stderr, "  {:9} {}\n", card.name, card.what);
-        fmt::print(stderr, "  knot:N    the dragon's shape with about N triangles\n");
+        fmt::print(stderr, "  knot:N    a rough knotted tube of about N triangles\n");
         return static_cast<int>(Exit::usage);
     }
     const auto mesh = bench::make_polygons(arguments[1]);

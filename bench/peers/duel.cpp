@@ -44,7 +44,7 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     TRY(const scene::View start, view_of(load, scene, 0, o.frames, o.width, o.height));
     TRY(const double first, first_frame(jobs, load, scene, start, o));
     Ours ours(jobs, scene, load, o.width, o.height);
-    TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height));
+    TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height, o.placed));
     Result<void> drawn;
     for (int i = 0; i < kWarm; ++i) {
         theirs.draw(start);

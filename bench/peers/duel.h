@@ -11,6 +11,7 @@ namespace scanout::bench {
 struct DuelOptions {
     int width = 1920, height = 1080;
     int frames = 40;     // a side, spread over a whole turn
+    bool placed = false; // the peer gets scanout's order of triangles, not the file's
     std::string save_in; // a folder for the pictures that were compared; empty: none
 };
 

@@ -1,4 +1,5 @@
-// bench_peers [--check] [--json] [--frames N] [--size WxH] [--only TEXT] [--save FOLDER]
+// bench_peers [--check] [--json] [--placed] [--frames N] [--size WxH] [--only TEXT] [--save FOLDER]
+//     [--dragon FILE]
 #include "bench/peers/gl_context.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/report.h"
@@ -16,11 +17,13 @@ using namespace scanout::bench;
 struct Arguments {
     DuelOptions duel;
     bool check = false, json = false;
-    std::string only; // loads whose name holds it
+    std::string only;   // loads whose name holds it
+    std::string dragon; // a file in the place of the generated one
 };
 
 constexpr const char* kUsage =
-    "usage: bench_peers [--check] [--json] [--frames N] [--size WxH] [--only TEXT] [--save FOLDER]";
+    "usage: bench_peers [--check] [--json] [--placed] [--frames N] [--size WxH] [--only TEXT] "
+    "[--save FOLDER] [--dragon FILE.obj]";
 
 Result<Arguments> read_arguments(std::span<char*> words) {
     Arguments a;
@@ -34,12 +37,17 @@ Result<Arguments> read_arguments(std::span<char*> words) {
             a.json = true;
             continue;
         }
+        if (word == "--placed") {
+            a.duel.placed = true;
+            continue;
+        }
         if (i + 1 == words.size()) return fail(Exit::usage, "{}: {}", word, kUsage);
         const char* value = words[++i];
         DuelOptions& d = a.duel;
         const bool fine =
             word == "--only"     ? (a.only = value, true)
             : word == "--save"   ? (d.save_in = value, true)
+            : word == "--dragon" ? (a.dragon = value, true)
             : word == "--frames" ? std::sscanf(value, "%d", &d.frames) == 1 && d.frames > 0
             : word == "--size"
                 ? std::sscanf(value, "%dx%d", &d.width, &d.height) == 2 && d.width > 0 &&
@@ -85,9 +93,11 @@ Result<Exit> run(std::span<char*> words) {
     report.width = a.duel.width;
     report.height = a.duel.height;
     report.load_before = load_average();
-    for (const Load& load : loads())
-        if (load.name.find(a.only) != std::string_view::npos)
-            TRY_VOID(measure(load, a, two, report));
+    for (Load load : loads()) {
+        if (load.name.find(a.only) == std::string_view::npos) continue;
+        if (load.mesh == "dragon" && !a.dragon.empty()) load.mesh = a.dragon;
+        TRY_VOID(measure(load, a, two, report));
+    }
     report.load_after = load_average();
     if (report.duels.empty()) return fail(Exit::usage, "no load has a name with {}", a.only);
     fmt::print("{}", a.json ? to_json(report) : to_markdown(report));

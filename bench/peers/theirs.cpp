@@ -21,14 +21,15 @@ struct Buffers {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> index;
 };
-// As the file has the triangles, which is how a viewer hands them to GL: that scanout may have put
-// them in another order (geom/place_order.h) is part of scanout. Vertices as triangles use them
-// first.
-Buffers in_file_order(const geom::Mesh& mesh) {
+// Triangles as the file has them, or as geom/place_order.h may have placed them; vertices as
+// triangles use them first.
+Buffers buffers_of(const geom::Mesh& mesh, bool placed) {
     std::vector<std::uint32_t> triangles(mesh.triangles());
     std::iota(triangles.begin(), triangles.end(), 0U);
-    std::stable_sort(triangles.begin(), triangles.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return mesh.face[a] < mesh.face[b]; });
+    if (!placed)
+        std::stable_sort(triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
+            return mesh.face[a] < mesh.face[b];
+        });
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> number(mesh.position.size(), kNone);
     Buffers made;
@@ -76,7 +77,8 @@ void uniform(GLuint program, const char* name, const Vec3& v) {
 
 } // namespace
 
-Result<Theirs> Theirs::create(const scene::Scene& scene, const Load& load, int width, int height) {
+Result<Theirs> Theirs::create(const scene::Scene& scene, const Load& load, int width, int height,
+                              bool placed) {
     Theirs t;
     t.width_ = width;
     t.height_ = height;
@@ -87,15 +89,15 @@ Result<Theirs> Theirs::create(const scene::Scene& scene, const Load& load, int w
     TRY(t.program_, make_program({light, load.shading == Shading::textured,
                                   load.shading == Shading::shadowed, light && t.inside_}));
     TRY(t.shadow_program_, make_program({}));
-    t.upload(scene);
+    t.upload(scene, placed);
     TRY_VOID(t.make_targets());
     if (load.shading == Shading::shadowed) t.make_shadow_map();
     t.read_.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     return t;
 }
 
-void Theirs::upload(const scene::Scene& scene) {
-    const Buffers buffers = in_file_order(scene.mesh);
+void Theirs::upload(const scene::Scene& scene, bool placed) {
+    const Buffers buffers = buffers_of(scene.mesh, placed);
     GLuint layout = 0;
     glGenVertexArrays(1, &layout);
     glBindVertexArray(layout);

@@ -14,13 +14,15 @@ namespace scanout::bench {
 
 class Theirs {
 public:
-    // The context must be current and outlive it.
-    static Result<Theirs> create(const scene::Scene& scene, const Load& load, int width,
-                                 int height);
+    // The context must be current and outlive it. placed: triangles stand as in the scene, which
+    // may have put them in an order by place; else as in the file, as a viewer would hand them to
+    // GL.
+    static Result<Theirs> create(const scene::Scene& scene, const Load& load, int width, int height,
+                                 bool placed);
 
     // Draws the frame and reads it back.
     void draw(const scene::View& view);
-    // Fragments that pass the depth test in the order of the file, a sample.
+    // Fragments that pass the depth test in the order of the triangles, a sample.
     double fragments(const scene::View& view);
 
     // What was read, rows from the top, encoded to sRGB: GL wrote linear light into its codes.
@@ -30,7 +32,7 @@ public:
 
 private:
     Theirs() = default;
-    void upload(const scene::Scene& scene);
+    void upload(const scene::Scene& scene, bool placed);
     Result<void> make_targets();
     void make_shadow_map();
     void clear_and_draw(const scene::View& view);

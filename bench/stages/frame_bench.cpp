@@ -7,6 +7,7 @@
 #include <string>
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 namespace {
 
@@ -16,8 +17,21 @@ using bench::Shading;
 
 constexpr int kWidth = 1920, kHeight = 1080, kTurn = 36; // frames of a full turn
 
+// A benchmark is called several times, to find out how often it must draw, and a mesh takes seconds
+// to make: the last load's is kept.
+const Result<scene::Scene>& kept_scene(const Load& load) {
+    static std::string of;
+    static Result<scene::Scene> scene;
+    const std::string name = fmt::format("{} {}", load.mesh, load.name);
+    if (name != of) {
+        of = name;
+        scene = bench::scene_of(load);
+    }
+    return scene;
+}
+
 void frame_of(benchmark::State& state, const Load& load) {
-    const auto scene = bench::scene_of(load);
+    const Result<scene::Scene>& scene = kept_scene(load);
     if (!scene) return state.SkipWithError(scene.error().what.c_str());
     Jobs jobs(1);
     bench::Ours ours(jobs, *scene, load, kWidth, kHeight);
