@@ -1,4 +1,5 @@
-// Sanitizers have a malloc and memory of their own: what a process takes says nothing under them.
+// Sanitizers have a malloc and memory of their own, and take several times as long: what a process
+// takes says nothing under them.
 #pragma once
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
