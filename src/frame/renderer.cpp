@@ -405,7 +405,6 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height) {
         s.back_buffer = image::Image(o.width, o.height);
-        use_large_pages(s.back_buffer.pixels());
         s.bare.forget();
     }
     const Stopwatch total;

@@ -85,10 +85,7 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
 void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
                       Depths& out) {
     const auto side = static_cast<std::size_t>(from.size);
-    if (out.depth.size() != side * side) {
-        out.depth.resize(side * side);
-        use_large_pages(out.depth);
-    }
+    if (out.depth.size() != side * side) assign_in_large_pages(out.depth, side * side);
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;

@@ -1,6 +1,8 @@
 // An 8-bit RGBA picture in memory: sRGB codes, rows from the top, no padding.
 #pragma once
 
+#include "base/memory.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -17,9 +19,10 @@ static_assert(sizeof(Rgba8) == 4);
 class Image {
 public:
     Image() = default;
-    Image(int width, int height, Rgba8 fill = {})
-        : width_(width), height_(height),
-          pixels_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+    Image(int width, int height, Rgba8 fill = {}) : width_(width), height_(height) {
+        assign_in_large_pages(
+            pixels_, static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill);
+    }
 
     int width() const { return width_; }
     int height() const { return height_; }

@@ -1,6 +1,7 @@
 // Large pages hold what stood there, and the machine gives them where it has them for the asking.
 #include "base/memory.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -56,6 +57,17 @@ TEST(LargePages, AreGivenWhereTheMachineGivesThem) {
     const long before = large_pages();
     use_large_pages(values);
     EXPECT_EQ(large_pages() > before + kSome, gives_large_pages());
+}
+
+TEST(LargePages, AreExpectedOfAnArrayThatIsMadeAnew) {
+    std::vector<std::uint32_t> values(1000, 3);
+    const long before = large_pages();
+    assign_in_large_pages(values, 16 << 20, 5U);
+    ASSERT_EQ(values.size(), std::size_t{16 << 20});
+    EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](auto v) { return v == 5; }));
+    EXPECT_EQ(large_pages() > before + kSome, gives_large_pages());
+    assign_in_large_pages(values, 0);
+    EXPECT_TRUE(values.empty());
 }
 
 } // namespace
