@@ -21,15 +21,14 @@ struct Buffers {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> index;
 };
-// Triangles as the file has them, or as geom/place_order.h may have placed them; vertices as
-// triangles use them first.
+// Triangles as the file has them, or by place (geom/place_order.h); vertices as triangles use them
+// first.
 Buffers buffers_of(const geom::Mesh& mesh, bool placed) {
     std::vector<std::uint32_t> triangles(mesh.triangles());
     std::iota(triangles.begin(), triangles.end(), 0U);
-    if (!placed)
-        std::stable_sort(triangles.begin(), triangles.end(), [&](std::uint32_t a, std::uint32_t b) {
-            return mesh.face[a] < mesh.face[b];
-        });
+    if (placed)
+        for (std::uint32_t& t : triangles)
+            t = mesh.triangle_at(t);
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> number(mesh.position.size(), kNone);
     Buffers made;

@@ -48,11 +48,12 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
                  const DVec3& move, Skips&& skips, F&& f) {
     const DMat3 linear = turn * view.linear;
     const DVec3 offset = turn * view.translation + move;
+    const std::span<const std::uint32_t> index = mesh.index_by_place();
     const auto call = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            f(linear * DVec3(mesh.position[mesh.index[i]]) + offset);
+            f(linear * DVec3(mesh.position[index[i]]) + offset);
     };
-    if (mesh.clusters.empty()) return call(0, mesh.index.size());
+    if (mesh.clusters.empty()) return call(0, index.size());
     DVec3 stretch; // of a length, along each axis
     for (int r = 0; r < 3; ++r) {
         const DVec3 row(linear[0][r], linear[1][r], linear[2][r]);
@@ -68,7 +69,7 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
             const DVec3 reach = stretch * (cluster.radius * (1 + kRounding)) +
                                 (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
             if (!skips(middle, reach))
-                call(c * kCorners, std::min((c + 1) * kCorners, mesh.index.size()));
+                call(c * kCorners, std::min((c + 1) * kCorners, index.size()));
         }
     }
 }

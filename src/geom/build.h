@@ -1,6 +1,5 @@
 // PolygonMesh -> Mesh: bad faces out, polygons cut into triangles, equal corners joined, missing
-// normals made, coordinates normalised. Order of triangles = order of faces in the file, or by
-// place where that is none (geom/place_order.h).
+// normals made, coordinates normalised. Order of triangles = order of faces in the file.
 #pragma once
 
 #include "base/jobs.h"
@@ -32,7 +31,8 @@ struct BuildResult {
 // shown is shown, an empty mesh included. Indices of the PolygonMesh must lie within its arrays.
 //
 // Vertices that are equal bit for bit (-0 counts as 0) are one; they are numbered in the order of
-// first use: by the faces' corners, then lines, then points; by place, too, where triangles are.
+// first use: by the faces' corners, then lines, then points; where triangles lie in no order, by
+// place (geom/place_order.h).
 BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, const std::string& name,
                        Warnings& warnings);
 

@@ -8,22 +8,28 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace scanout::geom {
 
 namespace {
 
-DVec3 position(const Mesh& mesh, std::size_t corner) {
-    return DVec3(mesh.position[mesh.index[corner]]);
+// Of triangles by place.
+struct Corners {
+    std::span<const Vec3> position;
+    std::span<const std::uint32_t> index;
+};
+DVec3 position(const Corners& all, std::size_t corner) {
+    return DVec3(all.position[all.index[corner]]);
 }
 
 struct Facing {
     DVec3 normal{0}; // unit; 0 without area
     double height;   // over the longest side
 };
-Facing facing(const Mesh& mesh, std::size_t triangle) {
-    const DVec3 a = position(mesh, triangle * 3), b = position(mesh, triangle * 3 + 1),
-                c = position(mesh, triangle * 3 + 2);
+Facing facing(const Corners& all, std::size_t triangle) {
+    const DVec3 a = position(all, triangle * 3), b = position(all, triangle * 3 + 1),
+                c = position(all, triangle * 3 + 2);
     const DVec3 n = cross3(b - a, c - a);
     const double area = std::sqrt(dot3(n, n));
     const double longest =
@@ -32,23 +38,23 @@ Facing facing(const Mesh& mesh, std::size_t triangle) {
     return {n / area, area / longest};
 }
 
-Cluster bounds(const Mesh& mesh, std::size_t begin, std::size_t end) {
-    DVec3 least = position(mesh, begin * 3), most = least, sum(0);
+Cluster bounds(const Corners& all, std::size_t begin, std::size_t end) {
+    DVec3 least = position(all, begin * 3), most = least, sum(0);
     double thinnest = std::numeric_limits<double>::infinity();
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
-        const DVec3 p = position(mesh, corner);
+        const DVec3 p = position(all, corner);
         least = glm::min(least, p);
         most = glm::max(most, p);
     }
     for (std::size_t t = begin; t < end; ++t) {
-        const Facing f = facing(mesh, t);
+        const Facing f = facing(all, t);
         sum = sum + f.normal;
         thinnest = std::min(thinnest, f.height);
     }
     Cluster c{(least + most) * 0.5, 0, DVec3(0, 0, 1), 2, thinnest};
     double farthest = 0;
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
-        const DVec3 d = position(mesh, corner) - c.centre;
+        const DVec3 d = position(all, corner) - c.centre;
         farthest = std::max(farthest, dot3(d, d));
     }
     c.radius = std::sqrt(farthest);
@@ -57,18 +63,18 @@ Cluster bounds(const Mesh& mesh, std::size_t begin, std::size_t end) {
     c.axis = sum / length;
     double cosine = 1;
     for (std::size_t t = begin; t < end; ++t)
-        cosine = std::min(cosine, dot3(facing(mesh, t).normal, c.axis));
+        cosine = std::min(cosine, dot3(facing(all, t).normal, c.axis));
     if (cosine > 0) c.spread = std::sqrt(std::max(1 - cosine * cosine, 0.0));
     return c;
 }
 
 // The blocks that the vertices of some triangles are in, ascending; returns how many.
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
-std::size_t blocks_of(const Mesh& mesh, std::size_t begin, std::size_t end,
+std::size_t blocks_of(const Corners& all, std::size_t begin, std::size_t end,
                       std::array<std::uint32_t, kCorners>& out) {
     std::size_t count = 0;
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner)
-        out[count++] = mesh.index[corner] / Clusters::kVertices;
+        out[count++] = all.index[corner] / Clusters::kVertices;
     const auto first = out.begin(), last = first + static_cast<std::ptrdiff_t>(count);
     std::sort(first, last);
     return static_cast<std::size_t>(std::unique(first, last) - first);
@@ -76,9 +82,17 @@ std::size_t blocks_of(const Mesh& mesh, std::size_t begin, std::size_t end,
 
 } // namespace
 
-Clusters find_clusters(Jobs& jobs, const Mesh& mesh) {
+Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> order) {
     Clusters all;
     const std::size_t triangles = mesh.triangles();
+    all.triangle = std::move(order);
+    all.index.resize(all.triangle.size() * 3);
+    for_blocks(jobs, all.triangle.size(), 1 << 15, [&](std::size_t from, std::size_t to, int) {
+        for (std::size_t i = from; i < to; ++i)
+            std::copy_n(mesh.index.data() + std::size_t{all.triangle[i]} * 3, 3,
+                        all.index.data() + i * 3);
+    });
+    const Corners corners{mesh.position, all.index.empty() ? mesh.index : all.index};
     const std::size_t clusters = (triangles + Clusters::kTriangles - 1) / Clusters::kTriangles;
     if (clusters == 0) return all;
     all.cluster.resize(clusters);
@@ -93,13 +107,13 @@ Clusters find_clusters(Jobs& jobs, const Mesh& mesh) {
         });
     };
     for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
-        all.cluster[c] = bounds(mesh, begin, end);
-        all.begin[c + 1] = static_cast<std::uint32_t>(blocks_of(mesh, begin, end, room));
+        all.cluster[c] = bounds(corners, begin, end);
+        all.begin[c + 1] = static_cast<std::uint32_t>(blocks_of(corners, begin, end, room));
     });
     std::partial_sum(all.begin.begin(), all.begin.end(), all.begin.begin());
     all.blocks.resize(all.begin.back());
     for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
-        std::copy_n(room.begin(), blocks_of(mesh, begin, end, room),
+        std::copy_n(room.begin(), blocks_of(corners, begin, end, room),
                     all.blocks.begin() + all.begin[c]);
     });
     return all;

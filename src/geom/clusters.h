@@ -1,5 +1,6 @@
-// Triangles in groups of neighbours in the file, with what bounds them: a frame passes over whole
-// groups that face away or lie beside the picture, and over the vertices that only they have.
+// Triangles in groups of neighbours, with what bounds them: a frame passes over whole groups that
+// face away or lie beside the picture, and over the vertices that only they have. A triangle's
+// place says where it stands among them all.
 #pragma once
 
 #include "base/jobs.h"
@@ -24,12 +25,15 @@ struct Cluster {
 };
 
 struct Clusters {
-    static constexpr std::size_t kTriangles = 32; // a cluster, by number; the last may have fewer
+    static constexpr std::size_t kTriangles = 32; // a cluster, by place; the last may have fewer
     static constexpr std::size_t kVertices = 16;  // a block of vertices, by number
 
     std::vector<Cluster> cluster;
     // The blocks of vertices that a cluster has: blocks[begin[c]] up to blocks[begin[c + 1]].
     std::vector<std::uint32_t> begin, blocks;
+    // By place: triangles' numbers in the mesh, and their vertices, three each. Empty where places
+    // are these numbers.
+    std::vector<std::uint32_t> triangle, index;
 
     bool empty() const { return cluster.empty(); }
     std::span<const std::uint32_t> blocks_of(std::size_t c) const {
@@ -37,7 +41,7 @@ struct Clusters {
     }
 };
 
-// Those of all triangles of the mesh.
-Clusters find_clusters(Jobs& jobs, const Mesh& mesh);
+// Those of all triangles of the mesh, in this order (geom/place_order.h); empty: as it has them.
+Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> order = {});
 
 } // namespace scanout::geom

@@ -35,13 +35,20 @@ struct Mesh {
     std::vector<Vec2> uv;     // v runs up; u and v of a face are moved by whole numbers towards 0
     std::vector<Vec3> colour; // linear
 
-    // Triangles in file order, or by place (geom/place_order.h): three vertex indices each.
+    // Triangles in file order: three vertex indices each.
     std::vector<std::uint32_t> index;
     std::vector<std::int32_t> material; // one a triangle, -1 none
     std::vector<std::uint32_t> face;    // one a triangle: the face of the file that it is part of
 
     // Of the triangles; empty: none are known, and every triangle is looked at.
     Clusters clusters;
+    // Triangles by place (geom/clusters.h): their vertices, three each, and their numbers.
+    std::span<const std::uint32_t> index_by_place() const {
+        return clusters.index.empty() ? index : clusters.index;
+    }
+    std::uint32_t triangle_at(std::uint32_t place) const {
+        return clusters.triangle.empty() ? place : clusters.triangle[place];
+    }
 
     std::vector<std::uint32_t> line_index;   // two vertex indices a segment
     std::vector<std::int32_t> line_material; // one a segment

@@ -2,6 +2,7 @@
 
 #include "base/blocks.h"
 #include "base/check.h"
+#include "base/memory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@ constexpr double kWorthwhile = 0.5;    // of what the file's order has; else it 
 constexpr double kThin = 0.15;         // of the mean height over the longest side
 constexpr std::size_t kTogether = 512; // triangles: enough that the thin ones fill a run or two
 constexpr std::size_t kPart = 1 << 15; // triangles: a worker's next work
+constexpr std::size_t kAtOnce = 16;    // parts, before it is said how far that is
 
 struct Box {
     Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
@@ -98,8 +100,8 @@ Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
     return all;
 }
 
-// Cuts in two across the longest side of their box; so many come first. Of those in one place the
-// first of the file come first; nothing else decides which half one is in.
+// Cuts in two across the longest side of their box; so many come first. Place and number decide
+// which half one is in, so that it depends on no library.
 std::pair<PlacedTriangles, PlacedTriangles> cut(PlacedTriangles all, std::size_t first) {
     Box box;
     for (const Placed& p : all)
@@ -185,8 +187,41 @@ void take(Jobs& jobs, std::span<const std::uint32_t> from, std::vector<T>& array
     array = std::move(taken);
 }
 
-// As the triangles use them first; then those of points alone, as they were.
-void order_vertices(Jobs& jobs, Mesh& mesh) {
+} // namespace
+
+bool place_order(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t>& order,
+                 const std::function<bool(double)>& go_on) {
+    order.clear();
+    if (mesh.triangles() < kFewest) return true;
+    CHECK_LT(mesh.triangles(), std::size_t{1} << 31); // Placed
+    const Compactness in_file =
+        compactness(jobs, mesh, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    if (!(in_file.squares > kCompact * in_file.area)) return true;
+    if (!go_on(0.1)) return false;
+    {
+        std::vector<Placed> placed =
+            middles(jobs, mesh, kThin * in_file.height / static_cast<double>(mesh.triangles()));
+        std::vector<PlacedTriangles> parts;
+        cut_in_parts(placed, parts);
+        for (std::size_t done = 0; done < parts.size(); done += kAtOnce) {
+            if (!go_on(0.3 + 0.5 * static_cast<double>(done) / static_cast<double>(parts.size())))
+                return false;
+            const std::size_t some = std::min(kAtOnce, parts.size() - done);
+            jobs.for_each(static_cast<int>(some), [&](int part, int) {
+                sort_by_place(parts[done + static_cast<std::size_t>(part)]);
+            });
+        }
+        order.reserve(placed.size());
+        for (const Placed& p : placed)
+            order.push_back(p.triangle);
+    }
+    const Compactness by_place =
+        compactness(jobs, mesh, [&order](std::size_t i) { return order[i]; });
+    if (by_place.squares > kWorthwhile * in_file.squares) release(order);
+    return true;
+}
+
+void order_vertices(Jobs& jobs, Mesh& mesh, std::span<const std::uint32_t> triangles) {
     constexpr std::uint32_t kNone = ~std::uint32_t{0};
     std::vector<std::uint32_t> number(mesh.position.size(), kNone), from;
     from.reserve(number.size());
@@ -195,10 +230,12 @@ void order_vertices(Jobs& jobs, Mesh& mesh) {
         number[vertex] = static_cast<std::uint32_t>(from.size());
         from.push_back(vertex);
     };
-    std::for_each(mesh.index.begin(), mesh.index.end(), add);
+    for (const std::uint32_t t : triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            add(mesh.index[std::size_t{t} * 3 + k]);
     for (std::size_t v = 0; v < number.size(); ++v)
         add(static_cast<std::uint32_t>(v));
-    for (auto* indices : {&mesh.index, &mesh.point_index})
+    for (auto* indices : {&mesh.index, &mesh.line_index, &mesh.point_index})
         for_blocks(jobs, indices->size(), kPart, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 (*indices)[i] = number[(*indices)[i]];
@@ -207,41 +244,6 @@ void order_vertices(Jobs& jobs, Mesh& mesh) {
     take(jobs, from, mesh.normal);
     take(jobs, from, mesh.uv);
     take(jobs, from, mesh.colour);
-}
-
-} // namespace
-
-void order_by_place(Jobs& jobs, Mesh& mesh) {
-    if (mesh.triangles() < kFewest || mesh.lines() > 0) return;
-    CHECK_LT(mesh.triangles(), std::size_t{1} << 31); // Placed
-    const Compactness in_file =
-        compactness(jobs, mesh, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
-    if (!(in_file.squares > kCompact * in_file.area)) return;
-    std::vector<std::uint32_t> order;
-    {
-        std::vector<Placed> placed =
-            middles(jobs, mesh, kThin * in_file.height / static_cast<double>(mesh.triangles()));
-        std::vector<PlacedTriangles> parts;
-        cut_in_parts(placed, parts);
-        jobs.for_each(static_cast<int>(parts.size()),
-                      [&](int part, int) { sort_by_place(parts[static_cast<std::size_t>(part)]); });
-        order.reserve(placed.size());
-        for (const Placed& p : placed)
-            order.push_back(p.triangle);
-    }
-    const Compactness by_place =
-        compactness(jobs, mesh, [&order](std::size_t i) { return order[i]; });
-    if (by_place.squares > kWorthwhile * in_file.squares) return;
-    std::vector<std::uint32_t> index(mesh.index.size());
-    for_blocks(jobs, order.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
-        for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t k = 0; k < 3; ++k)
-                index[i * 3 + k] = mesh.index[std::size_t{order[i]} * 3 + k];
-    });
-    mesh.index = std::move(index);
-    take(jobs, order, mesh.material);
-    take(jobs, order, mesh.face);
-    order_vertices(jobs, mesh);
 }
 
 } // namespace scanout::geom

@@ -1,19 +1,28 @@
-// Triangles in the order of their places, for files that have them in no order: scanners, and what
-// merges their pictures, leave neighbours far apart.
+// Triangles by place, for files that have them in no order: scanners, and what merges their
+// pictures, leave neighbours far apart. The mesh keeps the order of the file, which says what is
+// seen where depths are equal; what passes over triangles may go by place (geom/clusters.h).
 #pragma once
 
 #include "base/jobs.h"
 #include "geom/mesh.h"
 
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
 namespace scanout::geom {
 
-// Puts the triangles in an order in which each run of Clusters::kTriangles lies together, and the
-// vertices in the order in which these use them first, so that what is read together lies together.
-// Leaves all as it is where they are few, where they lie together well enough, where that would
-// bring them no nearer, and where there are lines: what asks whether these lie on a face asks for
-// its triangles side by side (raster/ground.h). Of triangles that stand in one place the first in
-// the file stays the first; of others with one depth at a sample the first in the new order is
-// seen. Positions are finite, and clusters not found yet.
-void order_by_place(Jobs& jobs, Mesh& mesh);
+// The triangles' numbers in an order in which each run of Clusters::kTriangles lies together.
+// Empty, for the order of the file, where they are few, where they lie together well enough, and
+// where that would bring them no nearer. Positions are finite. go_on gets the share that is done;
+// returns false where that stopped it.
+bool place_order(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t>& order,
+                 const std::function<bool(double)>& go_on);
+
+// Puts the vertices in the order in which these triangles use them first, so that what is read
+// together lies together; then those of lines and points alone, as they were. Line faces are not
+// found yet.
+void order_vertices(Jobs& jobs, Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 } // namespace scanout::geom

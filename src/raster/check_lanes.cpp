@@ -56,8 +56,8 @@ void check_lanes(const TriangleList& triangles) {
 void check_lanes(const TilePartList& list) {
     const int side = speck_side(list.kind);
     for (const TilePart& part : list.parts) {
-        check_lanes(
-            TriangleList{list.vertices, list.index, {&part.triangle, 1}, {&part.triangle, 1}});
+        const std::uint32_t id = list.id_of(part);
+        check_lanes(TriangleList{list.vertices, list.index, {&part.place, 1}, {&id, 1}});
         const image::Rect box = part.box();
         CHECK_LE(box.x1, kTileSize);
         CHECK_LE(box.y1, kTileSize);

@@ -34,7 +34,7 @@ bool faces_as_wanted(const CullOptions& options, bool clockwise);
 // A triangle, and the pixels that may hold its samples: from (x0, y0) up to, but not with, (x1,
 // y1).
 struct KeptTriangle {
-    std::uint32_t triangle;
+    std::uint32_t place;    // in the order of the index that was culled
     std::uint32_t from, to; // x in the low half, y in the high one; `from` has two flags, too
 
     static constexpr std::uint32_t kSmall = 1U << 31; // at most kSmallSide pixels each way

@@ -9,15 +9,13 @@
 #include <atomic>
 #include <bit>
 #include <functional>
-#include <utility>
 
 namespace scanout::raster {
 
 namespace {
-constexpr int kLarge = 16;            // pixels each way: some block of 8 x 8 may be covered whole
-constexpr std::size_t kFewBacks = 64; // in a tile: drawn sooner than asked whether they are hidden
-constexpr std::size_t kLine = 64;     // bytes that memory gives at once
-constexpr std::size_t kChunk = 4096;  // of vertices, triangles or clusters: a worker's next work
+constexpr int kLarge = 16;           // pixels each way: some block of 8 x 8 may be covered whole
+constexpr std::size_t kLine = 64;    // bytes that memory gives at once
+constexpr std::size_t kChunk = 4096; // of vertices, triangles or clusters: a worker's next work
 
 int chunks(std::size_t n) {
     return static_cast<int>((n + kChunk - 1) / kChunk);
@@ -64,13 +62,6 @@ void Geometry::Batch::Bin::put_large_first() {
                    [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
 }
 
-template <class F>
-void Geometry::Batch::Bin::for_small(F&& f) const {
-    for (const auto& all : parts)
-        for (const TilePart& part : all)
-            f(part.triangle);
-}
-
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
                    const GeometryOptions& options) {
     tile_size_ = options.tile_size;
@@ -94,10 +85,8 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     late_drawn_ = 0;
     CHECK(hidden_ == nullptr || layers_.empty());
     CHECK_LE(mesh.position.size(), kMostVertices);
-    if (vertices_.size() != mesh.position.size()) {
-        vertices_.resize(mesh.position.size());
-        use_large_pages(vertices_);
-    }
+    if (vertices_.size() != mesh.position.size())
+        assign_in_large_pages(vertices_, mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)
         batch.clear(tiles(), !layers_.empty());
@@ -202,13 +191,13 @@ std::array<ScreenVertex, 3> Geometry::corners(std::uint32_t triangle) const {
     return {vertices_[index[0]], vertices_[index[1]], vertices_[index[2]]};
 }
 
-void Geometry::add_large(Batch& batch, const KeptTriangle& t) const {
+void Geometry::add_large(Batch& batch, const KeptTriangle& t, std::uint32_t triangle) const {
     double nearest = 0;
-    for (const ScreenVertex& v : corners(t.triangle))
+    for (const ScreenVertex& v : corners(triangle))
         nearest = std::max(nearest, v.depth);
     // Floats that are not negative are ordered as their bits.
     const auto depth = std::bit_cast<std::uint32_t>(static_cast<float>(nearest));
-    const std::uint64_t key = std::uint64_t{depth} << 32 | t.triangle;
+    const std::uint64_t key = std::uint64_t{depth} << 32 | triangle;
     for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
               [&](std::size_t tile) { batch.bins[tile].large.push_back(key); });
 }
@@ -228,12 +217,12 @@ void Geometry::add_part(const KeptTriangle& t, int left, int top, PartsByKind& p
     const PartKind kind = t.away() ? PartKind::back
                           : tiny   ? PartKind::speck_astride
                                    : PartKind::strip;
-    append(parts[static_cast<std::size_t>(kind)], TilePart::of(t.triangle, x0, y0, x1, y1));
+    append(parts[static_cast<std::size_t>(kind)], TilePart::of(t.place, x0, y0, x1, y1));
 }
 
 void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) const {
     CullResult& found = batch.found;
-    cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
+    cull(cull_, vertices_, mesh_->index_by_place().subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), found);
     const auto kept = std::span<const KeptTriangle>(found.kept).first(found.kept_count);
     place_parts({tile_bits_, across_}, kept, batch.placed);
@@ -242,11 +231,12 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
     for (std::size_t i = 0; i < kept.size(); ++i) {
         const KeptTriangle& t = kept[i];
         if (layered) {
-            const Layer layer = layer_of(t.triangle);
+            const std::uint32_t triangle = mesh_->triangle_at(t.place);
+            const Layer layer = layer_of(triangle);
             if (layer == Layer::nothing) continue;
             if (layer != Layer::opaque) {
                 for_tiles(t.x0(), t.y0(), t.x1(), t.y1(), [&](std::size_t tile) {
-                    batch.layered[tile].triangles.push_back(t.triangle);
+                    batch.layered[tile].triangles.push_back(triangle);
                 });
                 continue;
             }
@@ -255,19 +245,22 @@ void Geometry::add_triangles(Batch& batch, std::size_t begin, std::size_t end) c
         if (tile != PlacedParts::kNone) {
             append(bins[static_cast<std::size_t>(tile)]
                        .parts[static_cast<std::size_t>(batch.placed.kind[i])],
-                   {t.triangle, batch.placed.where[i]});
-        } else if (t.small())
+                   {t.place, batch.placed.where[i]});
+        } else if (t.small()) {
             add_small(batch, t);
-        else if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
-            add_large(batch, t);
-        else
-            for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
-                      [&](std::size_t at) { bins[at].triangles.push_back(t.triangle); });
+        } else {
+            const std::uint32_t triangle = mesh_->triangle_at(t.place);
+            if (t.x1() - t.x0() >= kLarge && t.y1() - t.y0() >= kLarge)
+                add_large(batch, t, triangle);
+            else
+                for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
+                          [&](std::size_t at) { bins[at].triangles.push_back(triangle); });
+        }
     }
     batch.triangles_drawn += kept.size();
     batch.cut |= found.cut_count > 0;
     for (std::size_t i = 0; i < found.cut_count; ++i)
-        add_clipped(batch, found.cut[i]);
+        add_clipped(batch, mesh_->triangle_at(found.cut[i]));
 }
 
 std::uint32_t Geometry::flags(std::uint32_t vertex) const {
@@ -342,182 +335,6 @@ void Geometry::add_point(Batch& batch, std::uint32_t point) const {
     batch.points.push_back(p);
     for_tiles(pixel_bounds(p, width_, height_),
               [&](std::size_t tile) { batch.bins[tile].points.push_back(number); });
-}
-
-image::Rect Geometry::tile_area(int tile) const {
-    const int x = tile % across_ * tile_size_, y = tile / across_ * tile_size_;
-    return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
-}
-
-bool Geometry::is_empty(int tile) const {
-    const auto at = static_cast<std::size_t>(tile);
-    const auto bare = [](const Batch::Bin& bin) {
-        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
-               bin.points.empty() && bin.waiting.empty() &&
-               std::all_of(bin.parts.begin(), bin.parts.end(),
-                           [](const auto& parts) { return parts.empty(); });
-    };
-    return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
-        return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
-    });
-}
-
-void Geometry::draw(int tile, AreaTile& out) const {
-    CHECK(hidden_ == nullptr);
-    const auto add = [&](std::uint32_t id) {
-        if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
-    };
-    for (const Batch& batch : batches_) {
-        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        std::for_each(bin.triangles.begin(), bin.triangles.end(), add);
-        bin.for_small(add);
-        for (const std::uint32_t i : bin.pieces)
-            out.add(batch.pieces[i]);
-    }
-    out.finish();
-}
-
-void Geometry::draw(int tile, VisibilityTile& out) {
-    draw_triangles(tile, out);
-    draw_on_ground(tile, out, out);
-}
-
-void Geometry::draw_triangles(int tile, VisibilityTile& out) {
-    // By another rule than the usual one parts are drawn as the triangles that they are of.
-    std::array<std::uint32_t, 64> some;
-    std::size_t count = 0;
-    const auto draw_some = [&] {
-        const auto ids = std::span<const std::uint32_t>(some).first(std::exchange(count, 0));
-        if (!ids.empty()) out.draw(TriangleList{vertices_, mesh_->index, ids, ids});
-    };
-    const auto add_whole = [&](std::uint32_t id) {
-        some[count++] = id;
-        if (count == some.size()) draw_some();
-    };
-    for (const Batch& batch : batches_) {
-        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
-        if (!bin.triangles.empty())
-            out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
-        if (out.rule().usual()) {
-            for (const PartKind kind : kFrontKinds)
-                if (!bin.parts_of(kind).empty())
-                    out.draw(TilePartList{vertices_, mesh_->index, bin.parts_of(kind), kind});
-        } else {
-            bin.for_small(add_whole);
-            draw_some();
-        }
-        for (const std::uint32_t i : bin.pieces)
-            out.draw(batch.pieces[i]);
-    }
-    if (out.rule().usual()) draw_backs(tile, out);
-    if (hidden_ != nullptr) draw_waiting(tile, out);
-    check_lanes(out);
-}
-
-void Geometry::draw_backs(int tile, VisibilityTile& out) const {
-    bool found = false;
-    for (const Batch& batch : batches_) {
-        const std::span<const TilePart> backs =
-            batch.bins[static_cast<std::size_t>(tile)].parts_of(PartKind::back);
-        const TilePartList list{vertices_, mesh_->index, backs};
-        if (backs.size() < kFewBacks) {
-            if (!backs.empty()) out.draw(list);
-            continue;
-        }
-        if (!std::exchange(found, true)) out.find_farthest();
-        out.draw_behind(list);
-    }
-}
-
-void Geometry::draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
-    if (mesh_->lines() == 0 && mesh_->points() == 0) return;
-    const auto at = static_cast<std::size_t>(tile);
-    const auto bare = [&](const Batch& batch) {
-        return batch.bins[at].segments.empty() && batch.bins[at].points.empty();
-    };
-    if (std::all_of(batches_.begin(), batches_.end(), bare)) return;
-    out.keep_ground(shown);
-    const Ground ground(*mesh_, vertices_, *transform_);
-    for (const Batch& batch : batches_) {
-        for (const std::uint32_t i : batch.bins[at].segments)
-            out.draw(batch.segments[i], ground);
-        for (const std::uint32_t i : batch.bins[at].points)
-            out.draw(batch.points[i], ground);
-    }
-    check_lanes(out);
-}
-
-void Geometry::layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const {
-    out.clear();
-    for (const Batch& batch : batches_) {
-        if (batch.layered.empty()) continue;
-        const Batch::Bin& bin = batch.layered[static_cast<std::size_t>(tile)];
-        for (const std::uint32_t id : bin.triangles)
-            if (layer_of(id) == layer) out.push_back(id);
-        for (const std::uint32_t i : bin.pieces)
-            if (layer_of(batch.pieces[i].id) == layer) out.push_back(batch.pieces[i].id);
-    }
-    std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end()); // two pieces of one
-}
-
-image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
-    const image::Rect& area = out.area();
-    image::Rect drawn{area.x1, area.y1, area.x0, area.y0};
-    const auto add = [&](const image::Rect& r) {
-        drawn = {std::min(drawn.x0, std::max(r.x0, area.x0)),
-                 std::min(drawn.y0, std::max(r.y0, area.y0)), std::max(drawn.x1, r.x1),
-                 std::max(drawn.y1, r.y1)};
-    };
-    const std::array<ScreenVertex, 3> corner = corners(triangle);
-    if (corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen()) {
-        const std::optional<SetUp> t = set_up(corner, triangle);
-        if (t && out.draw(t->triangle))
-            add(pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent));
-        return drawn;
-    }
-    for (const Piece& piece : pieces(triangle))
-        if (out.draw(piece)) add(pixel_bounds(piece, area.x1, area.y1, cull_.extent));
-    return drawn;
-}
-
-void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const {
-    CHECK(hidden_ == nullptr);
-    const auto at = static_cast<std::size_t>(tile);
-    std::vector<std::uint32_t> triangles;
-    std::vector<Segment> segments;
-    std::vector<Point> points;
-    for (const Batch& batch : batches_) {
-        const Batch::Bin& bin = batch.bins[at];
-        triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
-        bin.for_small([&](std::uint32_t id) { triangles.push_back(id); });
-        for (const std::uint32_t i : bin.pieces)
-            triangles.push_back(batch.pieces[i].id);
-        for (const std::uint32_t i : bin.segments)
-            segments.push_back(batch.segments[i]);
-        for (const std::uint32_t i : bin.points)
-            points.push_back(batch.points[i]);
-    }
-    const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()),
-                    triangles.end()); // two pieces of one
-    std::sort(segments.begin(), segments.end(), by_id);
-    std::sort(points.begin(), points.end(), by_id);
-
-    const image::Rect& area = out.area();
-    for (const std::uint32_t triangle : triangles)
-        drawn(triangle, draw_one(triangle, out));
-    const auto draw_all = [&](const auto& primitives) {
-        for (const auto& primitive : primitives) {
-            out.draw(primitive);
-            const image::Rect box = pixel_bounds(primitive, area.x1, area.y1);
-            drawn(primitive.id,
-                  {std::max(box.x0, area.x0), std::max(box.y0, area.y0), box.x1, box.y1});
-        }
-    };
-    draw_all(segments);
-    draw_all(points);
 }
 
 bool Geometry::all_whole() const {

@@ -76,8 +76,9 @@ public:
     bool all_whole() const;
 
 private:
-    // What one worker found, with one list a tile. Whole triangles are named by their id and set up
-    // again by the tile that draws them: four bytes each instead of sixty.
+    // What one worker found, with one list a tile. Whole triangles are named by their id, parts of
+    // small ones by its place (geom/clusters.h), and set up again by the tile that draws them: four
+    // bytes each instead of sixty.
     struct Batch {
         std::vector<Piece> pieces;
         std::vector<Segment> segments;
@@ -93,7 +94,7 @@ private:
             // others, the nearest first: they hide what comes after them.
             std::vector<std::uint64_t> large;
             void put_large_first();
-            // f(triangle) for those that have parts here.
+            // f(place) for the triangles that have parts here.
             template <class F>
             void for_small(F&& f) const;
         };
@@ -120,13 +121,16 @@ private:
     void draw_waiting(int tile, VisibilityTile& out);
     void transform_late(std::size_t cluster);
     void find_late(std::size_t cluster, const image::Rect& area, LateParts& out);
-    // Of a chunk, without those of clusters that are not seen.
+    // Of a chunk, by place, without those of clusters that are not seen.
     void add_seen(Batch& batch, std::size_t begin, std::size_t end) const;
     void add_triangles(Batch& batch, std::size_t begin, std::size_t end) const;
-    void add_large(Batch& batch, const KeptTriangle& triangle) const;
-    void add_small(Batch& batch, const KeptTriangle& triangle) const;
+    void add_large(Batch& batch, const KeptTriangle& kept, std::uint32_t triangle) const;
+    void add_small(Batch& batch, const KeptTriangle& kept) const;
     // What the tile whose corner is this pixel has of a small triangle.
-    void add_part(const KeptTriangle& triangle, int left, int top, PartsByKind& parts) const;
+    void add_part(const KeptTriangle& kept, int left, int top, PartsByKind& parts) const;
+    TilePartList list_of(std::span<const TilePart> parts, PartKind kind) const {
+        return {vertices_, mesh_->index_by_place(), parts, kind, mesh_->clusters.triangle};
+    }
     void draw_backs(int tile, VisibilityTile& out) const;
     void add_clipped(Batch& batch, std::uint32_t triangle) const;
     std::array<ScreenVertex, 3> corners(std::uint32_t triangle) const;

@@ -43,7 +43,7 @@ void Geometry::transform_late(std::size_t cluster) {
 void Geometry::find_late(std::size_t cluster, const image::Rect& area, LateParts& out) {
     const std::size_t begin = cluster * geom::Clusters::kTriangles,
                       end = std::min(begin + geom::Clusters::kTriangles, mesh_->triangles());
-    cull(cull_, vertices_, std::span(mesh_->index).subspan(begin * 3, (end - begin) * 3),
+    cull(cull_, vertices_, mesh_->index_by_place().subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), out.found);
     CHECK_EQ(out.found.cut_count, std::size_t{0});
     std::uint64_t drawn = 0; // each by the tile of its first pixel
@@ -54,7 +54,7 @@ void Geometry::find_late(std::size_t cluster, const image::Rect& area, LateParts
         if (t.small())
             add_part(t, area.x0, area.y0, out.parts);
         else
-            out.triangles.push_back(t.triangle);
+            out.triangles.push_back(mesh_->triangle_at(t.place));
     }
     late_drawn_.fetch_add(drawn, std::memory_order_relaxed);
 }
@@ -76,8 +76,7 @@ void Geometry::draw_waiting(int tile, VisibilityTile& out) {
         out.draw(TriangleList{vertices_, mesh_->index, late.triangles, late.triangles});
     for (std::size_t kind = 0; kind < kPartKinds; ++kind)
         if (!late.parts[kind].empty())
-            out.draw(TilePartList{vertices_, mesh_->index, late.parts[kind],
-                                  static_cast<PartKind>(kind)});
+            out.draw(list_of(late.parts[kind], static_cast<PartKind>(kind)));
 }
 
 } // namespace scanout::raster

@@ -43,7 +43,7 @@ private:
 template <class D>
 HWY_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of, Parts some,
                             SetUpParts<D>& out) {
-    const TilePartList list{of.vertices, of.index, some};
+    const TilePartList list{of.vertices, of.index, some, of.kind, of.id};
     PartCorners<D> corner;
     read_corners(list, 0, corner);
     set_up_parts(tile, list, some.data(), static_cast<int>(some.size()), corner, out);

@@ -51,7 +51,7 @@ HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>
     const auto last = static_cast<int>(list.parts.size()) - 1;
     if (first > last) return;
     const auto index = [&](int i) {
-        return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].triangle} * 3;
+        return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].place} * 3;
     };
     for (int i = 0; i < kWidth; ++i) {
         const std::uint32_t* corner = index(first + i);
@@ -67,7 +67,7 @@ HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>
 // A register of parts; the last stands for what is missing.
 template <class D>
 struct StoredParts {
-    Int<D> triangle, where;
+    Int<D> place, where;
 };
 template <class D>
 HWY_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
@@ -105,7 +105,12 @@ HWY_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, con
     using P = TilePart;
     using N = Int<D>;
     const auto s = stored_parts<D>(part, count);
-    store(s.triangle, out.name);
+    store(s.place, out.name);
+    if (!list.id.empty()) {
+        const std::uint32_t* const id = list.id.data();
+        for (std::uint32_t& name : out.name)
+            name = id[name];
+    }
     out.x0 = s.where & N(63);
     out.y0 = shift_right<P::kFirstRow>(s.where) & N(63);
     out.x1 = shift_right<P::kEndColumn>(s.where) & N(127);

@@ -10,8 +10,8 @@
 SIMD_BEGIN(scanout::raster)
 
 bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
-    return tile.id == nullptr ? draw_kind<Shows::depth>(tile, list)
-                              : draw_kind<Shows::usual>(tile, list);
+    if (tile.id != nullptr) return draw_kind<Shows::usual>(tile, list);
+    return draw_kind<Shows::depth>(tile, {list.vertices, list.index, list.parts, list.kind});
 }
 
 // Of the blocks that parts may touch the one with the farthest depth.
@@ -136,7 +136,7 @@ void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, 
         out.kind.resize(triangles.size() + kRegisterRoom);
     }
     SIMD_CALL(place_all)
-    (grid, &triangles.data()->triangle, static_cast<int>(triangles.size()), out.tile.data(),
+    (grid, &triangles.data()->place, static_cast<int>(triangles.size()), out.tile.data(),
      out.where.data(), out.kind.data());
 }
 
@@ -163,7 +163,7 @@ bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,
     if (room.size() < list.parts.size()) room.resize(list.parts.size());
     const int left = SIMD_CALL(drop_hidden)(tile, list, room.data());
     const auto seen = std::span<const TilePart>(room).first(static_cast<std::size_t>(left));
-    return draw_parts(tile, {list.vertices, list.index, seen});
+    return draw_parts(tile, {list.vertices, list.index, seen, PartKind::strip, list.id});
 }
 
 } // namespace scanout::raster

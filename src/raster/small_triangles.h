@@ -40,15 +40,15 @@ constexpr int speck_side(PartKind kind) {
 
 // What one tile has of such a triangle.
 struct TilePart {
-    std::uint32_t triangle;
+    std::uint32_t place; // in a TilePartList's index
     std::uint32_t where;
 
     static constexpr int kFirstRow = 6, kEndColumn = 12, kEndRow = 19; // bits
 
     // The pixels of the tile that may hold its samples: columns [x0, x1), rows [y0, y1).
-    static TilePart of(std::uint32_t triangle, int x0, int y0, int x1, int y1) {
-        return {triangle, static_cast<std::uint32_t>(x0 | y0 << kFirstRow | x1 << kEndColumn |
-                                                     y1 << kEndRow)};
+    static TilePart of(std::uint32_t place, int x0, int y0, int x1, int y1) {
+        return {place, static_cast<std::uint32_t>(x0 | y0 << kFirstRow | x1 << kEndColumn |
+                                                  y1 << kEndRow)};
     }
     image::Rect box() const {
         const auto number = [&](int first, std::uint32_t most) {
@@ -78,12 +78,18 @@ struct PlacedParts {
 };
 void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, PlacedParts& out);
 
-// index: three vertices a triangle, all of which stand on the screen.
+// index: three vertices a triangle, all of which stand on the screen. id: of triangles by place;
+// empty: their places are their ids.
 struct TilePartList {
     std::span<const ScreenVertex> vertices;
     std::span<const std::uint32_t> index;
     std::span<const TilePart> parts;
     PartKind kind = PartKind::strip; // of all of them; strip: of any
+    std::span<const std::uint32_t> id = {};
+
+    std::uint32_t id_of(const TilePart& part) const {
+        return id.empty() ? part.place : id[part.place];
+    }
 };
 
 // Did any of them show? By the usual rule; the same bits as draw_triangles. Where depth alone is

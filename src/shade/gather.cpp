@@ -454,14 +454,20 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
     const Look look = {part.material, true};
     if (look_ != look) begin_look(in, look, picture);
     const std::int32_t* const triangle = own_pixels_->triangles();
+    const std::uint32_t* const ids = own_pixels_->ids();
     for (std::size_t i = part.first; i < part.end;) {
         if (b.count == kLanes) finish_block(in, picture);
         const std::size_t count =
             std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
         const std::int32_t first = triangle[i], triangles = triangle[i + count - 1] + 1 - first;
         renumber(triangle + i, count, t.count - first, t.of_lane + b.count);
-        std::copy_n(own_pixels_->ids() + first, triangles, t.id + t.count);
+        std::copy_n(ids + first, triangles, t.id + t.count);
         t.count += triangles;
+        // The next block's: the file may have them far from each other.
+        for (std::int32_t k = first + triangles,
+                          end = std::min(k + triangles, triangle[part.end - 1] + 1);
+             k < end; ++k)
+            __builtin_prefetch(in.mesh->index.data() + std::size_t{ids[k]} * 3);
         add_lanes(b, nullptr, static_cast<int>(count));
         own_ = b.count;
         i += count;

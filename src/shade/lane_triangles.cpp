@@ -163,6 +163,9 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int f
     bool whole = true;
     for (int i = 0; i < kLanesX8; ++i) // registers reach beyond the last
         t.id[t.count + i] = t.id[t.count - 1];
+    prefetch_corners(s, t, begin, triangles);
+    for (int i = begin; i < triangles; i += kLanesX8)
+        put_corners(s, t, i);
     for (int i = begin; i < triangles; i += kLanesX8)
         whole &= set_up_register(s, sloped, t, i);
     for (int i = begin; i < triangles; i += kLanesX8) {

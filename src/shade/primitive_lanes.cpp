@@ -59,6 +59,7 @@ void set_up_all(const TriangleSource& s, LaneTriangles& room, Primitive* first, 
         const int live = count - i < kLanesX8 ? count - i : kLanesX8;
         for (int lane = 0; lane < kLanesX8; ++lane)
             room.id[lane] = first[i + (lane < live ? lane : live - 1)].id;
+        put_corners(s, room, 0);
         set_up_register(s, false, room, 0);
         put_attributes(s, room, 0);
         for (int lane = 0; lane < live; ++lane)

@@ -54,6 +54,12 @@ HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
     return turns;
 }
 
+// Triangles that the file has far from each other may stand side by side here.
+HWY_INLINE void prefetch_corners(const TriangleSource& source, const LaneTriangles& of, int begin,
+                                 int end) {
+    for (int i = begin; i < end; ++i)
+        __builtin_prefetch(source.index + std::size_t{of.id[i]} * 3);
+}
 // Of a register of triangles, in the order of the file. In memory, whence they are read one by one.
 HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
     for (int lane = at; lane < at + kLanesX8; ++lane) {
@@ -247,7 +253,6 @@ HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, LaneT
 // Returns whether all are whole; exact_twice is set where not all are, or if it is wanted.
 HWY_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneTriangles& out,
                                 int at) {
-    put_corners(s, out, at);
     Vertices v[3];
     load_vertices(s, out, at, v);
     const Turns turns = put_in_order(v);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <vector>
 
@@ -31,13 +30,6 @@ Drawn drawn(const Mesh& mesh, std::size_t triangle) {
     }
     return d;
 }
-std::map<std::uint32_t, Drawn> by_face(const Mesh& mesh) {
-    std::map<std::uint32_t, Drawn> all;
-    for (std::size_t t = 0; t < mesh.triangles(); ++t)
-        all.emplace(mesh.face[t], drawn(mesh, t));
-    return all;
-}
-
 Mesh ball() {
     Mesh mesh = test::empty_mesh();
     test::add_sphere(mesh, Vec3(0), 0.8F, 120, 60);
@@ -45,7 +37,7 @@ Mesh ball() {
     return mesh;
 }
 
-// Triangles in any order; face t is the t-th of the file.
+// Triangles in any order.
 void shuffle(Random& random, Mesh& mesh) {
     for (std::size_t i = mesh.triangles(); i-- > 1;) {
         const auto j = static_cast<std::size_t>(random.whole(0, static_cast<int>(i)));
@@ -53,41 +45,64 @@ void shuffle(Random& random, Mesh& mesh) {
             std::swap(mesh.index[i * 3 + k], mesh.index[j * 3 + k]);
         std::swap(mesh.material[i], mesh.material[j]);
     }
-    std::iota(mesh.face.begin(), mesh.face.end(), 0U);
 }
 
-double mean_radius(const Mesh& mesh) {
-    Jobs jobs(1);
-    const Clusters all = find_clusters(jobs, mesh);
+std::vector<std::uint32_t> order_of(Jobs& jobs, const Mesh& mesh) {
+    std::vector<std::uint32_t> order;
+    EXPECT_TRUE(place_order(jobs, mesh, order, [](double) { return true; }));
+    return order;
+}
+
+double mean_radius(const Clusters& all) {
     double sum = 0;
     for (const Cluster& c : all.cluster)
         sum += c.radius;
     return sum / static_cast<double>(all.cluster.size());
 }
 
-TEST(PlaceOrder, PutsNeighboursTogetherAndChangesNothingElse) {
+std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> numbers) {
+    std::sort(numbers.begin(), numbers.end());
+    return numbers;
+}
+std::vector<std::uint32_t> in_file_order(const Mesh& mesh) {
+    std::vector<std::uint32_t> all(mesh.triangles());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+}
+
+TEST(PlaceOrder, PutsNeighboursTogetherAndChangesNothingThatIsDrawn) {
     Random random(91);
     Mesh mesh = ball();
     for (std::size_t t = 0; t < mesh.triangles(); ++t)
         mesh.material[t] = static_cast<std::int32_t>(t % 3) - 1;
     shuffle(random, mesh);
     const auto v = static_cast<std::uint32_t>(mesh.position.size());
-    test::add_vertex(mesh, Vec3(0.9F, 0, 0)); // of a point alone
+    test::add_vertex(mesh, Vec3(0.9F, 0, 0)); // of a point and of a line
     test::add_point(mesh, v);
+    test::add_line(mesh, 5, v);
     Mesh placed = mesh;
     Jobs jobs(2);
-    order_by_place(jobs, placed);
-    EXPECT_NE(placed.face, mesh.face);
-    EXPECT_EQ(by_face(placed), by_face(mesh));
-    EXPECT_EQ(by_face(placed).size(), mesh.triangles());
-    EXPECT_LT(mean_radius(placed), mean_radius(mesh) / 5);
+    const std::vector<std::uint32_t> order = order_of(jobs, placed);
+    EXPECT_EQ(sorted(order), in_file_order(mesh));
+    EXPECT_NE(order, in_file_order(mesh));
+    order_vertices(jobs, placed, order);
+    placed.clusters = find_clusters(jobs, placed, order);
     ASSERT_EQ(placed.position.size(), mesh.position.size());
+    ASSERT_EQ(placed.triangles(), mesh.triangles());
+    for (std::size_t t = 0; t < mesh.triangles(); ++t)
+        ASSERT_TRUE(drawn(placed, t) == drawn(mesh, t)) << t;
     EXPECT_EQ(placed.position[placed.point_index[0]], mesh.position[v]);
-    // Vertices as triangles use them first.
+    EXPECT_EQ(placed.position[placed.line_index[0]], mesh.position[5]);
+    EXPECT_EQ(placed.position[placed.line_index[1]], mesh.position[v]);
+    // Clusters have them by place, and vertices stand as these use them first.
+    EXPECT_EQ(placed.clusters.triangle, order);
+    EXPECT_LT(mean_radius(placed.clusters), mean_radius(find_clusters(jobs, mesh)) / 5);
+    const auto by_place = placed.index_by_place();
     std::uint32_t next = 0;
-    for (const std::uint32_t vertex : placed.index) {
-        EXPECT_LE(vertex, next);
-        next = std::max(next, vertex + 1);
+    for (std::size_t i = 0; i < by_place.size(); ++i) {
+        ASSERT_EQ(by_place[i], placed.index[std::size_t{order[i / 3]} * 3 + i % 3]);
+        EXPECT_LE(by_place[i], next);
+        next = std::max(next, by_place[i] + 1);
     }
 }
 
@@ -100,30 +115,28 @@ TEST(PlaceOrder, DoesNotDependOnThreads) {
     for (const Vec3& p : mesh.position)
         mesh.uv.push_back({p.x, p.y});
     mesh.colour = mesh.position;
-    for (std::size_t t = 0; t < mesh.triangles(); ++t)
-        mesh.material[t] = static_cast<std::int32_t>(t % 3) - 1;
     shuffle(random, mesh);
     Mesh one = mesh, many = mesh;
     Jobs alone(1), three(3);
-    order_by_place(alone, one);
-    order_by_place(three, many);
+    const std::vector<std::uint32_t> order = order_of(alone, one);
     EXPECT_GT(mesh.triangles(), 200000U);
-    EXPECT_NE(one.face, mesh.face);
-    EXPECT_TRUE(one.index == many.index && one.face == many.face && one.material == many.material &&
-                one.position == many.position && one.normal == many.normal && one.uv == many.uv &&
-                one.colour == many.colour);
+    EXPECT_EQ(order.size(), mesh.triangles());
+    EXPECT_EQ(order_of(three, many), order);
+    order_vertices(alone, one, order);
+    order_vertices(three, many, order);
+    EXPECT_TRUE(one.index == many.index && one.position == many.position &&
+                one.normal == many.normal && one.uv == many.uv && one.colour == many.colour);
+    EXPECT_NE(one.index, mesh.index);
     for (std::size_t v = 0; v < one.position.size(); ++v) {
         const Vec3& p = one.position[v];
         ASSERT_TRUE(one.colour[v] == p && one.uv[v].x == p.x && one.uv[v].y == p.y) << v;
     }
+    EXPECT_EQ(find_clusters(alone, one, order).index, find_clusters(three, many, order).index);
 }
 
-void expect_left(Mesh mesh) {
-    const Mesh before = mesh;
+bool is_left(const Mesh& mesh) {
     Jobs jobs(2);
-    order_by_place(jobs, mesh);
-    EXPECT_EQ(mesh.index, before.index);
-    EXPECT_EQ(mesh.face, before.face);
+    return order_of(jobs, mesh).empty();
 }
 Mesh first_of(Mesh mesh, std::size_t triangles) {
     mesh.index.resize(triangles * 3);
@@ -132,20 +145,14 @@ Mesh first_of(Mesh mesh, std::size_t triangles) {
     return mesh;
 }
 
-TEST(PlaceOrder, LeavesWhatLiesTogetherOrWouldNotOrIsSmallOrHasLines) {
+TEST(PlaceOrder, LeavesWhatLiesTogetherOrWouldNotOrIsSmall) {
     Random random(92);
-    expect_left(ball()); // as it was made: row by row
-    expect_left(test::empty_mesh());
+    EXPECT_TRUE(is_left(ball())); // as it was made: row by row
+    EXPECT_TRUE(is_left(test::empty_mesh()));
     Mesh mesh = ball();
     shuffle(random, mesh);
-    expect_left(first_of(mesh, 1023));
-    Jobs jobs(2);
-    const Mesh enough = first_of(mesh, 1024);
-    Mesh placed = enough;
-    order_by_place(jobs, placed);
-    EXPECT_NE(placed.face, enough.face);
-    test::add_line(mesh, 0, 1);
-    expect_left(mesh);
+    EXPECT_TRUE(is_left(first_of(mesh, 1023)));
+    EXPECT_FALSE(is_left(first_of(mesh, 1024)));
     Mesh needles = test::empty_mesh(); // all through the middle, each as long as the whole
     for (int i = 0; i < 2000; ++i) {
         const Vec3 end(random.in_cube(0.5));
@@ -154,36 +161,30 @@ TEST(PlaceOrder, LeavesWhatLiesTogetherOrWouldNotOrIsSmallOrHasLines) {
         test::add_vertex(needles, end * 0.999F + Vec3(0, 0, 0.001F));
         test::add_triangle(needles, v, v + 1, v + 2);
     }
-    expect_left(needles);
+    EXPECT_TRUE(is_left(needles));
 }
 
-// Which of two that stand in one place is seen does not change.
-TEST(PlaceOrder, KeepsTheFirstOfThoseInOnePlaceFirst) {
-    Random random(93);
-    Jobs jobs(2);
-    Mesh mesh = ball();
-    const std::vector<std::uint32_t> once = mesh.index;
-    // A third of them again from another corner on.
-    mesh.index.insert(mesh.index.end(), once.begin(), once.end());
-    for (std::size_t i = once.size(); i < mesh.index.size(); i += 9)
-        std::rotate(mesh.index.begin() + static_cast<std::ptrdiff_t>(i),
-                    mesh.index.begin() + static_cast<std::ptrdiff_t>(i + 1),
-                    mesh.index.begin() + static_cast<std::ptrdiff_t>(i + 3));
-    mesh.material.resize(mesh.triangles(), -1);
-    mesh.face.resize(mesh.triangles());
+TEST(PlaceOrder, SaysHowFarItIsAndStopsWhenTold) {
+    Random random(96);
+    Mesh mesh = test::empty_mesh();
+    test::add_sphere(mesh, Vec3(0), 0.8F, 1000, 500); // thirty parts
     shuffle(random, mesh);
-    order_by_place(jobs, mesh);
-    std::map<Drawn, std::uint32_t> last;
-    int twice = 0;
-    for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-        Drawn d = drawn(mesh, t);
-        std::sort(d.corner.begin(), d.corner.end());
-        const auto [at, first] = last.emplace(d, mesh.face[t]);
-        if (first) continue;
-        EXPECT_LT(at->second, mesh.face[t]);
-        ++twice;
+    Jobs jobs(2);
+    std::vector<std::uint32_t> order;
+    double last = 0;
+    int calls = 0;
+    EXPECT_TRUE(place_order(jobs, mesh, order, [&](double share) {
+        EXPECT_TRUE(share > last && share < 1) << share;
+        last = share;
+        ++calls;
+        return true;
+    }));
+    EXPECT_GE(calls, 3);
+    for (int stop = 1; stop <= calls; ++stop) {
+        int left = stop;
+        EXPECT_FALSE(place_order(jobs, mesh, order, [&](double) { return --left > 0; }));
+        EXPECT_EQ(left, 0);
     }
-    EXPECT_EQ(twice, static_cast<int>(mesh.triangles() / 2));
 }
 
 // Thin triangles stand in runs of their own.
@@ -200,13 +201,16 @@ TEST(PlaceOrder, PutsThinOnesApart) {
         test::add_triangle(mesh, first, first + 1, first + 2, 7);
     }
     shuffle(random, mesh);
-    order_by_place(jobs, mesh);
+    const std::vector<std::uint32_t> order = order_of(jobs, mesh);
     const std::size_t runs = mesh.triangles() / Clusters::kTriangles;
+    ASSERT_EQ(order.size(), mesh.triangles());
     std::size_t with_thin = 0;
     for (std::size_t run = 0; run < runs; ++run) {
-        const auto first =
-            mesh.material.begin() + static_cast<std::ptrdiff_t>(run * Clusters::kTriangles);
-        with_thin += std::count(first, first + Clusters::kTriangles, 7) > 0 ? 1U : 0U;
+        const auto first = order.begin() + static_cast<std::ptrdiff_t>(run * Clusters::kTriangles);
+        with_thin += std::any_of(first, first + Clusters::kTriangles,
+                                 [&](std::uint32_t t) { return mesh.material[t] == 7; })
+                         ? 1U
+                         : 0U;
     }
     EXPECT_LT(with_thin, runs / 3); // in any order nearly all have one
 }

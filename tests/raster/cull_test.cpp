@@ -67,16 +67,16 @@ std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool sa
         const KeptTriangle& box = found.kept[i];
         EXPECT_TRUE(box.x0() < box.x1() && box.x1() <= kWidth);
         EXPECT_TRUE(box.y0() < box.y1() && box.y1() <= kHeight);
-        EXPECT_TRUE(i == 0 || found.kept[i - 1].triangle < box.triangle); // in order
-        ids.insert(box.triangle - 1000);
-        const Corners& v = soup.triangles[box.triangle - 1000];
+        EXPECT_TRUE(i == 0 || found.kept[i - 1].place < box.place); // in order
+        ids.insert(box.place - 1000);
+        const Corners& v = soup.triangles[box.place - 1000];
         const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
         const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
         const bool bounds = box.x0() == std::max((left + 255 - extent.high.x) >> 8, 0) &&
                             box.y0() == std::max((top + 255 - extent.high.y) >> 8, 0) &&
                             box.x1() == std::min((right + 256 - extent.low.x) >> 8, kWidth) &&
                             box.y1() == std::min((bottom + 256 - extent.low.y) >> 8, kHeight);
-        EXPECT_TRUE(bounds) << box.triangle;
+        EXPECT_TRUE(bounds) << box.place;
         EXPECT_EQ(box.small(), std::max(right - left, bottom - top) <= kSmallSide * 256);
         const bool clockwise =
             (v[1].x - v[0].x) * (v[2].y - v[0].y) > (v[1].y - v[0].y) * (v[2].x - v[0].x);
@@ -189,7 +189,7 @@ TEST(Cull, NamesWhatIsCut) {
             found.cut.resize(found.cut_count);
             EXPECT_EQ(found.cut, wanted) << count;
             for (std::size_t i = 0; i < found.kept_count; ++i)
-                EXPECT_FALSE(off.contains(found.kept[i].triangle)) << count;
+                EXPECT_FALSE(off.contains(found.kept[i].place)) << count;
         });
     }
 }

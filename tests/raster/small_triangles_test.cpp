@@ -136,7 +136,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                 of_kind[static_cast<std::size_t>(kind)] += list.size();
                 for (const TilePart& part : list)
                     steep_of_kind[static_cast<std::size_t>(kind)] +=
-                        near_to_flat({all.corners(part.triangle), part.triangle}) ? 0U : 1U;
+                        near_to_flat({all.corners(part.place), part.place}) ? 0U : 1U;
                 if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
                 depth_alone.draw(TilePartList{all.vertices, all.index, list, kind});
             }
@@ -305,7 +305,7 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 ++alone;
                 EXPECT_EQ(placed.tile[i], y * 37 + x);
                 EXPECT_EQ(placed.where[i],
-                          TilePart::of(t.triangle, t.x0() - x * side, t.y0() - y * side,
+                          TilePart::of(t.place, t.x0() - x * side, t.y0() - y * side,
                                        t.x1() - x * side, t.y1() - y * side)
                               .where);
                 const PartKind kind =

@@ -1,0 +1,197 @@
+// Of raster/geometry.h: what a tile shows of the triangles, lines and points that run() put there.
+#include "base/check.h"
+#include "raster/check_lanes.h"
+#include "raster/geometry.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scanout::raster {
+
+namespace {
+constexpr std::size_t kFewBacks = 64; // in a tile: drawn sooner than asked whether they are hidden
+} // namespace
+
+template <class F>
+void Geometry::Batch::Bin::for_small(F&& f) const {
+    for (const auto& all : parts)
+        for (const TilePart& part : all)
+            f(part.place);
+}
+
+image::Rect Geometry::tile_area(int tile) const {
+    const int x = tile % across_ * tile_size_, y = tile / across_ * tile_size_;
+    return {x, y, std::min(x + tile_size_, width_), std::min(y + tile_size_, height_)};
+}
+
+bool Geometry::is_empty(int tile) const {
+    const auto at = static_cast<std::size_t>(tile);
+    const auto bare = [](const Batch::Bin& bin) {
+        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
+               bin.points.empty() && bin.waiting.empty() &&
+               std::all_of(bin.parts.begin(), bin.parts.end(),
+                           [](const auto& parts) { return parts.empty(); });
+    };
+    return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
+        return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
+    });
+}
+
+void Geometry::draw(int tile, AreaTile& out) const {
+    CHECK(hidden_ == nullptr);
+    const auto add = [&](std::uint32_t id) {
+        if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+    };
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
+        std::for_each(bin.triangles.begin(), bin.triangles.end(), add);
+        bin.for_small([&](std::uint32_t place) { add(mesh_->triangle_at(place)); });
+        for (const std::uint32_t i : bin.pieces)
+            out.add(batch.pieces[i]);
+    }
+    out.finish();
+}
+
+void Geometry::draw(int tile, VisibilityTile& out) {
+    draw_triangles(tile, out);
+    draw_on_ground(tile, out, out);
+}
+
+void Geometry::draw_triangles(int tile, VisibilityTile& out) {
+    // By another rule than the usual one parts are drawn as the triangles that they are of.
+    std::array<std::uint32_t, 64> some;
+    std::size_t count = 0;
+    const auto draw_some = [&] {
+        const auto ids = std::span<const std::uint32_t>(some).first(std::exchange(count, 0));
+        if (!ids.empty()) out.draw(TriangleList{vertices_, mesh_->index, ids, ids});
+    };
+    const auto add_whole = [&](std::uint32_t id) {
+        some[count++] = id;
+        if (count == some.size()) draw_some();
+    };
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
+        if (!bin.triangles.empty())
+            out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
+        if (out.rule().usual()) {
+            for (const PartKind kind : kFrontKinds)
+                if (!bin.parts_of(kind).empty()) out.draw(list_of(bin.parts_of(kind), kind));
+        } else {
+            bin.for_small([&](std::uint32_t place) { add_whole(mesh_->triangle_at(place)); });
+            draw_some();
+        }
+        for (const std::uint32_t i : bin.pieces)
+            out.draw(batch.pieces[i]);
+    }
+    if (out.rule().usual()) draw_backs(tile, out);
+    if (hidden_ != nullptr) draw_waiting(tile, out);
+    check_lanes(out);
+}
+
+void Geometry::draw_backs(int tile, VisibilityTile& out) const {
+    bool found = false;
+    for (const Batch& batch : batches_) {
+        const std::span<const TilePart> backs =
+            batch.bins[static_cast<std::size_t>(tile)].parts_of(PartKind::back);
+        const TilePartList list = list_of(backs, PartKind::strip);
+        if (backs.size() < kFewBacks) {
+            if (!backs.empty()) out.draw(list);
+            continue;
+        }
+        if (!std::exchange(found, true)) out.find_farthest();
+        out.draw_behind(list);
+    }
+}
+
+void Geometry::draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
+    if (mesh_->lines() == 0 && mesh_->points() == 0) return;
+    const auto at = static_cast<std::size_t>(tile);
+    const auto bare = [&](const Batch& batch) {
+        return batch.bins[at].segments.empty() && batch.bins[at].points.empty();
+    };
+    if (std::all_of(batches_.begin(), batches_.end(), bare)) return;
+    out.keep_ground(shown);
+    const Ground ground(*mesh_, vertices_, *transform_);
+    for (const Batch& batch : batches_) {
+        for (const std::uint32_t i : batch.bins[at].segments)
+            out.draw(batch.segments[i], ground);
+        for (const std::uint32_t i : batch.bins[at].points)
+            out.draw(batch.points[i], ground);
+    }
+    check_lanes(out);
+}
+
+void Geometry::layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    for (const Batch& batch : batches_) {
+        if (batch.layered.empty()) continue;
+        const Batch::Bin& bin = batch.layered[static_cast<std::size_t>(tile)];
+        for (const std::uint32_t id : bin.triangles)
+            if (layer_of(id) == layer) out.push_back(id);
+        for (const std::uint32_t i : bin.pieces)
+            if (layer_of(batch.pieces[i].id) == layer) out.push_back(batch.pieces[i].id);
+    }
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // two pieces of one
+}
+
+image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
+    const image::Rect& area = out.area();
+    image::Rect drawn{area.x1, area.y1, area.x0, area.y0};
+    const auto add = [&](const image::Rect& r) {
+        drawn = {std::min(drawn.x0, std::max(r.x0, area.x0)),
+                 std::min(drawn.y0, std::max(r.y0, area.y0)), std::max(drawn.x1, r.x1),
+                 std::max(drawn.y1, r.y1)};
+    };
+    const std::array<ScreenVertex, 3> corner = corners(triangle);
+    if (corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen()) {
+        const std::optional<SetUp> t = set_up(corner, triangle);
+        if (t && out.draw(t->triangle))
+            add(pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent));
+        return drawn;
+    }
+    for (const Piece& piece : pieces(triangle))
+        if (out.draw(piece)) add(pixel_bounds(piece, area.x1, area.y1, cull_.extent));
+    return drawn;
+}
+
+void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const {
+    CHECK(hidden_ == nullptr);
+    const auto at = static_cast<std::size_t>(tile);
+    std::vector<std::uint32_t> triangles;
+    std::vector<Segment> segments;
+    std::vector<Point> points;
+    for (const Batch& batch : batches_) {
+        const Batch::Bin& bin = batch.bins[at];
+        triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
+        bin.for_small([&](std::uint32_t place) { triangles.push_back(mesh_->triangle_at(place)); });
+        for (const std::uint32_t i : bin.pieces)
+            triangles.push_back(batch.pieces[i].id);
+        for (const std::uint32_t i : bin.segments)
+            segments.push_back(batch.segments[i]);
+        for (const std::uint32_t i : bin.points)
+            points.push_back(batch.points[i]);
+    }
+    const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
+    std::sort(triangles.begin(), triangles.end());
+    triangles.erase(std::unique(triangles.begin(), triangles.end()),
+                    triangles.end()); // two pieces of one
+    std::sort(segments.begin(), segments.end(), by_id);
+    std::sort(points.begin(), points.end(), by_id);
+
+    const image::Rect& area = out.area();
+    for (const std::uint32_t triangle : triangles)
+        drawn(triangle, draw_one(triangle, out));
+    const auto draw_all = [&](const auto& primitives) {
+        for (const auto& primitive : primitives) {
+            out.draw(primitive);
+            const image::Rect box = pixel_bounds(primitive, area.x1, area.y1);
+            drawn(primitive.id,
+                  {std::max(box.x0, area.x0), std::max(box.y0, area.y0), box.x1, box.y1});
+        }
+    };
+    draw_all(segments);
+    draw_all(points);
+}
+
+} // namespace scanout::raster
