@@ -15,6 +15,4 @@ struct PicturePair {
 PicturePair pictures_of(const Ours& ours, const Theirs& theirs, const Load& load,
                         const scene::View& view);
 
-inline constexpr double kMostFlip = 0.05; // mean; above it they do not show the same
-
 } // namespace scanout::bench

@@ -2,6 +2,7 @@
 
 #include "base/write_file.h"
 #include "bench/peers/compare.h"
+#include "bench/peers/floor.h"
 #include "image/codec.h"
 #include "image/flip.h"
 
@@ -74,8 +75,13 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     result.flip = static_cast<double>(mean_flip(pair.theirs, pair.ours));
     if (!o.save_in.empty()) TRY_VOID(save(pair, load, o.save_in));
     result.first = first / result.ours.cpu_median();
+    result.vertices = scene.mesh.position.size();
     result.triangles = scene.mesh.triangles();
     result.drawn = ours.triangles_drawn();
+    result.floor = floor_of(load,
+                            {result.vertices, result.triangles, static_cast<double>(result.drawn),
+                             result.fragments, static_cast<double>(o.width) * o.height},
+                            measure_core());
     return result;
 }
 

@@ -20,12 +20,15 @@ struct Duel {
     double first = 0;     // our first frame over our median, of a renderer without buffers
     double flip = 0;      // mean, between both pictures
     double fragments = 0; // that pass the depth test in the file's order, mean of four views
-    std::size_t triangles = 0;
+    std::size_t vertices = 0, triangles = 0;
     std::uint64_t drawn = 0; // by us, left after culling
+    double floor = 0;        // ms, of one core (floor.h); 0: not known
     // How many times faster we are, by the time that the thread ran: other work on the machine
     // takes wall time from both.
     double ratio() const { return theirs.cpu_median() / ours.cpu_median(); }
     double wall_ratio() const { return theirs.wall_median() / ours.wall_median(); }
+    // How many times what one core could do; 0: not known.
+    double above_floor() const { return floor > 0 ? ours.cpu_median() / floor : 0; }
 };
 
 Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions& options);

@@ -4,7 +4,6 @@
 #include "bench/peers/duel.h"
 #include "bench/peers/threads.h"
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,10 +19,17 @@ struct Report {
 };
 
 inline constexpr double kThreadsGate = 1.7, kThreadsGoal = 1.9;
+// Less is better: the first frame over a steady one, and a frame over what one core could do.
 inline constexpr double kFirstGate = 2, kFirstGoal = 1.2;
+inline constexpr double kFloorGate = 4, kFloorGoal = 2;
 
-// Gates that were missed, and pictures that differ: one line each. Loads without a gate count for
-// their picture alone.
+inline constexpr double kMostFlip = 0.05; // mean; above it both sides do not show the same
+
+// What a figure reaches: "goal met", "gate met, goal short by 1.20x", "MISSED by 1.10x".
+std::string verdict(double value, double gate, double goal, bool less_is_better = false);
+
+// Gates that were missed, what could not be judged, and pictures that differ: one line each.
+// Loads without a gate count for their picture alone.
 std::vector<std::string> missed_gates(const Report& report);
 
 std::string to_markdown(const Report& report);

@@ -13,6 +13,8 @@ struct ThreadsResult {
     double compute = 0; // of the pair
     // Of a machine whose second core is a whole one.
     double relative() const { return compute > 0 ? 2 * ours / compute : 0; }
+    // Where the pair got less than a core and a half, or we more than two, other work had the rest.
+    bool judged() const { return compute >= 1.5 && ours <= 2.1; }
 };
 
 // two: of two threads, made while the process may run on every core.

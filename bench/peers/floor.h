@@ -1,0 +1,28 @@
+// The least that one core could take for a load, by the model of PEERS.md (T6): the picture written
+// once past the caches, vertices and indices read once, and the cycles of sixteen lanes for what is
+// done to each vertex, triangle and pixel. How fast this core writes, reads and counts is measured.
+#pragma once
+
+#include "bench/peers/load.h"
+
+#include <cstddef>
+
+namespace scanout::bench {
+
+struct CoreLimits {
+    double clock = 0;           // Hz
+    double write = 0, read = 0; // bytes a second, of memory that no cache holds
+};
+// Of the core that the thread runs on; a tenth of a second.
+CoreLimits measure_core();
+
+struct Work {
+    std::size_t vertices = 0, triangles = 0;
+    double drawn = 0;     // triangles that are left after culling
+    double fragments = 0; // that pass the depth test
+    double pixels = 0;    // of the picture
+};
+// Milliseconds; 0 where the model says nothing: of more than one sample.
+double floor_of(const Load& load, const Work& work, const CoreLimits& core);
+
+} // namespace scanout::bench

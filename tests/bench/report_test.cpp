@@ -1,0 +1,110 @@
+// What `bench_peers --check` calls met and missed, of figures that are made up.
+#include "bench/peers/report.h"
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace scanout::bench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr Load kLit{"lit", "ball", Shading::blinn_phong, 1, 4, 6};
+constexpr Load kDepth{"depth", "ball", Shading::depth, 1, 5, 8};
+constexpr Load kFree{"free", "ball", Shading::depth, 1, 0, 0}; // no gate
+constexpr Load kSamples{"samples", "ball", Shading::blinn_phong, 4, 5, 10};
+
+// llvmpipe takes 40 ms, we as much as makes this ratio.
+Duel of_ratio(double ratio) {
+    Duel d;
+    d.theirs.cpu = d.theirs.wall = {40};
+    d.ours.cpu = d.ours.wall = {40 / ratio};
+    d.first = 1.5;
+    d.floor = 40 / ratio / 3;
+    d.flip = 0.01;
+    return d;
+}
+std::vector<std::string> missed(const Load& load, const Duel& duel) {
+    Report r;
+    r.duels.emplace_back(load, duel);
+    return missed_gates(r);
+}
+std::vector<std::string> missed(const ThreadsResult& threads) {
+    Report r;
+    r.threads.emplace_back(kLit, threads);
+    return missed_gates(r);
+}
+
+TEST(Report, VerdictsSayHowFarOff) {
+    EXPECT_EQ(verdict(6, 4, 6), "goal met");
+    EXPECT_EQ(verdict(5, 4, 6), "gate met, goal short by 1.20x");
+    EXPECT_EQ(verdict(2, 4, 6), "MISSED by 2.00x");
+    EXPECT_EQ(verdict(2, 0, 0), "-");
+    EXPECT_EQ(verdict(1.2, 2, 1.2, true), "goal met");
+    EXPECT_EQ(verdict(1.8, 2, 1.2, true), "gate met, goal short by 1.50x");
+    EXPECT_EQ(verdict(3, 2, 1.2, true), "MISSED by 1.50x");
+}
+
+TEST(Report, ARatioBelowItsGateIsMissed) {
+    EXPECT_THAT(missed(kLit, of_ratio(4)), IsEmpty());
+    EXPECT_THAT(missed(kLit, of_ratio(3.9)), ElementsAre(HasSubstr("lit: 3.90x, the gate is 4x")));
+    EXPECT_THAT(missed(kFree, of_ratio(0.5)), IsEmpty());
+}
+
+TEST(Report, PicturesThatDifferAreMissedWithoutAGate) {
+    Duel d = of_ratio(9);
+    d.flip = 0.06;
+    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP 0.0600")));
+    d.flip = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP")));
+}
+
+TEST(Report, AFirstFrameIsJudgedWhereItIsTheRenderers) {
+    Duel d = of_ratio(9);
+    d.first = 2.1;
+    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("first frame takes 2.10")));
+    EXPECT_THAT(missed(kDepth, d), IsEmpty());
+}
+
+TEST(Report, TheFloorIsJudgedWhereItIsKnown) {
+    Duel d = of_ratio(9);
+    d.floor = d.ours.cpu[0] / 4.5;
+    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: 4.50 times the floor")));
+    EXPECT_THAT(missed(kFree, d), IsEmpty());
+    d.floor = 0;
+    EXPECT_THAT(missed(kSamples, d), IsEmpty());
+}
+
+TEST(Report, TwoThreadsAreJudgedBesideAPairThatHasTheMachine) {
+    EXPECT_THAT(missed({1.7, 2}), IsEmpty());
+    EXPECT_THAT(missed({1.6, 2}), ElementsAre(HasSubstr("the gate is 1.7x")));
+    EXPECT_THAT(missed({1.6, 1.6}), IsEmpty()); // all that the machine gave
+    EXPECT_THAT(missed({0.98, 0.73}), ElementsAre(HasSubstr("not judged")));
+    EXPECT_THAT(missed({2.3, 2}), ElementsAre(HasSubstr("not judged")));
+}
+
+TEST(Report, TablesNameEveryLoadAndVerdict) {
+    Report r;
+    r.width = 1920;
+    r.height = 1080;
+    r.duels = {{kLit, of_ratio(5)}, {kFree, of_ratio(6)}, {kSamples, of_ratio(4)}};
+    r.duels.back().second.floor = 0;
+    r.threads = {{kLit, {0.9, 0.8}}, {kLit, {1.95, 2}}};
+    const std::string text = to_markdown(r);
+    EXPECT_THAT(text, HasSubstr("| lit | 0 | 0.00 | 40.00 | 8.00 | **5.00x** | 5.00x | 4x / 6x | "
+                                "gate met, goal short by 1.20x | 0.0100 |"));
+    EXPECT_THAT(text, HasSubstr("| lit | 1.50 | gate met, goal short by 1.25x | 2.67 | 3.00 | gate "
+                                "met, goal short by 1.50x |"));
+    EXPECT_THAT(text, HasSubstr("| samples | 1.50 | gate met, goal short by 1.25x | - | - | - |"));
+    EXPECT_THAT(text, HasSubstr("| lit | 0.90x | 0.80x | **2.25x** | 1.7x / 1.9x | not judged |"));
+    EXPECT_THAT(text, HasSubstr("| lit | 1.95x | 2.00x | **1.95x** | 1.7x / 1.9x | goal met |"));
+}
+
+} // namespace
+} // namespace scanout::bench
