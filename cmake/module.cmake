@@ -37,6 +37,7 @@ if(SCANOUT_CHECK_LANES)
   target_compile_definitions(scanout_flags INTERFACE SCANOUT_CHECK_LANES)
 endif()
 if(SCANOUT_SANITIZE)
+  target_compile_definitions(scanout_flags INTERFACE SCANOUT_SANITIZED)
   target_compile_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE} -fno-omit-frame-pointer
                          -fno-sanitize-recover=all)
   target_link_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE})

@@ -15,13 +15,13 @@ namespace scanout::simd::HWY_NAMESPACE {
 
 // code in [0, 255].
 template <class D>
-HWY_INLINE Float<D> srgb_decode(Int<D> code) {
+SIMD_INLINE Float<D> srgb_decode(Int<D> code) {
     return gather(::scanout::detail::kSrgb.decode, code);
 }
 
 // Clamps to [0, 1]; NaN gives 0; monotone.
 template <class D>
-HWY_INLINE Int<D> srgb_encode(Float<D> linear) {
+SIMD_INLINE Int<D> srgb_encode(Float<D> linear) {
     using namespace ::scanout::detail;
     using F = Float<D>;
     const F x = minimum(maximum(linear, F(kSrgbLowest)), F(kSrgbHighest)); // NaN: the lowest

@@ -22,7 +22,7 @@ inline constexpr float kLeastNormal = std::numeric_limits<float>::min();
 
 // log2 x for normal x > 0; of others some number.
 template <class D>
-HWY_INLINE Float<D> log2_of_normal(Float<D> x) {
+SIMD_INLINE Float<D> log2_of_normal(Float<D> x) {
     using F = Float<D>;
     using I = Int<D>;
     // x = 2^k (1 + t), 1 + t in [sqrt(1/2), sqrt(2)): t is exact, and k = 0 near 1, where log2
@@ -42,7 +42,7 @@ HWY_INLINE Float<D> log2_of_normal(Float<D> x) {
 
 // log2 x for x that is at most 1; anything below 2^-126, or NaN, gives -infinity.
 template <class D>
-HWY_INLINE Float<D> log2_of_share(Float<D> x) {
+SIMD_INLINE Float<D> log2_of_share(Float<D> x) {
     using F = Float<D>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     return select(x >= F(kLeastNormal), log2_of_normal(x), F(-kInfinity));
@@ -50,14 +50,14 @@ HWY_INLINE Float<D> log2_of_share(Float<D> x) {
 
 // The same for any x.
 template <class D>
-HWY_INLINE Float<D> log2(Float<D> x) {
+SIMD_INLINE Float<D> log2(Float<D> x) {
     const Float<D> infinity = std::numeric_limits<float>::infinity();
     return select(x == infinity, infinity, log2_of_share(x));
 }
 
 // 2^x for x in [-126, 128); of others some number.
 template <class D>
-HWY_INLINE Float<D> normal_exp2(Float<D> x) {
+SIMD_INLINE Float<D> normal_exp2(Float<D> x) {
     using F = Float<D>;
     // Adding 1.5 2^23 rounds to an integer and leaves it in the low bits.
     constexpr float kRounder = 12582912.0F;
@@ -76,34 +76,34 @@ HWY_INLINE Float<D> normal_exp2(Float<D> x) {
 
 // 2^x for x that is at most 0; below -126, or NaN, gives 0.
 template <class D>
-HWY_INLINE Float<D> exp2_to_share(Float<D> x) {
+SIMD_INLINE Float<D> exp2_to_share(Float<D> x) {
     using F = Float<D>;
     return select(x >= F(-126.0F), normal_exp2(x), F(0.0F));
 }
 
 // The same for any x; of 128 and above infinity; exact for integers.
 template <class D>
-HWY_INLINE Float<D> exp2(Float<D> x) {
+SIMD_INLINE Float<D> exp2(Float<D> x) {
     const Float<D> infinity = std::numeric_limits<float>::infinity();
     return select(x >= Float<D>(128.0F), infinity, exp2_to_share(x));
 }
 
 // x^y for x in [0, infinity), y >= 0 finite; x below 2^-126 or NaN counts as 0. y == 0 gives 1.
 template <class D>
-HWY_INLINE Float<D> pow(Float<D> x, Float<D> y) {
+SIMD_INLINE Float<D> pow(Float<D> x, Float<D> y) {
     return select(y == Float<D>(0.0F), Float<D>(1.0F), exp2(y * log2(x)));
 }
 
 // pow, the same bits, for x that is at most 1 or NaN.
 template <class D>
-HWY_INLINE Float<D> pow_of_share(Float<D> x, Float<D> y) {
+SIMD_INLINE Float<D> pow_of_share(Float<D> x, Float<D> y) {
     using F = Float<D>;
     return select(y == F(0.0F), F(1.0F), exp2_to_share(y * log2_of_share(x)));
 }
 
 // The angle of (x, y) in radians, -pi to pi, for finite x and y; atan2(0, 0) is 0.
 template <class D>
-HWY_INLINE Float<D> atan2(Float<D> y, Float<D> x) {
+SIMD_INLINE Float<D> atan2(Float<D> y, Float<D> x) {
     using F = Float<D>;
     constexpr float kPi = 0x1.921fb6p+1F;
     const F width = abs(x), height = abs(y);

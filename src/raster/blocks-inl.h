@@ -18,7 +18,7 @@ struct WalkLanes {
     I32x8 x0, y0, x1, y1;
 };
 template <class Read>
-HWY_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
+SIMD_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
     WalkLanes lanes;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -48,8 +48,8 @@ struct Blocks {
 
 // Row by row, the rows that the triangle's box leaves.
 template <Shows kShows>
-HWY_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
-                          std::uint32_t primitive, float* depth, std::uint32_t* id, I32& drawn) {
+SIMD_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, SampleOffset at,
+                           std::uint32_t primitive, float* depth, std::uint32_t* id, I32& drawn) {
     const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32 base = b.base[lane], rest = b.rest[lane];
@@ -101,8 +101,8 @@ struct Few {
     std::uint32_t lanes; // of which this holds
     I32x8 column, across, down;
 };
-HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end,
-                          std::uint32_t live) {
+SIMD_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end,
+                           std::uint32_t live) {
     const I32x8 column = maximum(w.x0 - left, 0);
     const I32x8 across = minimum(w.x1 - left, BlockWalk::kSide) - column, down = end - begin;
     return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
@@ -111,9 +111,9 @@ HWY_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 end
 // By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
 // depth, columns from few.column, rows from b.begin.
 template <Shows kShows, class DepthAt, class Drawn>
-HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
-                            const std::uint32_t* name, float* depth, std::uint32_t* id,
-                            Drawn& drawn) {
+SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
+                             const std::uint32_t* name, float* depth, std::uint32_t* id,
+                             Drawn& drawn) {
     I32x8 start[3], right[3], below[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -173,8 +173,8 @@ HWY_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const Dep
 
 // The same bits as draw_rows.
 template <Shows kShows>
-HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
-                         const std::uint32_t* name, float* depth, std::uint32_t* id, I32& drawn) {
+SIMD_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
+                          const std::uint32_t* name, float* depth, std::uint32_t* id, I32& drawn) {
     const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
@@ -188,7 +188,7 @@ HWY_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
 }
 
 // floor((E + bias) / 256), which saturates at 2^29 (BlockWalk).
-HWY_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
+SIMD_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
     const F64x8 most = 0x1p29;
     const F64x8 pixels = (e + bias) * F64x8(1.0 / kSubpixel);
     const F64x8 near = minimum(maximum(pixels, -most), most);
@@ -197,9 +197,9 @@ HWY_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
 }
 
 // Their edges at a place in the pattern.
-HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
-                            const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
-                            I32x8 begin, Blocks& out) {
+SIMD_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
+                             const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
+                             I32x8 begin, Blocks& out) {
     const F64x8 zero = 0.0, x = double(at.x), y = double(at.y);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -213,8 +213,8 @@ HWY_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
 }
 
 // The same as draw_large wants them: of edges that hold for the whole block, too.
-HWY_INLINE void set_up_firsts(const WalkLanes& w, const F64x8 (&corner)[3], SampleOffset at,
-                              std::int32_t (&first)[3][kLanesX8]) {
+SIMD_INLINE void set_up_firsts(const WalkLanes& w, const F64x8 (&corner)[3], SampleOffset at,
+                               std::int32_t (&first)[3][kLanesX8]) {
     const F64x8 x = double(at.x), y = double(at.y);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
@@ -226,7 +226,7 @@ struct AtBlocks {
     I32x8 left, top; // pixels in the tile
     F64x8 edge[3], depth;
 };
-HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y) {
+SIMD_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 x, I32x8 y) {
     constexpr int kSideBits = 3;
     static_assert(BlockWalk::kSide == 1 << kSideBits);
     AtBlocks at;
@@ -243,7 +243,7 @@ HWY_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8 
 
 // Nothing of a triangle in blocks is nearer than this; depth: at their corners. 2^-20 of it is far
 // more than all that is rounded on the way.
-HWY_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
+SIMD_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
     const F64x8 side = double{BlockWalk::kSide}, zero = 0.0;
     const F64x8 reach = (maximum(per_x, zero) + maximum(per_y, zero)) * side;
     return to_f32((depth + reach) * F64x8(1 + 0x1p-20));
@@ -251,8 +251,8 @@ HWY_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
 
 // Of the live lanes those whose block the triangle may touch, and not all behind what is there.
 template <bool kUsual>
-HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
-                              std::uint32_t live) {
+SIMD_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
+                               std::uint32_t live) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
@@ -264,8 +264,8 @@ HWY_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const 
 
 // Draws the blocks of `live` lanes, each of a triangle of its own.
 template <Shows kShows>
-HWY_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
-                          std::uint32_t live, const std::uint32_t* id, I32& drawn) {
+SIMD_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& block,
+                           std::uint32_t live, const std::uint32_t* id, I32& drawn) {
     const F64x8 zero = 0.0;
     Double<F32x8::Tag>::DoubleMask whole[3];
     SIMD_UNROLL

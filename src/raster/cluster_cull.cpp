@@ -20,7 +20,7 @@ struct ClusterLanes {
     F64x8 centre[3], radius, axis[3], spread, thinnest;
 };
 
-HWY_INLINE ClusterLanes clusters_at(const geom::Cluster* first, int count) {
+SIMD_INLINE ClusterLanes clusters_at(const geom::Cluster* first, int count) {
     constexpr int kWords = sizeof(geom::Cluster) / sizeof(double);
     const auto* words = reinterpret_cast<const double*>(first);
     const I32x8 at = minimum(iota<I32x8>(0), I32x8(count - 1)) * I32x8(kWords);
@@ -38,16 +38,16 @@ HWY_INLINE ClusterLanes clusters_at(const geom::Cluster* first, int count) {
     return c;
 }
 
-HWY_INLINE F64x8 dot(const F64x8 (&a)[3], const F64x8 (&b)[3]) {
+SIMD_INLINE F64x8 dot(const F64x8 (&a)[3], const F64x8 (&b)[3]) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
-HWY_INLINE F64x8 at_centre(const ClusterCull::Plane& p, const ClusterLanes& c) {
+SIMD_INLINE F64x8 at_centre(const ClusterCull::Plane& p, const ClusterLanes& c) {
     const F64x8 normal[3] = {p.normal.x, p.normal.y, p.normal.z};
     return dot(normal, c.centre) + F64x8(p.offset);
 }
 
 // All on one side of an edge of the picture, by more than a sample can reach.
-HWY_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
+SIMD_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
     const F64x8 radius = c.radius * F64x8(kSlack), limit = most_w * F64x8(-kBesidePixels);
     const auto past = [&](const ClusterCull::Plane& edge) HWY_ATTR {
         return at_centre(edge, c) + F64x8(edge.length) * radius < limit;
@@ -59,7 +59,7 @@ HWY_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
 // smaller on the screen than its snapping could turn over: twice its area there is
 //     scale_x scale_y det n . (p - eye) 2 area / (w0 w1 w2),
 // and moving its vertices changes that by at most 2 side kMove + kMove^2. Both by its longest side.
-HWY_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least_w, F64x8 most_w) {
+SIMD_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least_w, F64x8 most_w) {
     const F64x8 zero = 0.0, one = 1.0;
     const F64x8 eye[3] = {t.eye.x, t.eye.y, t.eye.z};
     F64x8 from_eye[3] = {eye[0], eye[1], eye[2]}, distance = t.eye_length, radius = 0.0;
@@ -89,7 +89,7 @@ HWY_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least
 }
 
 // Bit i: cluster i is hidden.
-HWY_INLINE std::uint32_t hidden_lanes(const Terms& t, const ClusterLanes& c) {
+SIMD_INLINE std::uint32_t hidden_lanes(const Terms& t, const ClusterLanes& c) {
     const F64x8 w = at_centre(t.w, c), reach = F64x8(t.w.length) * c.radius * F64x8(kSlack);
     const F64x8 most_w = maximum(abs(w - reach), abs(w + reach)) * F64x8(kSlack),
                 least_w = (w - reach) * F64x8(1 - 1e-9);

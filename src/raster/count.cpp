@@ -10,8 +10,8 @@
 SIMD_BEGIN(scanout::raster)
 
 template <bool kBehind>
-HWY_INLINE void count_rows(const CountSetUp& t, SampleOffset offset, const float* depth,
-                           const std::uint32_t* id, float* count) {
+SIMD_INLINE void count_rows(const CountSetUp& t, SampleOffset offset, const float* depth,
+                            const std::uint32_t* id, float* count) {
     const F64x8 none = 0.0, weight = static_cast<double>(t.weight), one = 1.0;
     for (int y = t.y0; y < t.y1; ++y) {
         const double py = y * 256 + offset.y;

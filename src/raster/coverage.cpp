@@ -9,8 +9,8 @@ SIMD_BEGIN(scanout::raster)
 
 // Blocks are few: those of all triangles side by side, one after the other.
 template <Shows kShows>
-HWY_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
-                           I32& drawn) {
+SIMD_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
+                            I32& drawn) {
     WalkLanes lanes =
         walk_lanes(w, [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); });
     lanes.x0 = load<I32x8>(w.x0 + i);
@@ -40,8 +40,8 @@ struct BoundsLanes {
 };
 
 // Returns those of which some block may be seen. farthest: nothing in the tile is farther away.
-HWY_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, float farthest,
-                                   BoundsLanes& out) {
+SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, float farthest,
+                                    BoundsLanes& out) {
     constexpr int kSide = BlockWalk::kSide;
     const F64x8 block = double{kSide * kSubpixel}, margin = BlockBounds::kMargin, zero = 0.0;
     const F64x8 corner_x = static_cast<double>(tile.area.x0 * kSubpixel),
@@ -83,7 +83,7 @@ HWY_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, float
     return seen;
 }
 
-HWY_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i) {
+SIMD_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i) {
     constexpr int kSide = BlockWalk::kSide;
     BlockBounds b;
     SIMD_UNROLL
@@ -105,8 +105,8 @@ HWY_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i
 
 // Blocks are many: those of one triangle side by side. large: of the triangles, a bit each.
 template <Shows kShows>
-HWY_INLINE void draw_each_large(const TilePlanes& tile, const Walks& w, std::uint32_t large,
-                                I32& drawn) {
+SIMD_INLINE void draw_each_large(const TilePlanes& tile, const Walks& w, std::uint32_t large,
+                                 I32& drawn) {
     const bool ask = is_usual(kShows) && tile.farthest != nullptr;
     BoundsLanes bounds;
     for (large &= bounds_of(tile, w, ask ? farthest_of_all(tile) : 0.0F, bounds); large != 0;
@@ -124,8 +124,8 @@ HWY_INLINE void draw_each_large(const TilePlanes& tile, const Walks& w, std::uin
 }
 
 template <Shows kShows>
-HWY_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
-                         const TriangleList& list) {
+SIMD_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
+                          const TriangleList& list) {
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32 drawn = 0;
     Walks w;

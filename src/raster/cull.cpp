@@ -12,10 +12,10 @@ SIMD_BEGIN(scanout::raster)
 using Mask32 = Mask<F32::Tag>;
 
 // First and last + 1 pixel whose samples, between low and high, may lie in [min, max].
-HWY_INLINE I32 first_pixel(I32 min, std::int32_t high) {
+SIMD_INLINE I32 first_pixel(I32 min, std::int32_t high) {
     return shift_right<kSubpixelBits>(min + I32(kSubpixel - 1 - high));
 }
-HWY_INLINE I32 end_pixel(I32 max, std::int32_t low) {
+SIMD_INLINE I32 end_pixel(I32 max, std::int32_t low) {
     return shift_right<kSubpixelBits>(max + I32(kSubpixel - low));
 }
 
@@ -23,7 +23,7 @@ struct Corners {
     I32 x[3], y[3];
 };
 
-HWY_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* index) {
+SIMD_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* index) {
     Corners c;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -50,8 +50,8 @@ struct Box {
 // lane says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers below
 // 2^23.
 template <int kSide>
-HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
-                             Mask32 negative, const Box& box, bool at_edge) {
+SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
+                              Mask32 negative, const Box& box, bool at_edge) {
     const I32 x[3] = {c.x[0], select(negative, c.x[2], c.x[1]), select(negative, c.x[1], c.x[2])};
     const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
     const I32 left = shift_left<kSubpixelBits>(box.x0), top = shift_left<kSubpixelBits>(box.y0);
@@ -93,8 +93,8 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
     }
     return outside < I32(0);
 }
-HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c, Mask32 tiny,
-                             Mask32 negative, const Box& box, bool at_edge) {
+SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c, Mask32 tiny,
+                              Mask32 negative, const Box& box, bool at_edge) {
     static_assert(kTiny == 3);
     const I32 side = maximum(box.across, box.down);
     if (!any(tiny & (side > I32(2)))) return misses_all<2>(pattern, c, negative, box, at_edge);
@@ -103,7 +103,7 @@ HWY_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corner
 }
 
 // Twice the area's sign, y down. extent: the longer side of the box.
-HWY_INLINE I32 turn_of(const Corners& c, I32 extent) {
+SIMD_INLINE I32 turn_of(const Corners& c, I32 extent) {
     const I32 dx1 = c.x[1] - c.x[0], dy1 = c.y[1] - c.y[0];
     const I32 dx2 = c.x[2] - c.x[0], dy2 = c.y[2] - c.y[0];
     constexpr std::int32_t kNarrow = 1 << 14; // products of 28 bits
@@ -124,8 +124,8 @@ struct FoundLanes {
 };
 
 // live: how many of the lanes are triangles; r: the register.
-HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int r,
-                           FoundLanes& found) {
+SIMD_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int r,
+                            FoundLanes& found) {
     const I32 off = ScreenVertex::kOffScreen;
     const Mask32 off0 = c.x[0] == off, off1 = c.x[1] == off, off2 = c.x[2] == off;
     const Mask32 any_off = off0 | off1 | off2;
@@ -175,8 +175,8 @@ HWY_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int
 }
 
 // Lane by lane: packing registers costs more where there is no instruction for it.
-HWY_INLINE void list(const FoundLanes& found, int registers, std::uint32_t first,
-                     CullResult& result) {
+SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t first,
+                      CullResult& result) {
     KeptTriangle* kept = result.kept.data() + result.kept_count;
     for (int r = 0; r < registers; ++r) {
         const auto at = static_cast<std::uint32_t>(r * kLanes);

@@ -13,7 +13,7 @@
 SIMD_BEGIN(scanout::raster)
 
 // The farthest depth in a block; place: of its first pixel.
-HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
+SIMD_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
     const float* depth = tile.depth + place;
     F32x8 nearest_lane = load<F32x8>(depth);
     for (std::size_t s = 0; s < tile.pattern.size(); ++s, depth += kTileSize * kTileSize)
@@ -29,7 +29,7 @@ HWY_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
 // hide it. nearest: no depth in it is
 // nearer. It is looked through anew only where its middle pixel hides the triangle: else the block
 // cannot.
-HWY_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest) {
+SIMD_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest) {
     constexpr int kSide = BlockWalk::kSide, kMiddle = kSide / 2 * (kTileSize + 1);
     const int place = (y * kTileSize + x) * kSide;
     if (!(nearest < tile.depth[place + kMiddle])) return false;
@@ -38,7 +38,7 @@ HWY_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float nearest
     return nearest < farthest;
 }
 // Nothing seen anywhere in the tile is farther away.
-HWY_INLINE float farthest_of_all(const TilePlanes& tile) {
+SIMD_INLINE float farthest_of_all(const TilePlanes& tile) {
     F32 all = load<F32>(tile.farthest);
     SIMD_UNROLL
     for (int i = 0; i < BlockList::kBlocks; i += kLanes)
@@ -50,7 +50,8 @@ HWY_INLINE float farthest_of_all(const TilePlanes& tile) {
 // the tile as they are pixels of a block elsewhere. Bit 8 y + x of what may be seen, by what is
 // known of the blocks so far. nearest: no depth in a block is nearer.
 template <bool kUsual>
-HWY_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds& b, float* nearest) {
+SIMD_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds& b,
+                                      float* nearest) {
     constexpr int kRow = BlockList::kRow;
     static_assert(kRow == BlockWalk::kSide);
     const bool ask = kUsual && tile.farthest != nullptr;

@@ -15,7 +15,7 @@ SIMD_BEGIN(scanout::raster)
 // block the triangle covers, its box need not be asked, and how long a loop is need not be
 // foretold.
 constexpr int kSteps = BlockWalk::kSide * BlockWalk::kSide / kLanes;
-HWY_INLINE std::ptrdiff_t place_of(int step) {
+SIMD_INLINE std::ptrdiff_t place_of(int step) {
     return std::ptrdiff_t{step / kRegisters * kRows} * kTileSize + step % kRegisters * kLanes;
 }
 
@@ -24,7 +24,7 @@ struct InBlock {
     I32 edge[3][kSteps]; // BlockWalk: n
     F32 depth[kSteps];   // at the samples of one place in the pattern
 };
-HWY_INLINE void set_up_edges(const Walks& w, int i, InBlock& out) {
+SIMD_INLINE void set_up_edges(const Walks& w, int i, InBlock& out) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const auto a = static_cast<std::int32_t>(w.a[k][i]),
@@ -44,7 +44,7 @@ HWY_INLINE void set_up_edges(const Walks& w, int i, InBlock& out) {
         }
     }
 }
-HWY_INLINE void set_up_depth(const Walks& w, int i, SampleOffset at, InBlock& out) {
+SIMD_INLINE void set_up_depth(const Walks& w, int i, SampleOffset at, InBlock& out) {
     const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
     const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32 per_x = static_cast<float>(w.per_x[i]), per_y = static_cast<float>(w.per_y[i]);
@@ -74,9 +74,9 @@ struct LargeBlocks {
 
 // Returns the farthest depth that is there now, a lane for some of the pixels.
 template <Shows kShows, bool kWhole>
-HWY_INLINE F32 draw_block(const VisibleRule& rule, const InBlock& in, const LargeBlocks& b,
-                          int lane, std::uint32_t name, float* depth, std::uint32_t* id,
-                          I32& drawn) {
+SIMD_INLINE F32 draw_block(const VisibleRule& rule, const InBlock& in, const LargeBlocks& b,
+                           int lane, std::uint32_t name, float* depth, std::uint32_t* id,
+                           I32& drawn) {
     const F32 base = b.base[lane], rest = b.rest[lane];
     const I32 first[3] = {b.first[0][lane], b.first[1][lane], b.first[2][lane]};
     F32 farthest = 0x1p127F;
@@ -95,7 +95,7 @@ HWY_INLINE F32 draw_block(const VisibleRule& rule, const InBlock& in, const Larg
 }
 
 // Takes the next of the blocks, a bit each, out of them.
-HWY_INLINE I32x8 next_blocks(std::uint64_t& blocks) {
+SIMD_INLINE I32x8 next_blocks(std::uint64_t& blocks) {
     std::uint8_t number[kLanesX8];
     SIMD_UNROLL
     for (int lane = 0; lane < kLanesX8; ++lane) {
@@ -107,8 +107,8 @@ HWY_INLINE I32x8 next_blocks(std::uint64_t& blocks) {
 }
 
 template <Shows kShows>
-HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint64_t blocks,
-                           I32& drawn) {
+SIMD_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint64_t blocks,
+                            I32& drawn) {
     const WalkLanes lanes =
         walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
     const std::uint32_t name = w.id[i];
@@ -170,8 +170,8 @@ HWY_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::u
 
 // A block of a triangle that is not flat: depth by its edge functions at every sample, in double.
 template <Shows kShows>
-HWY_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i, int block,
-                                 I32& drawn) {
+SIMD_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i, int block,
+                                  I32& drawn) {
     constexpr int kSide = BlockWalk::kSide, kAcross = kSide / kLanesX8;
     const int left = block % BlockList::kRow * kSide, top = block / BlockList::kRow * kSide;
     const double x = (tile.area.x0 + left) * kSubpixel, y = (tile.area.y0 + top) * kSubpixel;

@@ -22,14 +22,14 @@ class SteepParts {
 public:
     // Those of a register whose bit is set. draw(parts): as many as fill one.
     template <class Draw>
-    HWY_INLINE void add(const TilePart* first, std::uint32_t some, const Draw& draw) {
+    SIMD_INLINE void add(const TilePart* first, std::uint32_t some, const Draw& draw) {
         for (; some != 0; some &= some - 1) {
             part_[count_++] = first[__builtin_ctz(some)];
             if (count_ == kWidth) finish(draw);
         }
     }
     template <class Draw>
-    HWY_INLINE void finish(const Draw& draw) {
+    SIMD_INLINE void finish(const Draw& draw) {
         if (count_ > 0) draw(Parts(part_, static_cast<std::size_t>(count_)));
         count_ = 0;
     }
@@ -41,8 +41,8 @@ private:
 
 // A register of them at most.
 template <class D>
-HWY_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of, Parts some,
-                            SetUpParts<D>& out) {
+SIMD_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of, Parts some,
+                             SetUpParts<D>& out) {
     const TilePartList list{of.vertices, of.index, some, of.kind, of.id};
     PartCorners<D> corner;
     read_corners(list, 0, corner);
@@ -61,8 +61,8 @@ struct AsStrips {
         set_up_some(tile, list, some, s);
         draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
     }
-    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpPartsX8& s,
-                         const TilePart* first, I32x8& drawn) {
+    SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpPartsX8& s,
+                          const TilePart* first, I32x8& drawn) {
         const std::uint32_t some = s.live & ~s.plane.flat;
         if (__builtin_popcount(some) >= kLanesX8 / 2)
             draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
@@ -71,7 +71,7 @@ struct AsStrips {
                       [&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
         draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
     }
-    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+    SIMD_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
         steep.finish([&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
     }
 };
@@ -88,14 +88,14 @@ struct AsSpecks {
         set_up_some(tile, list, some, s);
         add_specks<SteepSpeckDepths, kShows>(tile, s, s.live, batch, drawn);
     }
-    HWY_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpParts<Tag>& s,
-                         const TilePart* first, I32x8& drawn) {
+    SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList& list,
+                          const SetUpParts<Tag>& s, const TilePart* first, I32x8& drawn) {
         steep.add(first, s.live & ~s.plane.flat,
                   [&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
         add_specks<SpeckDepths<kKind == PartKind::speck_astride>, kShows>(
             tile, s, s.live & s.plane.flat, batch, drawn);
     }
-    HWY_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
+    SIMD_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
         steep.finish([&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
         draw_batch<kShows>(tile, batch, drawn);
     }
@@ -105,7 +105,7 @@ struct AsSpecks {
 // could foretell; were it the end of a set-up that it waits for, the next one could not have begun
 // either.
 template <Shows kShows, class As>
-HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
+SIMD_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
     using Tag = typename As::Tag;
     constexpr int kWidth = static_cast<int>(Int<Tag>::kLanes);
     I32x8 drawn = 0;
@@ -131,7 +131,7 @@ HWY_INLINE bool draw_list(const TilePlanes& tile, const TilePartList& list) {
 }
 
 template <Shows kShows>
-HWY_INLINE bool draw_kind(const TilePlanes& tile, const TilePartList& list) {
+SIMD_INLINE bool draw_kind(const TilePlanes& tile, const TilePartList& list) {
     switch (list.kind) {
     case PartKind::speck_2:
         return draw_list<kShows, AsSpecks<kShows, PartKind::speck_2>>(tile, list);

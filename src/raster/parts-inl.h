@@ -23,7 +23,7 @@ struct NearCorner {
 };
 
 template <class D>
-HWY_INLINE void sort_two(NearCorner<D>& a, NearCorner<D>& b) {
+SIMD_INLINE void sort_two(NearCorner<D>& a, NearCorner<D>& b) {
     const auto turn = b.place < a.place;
     exchange(turn, a.place, b.place);
     exchange(turn, a.depth, b.depth);
@@ -46,7 +46,7 @@ struct PartCorners {
 // Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
 // asked for, and the indices of those that are two registers further on.
 template <class D>
-HWY_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>& out) {
+SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>& out) {
     constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
     const auto last = static_cast<int>(list.parts.size()) - 1;
     if (first > last) return;
@@ -70,7 +70,7 @@ struct StoredParts {
     Int<D> place, where;
 };
 template <class D>
-HWY_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
+SIMD_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
     static_assert(sizeof(TilePart) == 8);
     const Int<D> at = shift_left<1>(minimum(iota<Int<D>>(0), Int<D>(count - 1)));
     const auto* stored = reinterpret_cast<const std::int32_t*>(part);
@@ -84,7 +84,7 @@ struct ScreenLanes {
     Double<D> depth;
 };
 template <class D>
-HWY_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::uint32_t* index) {
+SIMD_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::uint32_t* index) {
     if constexpr (Int<D>::kLanes <= 8) {
         const auto v = vertices_at<Float<D>>(vertices, index);
         return {v.word(0), v.word(1), v.last_double()};
@@ -100,8 +100,8 @@ HWY_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::
 }
 
 template <class D>
-HWY_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
-                           int count, const PartCorners<D>& corner, PartLanes<D>& out) {
+SIMD_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
+                            int count, const PartCorners<D>& corner, PartLanes<D>& out) {
     using P = TilePart;
     using N = Int<D>;
     const auto s = stored_parts<D>(part, count);
@@ -136,7 +136,7 @@ struct PartEdges {
 };
 
 template <class D>
-HWY_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
+SIMD_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
     using N = Int<D>;
     const N zero = 0;
     N x[3], y[3];
@@ -164,14 +164,15 @@ HWY_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
 
 // At the corner of a pixel. column, row: from the first block's corner.
 template <class D>
-HWY_INLINE void edges_at_pixel(const PartEdges<D>& e, Int<D> column, Int<D> row, Int<D> (&out)[3]) {
+SIMD_INLINE void edges_at_pixel(const PartEdges<D>& e, Int<D> column, Int<D> row,
+                                Int<D> (&out)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         out[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * column + e.b[k] * row);
 }
 
 template <class D>
-HWY_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)[3]) {
+SIMD_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)[3]) {
     const Double<D> exact[3] = {to_f64(edge[0]), to_f64(edge[1]), to_f64(edge[2])};
     return depth_of(exact, share);
 }
@@ -179,8 +180,8 @@ HWY_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)[
 // At the samples of one place in the pattern, so that the sign tells which side they lie on.
 // corner: the edges at the corner of the first pixel.
 template <class D>
-HWY_INLINE void edges_at(const PartEdges<D>& e, const Int<D> (&corner)[3], SampleOffset at,
-                         Int<D> (&out)[3]) {
+SIMD_INLINE void edges_at(const PartEdges<D>& e, const Int<D> (&corner)[3], SampleOffset at,
+                          Int<D> (&out)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         out[k] = (corner[k] + e.bias[k]) + (e.a[k] * Int<D>(at.x) + e.b[k] * Int<D>(at.y));
@@ -195,9 +196,9 @@ struct SetUpParts {
     std::uint32_t live; // has an area
 };
 template <class D>
-HWY_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
-                             const TilePart* first, int count, const PartCorners<D>& corner,
-                             SetUpParts<D>& s) {
+SIMD_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
+                              const TilePart* first, int count, const PartCorners<D>& corner,
+                              SetUpParts<D>& s) {
     load_parts(tile, list, first, count, corner, s.part);
     put_in_order(s.part.vertex);
     s.edges = edges_of(s.part);

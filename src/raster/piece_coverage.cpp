@@ -17,8 +17,8 @@
 SIMD_BEGIN(scanout::raster)
 
 template <Shows kShows>
-HWY_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
-                     std::uint32_t* id) {
+SIMD_INLINE bool draw(const VisibleRule& rule, const PieceBlock& b, float* depth,
+                      std::uint32_t* id) {
     constexpr int kSide = BlockWalk::kSide;
     alignas(32) constexpr std::int32_t kBit[kSide] = {1, 2, 4, 8, 16, 32, 64, 128};
     I32x8 drawn = 0;

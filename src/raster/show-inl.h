@@ -23,7 +23,7 @@ constexpr bool is_usual(Shows shows) {
 }
 // The id of so many pixels further on: a tile that keeps depth alone has none.
 template <Shows kShows>
-HWY_INLINE std::uint32_t* id_after(std::uint32_t* id, std::ptrdiff_t pixels) {
+SIMD_INLINE std::uint32_t* id_after(std::uint32_t* id, std::ptrdiff_t pixels) {
     return kShows == Shows::depth ? nullptr : id + pixels;
 }
 
@@ -32,17 +32,17 @@ HWY_INLINE std::uint32_t* id_after(std::uint32_t* id, std::ptrdiff_t pixels) {
 constexpr int kRegisters = kLanes < BlockWalk::kSide ? BlockWalk::kSide / kLanes : 1;
 constexpr int kRows = kLanes > BlockWalk::kSide ? kLanes / BlockWalk::kSide : 1;
 // Of the lanes of a register of these: which column of the block, and which of its rows.
-HWY_INLINE I32 columns(int number) {
+SIMD_INLINE I32 columns(int number) {
     return iota<I32>(number * kLanes) & I32(BlockWalk::kSide - 1);
 }
-HWY_INLINE I32 rows() {
+SIMD_INLINE I32 rows() {
     return shift_right<3>(iota<I32>(0));
 }
 
 // Pixels of a tile from one on: of its row, and where a register has room for eight more of the row
 // below.
 template <class T, class Word>
-HWY_INLINE T load_pixels(const Word* from) {
+SIMD_INLINE T load_pixels(const Word* from) {
     static_assert(T::kLanes <= 2 * BlockWalk::kSide);
     if constexpr (T::kLanes > BlockWalk::kSide)
         return load_halves<T>(from, from + kTileSize);
@@ -50,7 +50,7 @@ HWY_INLINE T load_pixels(const Word* from) {
         return load<T>(from);
 }
 template <class T, class Word>
-HWY_INLINE void store_pixels(T a, Word* to) {
+SIMD_INLINE void store_pixels(T a, Word* to) {
     if constexpr (T::kLanes > BlockWalk::kSide)
         store_halves(a, to, to + kTileSize);
     else
@@ -60,8 +60,8 @@ HWY_INLINE void store_pixels(T a, Word* to) {
 // Of what is inside the nearest stays, at a tie the lower id. Returns the depths that are there
 // now.
 template <class D>
-HWY_INLINE Float<D> show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
-                         std::uint32_t* id, Int<D>& drawn) {
+SIMD_INLINE Float<D> show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
+                          std::uint32_t* id, Int<D>& drawn) {
     using Id = Int<D>;
     const auto old = load_pixels<Float<D>>(depth);
     const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
@@ -78,7 +78,7 @@ HWY_INLINE Float<D> show(Mask<D> inside, Float<D> z, std::uint32_t primitive, fl
 // The same depths: at a tie they are one, whatever the ids. What has shown is nearer than what was
 // there.
 template <class D>
-HWY_INLINE Float<D> show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>& drawn) {
+SIMD_INLINE Float<D> show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>& drawn) {
     const auto old = load_pixels<Float<D>>(depth);
     const Mask<D> pass = inside & (z > old);
     const Float<D> now = select(pass, z, old);
@@ -89,7 +89,7 @@ HWY_INLINE Float<D> show_depth(Mask<D> inside, Float<D> z, float* depth, Int<D>&
 
 // VisibleRule::kept.
 template <class D>
-HWY_INLINE Float<D> kept(Float<D> z, const VisibleRule& rule) {
+SIMD_INLINE Float<D> kept(Float<D> z, const VisibleRule& rule) {
     if (!rule.standard) return z;
     using Wide = Double<D>;
     const Wide turned = Wide(1.0) - to_f64(z), whole = 0x1.8p52;
@@ -101,9 +101,9 @@ HWY_INLINE Float<D> kept(Float<D> z, const VisibleRule& rule) {
 
 // The same by another rule than the usual one.
 template <class D>
-HWY_INLINE Float<D> show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_here,
-                            std::uint32_t primitive, float* depth, std::uint32_t* id,
-                            Int<D>& drawn) {
+SIMD_INLINE Float<D> show_by(const VisibleRule& rule, Mask<D> inside, Float<D> depth_here,
+                             std::uint32_t primitive, float* depth, std::uint32_t* id,
+                             Int<D>& drawn) {
     using Id = Int<D>;
     const Float<D> z = kept(depth_here, rule), old = load_pixels<Float<D>>(depth);
     const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
@@ -143,9 +143,9 @@ HWY_INLINE Float<D> show_by(const VisibleRule& rule, Mask<D> inside, Float<D> de
 }
 
 template <Shows kShows, class D>
-HWY_INLINE Float<D> show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
-                                 std::uint32_t primitive, float* depth, std::uint32_t* id,
-                                 Int<D>& drawn) {
+SIMD_INLINE Float<D> show_samples(const VisibleRule& rule, Mask<D> inside, Float<D> z,
+                                  std::uint32_t primitive, float* depth, std::uint32_t* id,
+                                  Int<D>& drawn) {
     if constexpr (kShows == Shows::usual)
         return show(inside, z, primitive, depth, id, drawn);
     else if constexpr (kShows == Shows::depth)

@@ -15,7 +15,7 @@ bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
 }
 
 // Of the blocks that parts may touch the one with the farthest depth.
-HWY_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
+SIMD_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
     using P = TilePart;
     constexpr int kBlocks = kTileSize / BlockWalk::kSide;
     const auto block_of = [](I32x8 pixel) { return shift_right<3>(pixel); };
@@ -74,8 +74,8 @@ bool hidden_in_blocks(const TilePlanes& tile, int x0, int y0, int x1, int y1, fl
 }
 
 template <int kTileBits>
-HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle, std::int32_t* tile,
-                            std::uint32_t* where, std::int32_t* kind) {
+SIMD_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
+                             std::int32_t* tile, std::uint32_t* where, std::int32_t* kind) {
     I32 name, from, to;
     load_interleaved(triangle, name, from, to);
     const I32 half = 0xffff, one = 1, below_flag = 0x7fff;
@@ -103,8 +103,8 @@ HWY_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle,
 }
 
 template <int kTileBits>
-HWY_INLINE void place_each(const TileGrid& grid, const std::uint32_t* triangle, int count,
-                           std::int32_t* tile, std::uint32_t* where, std::int32_t* kind) {
+SIMD_INLINE void place_each(const TileGrid& grid, const std::uint32_t* triangle, int count,
+                            std::int32_t* tile, std::uint32_t* where, std::int32_t* kind) {
     for (int i = 0; i < count; i += kLanes)
         place_lanes<kTileBits>(grid, triangle + std::ptrdiff_t{i} * 3, tile + i, where + i,
                                kind + i);

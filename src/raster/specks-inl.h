@@ -34,7 +34,7 @@ struct SpeckBatch {
 };
 
 template <Shows kShows, int kMost>
-HWY_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32x8& drawn) {
+SIMD_INLINE void draw_batch(const TilePlanes& tile, SpeckBatch<kMost>& batch, I32x8& drawn) {
     bool shows = false;
     for (const Specks<kMost>* s = batch.specks; s != batch.specks + batch.count; ++s) {
         float* const depth = tile.depth + s->plane;
@@ -66,7 +66,7 @@ struct SpeckDepths {
     F32 base[kBlocks][kBlocks], rest[kBlocks][kBlocks];
     F32 per_x, per_y;
 
-    HWY_INLINE explicit SpeckDepths(const SetUpParts<F32::Tag>& s)
+    SIMD_INLINE explicit SpeckDepths(const SetUpParts<F32::Tag>& s)
         : per_x(to_f32(s.plane.per_x)), per_y(to_f32(s.plane.per_y)) {
         SIMD_UNROLL
         for (int down = 0; down < kBlocks; ++down)
@@ -85,7 +85,7 @@ struct SpeckDepths {
         }
     }
     // x, y: whole pixels from the corner of the first block; sample_x, sample_y: in the pixel.
-    HWY_INLINE F32 at(const I32 (&)[3], I32 x, I32 y, F32 sample_x, F32 sample_y) const {
+    SIMD_INLINE F32 at(const I32 (&)[3], I32 x, I32 y, F32 sample_x, F32 sample_y) const {
         if constexpr (kAstride) {
             const I32 side = BlockWalk::kSide, within = BlockWalk::kSide - 1;
             const Mask<F32::Tag> right = x >= side, below = y >= side;
@@ -106,9 +106,9 @@ struct SpeckDepths {
 struct SteepSpeckDepths {
     const SetUpParts<F32::Tag>& s;
 
-    HWY_INLINE explicit SteepSpeckDepths(const SetUpParts<F32::Tag>& of) : s(of) {}
+    SIMD_INLINE explicit SteepSpeckDepths(const SetUpParts<F32::Tag>& of) : s(of) {}
     // edge: at the sample, with its bias.
-    HWY_INLINE F32 at(const I32 (&edge)[3], I32, I32, F32, F32) const {
+    SIMD_INLINE F32 at(const I32 (&edge)[3], I32, I32, F32, F32) const {
         const I32 unbiased[3] = {edge[0] - s.edges.bias[0], edge[1] - s.edges.bias[1],
                                  edge[2] - s.edges.bias[2]};
         return to_f32(depth_of(unbiased, s.plane.share));
@@ -117,9 +117,9 @@ struct SteepSpeckDepths {
 
 // At one place in the pattern. first: the edges at the corner of the first pixel.
 template <int kMost, class Depths>
-HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
-                             const Depths& depths, const I32 (&first)[3], SampleOffset sample,
-                             Specks<kMost>& out) {
+SIMD_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
+                              const Depths& depths, const I32 (&first)[3], SampleOffset sample,
+                              Specks<kMost>& out) {
     const PartLanes<F32::Tag>& part = s.part;
     const I32 column = part.x0 - part.left, row = part.y0 - part.top;
     const I32 across = part.x1 - part.x0, down = part.y1 - part.y0; // 1 and more
@@ -160,8 +160,8 @@ HWY_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
 // live: of the lanes of s, which are no larger than the square, and as flat or steep as Depths are
 // for: SpeckDepths<false> where they lie within a block. The same bits as their strips.
 template <class Depths, Shows kShows, int kMost>
-HWY_INLINE void add_specks(const TilePlanes& tile, const SetUpParts<F32::Tag>& s,
-                           std::uint32_t live, SpeckBatch<kMost>& batch, I32x8& drawn) {
+SIMD_INLINE void add_specks(const TilePlanes& tile, const SetUpParts<F32::Tag>& s,
+                            std::uint32_t live, SpeckBatch<kMost>& batch, I32x8& drawn) {
     if (live == 0) return;
     const Depths depths(s);
     I32 first[3];

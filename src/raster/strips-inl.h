@@ -18,8 +18,8 @@ using PartEdgesX8 = PartEdges<F32x8::Tag>;
 using SetUpPartsX8 = SetUpParts<F32x8::Tag>;
 
 // For rows from `begin` on.
-HWY_INLINE void set_up_samples(const PartEdgesX8& e, const I32x8 (&corner)[3], SampleOffset at,
-                               I32x8 begin, Blocks& out) {
+SIMD_INLINE void set_up_samples(const PartEdgesX8& e, const I32x8 (&corner)[3], SampleOffset at,
+                                I32x8 begin, Blocks& out) {
     I32x8 first[3];
     edges_at(e, corner, at, first);
     SIMD_UNROLL
@@ -33,9 +33,9 @@ HWY_INLINE void set_up_samples(const PartEdgesX8& e, const I32x8 (&corner)[3], S
 
 // Depth by the edge functions at every sample, in double (coverage.h).
 template <Shows kShows>
-HWY_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanesX8& part,
-                                   const PartEdgesX8& edges, const F64x8 (&share)[3],
-                                   std::uint32_t live, I32x8& drawn) {
+SIMD_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanesX8& part,
+                                    const PartEdgesX8& edges, const F64x8 (&share)[3],
+                                    std::uint32_t live, I32x8& drawn) {
     Blocks b;
     const I32x8 row = part.y0 - part.top;
     store(row, b.begin);
@@ -74,8 +74,8 @@ struct Strips {
 constexpr int kAcross = BlockWalk::kSide / kLanesX8; // registers, of a row
 
 // The blocks' depths. Returns the lanes of which something may be seen.
-HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
-                                      I32x8 x1, std::uint32_t live, Strips& out) {
+SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
+                                       I32x8 x1, std::uint32_t live, Strips& out) {
     constexpr int kSide = BlockWalk::kSide, kBlocks = kTileSize / kSide;
     const PartLanesX8& part = s.part;
     const I32x8 left = x0 & I32x8(-kSide), right = left + I32x8(kSide);
@@ -118,8 +118,8 @@ HWY_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX8
 // Row by row, at one sample after the other: how many rows there are is foretold from the second
 // sample on.
 template <Shows kShows>
-HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips& s, int lane,
-                           std::uint32_t name, I32x8& drawn) {
+SIMD_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips& s, int lane,
+                            std::uint32_t name, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
     const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
     I32x8 from_first[3][kAcross], down[3];
@@ -190,8 +190,8 @@ HWY_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips
 }
 
 template <Shows kShows>
-HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
-                            std::uint32_t live, Blocks& b, I32x8& drawn) {
+SIMD_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
+                             std::uint32_t live, Blocks& b, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
     const PartLanesX8& part = s.part;
     const I32x8 x1 = minimum(part.x1, x0 + I32x8(kSide));
@@ -224,8 +224,8 @@ HWY_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x8
 }
 
 template <Shows kShows>
-HWY_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpPartsX8& s, std::uint32_t live,
-                                I32x8& drawn) {
+SIMD_INLINE void draw_flat_parts(const TilePlanes& tile, const SetUpPartsX8& s, std::uint32_t live,
+                                 I32x8& drawn) {
     Blocks b;
     store(I32x8(0), b.begin);
     store(to_f32(s.plane.per_x), b.per_pixel_x);

@@ -15,12 +15,12 @@ struct Lanes {
     F64 pixel_x, pixel_y; // before they snap
 };
 
-HWY_INLINE F64 flag(F64::DoubleMask outside, std::uint32_t bit) {
+SIMD_INLINE F64 flag(F64::DoubleMask outside, std::uint32_t bit) {
     return select(outside, F64(bit), F64(0.0));
 }
 
 // Round to the grid, ties to even, saturated; NaN becomes a number (HARD-CASES R1, R2).
-HWY_INLINE F64 snap(F64 pixels) {
+SIMD_INLINE F64 snap(F64 pixels) {
     const F64 limit = kGuardPixels * kSubpixel;
     const F64 v = minimum(maximum(pixels * F64(kSubpixel), -limit), limit);
     return (v + F64(0x1.8p52)) - F64(0x1.8p52);
@@ -30,7 +30,7 @@ HWY_INLINE F64 snap(F64 pixels) {
 struct ClipLanes {
     F64 x, y, z, w;
 };
-HWY_INLINE ClipLanes to_clip(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
+SIMD_INLINE ClipLanes to_clip(const ScreenTransform& t, F64 px, F64 py, F64 pz) {
     const auto axis = [&](int r) {
         return ((F64(t.linear[r][0]) * px + F64(t.linear[r][1]) * py) + F64(t.linear[r][2]) * pz) +
                F64(t.translation[r]);
@@ -78,8 +78,8 @@ struct Usual {
 // snap to another place. x / w and y / w only have to snap as they should: they are made from the
 // depth, a quotient already. That errs by less than 2^-50 of them, which is less than 2^-27 of a
 // step: only what lies so near the middle between two places is left to quotients of its own.
-HWY_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, const ClipLanes& c,
-                                Lanes& out) {
+SIMD_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, const ClipLanes& c,
+                                 Lanes& out) {
     const F64 reach = F64(usual.guard) * c.w, near = t.box.near_w, most = 0x1p900;
     const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) & (abs(c.y) <= reach) &
                         (abs(c.z) <= F64(kMostDepth) * near); // no NaN is
@@ -98,8 +98,8 @@ HWY_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, co
     return true;
 }
 
-HWY_INLINE void transform_lanes(const Usual& usual, const ScreenTransform& t, const float* position,
-                                ScreenVertex* out, int first, int count) {
+SIMD_INLINE void transform_lanes(const Usual& usual, const ScreenTransform& t,
+                                 const float* position, ScreenVertex* out, int first, int count) {
     out += first;
     F32 x, y, z;
     load_interleaved(position, x, y, z);

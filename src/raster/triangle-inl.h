@@ -14,8 +14,8 @@ SIMD_BEGIN(scanout::raster)
 
 // x, y and, as the last double, depth of a vertex a lane: of index[0], index[step] and so on.
 template <class T>
-HWY_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices,
-                                                   const std::uint32_t* index, int step = 1) {
+SIMD_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices,
+                                                    const std::uint32_t* index, int step = 1) {
     const auto* words = reinterpret_cast<const std::int32_t*>(vertices);
     static_assert(sizeof(ScreenVertex) == 4 * sizeof *words);
     return load_four<typename T::Tag>(
@@ -24,7 +24,7 @@ HWY_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices,
 
 // Where the mask holds the two change places.
 template <class M, class T>
-HWY_INLINE void exchange(const M& mask, T& one, T& other) {
+SIMD_INLINE void exchange(const M& mask, T& one, T& other) {
     const T first = select(mask, other, one);
     other = select(mask, one, other);
     one = first;
@@ -33,7 +33,7 @@ HWY_INLINE void exchange(const M& mask, T& one, T& other) {
 // The canonical order (raster/primitive.h). V: a vertex in lanes, with sort_two(V&, V&), which puts
 // the one with the lower y, then the lower x, first.
 template <class V>
-HWY_INLINE void put_in_order(V (&v)[3]) {
+SIMD_INLINE void put_in_order(V (&v)[3]) {
     sort_two(v[0], v[1]);
     sort_two(v[1], v[2]);
     sort_two(v[0], v[1]);
@@ -42,7 +42,7 @@ HWY_INLINE void put_in_order(V (&v)[3]) {
 // Is the edge a x + b y + c, positive inside, a top or a left one? y runs down: a left edge has its
 // interior towards +x, a top edge towards +y.
 template <class N>
-HWY_INLINE auto is_top_left(const N& a, const N& b) {
+SIMD_INLINE auto is_top_left(const N& a, const N& b) {
     const N zero = 0;
     return (a > zero) | ((a == zero) & (b > zero));
 }

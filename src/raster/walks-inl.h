@@ -32,7 +32,7 @@ struct Corner {
     F64x8 key, x, y, depth;
 };
 
-HWY_INLINE void sort_two(Corner& a, Corner& b) {
+SIMD_INLINE void sort_two(Corner& a, Corner& b) {
     const auto turn = b.key < a.key;
     exchange(turn, a.key, b.key);
     exchange(turn, a.x, b.x);
@@ -40,8 +40,8 @@ HWY_INLINE void sort_two(Corner& a, Corner& b) {
     exchange(turn, a.depth, b.depth);
 }
 
-HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
-                              const SampleExtent& extent, Walks& w, int i) {
+SIMD_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
+                               const SampleExtent& extent, Walks& w, int i) {
     // The first and the last pixel whose samples, between low and high, may lie in [min, max].
     const auto first = [](F64x8 least, std::int32_t high) {
         return shift_right<kSubpixelBits>(to_i32(least) + I32x8(kSubpixel - 1 - high));
@@ -61,7 +61,7 @@ HWY_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
 // Depth from the edge functions' values, or its step from their steps. share: a vertex's depth
 // divided by twice the area.
 template <class D>
-HWY_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&share)[3]) {
+SIMD_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&share)[3]) {
     return (edge[0] * share[0] + edge[1] * share[1]) + edge[2] * share[2];
 }
 
@@ -75,8 +75,9 @@ struct DepthPlane {
 // a, b: steps of the edge functions; area: twice the triangle's. cancels: perhaps more than matters
 // is lost in the sums below, which is found out; else it is known not to be.
 template <class D>
-HWY_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<D> (&a)[3],
-                                     const Double<D> (&b)[3], Double<D> area, bool cancels = true) {
+SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<D> (&a)[3],
+                                      const Double<D> (&b)[3], Double<D> area,
+                                      bool cancels = true) {
     using Wide = Double<D>;
     DepthPlane<D> plane;
     SIMD_UNROLL
@@ -99,8 +100,8 @@ HWY_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<D
     return plane;
 }
 
-HWY_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Corner (&v)[3],
-                             const SampleExtent& extent, Walks& w, int i) {
+SIMD_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Corner (&v)[3],
+                              const SampleExtent& extent, Walks& w, int i) {
     constexpr double kAcross = (BlockWalk::kSide - 1) * kSubpixel;
     const F64x8 left = static_cast<double>(extent.low.x), top = static_cast<double>(extent.low.y);
     const F64x8 right = kAcross + extent.high.x, bottom = kAcross + extent.high.y;
@@ -124,7 +125,7 @@ HWY_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Cor
 }
 
 // At most kRoom triangles from number `begin` of the list on; the last stands for what is missing.
-HWY_INLINE void load_corners(const TriangleList& list, int begin, int count, Walks& w) {
+SIMD_INLINE void load_corners(const TriangleList& list, int begin, int count, Walks& w) {
     for (int i = 0; i < Walks::kRoom; ++i) {
         const int at = begin + (i < count ? i : count - 1);
         const std::uint32_t* index = list.index.data() + std::size_t{list.which.data()[at]} * 3;
@@ -135,7 +136,7 @@ HWY_INLINE void load_corners(const TriangleList& list, int begin, int count, Wal
     }
 }
 
-HWY_INLINE Corner corner_of(const ScreenVertex* vertices, const std::uint32_t* index) {
+SIMD_INLINE Corner corner_of(const ScreenVertex* vertices, const std::uint32_t* index) {
     const auto v = vertices_at<F32x8>(vertices, index);
     Corner c;
     c.x = to_f64(v.word(0));
@@ -146,8 +147,8 @@ HWY_INLINE Corner corner_of(const ScreenVertex* vertices, const std::uint32_t* i
 }
 
 // Every operation on coordinates is exact: the rest is the plane of depth. count: of the lanes.
-HWY_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
-                       const ScreenVertex* vertices, int count, Walks& w) {
+SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
+                        const ScreenVertex* vertices, int count, Walks& w) {
     w.live = w.flat = w.small = 0;
     for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
         Corner v[3];

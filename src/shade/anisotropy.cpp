@@ -17,7 +17,7 @@ struct Probes {
 };
 
 // The axes of the ellipse that the slopes' columns span: eigenvectors of J J^T.
-HWY_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float last) {
+SIMD_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float last) {
     const auto bounded = [](F32 x) HWY_ATTR { // its fourth power is a float; NaN: the bound
         return minimum(maximum(x, F32(-0x1p30F)), F32(0x1p30F));
     };
@@ -51,7 +51,7 @@ HWY_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float 
 }
 
 template <int kChannels>
-HWY_INLINE void anisotropic_lanes(Block& b, const MipReader& reader, int most) {
+SIMD_INLINE void anisotropic_lanes(Block& b, const MipReader& reader, int most) {
     const F32 texel_x = 1.0F / static_cast<float>(reader.image().width());
     const F32 texel_y = 1.0F / static_cast<float>(reader.image().height());
     for (int i = 0; i < b.count; i += kLanes) {

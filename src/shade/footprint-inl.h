@@ -38,11 +38,11 @@ struct PlaneTerms {
 template <int kCount, class Number>
 class PlaneOf {
 public:
-    HWY_INLINE explicit PlaneOf(const PlaneTerms<kCount, Number>& terms) : of_(terms) {}
+    SIMD_INLINE explicit PlaneOf(const PlaneTerms<kCount, Number>& terms) : of_(terms) {}
     // Of the weights, how they change in 1/256 pixel to the right and down; 1 / w and f of the
     // vertices.
-    HWY_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
-                       const Number (&f)[kCount][3]) {
+    SIMD_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
+                        const Number (&f)[kCount][3]) {
         of_.sum_x = of_.sum_y = Number(0.0);
         SIMD_UNROLL
         for (int n = 0; n < kCount; ++n) {
@@ -64,12 +64,12 @@ public:
             }
         }
     }
-    HWY_INLINE const PlaneTerms<kCount, Number>& terms() const { return of_; }
+    SIMD_INLINE const PlaneTerms<kCount, Number>& terms() const { return of_; }
 
     // weight: at the sample. Slopes within +-2^60, which also stands for those without end, or not
     // a number.
     template <class D>
-    HWY_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
+    SIMD_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
         const auto share = [&](int k) HWY_ATTR {
             return maximum(weight[k], F64s(0.0)) * F64s(of_.inverse_w[k]); // as interpolated
@@ -100,12 +100,12 @@ template <int kCount>
 class PrimitivePlane {
 public:
     // f: of the vertices.
-    HWY_INLINE PrimitivePlane(const Primitive& t, const float (&f)[kCount][3])
+    SIMD_INLINE PrimitivePlane(const Primitive& t, const float (&f)[kCount][3])
         : t_(t), plane_(plane_of(t, f)) {}
 
     // x, y: of the sample, 1/256 pixel.
     template <class D>
-    HWY_INLINE OnPlane<kCount, D> at(Int<D> x, Int<D> y) const {
+    SIMD_INLINE OnPlane<kCount, D> at(Int<D> x, Int<D> y) const {
         using F64s = Double<D>;
         const F64s px = to_f64(x), py = to_f64(y);
         F64s weight[3];
@@ -116,8 +116,8 @@ public:
     }
 
 private:
-    static HWY_INLINE PlaneOf<kCount, double> plane_of(const Primitive& t,
-                                                       const float (&f)[kCount][3]) {
+    static SIMD_INLINE PlaneOf<kCount, double> plane_of(const Primitive& t,
+                                                        const float (&f)[kCount][3]) {
         double inverse_w[3], wide[kCount][3];
         for (int k = 0; k < 3; ++k) {
             inverse_w[k] = double{t.inverse_w[k]};
@@ -138,7 +138,7 @@ struct UvSlopes {
 };
 
 // Lanes with triangles of their own have found theirs with these.
-HWY_INLINE void copy_slopes(Block& b, const Run& run) {
+SIMD_INLINE void copy_slopes(Block& b, const Run& run) {
     const auto& slope = b.triangles->slope;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
         store(load<F32x8>(slope[0] + i), b.u_x + i);
@@ -149,7 +149,7 @@ HWY_INLINE void copy_slopes(Block& b, const Run& run) {
 }
 
 // Of every lane of a block, for an interpolation stage to call when the frame wants it.
-HWY_INLINE void write_slopes(Block& b) {
+SIMD_INLINE void write_slopes(Block& b) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         if (run->primitive == nullptr) {
             copy_slopes(b, *run);
@@ -169,7 +169,7 @@ HWY_INLINE void write_slopes(Block& b) {
 // 0: one texel a pixel; slopes in texels. Within +-32, which is also the level of footprints
 // without end, or not a number (+), and of none (-).
 template <class D>
-HWY_INLINE Float<D> level_of_detail(const UvSlopes<D>& texels) {
+SIMD_INLINE Float<D> level_of_detail(const UvSlopes<D>& texels) {
     using F = Float<D>;
     const auto length_squared = [](F u, F v) HWY_ATTR {
         return minimum(u * u + v * v, F(0x1p64F)); // NaN too

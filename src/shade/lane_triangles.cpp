@@ -16,7 +16,7 @@ using Plane = texture::HWY_NAMESPACE::PlaneTerms<2, F64x8>;
 
 // visit(a term of the plane, where it is kept).
 template <class Visit>
-HWY_INLINE void for_terms(Plane& plane, const Visit& visit) {
+SIMD_INLINE void for_terms(Plane& plane, const Visit& visit) {
     SIMD_UNROLL
     for (int n = 0; n < 2; ++n) {
         visit(plane.f[n][0], 5 * n);
@@ -29,7 +29,7 @@ HWY_INLINE void for_terms(Plane& plane, const Visit& visit) {
 }
 
 // How u and v lie on a register of triangles that are set up.
-HWY_INLINE void put_plane(LaneTriangles& t, int at) {
+SIMD_INLINE void put_plane(LaneTriangles& t, int at) {
     F64x8 a[3], b[3], inverse_w[3], f[2][3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -52,20 +52,20 @@ HWY_INLINE void put_plane(LaneTriangles& t, int at) {
 template <class D>
 struct Whole {
     using Number = Int<D>;
-    static HWY_INLINE Number of(Int<D> a) { return a; }
-    static HWY_INLINE Number twice(const LaneTriangles& t, int, int, const Entries<D>& entries) {
+    static SIMD_INLINE Number of(Int<D> a) { return a; }
+    static SIMD_INLINE Number twice(const LaneTriangles& t, int, int, const Entries<D>& entries) {
         return entries.of(t.twice);
     }
-    static HWY_INLINE Mask<D> narrow(Mask<D> mask) { return mask; }
+    static SIMD_INLINE Mask<D> narrow(Mask<D> mask) { return mask; }
 };
 template <class D>
 struct Wide {
     using Number = Double<D>;
-    static HWY_INLINE Number of(Int<D> a) { return to_f64(a); }
-    static HWY_INLINE Number twice(const LaneTriangles& t, int lane, int live, const Entries<D>&) {
+    static SIMD_INLINE Number of(Int<D> a) { return to_f64(a); }
+    static SIMD_INLINE Number twice(const LaneTriangles& t, int lane, int live, const Entries<D>&) {
         return DoubleEntries<D>(t.of_lane + lane, live).of(t.exact_twice);
     }
-    static HWY_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
+    static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
         return HWY_NAMESPACE::narrow(mask);
     }
 };
@@ -76,8 +76,8 @@ struct Areas {
     N one, two;
 };
 template <class In, class D>
-HWY_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<D> right,
-                         Int<D> down) {
+SIMD_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<D> right,
+                          Int<D> down) {
     const auto across = In::of(right), along = In::of(down);
     const auto area = [&](int k) HWY_ATTR {
         return (In::of(entries.of(t.right[k])) * across + In::of(entries.of(t.down[k])) * along) +
@@ -88,7 +88,7 @@ HWY_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<
 
 // Which lanes their triangles cover where these areas are.
 template <class In, class D, class N>
-HWY_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, const N (&area)[3]) {
+SIMD_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, const N (&area)[3]) {
     const Int<D> zero = 0, one = 1;
     const Int<D> a[2] = {entries.of(t.right[0]), entries.of(t.right[1])};
     const Int<D> b[2] = {entries.of(t.down[0]), entries.of(t.down[1])};
@@ -100,7 +100,7 @@ HWY_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, co
 }
 
 // Of a register of triangles of which it may not be known yet, where they are small.
-HWY_INLINE void fill_exact(LaneTriangles& t, int at) {
+SIMD_INLINE void fill_exact(LaneTriangles& t, int at) {
     const I32x8 known = load<I32x8>(t.whole + at);
     const F64x8 twice = to_f64(load<I32x8>(t.twice + at));
     const auto whole = to_f64(known) > F64x8(0.5);
@@ -109,7 +109,7 @@ HWY_INLINE void fill_exact(LaneTriangles& t, int at) {
 
 // Moves a register of lanes where they are shaded, and finds their weights there.
 template <class D, template <class> class In>
-HWY_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
+SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
     using I = Int<D>;
     using N = typename In<D>::Number;
     const Entries<D> entries(t.of_lane + lane, live);
@@ -135,7 +135,7 @@ HWY_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
 }
 
 // How u and v change on the screen (footprint-inl.h).
-HWY_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int live) {
+SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int live) {
     using D = F32x8::Tag;
     const Entries<D> entries(t.of_lane + lane, live);
     const DoubleEntries<D> doubles(t.of_lane + lane, live);

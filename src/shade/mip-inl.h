@@ -18,11 +18,11 @@ SIMD_BEGIN(scanout::shade::texture)
 struct ChainTexels {
     static constexpr int kWords = 4; // a texel: red, green, blue and alpha
     const float* texels;
-    HWY_INLINE Texel<1> alpha(I32 texel) const {
+    SIMD_INLINE Texel<1> alpha(I32 texel) const {
         return {{gather(texels + 3, shift_left<2>(texel))}};
     }
     template <class Tag>
-    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
+    SIMD_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
         return hn::LoadU(tag, texels + word);
     }
 };
@@ -39,14 +39,14 @@ public:
     float last() const { return chain_ == nullptr ? 0 : static_cast<float>(chain_->last); }
 
     // In texels of the image.
-    HWY_INLINE UvSlopes<F32::Tag> slopes(const Block& b, int lane) const {
+    SIMD_INLINE UvSlopes<F32::Tag> slopes(const Block& b, int lane) const {
         return {load<F32>(b.u_x + lane) * F32(size_x_), load<F32>(b.v_x + lane) * F32(size_y_),
                 load<F32>(b.u_y + lane) * F32(size_x_), load<F32>(b.v_y + lane) * F32(size_y_)};
     }
 
     // Bilinear in a level of each lane; s and t in turns of the texture.
     template <int kChannels>
-    HWY_INLINE Texel<kChannels> bilinear(F32 s, F32 t, I32 level) const {
+    SIMD_INLINE Texel<kChannels> bilinear(F32 s, F32 t, I32 level) const {
         s = image_.unit(s);
         t = image_.unit(t);
         const auto whole = level == I32(0);
@@ -64,7 +64,7 @@ public:
 
     // Between the two nearest levels; `level` in [0, last].
     template <int kChannels>
-    HWY_INLINE Texel<kChannels> trilinear(F32 s, F32 t, F32 level) const {
+    SIMD_INLINE Texel<kChannels> trilinear(F32 s, F32 t, F32 level) const {
         const I32 sharp = to_i32(level);
         const Texel<kChannels> near = bilinear<kChannels>(s, t, sharp);
         const F32 share = level - to_f32(sharp);
@@ -77,21 +77,21 @@ public:
     struct Levels {
         I32 width, height, begin;
     };
-    HWY_INLINE Levels levels(I32 level) const {
+    SIMD_INLINE Levels levels(I32 level) const {
         const auto shrunk = [&](std::int32_t size) HWY_ATTR {
             return maximum(I32(hn::Shr(I32(size).raw, level.raw)), I32(1));
         };
         return {shrunk(image_.width()), shrunk(image_.height()), gather(chain_->begin, level)};
     }
     // Those behind; the last one stays.
-    HWY_INLINE Levels next(const Levels& at) const {
+    SIMD_INLINE Levels next(const Levels& at) const {
         return {maximum(shift_right<1>(at.width), I32(1)),
                 maximum(shift_right<1>(at.height), I32(1)),
                 minimum(at.begin + at.width * at.height, I32(chain_->begin[chain_->last]))};
     }
 
     // For filters that read the chain themselves; s, t in [0, 1].
-    HWY_INLINE Around around_in_chain(F32 s, F32 t, const Levels& in) const {
+    SIMD_INLINE Around around_in_chain(F32 s, F32 t, const Levels& in) const {
         return around(image_, s, t, in.width, in.height, in.begin);
     }
     ChainTexels texels() const { return {chain_->texels.data()}; }
@@ -99,7 +99,7 @@ public:
 private:
     // s, t in [0, 1].
     template <int kChannels>
-    HWY_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
+    SIMD_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
         return blend<kChannels>(image_, around(image_, s, t));
     }
 

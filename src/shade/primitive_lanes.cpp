@@ -7,14 +7,14 @@
 
 SIMD_BEGIN(scanout::shade)
 
-HWY_INLINE void put_vertices(const float (&from)[3][kRoom], int lane, float (&to)[3]) {
+SIMD_INLINE void put_vertices(const float (&from)[3][kRoom], int lane, float (&to)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         to[k] = from[k][lane];
 }
 
 // The edge functions: a x + b y + c.
-HWY_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
+SIMD_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
     const std::int32_t a[3] = {-(t.right[0][lane] + t.right[1][lane]), t.right[0][lane],
                                t.right[1][lane]};
     const std::int32_t b[3] = {-(t.down[0][lane] + t.down[1][lane]), t.down[0][lane],
@@ -38,8 +38,8 @@ HWY_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
     p.whole = t.whole[lane] != 0;
 }
 
-HWY_INLINE void put_primitive(const TriangleSource& s, const LaneTriangles& t, int lane,
-                              Primitive& p) {
+SIMD_INLINE void put_primitive(const TriangleSource& s, const LaneTriangles& t, int lane,
+                               Primitive& p) {
     put_edges(t, lane, p);
     const float side = t.side[lane];
     SIMD_UNROLL

@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade)
 
 // A register of pixels from x on.
 template <int kSamples>
-HWY_INLINE void find_register(const std::uint32_t* ids, std::size_t plane, int x, SharedRow& out) {
+SIMD_INLINE void find_register(const std::uint32_t* ids, std::size_t plane, int x, SharedRow& out) {
     const I32 none = static_cast<std::int32_t>(raster::kNoPrimitive);
     const F32 one = 1.0F, zero = 0.0F, part = 1.0F / kSamples;
     I32 id[kSamples];
@@ -36,8 +36,8 @@ HWY_INLINE void find_register(const std::uint32_t* ids, std::size_t plane, int x
 }
 
 template <int kSamples>
-HWY_INLINE void find_row(const std::uint32_t* ids, std::size_t plane, std::uint64_t shared,
-                         SharedRow& out) {
+SIMD_INLINE void find_row(const std::uint32_t* ids, std::size_t plane, std::uint64_t shared,
+                          SharedRow& out) {
     constexpr std::uint64_t kRegister = (std::uint64_t{1} << kLanes) - 1;
     for (int s = 0; s < kSamples; ++s)
         out.first[s] = 0;

@@ -17,7 +17,7 @@ struct Shares {
     Number share[3];
 };
 template <class Number>
-HWY_INLINE Shares<Number> shares_of(Number i, int size) {
+SIMD_INLINE Shares<Number> shares_of(Number i, int size) {
     const Number none = 0.0, half = 0.5, one = 1.0;
     if (size == 1) return {1, {one, none, none}};
     if (size % 2 == 0) return {2, {half, half, none}};
@@ -28,7 +28,7 @@ HWY_INLINE Shares<Number> shares_of(Number i, int size) {
 // read(place, texel): red, green, blue, alpha of texels of the level above. The sums are in double,
 // so the mean of equal floats is that float.
 template <class Read>
-HWY_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, const Read& read) {
+SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, const Read& read) {
     const Shares<double> down = shares_of(static_cast<double>(y), above.height);
     for (int i = 0; i < width; i += kLanesX8) {
         const I32x8 column = minimum(iota<I32x8>(i), I32x8(width - 1));

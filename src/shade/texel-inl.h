@@ -15,17 +15,17 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 // x where |x| < 2^30; larger and NaN give 0: conversions are clamped, the same on every CPU.
-HWY_INLINE F32 convertible(F32 x) {
+SIMD_INLINE F32 convertible(F32 x) {
     return select((x > F32(-0x1p30F)) & (x < F32(0x1p30F)), x, F32(0.0F));
 }
-HWY_INLINE F32 floor(F32 x) {
+SIMD_INLINE F32 floor(F32 x) {
     return F32(hn::Floor(x.raw));
 }
-HWY_INLINE I32 floor_to_int(F32 x) { // convertible
+SIMD_INLINE I32 floor_to_int(F32 x) { // convertible
     return to_i32(floor(x));
 }
 
-HWY_INLINE F32 mix(F32 share, F32 from, F32 to) {
+SIMD_INLINE F32 mix(F32 share, F32 from, F32 to) {
     return from + share * (to - from);
 }
 
@@ -35,15 +35,15 @@ struct Texel {
     F32 channel[kChannels];
 };
 template <int kChannels>
-HWY_INLINE Texel<kChannels> mix(F32 share, const Texel<kChannels>& from,
-                                const Texel<kChannels>& to) {
+SIMD_INLINE Texel<kChannels> mix(F32 share, const Texel<kChannels>& from,
+                                 const Texel<kChannels>& to) {
     Texel<kChannels> mixed;
     for (int c = 0; c < kChannels; ++c)
         mixed.channel[c] = mix(share, from.channel[c], to.channel[c]);
     return mixed;
 }
 template <int kChannels>
-HWY_INLINE void store_sample(const Texel<kChannels>& texel, Block& b, int lane) {
+SIMD_INLINE void store_sample(const Texel<kChannels>& texel, Block& b, int lane) {
     for (int c = 0; c < kChannels; ++c)
         store(texel.channel[c], b.sampled[kChannels == 1 ? 3 : c] + lane);
 }
@@ -62,12 +62,12 @@ public:
     std::int32_t height() const { return height_; }
 
     // u and v with the map's options, in turns of the texture.
-    HWY_INLINE F32 turns_x(F32 u) const { return u * F32(scale_x_) + F32(offset_x_); }
-    HWY_INLINE F32 turns_y(F32 v) const { return v * F32(scale_y_) + F32(offset_y_); }
+    SIMD_INLINE F32 turns_x(F32 u) const { return u * F32(scale_x_) + F32(offset_x_); }
+    SIMD_INLINE F32 turns_y(F32 v) const { return v * F32(scale_y_) + F32(offset_y_); }
 
     // Into [0, 1]: repeats by removing whole turns first, so that large coordinates keep their
     // precision; mirrors or clamps where the map says so. NaN gives 0.
-    HWY_INLINE F32 unit(F32 t) const {
+    SIMD_INLINE F32 unit(F32 t) const {
         if (wrap_ == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
         const F32 safe = convertible(t);
         if (wrap_ == Wrap::repeat) return safe - floor(safe);
@@ -76,11 +76,11 @@ public:
     }
 
     // Texel coordinates, in texels: x right from the left edge, y up from the bottom edge.
-    HWY_INLINE F32 x(F32 u) const { return unit(turns_x(u)) * F32(static_cast<float>(width_)); }
-    HWY_INLINE F32 y(F32 v) const { return unit(turns_y(v)) * F32(static_cast<float>(height_)); }
+    SIMD_INLINE F32 x(F32 u) const { return unit(turns_x(u)) * F32(static_cast<float>(width_)); }
+    SIMD_INLINE F32 y(F32 v) const { return unit(turns_y(v)) * F32(static_cast<float>(height_)); }
 
     // A texel counted from an edge, `size` texels from the other; beyond them by at most `size`.
-    HWY_INLINE I32 address(I32 i, I32 size) const {
+    SIMD_INLINE I32 address(I32 i, I32 size) const {
         if (wrap_ != Wrap::repeat) return minimum(maximum(i, I32(0)), size - I32(1));
         return select(i < I32(0), i + size, select(i >= size, i - size, i));
     }
@@ -88,20 +88,20 @@ public:
     struct Neighbours {
         I32 first, second;
     };
-    HWY_INLINE Neighbours neighbours(I32 i, I32 size) const {
+    SIMD_INLINE Neighbours neighbours(I32 i, I32 size) const {
         const I32 next = i + I32(1);
         if (wrap_ != Wrap::repeat) return {maximum(i, I32(0)), minimum(next, size - I32(1))};
         return {i + (shift_right<31>(i) & size), select(next == size, I32(0), next)};
     }
     // The column of a texel counted from the left, and where the row begins that is counted from
     // the bottom. At most 2^28, an image has up to 2^14 x 2^14 texels.
-    HWY_INLINE I32 column(I32 x) const { return address(x, I32(width_)); }
-    HWY_INLINE I32 row(I32 y) const {
+    SIMD_INLINE I32 column(I32 x) const { return address(x, I32(width_)); }
+    SIMD_INLINE I32 row(I32 y) const {
         return (I32(height_ - 1) - address(y, I32(height_))) * I32(width_);
     }
     // Linear light of a register of texels.
     template <int kChannels>
-    HWY_INLINE Texel<kChannels> read(I32 texel) const {
+    SIMD_INLINE Texel<kChannels> read(I32 texel) const {
         const I32 codes = gather(texels_, texel), code_mask = 255;
         if constexpr (kChannels == 1) {
             return {{gather(::scanout::detail::kSrgb.linear, shift_right<24>(codes) & code_mask)}};
@@ -111,11 +111,11 @@ public:
                      gather(decode_, shift_right<16>(codes) & code_mask)}};
         }
     }
-    HWY_INLINE Texel<1> alpha(I32 texel) const { return read<1>(texel); }
+    SIMD_INLINE Texel<1> alpha(I32 texel) const { return read<1>(texel); }
     // Red, green and blue of one texel, in a block of 128 bits; the fourth is any.
     static constexpr int kWords = 1; // a texel
     template <class Tag>
-    HWY_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
+    SIMD_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
         const auto codes = static_cast<std::uint32_t>(texels_[word]);
         const auto light = [&](int shift)
                                HWY_ATTR { return hn::Set(tag, decode_[codes >> shift & 255]); };
@@ -136,8 +136,8 @@ struct Around {
     F32 x, y;
 };
 // In texels numbered from `begin` on, row by row from the top; s, t in [0, 1].
-HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32 height,
-                         I32 begin) {
+SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32 height,
+                          I32 begin) {
     const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
     const F32 x0 = floor(x), y0 = floor(y);
     const auto column = reader.neighbours(to_i32(x0), width);
@@ -146,7 +146,7 @@ HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32
                          HWY_ATTR { return begin + (height - I32(1) - from_bottom) * width; };
     return {column.first, column.second, row(line.first), row(line.second), x - x0, y - y0};
 }
-HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
+SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
     return around(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
 }
 // The four texels of an Around in the memory of Texels, by the number of their first word: bottom
@@ -154,7 +154,7 @@ HWY_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the im
 template <class Texels, int kCount>
 struct Corners {
     std::int32_t word[4][kCount];
-    HWY_INLINE void put(const Around& at, int lane) {
+    SIMD_INLINE void put(const Around& at, int lane) {
         static_assert(Texels::kWords == 1 || Texels::kWords == 4);
         const auto words = [](I32 texel) HWY_ATTR {
             return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
@@ -169,8 +169,8 @@ struct Corners {
 // lane: where the register begins in `corners`; x, y: its lanes', as in Around.
 // texels.block(tag, word): one texel.
 template <int kRow, class Texels, int kCount>
-HWY_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& corners, int lane,
-                         F32 x, F32 y) {
+SIMD_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& corners, int lane,
+                          F32 x, F32 y) {
     const auto read = [&](int k) HWY_ATTR {
         return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
             return texels.block(tag, corners.word[k][number]);
@@ -191,7 +191,7 @@ HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
     return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};
 }
 template <int kChannels, class Texels>
-HWY_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
+SIMD_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
     if constexpr (kChannels == 3) {
         return blend_blocks(texels, at);
     } else {

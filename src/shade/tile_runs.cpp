@@ -6,7 +6,7 @@
 SIMD_BEGIN(scanout::shade)
 
 // ids: the row in the first sample's plane; the others follow `plane` ids apart.
-HWY_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
+SIMD_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
     static_assert(raster::kTileSize == 64);
     RowBits row{0, 0, 0};
     const I32 none = static_cast<std::int32_t>(raster::kNoPrimitive);

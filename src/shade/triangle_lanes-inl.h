@@ -34,19 +34,19 @@ struct Turns {
     MaskX8 of[3];
 };
 template <class T>
-HWY_INLINE void turn(const Turns& turns, T (&of_vertex)[3]) {
+SIMD_INLINE void turn(const Turns& turns, T (&of_vertex)[3]) {
     exchange(turns.of[0], of_vertex[0], of_vertex[1]);
     exchange(turns.of[1], of_vertex[1], of_vertex[2]);
     exchange(turns.of[2], of_vertex[0], of_vertex[1]);
 }
-HWY_INLINE MaskX8 sort_two(Vertices& a, Vertices& b) {
+SIMD_INLINE MaskX8 sort_two(Vertices& a, Vertices& b) {
     const MaskX8 later = (b.y < a.y) | ((b.y == a.y) & (b.x < a.x));
     exchange(later, a.x, b.x);
     exchange(later, a.y, b.y);
     exchange(later, a.inverse_w, b.inverse_w);
     return later;
 }
-HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
+SIMD_INLINE Turns put_in_order(Vertices (&v)[3]) {
     Turns turns;
     turns.of[0] = sort_two(v[0], v[1]);
     turns.of[1] = sort_two(v[1], v[2]);
@@ -55,13 +55,13 @@ HWY_INLINE Turns put_in_order(Vertices (&v)[3]) {
 }
 
 // Triangles that the file has far from each other may stand side by side here.
-HWY_INLINE void prefetch_corners(const TriangleSource& source, const LaneTriangles& of, int begin,
-                                 int end) {
+SIMD_INLINE void prefetch_corners(const TriangleSource& source, const LaneTriangles& of, int begin,
+                                  int end) {
     for (int i = begin; i < end; ++i)
         __builtin_prefetch(source.index + std::size_t{of.id[i]} * 3);
 }
 // Of a register of triangles, in the order of the file. In memory, whence they are read one by one.
-HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
+SIMD_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
     for (int lane = at; lane < at + kLanesX8; ++lane) {
         const std::uint32_t* index = source.index + std::size_t{out.id[lane]} * 3;
         for (int k = 0; k < 3; ++k)
@@ -74,7 +74,7 @@ HWY_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, in
     }
 }
 // Into the order that their vertices have been put in: cheaper than to turn all that they carry.
-HWY_INLINE void turn_corners(const Turns& turns, LaneTriangles& out, int at) {
+SIMD_INLINE void turn_corners(const Turns& turns, LaneTriangles& out, int at) {
     I32x8 corner[3] = {load<I32x8>(out.corner[0] + at), load<I32x8>(out.corner[1] + at),
                        load<I32x8>(out.corner[2] + at)};
     turn(turns, corner);
@@ -83,8 +83,8 @@ HWY_INLINE void turn_corners(const Turns& turns, LaneTriangles& out, int at) {
         store(corner[k], out.corner[k] + at);
 }
 
-HWY_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles& of, int at,
-                              Vertices (&v)[3]) {
+SIMD_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles& of, int at,
+                               Vertices (&v)[3]) {
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const auto found = vertices_at<F32x8>(source.vertex, of.corner[k] + at);
@@ -93,12 +93,12 @@ HWY_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles&
     }
 }
 
-HWY_INLINE MaskX8 narrow(const F64x8::DoubleMask& mask) {
+SIMD_INLINE MaskX8 narrow(const F64x8::DoubleMask& mask) {
     return to_f32(select(mask, F64x8(1.0), F64x8(0.0))) > F32x8(0.5F);
 }
 
 // No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
-HWY_INLINE bool are_small(const Vertices (&v)[3]) {
+SIMD_INLINE bool are_small(const Vertices (&v)[3]) {
     const auto extent = [](I32x8 a, I32x8 b, I32x8 c) HWY_ATTR {
         return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
     };
@@ -111,7 +111,7 @@ struct Doubled {
     MaskX8 below_zero, above_zero, whole;
     I32x8 low; // its amount, modulo 2^32
 };
-HWY_INLINE Doubled doubled(const Vertices (&v)[3], bool wants_exact, double* exact) {
+SIMD_INLINE Doubled doubled(const Vertices (&v)[3], bool wants_exact, double* exact) {
     const I32x8 right_1 = v[1].x - v[0].x, down_1 = v[1].y - v[0].y, right_2 = v[2].x - v[0].x,
                 down_2 = v[2].y - v[0].y, zero = 0;
     const I32x8 low = right_1 * down_2 - down_1 * right_2;
@@ -131,8 +131,8 @@ HWY_INLINE Doubled doubled(const Vertices (&v)[3], bool wants_exact, double* exa
 }
 
 // The areas opposite the vertices.
-HWY_INLINE void put_areas(const Vertices (&v)[3], const Doubled& twice, LaneTriangles& out,
-                          int lane) {
+SIMD_INLINE void put_areas(const Vertices (&v)[3], const Doubled& twice, LaneTriangles& out,
+                           int lane) {
     const I32x8 zero = 0;
     store(v[0].x, out.x + lane);
     store(v[0].y, out.y + lane);
@@ -156,8 +156,8 @@ struct Attribute {
     F32x8 of[kComponents][3];
 };
 template <int kComponents>
-HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int vertex,
-                             Attribute<kComponents>& to) {
+SIMD_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int vertex,
+                              Attribute<kComponents>& to) {
     const auto at = [&](int lane) HWY_ATTR {
         return reinterpret_cast<const std::int32_t*>(from) + std::size_t{index[lane]} * kComponents;
     };
@@ -171,7 +171,7 @@ HWY_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int 
         to.of[c][vertex] = from_bits(blocks.word(c == 2 ? kThird : c));
 }
 template <int kComponents>
-HWY_INLINE Attribute<kComponents> fetch(const float* from, const LaneTriangles& of, int at) {
+SIMD_INLINE Attribute<kComponents> fetch(const float* from, const LaneTriangles& of, int at) {
     Attribute<kComponents> fetched;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
@@ -179,8 +179,8 @@ HWY_INLINE Attribute<kComponents> fetch(const float* from, const LaneTriangles& 
     return fetched;
 }
 template <int kComponents>
-HWY_INLINE void put(const Attribute<kComponents>& attribute, float (&to)[kComponents][3][kRoom],
-                    int lane) {
+SIMD_INLINE void put(const Attribute<kComponents>& attribute, float (&to)[kComponents][3][kRoom],
+                     int lane) {
     SIMD_UNROLL
     for (int c = 0; c < kComponents; ++c)
         SIMD_UNROLL
@@ -191,8 +191,8 @@ HWY_INLINE void put(const Attribute<kComponents>& attribute, float (&to)[kCompon
 // Where vertices stand in the mesh.
 using MeshPlaces = Attribute<3>;
 
-HWY_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place, LaneTriangles& out,
-                              int lane) {
+SIMD_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place, LaneTriangles& out,
+                               int lane) {
     for (int k = 0; k < 3; ++k)
         for (int r = 0; r < 3; ++r) {
             const auto term = [&](int c) HWY_ATTR {
@@ -205,7 +205,7 @@ HWY_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place, 
 }
 
 // The triangles' own normals, brought near length 1; `turned` ones the other way round.
-HWY_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles& out, int lane) {
+SIMD_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles& out, int lane) {
     F64x8 one[3], two[3], n[3];
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
@@ -224,7 +224,7 @@ HWY_INLINE void put_facing(const MeshPlaces& place, MaskX8 turned, LaneTriangles
         store(to_f32(n[c] / divisor), out.facing[c] + lane);
 }
 
-HWY_INLINE MaskX8 differ(MaskX8 a, MaskX8 b) {
+SIMD_INLINE MaskX8 differ(MaskX8 a, MaskX8 b) {
     return (a & !b) | (b & !a);
 }
 
@@ -232,14 +232,14 @@ HWY_INLINE MaskX8 differ(MaskX8 a, MaskX8 b) {
 struct Windings {
     MaskX8 of_file, of_order;
 };
-HWY_INLINE Windings windings_of(MaskX8 clockwise_in_order, const Turns& turns, MaskX8 mirrored) {
+SIMD_INLINE Windings windings_of(MaskX8 clockwise_in_order, const Turns& turns, MaskX8 mirrored) {
     const MaskX8 behind = differ(clockwise_in_order, mirrored);
     return {differ(behind, differ(turns.of[0], differ(turns.of[1], turns.of[2]))), behind};
 }
 
 // The side that normals are on, and which way `facing` goes (Vertices in shade/primitives.cpp).
-HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, LaneTriangles& out,
-                          int lane) {
+SIMD_INLINE void put_sides(const TriangleSource& s, const Windings& behind, LaneTriangles& out,
+                           int lane) {
     const MaskX8 none = F32x8(0.0F) > F32x8(0.0F);
     store(select(s.sides == Sides::face ? behind.of_file : none, F32x8(-1.0F), F32x8(1.0F)),
           out.side + lane);
@@ -251,8 +251,8 @@ HWY_INLINE void put_sides(const TriangleSource& s, const Windings& behind, LaneT
 
 // A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.
 // Returns whether all are whole; exact_twice is set where not all are, or if it is wanted.
-HWY_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneTriangles& out,
-                                int at) {
+SIMD_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneTriangles& out,
+                                 int at) {
     Vertices v[3];
     load_vertices(s, out, at, v);
     const Turns turns = put_in_order(v);
@@ -265,7 +265,7 @@ HWY_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneT
 }
 // And then what their vertices carry: not at once with it, so that compilers leave the corners in
 // memory, and so that no load waits for them.
-HWY_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int at) {
+SIMD_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int at) {
     if (s.wants_position()) {
         const MeshPlaces place = fetch<3>(s.position, out, at);
         if (s.wants_facing()) put_facing(place, load<I32x8>(out.turned + at) == I32x8(1), out, at);

@@ -20,7 +20,7 @@ struct WordBlocks {
     using Tag = typename Int<D>::Tag;
     hn::Vec<Tag> row[4];
 
-    HWY_INLINE Int<D> word(int number) const {
+    SIMD_INLINE Int<D> word(int number) const {
         const Tag tag;
         const auto pair = [&](int i) HWY_ATTR {
             return number < 2 ? hn::InterleaveLower(tag, row[i], row[i + 2])
@@ -30,7 +30,7 @@ struct WordBlocks {
                                       : hn::InterleaveUpper(tag, pair(0), pair(1)));
     }
     // Words 2 and 3.
-    HWY_INLINE Double<D> last_double() const {
+    SIMD_INLINE Double<D> last_double() const {
         const typename Double<D>::HalfTag tag;
         const auto pair = [&](int i) HWY_ATTR {
             return hn::InterleaveUpper(tag, hn::BitCast(tag, row[i]), hn::BitCast(tag, row[i + 1]));
@@ -46,13 +46,13 @@ struct WordBlocks {
 
 // Word kNumber of each block of 128 bits, in all of the block.
 template <int kNumber, class D>
-HWY_INLINE Float<D> in_block(Float<D> a) {
+SIMD_INLINE Float<D> in_block(Float<D> a) {
     return Float<D>(hn::Broadcast<kNumber>(a.raw));
 }
 
 // row(number): a std::integral_constant of 0 to 3; floats of the lanes number, number + 4, ...
 template <class D, class Row>
-HWY_INLINE WordBlocks<D> blocks_of_rows(const Row& row) {
+SIMD_INLINE WordBlocks<D> blocks_of_rows(const Row& row) {
     const auto words = [&](auto number) HWY_ATTR { return bits_of(row(number)).raw; };
     return {{words(std::integral_constant<int, 0>()), words(std::integral_constant<int, 1>()),
              words(std::integral_constant<int, 2>()), words(std::integral_constant<int, 3>())}};
@@ -60,7 +60,7 @@ HWY_INLINE WordBlocks<D> blocks_of_rows(const Row& row) {
 
 // Block(tag, lane): the four words of one lane.
 template <class Tag, class Block>
-HWY_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Block& block) {
+SIMD_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Block& block) {
     if constexpr (hn::MaxLanes(Tag()) == 4) {
         return block(tag, lane);
     } else {
@@ -71,7 +71,7 @@ HWY_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Block& block) {
 }
 
 template <class D, class Block>
-HWY_INLINE WordBlocks<D> load_rows(const Block& block) {
+SIMD_INLINE WordBlocks<D> load_rows(const Block& block) {
     WordBlocks<D> blocks;
     SIMD_UNROLL
     for (int i = 0; i < 4; ++i)
@@ -81,12 +81,12 @@ HWY_INLINE WordBlocks<D> load_rows(const Block& block) {
 
 // at(lane): where its four words are.
 template <class D, class At>
-HWY_INLINE WordBlocks<D> load_four(const At& at) {
+SIMD_INLINE WordBlocks<D> load_four(const At& at) {
     return load_rows<D>([&](auto tag, int lane) HWY_ATTR { return hn::LoadU(tag, at(lane)); });
 }
 // Where two are.
 template <class D, class At>
-HWY_INLINE WordBlocks<D> load_two(const At& at) {
+SIMD_INLINE WordBlocks<D> load_two(const At& at) {
     return load_rows<D>([&](auto tag, int lane) HWY_ATTR {
         const hn::Half<decltype(tag)> half;
         return hn::ZeroExtendVector(tag, hn::LoadU(half, at(lane)));
@@ -96,14 +96,14 @@ HWY_INLINE WordBlocks<D> load_two(const At& at) {
 #if HWY_TARGET <= HWY_AVX2 && HWY_ARCH_X86 // loads three and leaves the fourth alone
 inline constexpr int kThird = 2;
 template <class D, class At>
-HWY_INLINE WordBlocks<D> load_three(const At& at) {
+SIMD_INLINE WordBlocks<D> load_three(const At& at) {
     return load_rows<D>([&](auto tag, int lane)
                             HWY_ATTR { return hn::MaskedLoad(hn::FirstN(tag, 3), tag, at(lane)); });
 }
 #else
 inline constexpr int kThird = 3;
 template <class D, class At>
-HWY_INLINE WordBlocks<D> load_three(const At& at) {
+SIMD_INLINE WordBlocks<D> load_three(const At& at) {
     return load_rows<D>([&](auto tag, int lane) HWY_ATTR {
         const hn::Half<decltype(tag)> half;
         const std::int32_t* from = at(lane);

@@ -19,19 +19,19 @@ class Entries {
 public:
     // number: of the register's lanes, of which `live` are any; the others get the first one's
     // entry.
-    HWY_INLINE Entries(const std::int32_t* number, int live)
+    SIMD_INLINE Entries(const std::int32_t* number, int live)
         : first_(number[0]), index_(hn::IndicesFromVec(D(), from_first(number, live).raw)) {}
 
-    HWY_INLINE Float<D> of(const float* table) const {
+    SIMD_INLINE Float<D> of(const float* table) const {
         return Float<D>(hn::TableLookupLanes(hn::LoadU(D(), table + first_), index_));
     }
-    HWY_INLINE Int<D> of(const std::int32_t* table) const {
+    SIMD_INLINE Int<D> of(const std::int32_t* table) const {
         return bits_of(
             Float<D>(hn::TableLookupLanes(from_bits(load<Int<D>>(table + first_)).raw, index_)));
     }
 
 private:
-    static HWY_INLINE Int<D> from_first(const std::int32_t* number, int live) {
+    static SIMD_INLINE Int<D> from_first(const std::int32_t* number, int live) {
         const Int<D> apart = load<Int<D>>(number) - Int<D>(number[0]);
         return select(iota<Int<D>>(0) < Int<D>(live), apart, Int<D>(0));
     }
@@ -44,9 +44,9 @@ private:
 template <class D>
 class DoubleEntries {
 public:
-    HWY_INLINE DoubleEntries(const std::int32_t* number, int live)
+    SIMD_INLINE DoubleEntries(const std::int32_t* number, int live)
         : low_(number, live), high_(number + kHalf, live - kHalf) {}
-    HWY_INLINE Double<D> of(const double* table) const {
+    SIMD_INLINE Double<D> of(const double* table) const {
         return Double<D>(low_.of(table), high_.of(table));
     }
 
@@ -54,12 +54,12 @@ private:
     static constexpr int kHalf = static_cast<int>(Double<D>::kLanes) / 2;
     using Tag = typename Double<D>::Tag;
     struct Half {
-        HWY_INLINE Half(const std::int32_t* number, int live)
+        SIMD_INLINE Half(const std::int32_t* number, int live)
             : first(live > 0 ? number[0] : 0), index(indices(number, live)) {}
-        HWY_INLINE hn::Vec<Tag> of(const double* table) const {
+        SIMD_INLINE hn::Vec<Tag> of(const double* table) const {
             return hn::TableLookupLanes(hn::LoadU(Tag(), table + first), index);
         }
-        static HWY_INLINE auto indices(const std::int32_t* number, int live) {
+        static SIMD_INLINE auto indices(const std::int32_t* number, int live) {
             std::int64_t apart[kHalf];
             SIMD_UNROLL
             for (int i = 0; i < kHalf; ++i)
@@ -75,15 +75,15 @@ private:
 template <class D>
 requires(hn::MaxLanes(hn::ScalableTag<double>()) >= hn::MaxLanes(D())) class DoubleEntries<D> {
 public:
-    HWY_INLINE DoubleEntries(const std::int32_t* number, int live)
+    SIMD_INLINE DoubleEntries(const std::int32_t* number, int live)
         : first_(number[0]), index_(indices(number, live)) {}
-    HWY_INLINE Double<D> of(const double* table) const {
+    SIMD_INLINE Double<D> of(const double* table) const {
         return Double<D>(hn::TableLookupLanes(hn::LoadU(Tag(), table + first_), index_));
     }
 
 private:
     using Tag = typename Double<D>::Tag;
-    static HWY_INLINE auto indices(const std::int32_t* number, int live) {
+    static SIMD_INLINE auto indices(const std::int32_t* number, int live) {
         const Int<D> apart = load<Int<D>>(number) - Int<D>(number[0]);
         const Int<D> index = select(iota<Int<D>>(0) < Int<D>(live), apart, Int<D>(0));
         const hn::RebindToSigned<Tag> wide;

@@ -36,21 +36,21 @@ struct Int;
 template <class D>
 struct Mask {
     hn::Mask<D> raw;
-    friend HWY_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
-    friend HWY_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
-    friend HWY_INLINE Mask operator!(Mask a) { return {hn::Not(a.raw)}; }
+    friend SIMD_INLINE Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
+    friend SIMD_INLINE Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
+    friend SIMD_INLINE Mask operator!(Mask a) { return {hn::Not(a.raw)}; }
 };
 template <class D>
-HWY_INLINE bool any(Mask<D> m) {
+SIMD_INLINE bool any(Mask<D> m) {
     return !hn::AllFalse(D(), m.raw);
 }
 template <class D>
-HWY_INLINE bool all(Mask<D> m) {
+SIMD_INLINE bool all(Mask<D> m) {
     return hn::AllTrue(D(), m.raw);
 }
 // Bit i is lane i.
 template <class D>
-HWY_INLINE std::uint32_t bits(Mask<D> m) {
+SIMD_INLINE std::uint32_t bits(Mask<D> m) {
     std::uint8_t byte[8] = {};
     hn::StoreMaskBits(D(), m.raw, byte);
     return byte[0] | static_cast<std::uint32_t>(byte[1]) << 8;
@@ -67,39 +67,39 @@ struct Float {
     static constexpr std::size_t kLanes = hn::MaxLanes(D());
 
     Float() = default;
-    HWY_INLINE Float(float value) : raw(hn::Set(D(), value)) {} // the same in all lanes
-    HWY_INLINE explicit Float(Raw value) : raw(value) {}
+    SIMD_INLINE Float(float value) : raw(hn::Set(D(), value)) {} // the same in all lanes
+    SIMD_INLINE explicit Float(Raw value) : raw(value) {}
 
-    friend HWY_INLINE Float operator+(Float a, Float b) { return Float(hn::Add(a.raw, b.raw)); }
-    friend HWY_INLINE Float operator-(Float a, Float b) { return Float(hn::Sub(a.raw, b.raw)); }
-    friend HWY_INLINE Float operator*(Float a, Float b) { return Float(hn::Mul(a.raw, b.raw)); }
-    friend HWY_INLINE Float operator/(Float a, Float b) { return Float(hn::Div(a.raw, b.raw)); }
-    friend HWY_INLINE Float operator-(Float a) { return Float(hn::Neg(a.raw)); }
+    friend SIMD_INLINE Float operator+(Float a, Float b) { return Float(hn::Add(a.raw, b.raw)); }
+    friend SIMD_INLINE Float operator-(Float a, Float b) { return Float(hn::Sub(a.raw, b.raw)); }
+    friend SIMD_INLINE Float operator*(Float a, Float b) { return Float(hn::Mul(a.raw, b.raw)); }
+    friend SIMD_INLINE Float operator/(Float a, Float b) { return Float(hn::Div(a.raw, b.raw)); }
+    friend SIMD_INLINE Float operator-(Float a) { return Float(hn::Neg(a.raw)); }
     // False where either side is NaN.
-    friend HWY_INLINE Mask<D> operator<(Float a, Float b) { return {hn::Lt(a.raw, b.raw)}; }
-    friend HWY_INLINE Mask<D> operator>(Float a, Float b) { return {hn::Lt(b.raw, a.raw)}; }
-    friend HWY_INLINE Mask<D> operator<=(Float a, Float b) { return {hn::Le(a.raw, b.raw)}; }
-    friend HWY_INLINE Mask<D> operator>=(Float a, Float b) { return {hn::Le(b.raw, a.raw)}; }
-    friend HWY_INLINE Mask<D> operator==(Float a, Float b) { return {hn::Eq(a.raw, b.raw)}; }
+    friend SIMD_INLINE Mask<D> operator<(Float a, Float b) { return {hn::Lt(a.raw, b.raw)}; }
+    friend SIMD_INLINE Mask<D> operator>(Float a, Float b) { return {hn::Lt(b.raw, a.raw)}; }
+    friend SIMD_INLINE Mask<D> operator<=(Float a, Float b) { return {hn::Le(a.raw, b.raw)}; }
+    friend SIMD_INLINE Mask<D> operator>=(Float a, Float b) { return {hn::Le(b.raw, a.raw)}; }
+    friend SIMD_INLINE Mask<D> operator==(Float a, Float b) { return {hn::Eq(a.raw, b.raw)}; }
 
-    friend HWY_INLINE Float select(Mask<D> mask, Float yes, Float no) {
+    friend SIMD_INLINE Float select(Mask<D> mask, Float yes, Float no) {
         return Float(hn::IfThenElse(mask.raw, yes.raw, no.raw));
     }
     // b where either is NaN.
-    friend HWY_INLINE Float minimum(Float a, Float b) {
+    friend SIMD_INLINE Float minimum(Float a, Float b) {
         if constexpr (kMinimumIsFirstIfLess) return Float(hn::Min(a.raw, b.raw));
         return select(a < b, a, b);
     }
-    friend HWY_INLINE Float maximum(Float a, Float b) {
+    friend SIMD_INLINE Float maximum(Float a, Float b) {
         if constexpr (kMinimumIsFirstIfLess) return Float(hn::Max(a.raw, b.raw));
         return select(a > b, a, b);
     }
-    friend HWY_INLINE Float sqrt(Float a) { return Float(hn::Sqrt(a.raw)); }
-    friend HWY_INLINE Float abs(Float a) { return Float(hn::Abs(a.raw)); }
+    friend SIMD_INLINE Float sqrt(Float a) { return Float(hn::Sqrt(a.raw)); }
+    friend SIMD_INLINE Float abs(Float a) { return Float(hn::Abs(a.raw)); }
 };
 // The least of all lanes, none of which is NaN or -0.
 template <class D>
-HWY_INLINE float least(Float<D> a) {
+SIMD_INLINE float least(Float<D> a) {
     return hn::GetLane(hn::MinOfLanes(D(), a.raw));
 }
 
@@ -114,35 +114,35 @@ struct Int {
     static constexpr std::size_t kLanes = hn::MaxLanes(D());
 
     Int() = default;
-    HWY_INLINE Int(std::int32_t value) : raw(hn::Set(Tag(), value)) {}
-    HWY_INLINE explicit Int(Raw value) : raw(value) {}
+    SIMD_INLINE Int(std::int32_t value) : raw(hn::Set(Tag(), value)) {}
+    SIMD_INLINE explicit Int(Raw value) : raw(value) {}
 
-    friend HWY_INLINE Int operator+(Int a, Int b) { return Int(hn::Add(a.raw, b.raw)); }
-    friend HWY_INLINE Int operator-(Int a, Int b) { return Int(hn::Sub(a.raw, b.raw)); }
-    friend HWY_INLINE Int operator*(Int a, Int b) { return Int(hn::Mul(a.raw, b.raw)); }
-    friend HWY_INLINE Int operator&(Int a, Int b) { return Int(hn::And(a.raw, b.raw)); }
-    friend HWY_INLINE Int operator|(Int a, Int b) { return Int(hn::Or(a.raw, b.raw)); }
-    friend HWY_INLINE Mask<D> operator<(Int a, Int b) { return mask(hn::Lt(a.raw, b.raw)); }
-    friend HWY_INLINE Mask<D> operator>(Int a, Int b) { return mask(hn::Lt(b.raw, a.raw)); }
-    friend HWY_INLINE Mask<D> operator<=(Int a, Int b) { return !(a > b); }
-    friend HWY_INLINE Mask<D> operator>=(Int a, Int b) { return !(a < b); }
-    friend HWY_INLINE Mask<D> operator==(Int a, Int b) { return mask(hn::Eq(a.raw, b.raw)); }
+    friend SIMD_INLINE Int operator+(Int a, Int b) { return Int(hn::Add(a.raw, b.raw)); }
+    friend SIMD_INLINE Int operator-(Int a, Int b) { return Int(hn::Sub(a.raw, b.raw)); }
+    friend SIMD_INLINE Int operator*(Int a, Int b) { return Int(hn::Mul(a.raw, b.raw)); }
+    friend SIMD_INLINE Int operator&(Int a, Int b) { return Int(hn::And(a.raw, b.raw)); }
+    friend SIMD_INLINE Int operator|(Int a, Int b) { return Int(hn::Or(a.raw, b.raw)); }
+    friend SIMD_INLINE Mask<D> operator<(Int a, Int b) { return mask(hn::Lt(a.raw, b.raw)); }
+    friend SIMD_INLINE Mask<D> operator>(Int a, Int b) { return mask(hn::Lt(b.raw, a.raw)); }
+    friend SIMD_INLINE Mask<D> operator<=(Int a, Int b) { return !(a > b); }
+    friend SIMD_INLINE Mask<D> operator>=(Int a, Int b) { return !(a < b); }
+    friend SIMD_INLINE Mask<D> operator==(Int a, Int b) { return mask(hn::Eq(a.raw, b.raw)); }
 
-    friend HWY_INLINE Int select(Mask<D> m, Int yes, Int no) {
+    friend SIMD_INLINE Int select(Mask<D> m, Int yes, Int no) {
         return Int(hn::IfThenElse(hn::RebindMask(Tag(), m.raw), yes.raw, no.raw));
     }
-    friend HWY_INLINE Int minimum(Int a, Int b) { return Int(hn::Min(a.raw, b.raw)); }
-    friend HWY_INLINE Int maximum(Int a, Int b) { return Int(hn::Max(a.raw, b.raw)); }
+    friend SIMD_INLINE Int minimum(Int a, Int b) { return Int(hn::Min(a.raw, b.raw)); }
+    friend SIMD_INLINE Int maximum(Int a, Int b) { return Int(hn::Max(a.raw, b.raw)); }
 
 private:
-    static HWY_INLINE Mask<D> mask(hn::Mask<Tag> m) { return {hn::RebindMask(D(), m)}; }
+    static SIMD_INLINE Mask<D> mask(hn::Mask<Tag> m) { return {hn::RebindMask(D(), m)}; }
 };
 template <int kCount, class D>
-HWY_INLINE Int<D> shift_left(Int<D> a) {
+SIMD_INLINE Int<D> shift_left(Int<D> a) {
     return Int<D>(hn::ShiftLeft<kCount>(a.raw));
 }
 template <int kCount, class D>
-HWY_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
+SIMD_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
     return Int<D>(hn::ShiftRight<kCount>(a.raw));
 }
 
@@ -156,11 +156,11 @@ Int<hn::Half<D>> half_of(Int<D>);
 
 // Round to nearest, ties to even.
 template <class D>
-HWY_INLINE Float<D> to_f32(Int<D> a) {
+SIMD_INLINE Float<D> to_f32(Int<D> a) {
     return Float<D>(hn::ConvertTo(D(), a.raw));
 }
 template <class D>
-HWY_INLINE Float<D> to_f32(Double<D> a) {
+SIMD_INLINE Float<D> to_f32(Double<D> a) {
     const D tag;
 #if HWY_TARGET == HWY_EMU128 // saturates where every CPU gives infinity
     const auto past = abs(a) >= Double<D>(0x1.ffffffp127);
@@ -172,95 +172,95 @@ HWY_INLINE Float<D> to_f32(Double<D> a) {
 }
 // Towards zero; the value must be a number within +-(2^31 - 1).
 template <class D>
-HWY_INLINE Int<D> to_i32(Float<D> a) {
+SIMD_INLINE Int<D> to_i32(Float<D> a) {
     return Int<D>(hn::ConvertTo(typename Int<D>::Tag(), a.raw));
 }
 template <class D>
-HWY_INLINE Int<D> to_i32(Double<D> a) {
+SIMD_INLINE Int<D> to_i32(Double<D> a) {
     return Int<D>(a.demoted(typename Int<D>::Tag()));
 }
 // Exact.
 template <class D>
-HWY_INLINE Double<D> to_f64(Float<D> a) {
+SIMD_INLINE Double<D> to_f64(Float<D> a) {
     return Double<D>::promoted(D(), a.raw);
 }
 template <class D>
-HWY_INLINE Double<D> to_f64(Int<D> a) {
+SIMD_INLINE Double<D> to_f64(Int<D> a) {
     return Double<D>::promoted(typename Int<D>::Tag(), a.raw);
 }
 template <class D>
-HWY_INLINE Int<D> bits_of(Float<D> a) {
+SIMD_INLINE Int<D> bits_of(Float<D> a) {
     return Int<D>(hn::BitCast(typename Int<D>::Tag(), a.raw));
 }
 template <class D>
-HWY_INLINE Float<D> from_bits(Int<D> a) {
+SIMD_INLINE Float<D> from_bits(Int<D> a) {
     return Float<D>(hn::BitCast(D(), a.raw));
 }
 
 // --- memory. T is one of the lane types below.
 
 template <class T>
-HWY_INLINE T load(const float* from) {
+SIMD_INLINE T load(const float* from) {
     return T(hn::LoadU(typename T::Tag(), from));
 }
 template <class T>
-HWY_INLINE T load(const std::int32_t* from) {
+SIMD_INLINE T load(const std::int32_t* from) {
     return T(hn::LoadU(typename T::Tag(), from));
 }
 template <class T>
-HWY_INLINE T load(const std::uint32_t* from) { // bits as they are
+SIMD_INLINE T load(const std::uint32_t* from) { // bits as they are
     return T(
         hn::BitCast(typename T::Tag(), hn::LoadU(hn::RebindToUnsigned<typename T::Tag>(), from)));
 }
 template <class T>
-HWY_INLINE T load(const std::uint8_t* from) {
+SIMD_INLINE T load(const std::uint8_t* from) {
     const hn::Rebind<std::uint8_t, typename T::Tag> bytes;
     return T(hn::PromoteTo(typename T::Tag(), hn::LoadU(bytes, from)));
 }
 template <class T>
-HWY_INLINE T load(const double* from) {
+SIMD_INLINE T load(const double* from) {
     return T::loaded(from);
 }
 template <class D>
-HWY_INLINE void store(Float<D> a, float* to) {
+SIMD_INLINE void store(Float<D> a, float* to) {
     hn::StoreU(a.raw, D(), to);
 }
 template <class D>
-HWY_INLINE void store(Int<D> a, std::int32_t* to) {
+SIMD_INLINE void store(Int<D> a, std::int32_t* to) {
     hn::StoreU(a.raw, typename Int<D>::Tag(), to);
 }
 template <class D>
-HWY_INLINE void store(Int<D> a, std::uint32_t* to) {
+SIMD_INLINE void store(Int<D> a, std::uint32_t* to) {
     const hn::RebindToUnsigned<typename Int<D>::Tag> tag;
     hn::StoreU(hn::BitCast(tag, a.raw), tag, to);
 }
 template <class D>
-HWY_INLINE void store(Double<D> a, double* to) {
+SIMD_INLINE void store(Double<D> a, double* to) {
     a.store_to(to);
 }
 // The first `count` lanes, or all.
 template <class D>
-HWY_INLINE void store_first(Int<D> a, int count, std::int32_t* to) {
+SIMD_INLINE void store_first(Int<D> a, int count, std::int32_t* to) {
     const typename Int<D>::Tag tag;
     hn::BlendedStore(a.raw, hn::FirstN(tag, static_cast<std::size_t>(count)), tag, to);
 }
 // Past the caches, to an address that the register's size divides. Others may read it after
 // finish_streams().
 template <class D>
-HWY_INLINE void stream(Float<D> a, float* to) {
+SIMD_INLINE void stream(Float<D> a, float* to) {
     hn::Stream(a.raw, D(), to);
 }
-HWY_INLINE void finish_streams() {
+SIMD_INLINE void finish_streams() {
     hwy::FlushStream();
 }
 // The lower lanes from one place, the upper ones from another.
 template <class T, class Word>
-HWY_INLINE T load_halves(const Word* low, const Word* high) {
+SIMD_INLINE T load_halves(const Word* low, const Word* high) {
     using Half = decltype(half_of(T()));
     return T(hn::Combine(typename T::Tag(), load<Half>(high).raw, load<Half>(low).raw));
 }
 template <class T, class Word>
-HWY_INLINE void store_halves(T a, Word* low, Word* high) {
+SIMD_INLINE void store_halves(T a, Word* low, Word* high) {
     using Half = decltype(half_of(T()));
     const typename Half::Tag tag;
     store(Half(hn::LowerHalf(tag, a.raw)), low);
@@ -268,24 +268,24 @@ HWY_INLINE void store_halves(T a, Word* low, Word* high) {
 }
 // base[index] in every lane; index >= 0.
 template <class D>
-HWY_INLINE Float<D> gather(const float* base, Int<D> index) {
+SIMD_INLINE Float<D> gather(const float* base, Int<D> index) {
     return Float<D>(hn::GatherIndex(D(), base, index.raw));
 }
 template <class D>
-HWY_INLINE Int<D> gather(const std::int32_t* base, Int<D> index) {
+SIMD_INLINE Int<D> gather(const std::int32_t* base, Int<D> index) {
     return Int<D>(hn::GatherIndex(typename Int<D>::Tag(), base, index.raw));
 }
 template <class D>
-HWY_INLINE Double<D> gather(const double* base, Int<D> index) {
+SIMD_INLINE Double<D> gather(const double* base, Int<D> index) {
     return Double<D>::gathered(base, typename Int<D>::Tag(), index.raw);
 }
 // from[0], from[3], ... into x, from[1], from[4], ... into y, and so on.
 template <class D>
-HWY_INLINE void load_interleaved(const float* from, Float<D>& x, Float<D>& y, Float<D>& z) {
+SIMD_INLINE void load_interleaved(const float* from, Float<D>& x, Float<D>& y, Float<D>& z) {
     hn::LoadInterleaved3(D(), from, x.raw, y.raw, z.raw);
 }
 template <class D>
-HWY_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y, Int<D>& z) {
+SIMD_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y, Int<D>& z) {
     const typename Int<D>::Tag tag;
     const hn::RebindToUnsigned<decltype(tag)> u;
     hn::Vec<decltype(u)> a, b, c;
@@ -296,7 +296,7 @@ HWY_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y
 }
 // Of every lane in order x, y and z: 16 bytes, each word as it stands in memory.
 template <class D>
-HWY_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
+SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
     static_assert(std::endian::native == std::endian::little);
     static_assert(2 * hn::MaxLanes(typename Double<D>::Tag()) == Int<D>::kLanes); // two registers
     const hn::RebindToUnsigned<typename Double<D>::Tag> wide;
@@ -325,7 +325,7 @@ HWY_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
 // Asks for memory before it is read, or written: kBytes that lie `ahead` of an address, perhaps
 // beyond what may be read.
 template <std::size_t kBytes>
-HWY_INLINE void prefetch(const void* from, std::size_t ahead) {
+SIMD_INLINE void prefetch(const void* from, std::size_t ahead) {
     constexpr std::size_t kLine = 64;
     const auto address = reinterpret_cast<std::uintptr_t>(from) + ahead;
     for (std::size_t line = 0; line < kBytes; line += kLine)
@@ -333,7 +333,7 @@ HWY_INLINE void prefetch(const void* from, std::size_t ahead) {
 }
 // first, first + 1, first + 2, ...
 template <class T>
-HWY_INLINE T iota(std::int32_t first) {
+SIMD_INLINE T iota(std::int32_t first) {
     return T(hn::Iota(typename T::Tag(), first));
 }
 

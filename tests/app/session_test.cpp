@@ -2,7 +2,6 @@
 #include "image/codec.h"
 #include "image/hash.h"
 #include "port/headless.h"
-#include "support/sanitized.h"
 #include "support/temporary_folder.h"
 
 #include <chrono>

@@ -4,7 +4,6 @@
 
 #include "base/warnings.h"
 #include "image/codec.h"
-#include "support/sanitized.h"
 
 #include <cstdlib>
 #include <filesystem>

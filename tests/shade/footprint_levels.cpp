@@ -9,8 +9,8 @@ SIMD_BEGIN(scanout::shade::texture)
 
 // Arrays have room for whole registers.
 template <class D>
-HWY_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
-                          const std::int32_t* y, int count, float* out) {
+SIMD_INLINE void levels_of(const Primitive& t, float width, float height, const std::int32_t* x,
+                           const std::int32_t* y, int count, float* out) {
     const PrimitivePlane<2> plane(t, t.uv);
     for (int i = 0; i < count; i += static_cast<int>(Int<D>::kLanes)) {
         const auto at = plane.at(load<Int<D>>(x + i), load<Int<D>>(y + i));

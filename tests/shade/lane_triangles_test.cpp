@@ -6,7 +6,6 @@
 #include "shade/lane_triangles.h"
 #include "shade/primitives.h"
 #include "support/random.h"
-#include "support/sanitized.h"
 #include "support/targets.h"
 
 #include <algorithm>

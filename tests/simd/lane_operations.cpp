@@ -6,7 +6,7 @@
 SIMD_BEGIN(scanout::test)
 
 template <class F, class I, class D>
-HWY_INLINE void operations(const Operands& in, Results& out) {
+SIMD_INLINE void operations(const Operands& in, Results& out) {
     const F a = load<F>(in.a), b = load<F>(in.b), c = load<F>(in.c);
     const I i = load<I>(in.i), j = load<I>(in.j);
     const D p = load<D>(in.p), q = load<D>(in.q), r = load<D>(in.r);
@@ -34,7 +34,7 @@ HWY_INLINE void operations(const Operands& in, Results& out) {
 }
 
 template <class F, class I>
-HWY_INLINE void memory(const float* numbers, const std::int32_t* index, MemoryResults& out) {
+SIMD_INLINE void memory(const float* numbers, const std::int32_t* index, MemoryResults& out) {
     F x, y, z;
     load_interleaved(numbers, x, y, z);
     store(x, out.x);

@@ -6,7 +6,6 @@
 #include "io/load.h"
 #include "simd/targets.h"
 #include "support/meshes.h"
-#include "support/sanitized.h"
 
 #include <algorithm>
 #include <atomic>

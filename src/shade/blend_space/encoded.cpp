@@ -11,8 +11,8 @@ SIMD_BEGIN(scanout::shade::blend_space)
 
 // Light here is a mean of codes already.
 struct OfCodes {
-    static HWY_INLINE I32 nearest(F32 code) { return to_i32(fraction(code) + F32(0.5F)); }
-    static HWY_INLINE F32 fraction(F32 code) {
+    static SIMD_INLINE I32 nearest(F32 code) { return to_i32(fraction(code) + F32(0.5F)); }
+    static SIMD_INLINE F32 fraction(F32 code) {
         return minimum(maximum(code, F32(0.0F)), F32(255.0F));
     }
 };

@@ -16,12 +16,12 @@
 SIMD_BEGIN(scanout::shade::encode)
 
 // [0, 1]; NaN: 0.
-HWY_INLINE F32 clamped(F32 light) {
+SIMD_INLINE F32 clamped(F32 light) {
     return minimum(maximum(light, F32(0.0F)), F32(1.0F));
 }
 
 template <class Codes, bool kAlpha, bool kDither>
-HWY_INLINE void encode_rows(const Light& light, int count, std::uint32_t* out) {
+SIMD_INLINE void encode_rows(const Light& light, int count, std::uint32_t* out) {
     for (int i = 0; i < count; i += kLanes) {
         const auto code = [&](const float* channel) HWY_ATTR {
             const F32 value = load<F32>(channel + i);
@@ -39,7 +39,7 @@ HWY_INLINE void encode_rows(const Light& light, int count, std::uint32_t* out) {
 }
 
 template <class Codes>
-HWY_INLINE void encode_all(const Light& light, int count, std::uint32_t* out) {
+SIMD_INLINE void encode_all(const Light& light, int count, std::uint32_t* out) {
     if (light.offset != nullptr) {
         if (light.alpha != nullptr) return encode_rows<Codes, true, true>(light, count, out);
         return encode_rows<Codes, false, true>(light, count, out);

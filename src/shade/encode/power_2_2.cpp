@@ -12,8 +12,8 @@
 SIMD_BEGIN(scanout::shade::encode)
 
 struct PowerCodes {
-    static HWY_INLINE I32 nearest(F32 light) { return to_i32(fraction(light) + F32(0.5F)); }
-    static HWY_INLINE F32 fraction(F32 light) {
+    static SIMD_INLINE I32 nearest(F32 light) { return to_i32(fraction(light) + F32(0.5F)); }
+    static SIMD_INLINE F32 fraction(F32 light) {
         return minimum(F32(255.0F) * pow_of_share(clamped(light), F32(1 / 2.2F)), F32(255.0F));
     }
 };

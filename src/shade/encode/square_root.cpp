@@ -10,8 +10,8 @@
 SIMD_BEGIN(scanout::shade::encode)
 
 struct RootCodes {
-    static HWY_INLINE I32 nearest(F32 light) { return to_i32(fraction(light) + F32(0.5F)); }
-    static HWY_INLINE F32 fraction(F32 light) { return F32(255.0F) * sqrt(clamped(light)); }
+    static SIMD_INLINE I32 nearest(F32 light) { return to_i32(fraction(light) + F32(0.5F)); }
+    static SIMD_INLINE F32 fraction(F32 light) { return F32(255.0F) * sqrt(clamped(light)); }
 };
 
 void square_root_rows(const Light& light, int count, std::uint32_t* out) {

@@ -12,8 +12,8 @@
 SIMD_BEGIN(scanout::shade::encode)
 
 struct SrgbCodes {
-    static HWY_INLINE I32 nearest(F32 light) { return srgb_encode(light); }
-    static HWY_INLINE F32 fraction(F32 light) {
+    static SIMD_INLINE I32 nearest(F32 light) { return srgb_encode(light); }
+    static SIMD_INLINE F32 fraction(F32 light) {
         const F32 x = clamped(light);
         const F32 curve = F32(269.025F) * pow_of_share(x, F32(1 / 2.4F)) - F32(14.025F);
         const F32 start = F32(12.92F * 255) * x;

@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Adaptive {
-    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         switch (run.primitive->step) {
         case kAffine:
             affine_lanes(b, want, run);

@@ -19,7 +19,7 @@ SIMD_BEGIN(scanout::shade::interpolate)
 
 // Screen areas alone: no division at all but by the whole area. Where a triangle was cut by the
 // near plane it has no areas on the screen, and is interpolated exactly.
-HWY_INLINE void affine_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void affine_lanes(Block& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     if (t.clipped) return perspective_lanes(b, want, run);
     const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
@@ -42,7 +42,7 @@ struct Anchor {
 };
 
 // In the order of operations of weights(), one place at a time.
-HWY_INLINE Anchor anchor_at(const Primitive& t, double x, double y) {
+SIMD_INLINE Anchor anchor_at(const Primitive& t, double x, double y) {
     const auto area = [&](int k) HWY_ATTR {
         const double b = (t.a[k] * x + t.b[k] * y) + t.c[k];
         return b > 0 ? b : 0.0; // an end of the row may round to just outside
@@ -58,7 +58,7 @@ HWY_INLINE Anchor anchor_at(const Primitive& t, double x, double y) {
 struct Span {
     double from, to;
 };
-HWY_INLINE Span span_of(const Primitive& t, double y) {
+SIMD_INLINE Span span_of(const Primitive& t, double y) {
     Span span{-0x1p24, 0x1p24};
     for (int k = 0; k < 3; ++k) {
         if (t.a[k] == 0) continue;
@@ -79,7 +79,7 @@ struct Row {
 };
 
 template <int kStep>
-HWY_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
+SIMD_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
     constexpr std::int32_t kUnits = kStep * 256;
     const Primitive& t = *row.primitive;
     const double y = row.y;
@@ -122,7 +122,7 @@ HWY_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
 }
 
 template <int kStep>
-HWY_INLINE void stepped_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void stepped_lanes(Block& b, const Wanted& want, const Run& run) {
     const int end = run.first + run.count;
     for (int first = run.first; first < end;) {
         const std::int32_t x = b.x[first] >> 8, y = b.y[first] >> 8;

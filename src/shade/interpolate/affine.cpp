@@ -10,7 +10,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine {
-    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         affine_lanes(b, want, run);
     }
 };

@@ -9,7 +9,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine8 {
-    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         stepped_lanes<8>(b, want, run);
     }
 };

@@ -21,31 +21,31 @@ SIMD_BEGIN(scanout::shade::interpolate)
 struct OfRun {
     const Primitive& t;
     Spread of_normal[3];
-    HWY_INLINE explicit OfRun(const Primitive& of)
+    SIMD_INLINE explicit OfRun(const Primitive& of)
         : t(of), of_normal{spread_of(of.normal[0]), spread_of(of.normal[1]),
                            spread_of(of.normal[2])} {}
-    HWY_INLINE F32 normal(const Weights& w, int c) const { return mix(w, of_normal[c]); }
-    HWY_INLINE F32 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
-    HWY_INLINE F32 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
-    HWY_INLINE F32 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
-    HWY_INLINE F32 facing(int c) const { return t.facing[c]; }
+    SIMD_INLINE F32 normal(const Weights& w, int c) const { return mix(w, of_normal[c]); }
+    SIMD_INLINE F32 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
+    SIMD_INLINE F32 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
+    SIMD_INLINE F32 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
+    SIMD_INLINE F32 facing(int c) const { return t.facing[c]; }
 };
 struct OfLanes {
     const LaneTriangles& t;
     Entries<F32::Tag> entries; // of the register's lanes
-    HWY_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
+    SIMD_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
         return mix(w, entries.of(vertex[0]), entries.of(vertex[1]), entries.of(vertex[2]));
     }
-    HWY_INLINE F32 normal(const Weights& w, int c) const {
+    SIMD_INLINE F32 normal(const Weights& w, int c) const {
         const F32 side = entries.of(t.side);
         const auto& vertex = t.normal[c];
         return mix(w, entries.of(vertex[0]) * side, entries.of(vertex[1]) * side,
                    entries.of(vertex[2]) * side);
     }
-    HWY_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
-    HWY_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
-    HWY_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
-    HWY_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
+    SIMD_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
+    SIMD_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
+    SIMD_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
+    SIMD_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
 };
 
 // How a frame wants its normals. Asked for every register of lanes: as a template's argument it
@@ -55,7 +55,7 @@ enum class Normals { none, turned, unit, raw };
 // As the vertices' mix, in their space. turned: the side that the eye sees is lit, whichever way
 // the file wound it or its normals.
 template <class Of>
-HWY_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 (&n)[3]) {
+SIMD_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 (&n)[3]) {
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
         n[c] = of.normal(w, c);
@@ -69,7 +69,7 @@ HWY_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 
 }
 
 // Unit normals in view space.
-HWY_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
+SIMD_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
     const auto row = [&](int r) {
         const auto& m = frame.normal_matrix[r];
         return (F32(m[0]) * n[0] + F32(m[1]) * n[1]) + F32(m[2]) * n[2];
@@ -85,7 +85,7 @@ HWY_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
 
 // Mixed normals of lanes first to end, of whatever runs, become those: a root and a quotient a
 // register take longer than all else about it, and few runs fill theirs.
-HWY_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
+SIMD_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
     for (int i = first; i < end; i += kLanes) {
         F32 n[3] = {load<F32>(b.normal[0] + i), load<F32>(b.normal[1] + i),
                     load<F32>(b.normal[2] + i)};
@@ -101,9 +101,9 @@ struct Wanted {
     Normals normal;
     bool uv, colour, position;
     float kd[3];
-    HWY_INLINE bool any() const { return normal != Normals::none || uv || colour || position; }
+    SIMD_INLINE bool any() const { return normal != Normals::none || uv || colour || position; }
 };
-HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
+SIMD_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
     return {!frame.attributes.normal    ? Normals::none
             : frame.corner_normals      ? Normals::raw
             : frame.sides == Sides::eye ? Normals::turned
@@ -116,7 +116,7 @@ HWY_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
 
 // One register of lanes from lane i on. Normals are as they mix.
 template <class Of>
-HWY_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
+SIMD_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
     if (want.normal != Normals::none) {
         F32 n[3];
         mix_normals(want.normal, of, w, n);
@@ -138,7 +138,7 @@ HWY_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w
 
 // Do all vertices have the same normal, to the bit? Then so has every lane: no weight of any rung
 // leads out of the vertices' range.
-HWY_INLINE bool is_flat(const Primitive& t) {
+SIMD_INLINE bool is_flat(const Primitive& t) {
     std::int32_t bits[3][3];
     static_assert(sizeof bits == sizeof t.normal);
     __builtin_memcpy(bits, t.normal, sizeof bits);
@@ -146,8 +146,8 @@ HWY_INLINE bool is_flat(const Primitive& t) {
            bits[1][0] == bits[1][1] && bits[1][0] == bits[1][2] && //
            bits[2][0] == bits[2][1] && bits[2][0] == bits[2][2];
 }
-HWY_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
-                             const Run& run) {
+SIMD_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
+                              const Run& run) {
     F32 n[3];
     mix_normals(want.normal, OfRun(*run.primitive), {F32(0.0F), F32(0.0F), {run.first, run.count}},
                 n);
@@ -159,7 +159,7 @@ HWY_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& wa
 }
 
 // The material's own.
-HWY_INLINE void put_albedo(Block& b, const Wanted& want) {
+SIMD_INLINE void put_albedo(Block& b, const Wanted& want) {
     const F32 red = want.kd[0], green = want.kd[1], blue = want.kd[2];
     for (int i = 0; i < b.count; i += kLanes) {
         store(red, b.albedo[0] + i);
@@ -169,7 +169,7 @@ HWY_INLINE void put_albedo(Block& b, const Wanted& want) {
 }
 
 // Exactly, at every lane of a run.
-HWY_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes)
@@ -178,7 +178,7 @@ HWY_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) 
 }
 
 // The same at lanes that have triangles of their own.
-HWY_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
     const LaneTriangles& t = *b.triangles;
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
         const Live live{i, run.first + run.count - i};
@@ -191,7 +191,7 @@ HWY_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
 
 // All runs of a block; Rung::lanes fills those of one.
 template <class Rung>
-HWY_INLINE void run_rung(Block& b, const FrameState& frame) {
+SIMD_INLINE void run_rung(Block& b, const FrameState& frame) {
     if (!b.lit) return;
     const Wanted want = wanted(b, frame);
     if (!want.colour) put_albedo(b, want);

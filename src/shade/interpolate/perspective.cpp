@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Perspective {
-    static HWY_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
         if (run.primitive == nullptr)
             perspective_own(b, want, run);
         else

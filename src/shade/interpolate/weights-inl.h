@@ -19,7 +19,7 @@ struct Live {
 };
 
 // A clamp makes a number of NaN, so that nothing would be seen after it.
-HWY_INLINE void check_clamped([[maybe_unused]] F32 f, [[maybe_unused]] const Live& live) {
+SIMD_INLINE void check_clamped([[maybe_unused]] F32 f, [[maybe_unused]] const Live& live) {
     if constexpr (kCheckLanes) {
         float lanes[kLanes];
         store(f, lanes);
@@ -33,22 +33,22 @@ struct Weights {
     Live live;
 };
 
-HWY_INLINE F64 area_at(const Primitive& t, int k, F64 x, F64 y) {
+SIMD_INLINE F64 area_at(const Primitive& t, int k, F64 x, F64 y) {
     return (F64(t.a[k]) * x + F64(t.b[k]) * y) + F64(t.c[k]);
 }
 
 // Of areas times 1/w.
-HWY_INLINE Weights weights_of(F32 p0, F32 p1, F32 p2, const Live& live) {
+SIMD_INLINE Weights weights_of(F32 p0, F32 p1, F32 p2, const Live& live) {
     const F32 sum = (p0 + p1) + p2;
     return {p1 / sum, p2 / sum, live};
 }
 // Of vertices' areas that are rounded once.
-HWY_INLINE Weights weights_of(const Primitive& t, F32 b0, F32 b1, F32 b2, const Live& live) {
+SIMD_INLINE Weights weights_of(const Primitive& t, F32 b0, F32 b1, F32 b2, const Live& live) {
     return weights_of(b0 * F32(t.inverse_w[0]), b1 * F32(t.inverse_w[1]), b2 * F32(t.inverse_w[2]),
                       live);
 }
 
-HWY_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) {
+SIMD_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) {
     F64 b0 = area_at(t, 0, x, y), b1 = area_at(t, 1, x, y), b2 = area_at(t, 2, x, y);
     if (t.clipped) {
         // The snapped edge may lie a little further out than the exact one. A common factor brings
@@ -70,7 +70,7 @@ HWY_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) {
 
 // At samples on the grid of 1/256 pixel, within a pixel of the triangle. The same bits from half as
 // many registers: both ways round the same whole numbers to floats.
-HWY_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) {
+SIMD_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) {
     if (!t.whole) return weights(t, to_f64(x), to_f64(y), live);
     const auto area = [&](int k) {
         return to_f32((I32(t.whole_a[k]) * x + I32(t.whole_b[k]) * y) + I32(t.whole_c[k]));
@@ -83,14 +83,14 @@ HWY_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) {
 struct Spread {
     F32 base, one, two, low, high;
 };
-HWY_INLINE Spread spread_of(F32 f0, F32 f1, F32 f2) {
+SIMD_INLINE Spread spread_of(F32 f0, F32 f1, F32 f2) {
     return {f0, f1 - f0, f2 - f0, minimum(minimum(f0, f1), f2), maximum(maximum(f0, f1), f2)};
 }
-HWY_INLINE Spread spread_of(const float (&vertex)[3]) {
+SIMD_INLINE Spread spread_of(const float (&vertex)[3]) {
     return spread_of(vertex[0], vertex[1], vertex[2]);
 }
 
-HWY_INLINE F32 mix(const Weights& w, const Spread& of) {
+SIMD_INLINE F32 mix(const Weights& w, const Spread& of) {
     const F32 f = of.base + (w.one * of.one + w.two * of.two);
     if constexpr (kCheckLanes) { // differences beyond all floats are what the clamp is for, too
         const F32 zero = 0.0F;
@@ -99,10 +99,10 @@ HWY_INLINE F32 mix(const Weights& w, const Spread& of) {
     }
     return minimum(maximum(f, of.low), of.high);
 }
-HWY_INLINE F32 mix(const Weights& w, F32 f0, F32 f1, F32 f2) {
+SIMD_INLINE F32 mix(const Weights& w, F32 f0, F32 f1, F32 f2) {
     return mix(w, spread_of(f0, f1, f2));
 }
-HWY_INLINE F32 mix(const Weights& w, const float (&vertex)[3]) {
+SIMD_INLINE F32 mix(const Weights& w, const float (&vertex)[3]) {
     return mix(w, vertex[0], vertex[1], vertex[2]);
 }
 

@@ -15,8 +15,8 @@ SIMD_BEGIN(scanout::shade::light)
 
 // write(light, lanes, first lane) for every register of every light of the kind.
 template <class Write>
-HWY_INLINE void for_each_lane(Block& b, const FrameState& frame, scene::LightKind kind,
-                              Write write) {
+SIMD_INLINE void for_each_lane(Block& b, const FrameState& frame, scene::LightKind kind,
+                               Write write) {
     if (!b.lit || frame.varies.empty()) return;
     const std::size_t count = frame.lights.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -35,7 +35,7 @@ struct Arrival {
 
 // By the inverse square of the distance. On the light itself there is no direction: nothing
 // arrives.
-HWY_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int lane) {
+SIMD_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int lane) {
     const F32 x = F32(light.position.x) - load<F32>(b.position[0] + lane);
     const F32 y = F32(light.position.y) - load<F32>(b.position[1] + lane);
     const F32 z = F32(light.position.z) - load<F32>(b.position[2] + lane);
@@ -46,8 +46,8 @@ HWY_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int la
             F32(light.reach * light.reach) / maximum(square, nearest)};
 }
 
-HWY_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, LightLanes& lanes,
-                              int lane) {
+SIMD_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, LightLanes& lanes,
+                               int lane) {
     for (int c = 0; c < 3; ++c)
         store(a.towards[c], lanes.towards[c] + lane);
     store(F32(light.colour.x) * a.share, lanes.colour[0] + lane);

@@ -20,38 +20,38 @@ template <class D>
 struct Vector {
     Float<D> x, y, z;
 
-    friend HWY_INLINE Vector operator+(const Vector& a, const Vector& b) {
+    friend SIMD_INLINE Vector operator+(const Vector& a, const Vector& b) {
         return {a.x + b.x, a.y + b.y, a.z + b.z};
     }
-    friend HWY_INLINE Vector operator-(const Vector& a, const Vector& b) {
+    friend SIMD_INLINE Vector operator-(const Vector& a, const Vector& b) {
         return {a.x - b.x, a.y - b.y, a.z - b.z};
     }
-    friend HWY_INLINE Vector operator*(const Vector& a, Float<D> s) {
+    friend SIMD_INLINE Vector operator*(const Vector& a, Float<D> s) {
         return {a.x * s, a.y * s, a.z * s};
     }
 };
 template <class D>
-HWY_INLINE Float<D> dot(const Vector<D>& a, const Vector<D>& b) {
+SIMD_INLINE Float<D> dot(const Vector<D>& a, const Vector<D>& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 template <class D>
-HWY_INLINE Vector<D> cross(const Vector<D>& a, const Vector<D>& b) {
+SIMD_INLINE Vector<D> cross(const Vector<D>& a, const Vector<D>& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 template <class D>
-HWY_INLINE Vector<D> select(Mask<D> mask, const Vector<D>& yes, const Vector<D>& no) {
+SIMD_INLINE Vector<D> select(Mask<D> mask, const Vector<D>& yes, const Vector<D>& no) {
     return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
 }
 using Vector8 = Vector<F32x8::Tag>;
 using VectorN = Vector<F32::Tag>;
 
 template <class V>
-HWY_INLINE V load_vector(const float (&from)[3][kRoom], int lane) {
+SIMD_INLINE V load_vector(const float (&from)[3][kRoom], int lane) {
     using F = decltype(V::x);
     return {load<F>(from[0] + lane), load<F>(from[1] + lane), load<F>(from[2] + lane)};
 }
 template <class V>
-HWY_INLINE void store_vector(const V& v, float (&to)[3][kRoom], int lane) {
+SIMD_INLINE void store_vector(const V& v, float (&to)[3][kRoom], int lane) {
     store(v.x, to[0] + lane);
     store(v.y, to[1] + lane);
     store(v.z, to[2] + lane);
@@ -62,7 +62,7 @@ HWY_INLINE void store_vector(const V& v, float (&to)[3][kRoom], int lane) {
 struct Steps {
     Vector8 right, down;
 };
-HWY_INLINE Steps steps_on(const Vector8& plane, const Vector8& ray, bool orthographic) {
+SIMD_INLINE Steps steps_on(const Vector8& plane, const Vector8& ray, bool orthographic) {
     const F32x8 zero = 0.0F, one = 1.0F;
     const Vector8 along = orthographic ? Vector8{zero, zero, -one} : ray;
     const F32x8 facing = dot(plane, along);
@@ -74,7 +74,7 @@ HWY_INLINE Steps steps_on(const Vector8& plane, const Vector8& ray, bool orthogr
 
 // Writes b.tangent: unit vectors in view space along growing u and v, at right angles to the
 // shading normal and to each other; turned as u and v are, mirrored or not.
-HWY_INLINE void write_tangents(Block& b, const FrameState& frame) {
+SIMD_INLINE void write_tangents(Block& b, const FrameState& frame) {
     const F32x8 zero = 0.0F, one = 1.0F;
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
@@ -117,7 +117,7 @@ HWY_INLINE void write_tangents(Block& b, const FrameState& frame) {
 
 // The normal whose components along b.tangent and b.normal are given; of any length. Where it does
 // not lean, the normal stays as it is, to the bit.
-HWY_INLINE void lean_normal(Block& b, int lane, const VectorN& given) {
+SIMD_INLINE void lean_normal(Block& b, int lane, const VectorN& given) {
     const F32 zero = 0.0F, one = 1.0F;
     const VectorN normal = load_vector<VectorN>(b.normal, lane);
     const VectorN leant = (load_vector<VectorN>(b.tangent[0], lane) * given.x +

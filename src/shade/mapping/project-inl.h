@@ -23,20 +23,20 @@ struct Projected {
     Place u_by, v_by;
 };
 
-HWY_INLINE F32x8 dot(const Place& a, const Place& b) {
+SIMD_INLINE F32x8 dot(const Place& a, const Place& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
 
 // No further than the triangle's vertices, whatever rounding says; where a sample lies so close
 // beside a clipped triangle that no weight is left, the place is not a number until here.
-HWY_INLINE F32x8 within(F32x8 x, const float (&vertex)[3]) {
+SIMD_INLINE F32x8 within(F32x8 x, const float (&vertex)[3]) {
     const F32x8 a = vertex[0], b = vertex[1], c = vertex[2];
     return minimum(maximum(x, minimum(minimum(a, b), c)), maximum(maximum(a, b), c));
 }
 
 // project(primitive, place): Projected.
 template <class Project>
-HWY_INLINE void project_lanes(Block& b, const FrameState& frame, Project project) {
+SIMD_INLINE void project_lanes(Block& b, const FrameState& frame, Project project) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
         const texture::HWY_NAMESPACE::PrimitivePlane<3> plane(t, t.object);
@@ -66,7 +66,7 @@ struct Around {
     F32x8 u, distance; // from the axis
     Place u_by;
 };
-HWY_INLINE Around around_y(const Place& p) {
+SIMD_INLINE Around around_y(const Place& p) {
     constexpr float kPerTurn = 0.15915494F; // 1 / 2 pi
     const F32x8 squared = p.x * p.x + p.z * p.z;
     // On the axis itself there is no direction: its slopes are steep, but finite.

@@ -11,10 +11,10 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct BlinnPhong {
-    HWY_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+    SIMD_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
         return half_vector_cosine(normal, eye, light);
     }
-    HWY_INLINE F32 share(F32 lobe, const Vector&, const Vector&, int) const { return lobe; }
+    SIMD_INLINE F32 share(F32 lobe, const Vector&, const Vector&, int) const { return lobe; }
 };
 
 void blinn_phong_run(Block& b, const FrameState& frame) {

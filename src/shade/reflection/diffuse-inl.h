@@ -13,21 +13,21 @@ SIMD_BEGIN(scanout::shade::reflection)
 struct Colour {
     F32 red, green, blue;
 };
-HWY_INLINE void store_colour(const Colour& c, Block& b, int lane) {
+SIMD_INLINE void store_colour(const Colour& c, Block& b, int lane) {
     store(c.red, b.colour[0] + lane);
     store(c.green, b.colour[1] + lane);
     store(c.blue, b.colour[2] + lane);
 }
 
 // Lines and points show their plain albedo.
-HWY_INLINE Colour ambient_of(const Block& b) {
+SIMD_INLINE Colour ambient_of(const Block& b) {
     if (!b.lit) return {F32(1.0F), F32(1.0F), F32(1.0F)};
     return {F32(b.ambient.x), F32(b.ambient.y), F32(b.ambient.z)};
 }
 
 // Of a register of lanes.
-HWY_INLINE Colour diffuse_at(const Block& b, const FrameState& frame, const Colour& ambient,
-                             std::size_t light_count, int lane) {
+SIMD_INLINE Colour diffuse_at(const Block& b, const FrameState& frame, const Colour& ambient,
+                              std::size_t light_count, int lane) {
     const F32 nx = load<F32>(b.normal[0] + lane), ny = load<F32>(b.normal[1] + lane),
               nz = load<F32>(b.normal[2] + lane);
     Colour sum = ambient;
@@ -44,7 +44,7 @@ HWY_INLINE Colour diffuse_at(const Block& b, const FrameState& frame, const Colo
 }
 
 // Sets b.colour.
-HWY_INLINE void diffuse(Block& b, const FrameState& frame) {
+SIMD_INLINE void diffuse(Block& b, const FrameState& frame) {
     const std::size_t light_count = b.lit ? frame.lights.size() : 0;
     const Colour ambient = ambient_of(b);
     for (int i = 0; i < b.count; i += kLanes)

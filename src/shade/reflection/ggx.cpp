@@ -24,7 +24,7 @@ struct Mirrors {
     alignas(64) float alpha[kRoom]; // roughness of the distribution
 };
 
-HWY_INLINE float clamped(float x, float low, float high) {
+SIMD_INLINE float clamped(float x, float low, float high) {
     return x < low ? low : (x > high ? high : x);
 }
 
@@ -52,25 +52,25 @@ void find_mirrors(const Block& b, Mirrors& out) {
 }
 
 // What a surface that is no metal mirrors straight on.
-HWY_INLINE F32 straight_on(const Block& b, const Mirrors& m, int channel, int lane) {
+SIMD_INLINE F32 straight_on(const Block& b, const Mirrors& m, int channel, int lane) {
     if (m.physical) return F32(0.04F);
     return minimum(maximum(specular_at(b, channel, lane), F32(0.0F)), F32(1.0F));
 }
 
-HWY_INLINE F32 metal_at(const Block& b, const Mirrors& m, int lane) {
+SIMD_INLINE F32 metal_at(const Block& b, const Mirrors& m, int lane) {
     if (!m.physical || b.map[kMetalnessMap].texture == nullptr) return F32(m.metal);
     return minimum(maximum(load<F32>(b.metalness + lane), F32(0.0F)), F32(1.0F));
 }
 
 // (1 - x)^5
-HWY_INLINE F32 schlick(F32 x) {
+SIMD_INLINE F32 schlick(F32 x) {
     const F32 y = maximum(F32(1.0F) - x, F32(0.0F)), y2 = y * y;
     return (y2 * y2) * y;
 }
 
 // pi D V n.l: what mirrors would reflect if each reflected all.
-HWY_INLINE F32 mirrored(const Vector& normal, const Vector& half, F32 half_square, F32 n_e, F32 n_l,
-                        F32 alpha2) {
+SIMD_INLINE F32 mirrored(const Vector& normal, const Vector& half, F32 half_square, F32 n_e,
+                         F32 n_l, F32 alpha2) {
     // 1 - (n.h)^2 as the square of n x h: nothing cancels where the highlight is sharp.
     const F32 x = normal.y * half.z - normal.z * half.y;
     const F32 y = normal.z * half.x - normal.x * half.z;

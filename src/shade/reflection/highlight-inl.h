@@ -14,15 +14,15 @@ SIMD_BEGIN(scanout::shade::reflection)
 struct Vector {
     F32 x, y, z;
 };
-HWY_INLINE F32 dot(const Vector& a, const Vector& b) {
+SIMD_INLINE F32 dot(const Vector& a, const Vector& b) {
     return (a.x * b.x + a.y * b.y) + a.z * b.z;
 }
-HWY_INLINE Vector towards(const Light& light) {
+SIMD_INLINE Vector towards(const Light& light) {
     return {light.towards[0], light.towards[1], light.towards[2]};
 }
 
 // Unit, from the surface.
-HWY_INLINE Vector eye_at(const Block& b, const FrameState& frame, int lane) {
+SIMD_INLINE Vector eye_at(const Block& b, const FrameState& frame, int lane) {
     if (b.eye != nullptr)
         return {load<F32>(b.eye[0] + lane), load<F32>(b.eye[1] + lane), load<F32>(b.eye[2] + lane)};
     const F32 zero = 0.0F;
@@ -32,7 +32,7 @@ HWY_INLINE Vector eye_at(const Block& b, const FrameState& frame, int lane) {
     return {-rx * inverse, -ry * inverse, inverse};
 }
 
-HWY_INLINE Vector normal_at(const Block& b, int lane) {
+SIMD_INLINE Vector normal_at(const Block& b, int lane) {
     return {load<F32>(b.normal[0] + lane), load<F32>(b.normal[1] + lane),
             load<F32>(b.normal[2] + lane)};
 }
@@ -40,15 +40,15 @@ HWY_INLINE Vector normal_at(const Block& b, int lane) {
 // Ns of a lane: the material's own, or what its map made of it. Exponent 0 would shine on all of a
 // surface, where Ns 0 means no highlight: below 1 the exponent stays 1, and Ks fades with Ns. So
 // nothing jumps, and black in map_Ns never shines more than white.
-HWY_INLINE F32 ns_at(const Block& b, int lane) {
+SIMD_INLINE F32 ns_at(const Block& b, int lane) {
     return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + lane)
                                                    : F32(b.material->shininess);
 }
-HWY_INLINE F32 exponent_at(const Block& b, int lane) {
+SIMD_INLINE F32 exponent_at(const Block& b, int lane) {
     return maximum(ns_at(b, lane), F32(1.0F));
 }
 // Ks of a lane, likewise.
-HWY_INLINE F32 specular_at(const Block& b, int channel, int lane) {
+SIMD_INLINE F32 specular_at(const Block& b, int channel, int lane) {
     const F32 ks = b.map[kSpecularMap].texture != nullptr ? load<F32>(b.specular[channel] + lane)
                                                           : F32(b.material->specular[channel]);
     return ks * minimum(ns_at(b, lane), F32(1.0F));
@@ -57,7 +57,7 @@ HWY_INLINE F32 specular_at(const Block& b, int channel, int lane) {
 // of_exponent(exponent) for every lane. In double, one by one: the same for the same Ns wherever it
 // comes from.
 template <class OfExponent>
-HWY_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kRoom]) {
+SIMD_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kRoom]) {
     const auto found = [&](float ns) {
         return static_cast<float>(of_exponent(double{ns < 1 ? 1.0F : ns}));
     };
@@ -78,9 +78,9 @@ struct Gloss {
 // hundred cycles, and registers overlap only as far as the processor looks ahead. The second and
 // third are pow_of_share: exponents are at least 1 (exponent_at).
 template <class Highlight, class LightAt>
-HWY_INLINE void add_highlights(Block& b, const Highlight& highlight, const LightAt& light,
-                               const Gloss& gloss, const float (&eyes)[3][kRoom], int first,
-                               int end) {
+SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const LightAt& light,
+                                const Gloss& gloss, const float (&eyes)[3][kRoom], int first,
+                                int end) {
     alignas(64) float cosine[kRoom], log_power[kRoom];
     for (int i = first; i < end; i += kLanes) {
         const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
@@ -129,7 +129,7 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight
     }
 }
 
-HWY_INLINE bool has_highlight(const Block& b) {
+SIMD_INLINE bool has_highlight(const Block& b) {
     return b.lit && scene::has_highlight(*b.material);
 }
 
@@ -139,8 +139,8 @@ HWY_INLINE bool has_highlight(const Block& b) {
 //                                                 NaN and below 0 as none
 //     F32 share(F32 lobe, normal, light, lane)    of the light, for white Ks
 template <class Highlight>
-HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
-                                       const Highlight& highlight) {
+SIMD_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
+                                        const Highlight& highlight) {
     if (!has_highlight(b)) return diffuse(b, frame);
     const bool mapped =
         b.map[kSpecularMap].texture != nullptr || b.map[kShininessMap].texture != nullptr;
@@ -153,7 +153,7 @@ HWY_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
 }
 
 // n.h, h halfway between eye and light.
-HWY_INLINE F32 half_vector_cosine(const Vector& normal, const Vector& eye, const Vector& light) {
+SIMD_INLINE F32 half_vector_cosine(const Vector& normal, const Vector& eye, const Vector& light) {
     const Vector h = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
     const F32 length = sqrt((h.x * h.x + h.y * h.y) + h.z * h.z);
     // length 0: the light shines straight into the eye through the surface; no highlight.

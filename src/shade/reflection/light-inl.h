@@ -17,16 +17,16 @@ struct Light {
     F32 colour[3];  // linear
 };
 
-HWY_INLINE bool varies(const FrameState& frame, std::size_t k) {
+SIMD_INLINE bool varies(const FrameState& frame, std::size_t k) {
     return !frame.varies.empty() && frame.varies.data()[k];
 }
 // Of a light that does not vary.
-HWY_INLINE Light light_everywhere(const FrameState& frame, std::size_t k) {
+SIMD_INLINE Light light_everywhere(const FrameState& frame, std::size_t k) {
     const scene::ViewLight& l = frame.lights.data()[k];
     return {{F32(l.towards.x), F32(l.towards.y), F32(l.towards.z)},
             {F32(l.colour.x), F32(l.colour.y), F32(l.colour.z)}};
 }
-HWY_INLINE Light light_at(const Block& b, const FrameState& frame, std::size_t k, int lane) {
+SIMD_INLINE Light light_at(const Block& b, const FrameState& frame, std::size_t k, int lane) {
     if (!varies(frame, k)) return light_everywhere(frame, k);
     const LightLanes& l = b.light.data()[k];
     return {{load<F32>(l.towards[0] + lane), load<F32>(l.towards[1] + lane),

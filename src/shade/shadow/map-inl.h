@@ -43,7 +43,7 @@ struct MapPlane {
     F32 nearest;          // depth of the triangle's vertices: the greatest
 };
 
-HWY_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
+SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     F64 n[3], p[3], extent = 0.0;
     SIMD_UNROLL
     for (int r = 0; r < 3; ++r) {
@@ -117,8 +117,8 @@ struct Receiver {
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
-HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
-                             Mask<F32::Tag>& inside) {
+SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
+                              Mask<F32::Tag>& inside) {
     const F32 px = load<F32>(b.position[0] + i), py = load<F32>(b.position[1] + i),
               pz = load<F32>(b.position[2] + i);
     const auto row = [&](int r) HWY_ATTR {
@@ -165,7 +165,7 @@ HWY_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Bl
 }
 
 // Towards -infinity.
-HWY_INLINE I32 texel_of(F32 a) {
+SIMD_INLINE I32 texel_of(F32 a) {
     const I32 whole = to_i32(a);
     return whole - select(to_f32(whole) > a, I32(1), I32(0));
 }
@@ -179,38 +179,38 @@ struct Line {
     I32 place; // in the map: the column; where the row begins
     F32 rise, plane;
 };
-HWY_INLINE Line column(const ShadowMap& m, const Receiver& r, I32 x) {
+SIMD_INLINE Line column(const ShadowMap& m, const Receiver& r, I32 x) {
     const F32 aside = (to_f32(x) + F32(0.5F)) - r.x;
     return {minimum(maximum(x, I32(0)), I32(m.size - 1)), r.rise_x * abs(aside), r.per_x * aside};
 }
-HWY_INLINE Line row(const ShadowMap& m, const Receiver& r, I32 y) {
+SIMD_INLINE Line row(const ShadowMap& m, const Receiver& r, I32 y) {
     const F32 aside = (to_f32(y) + F32(0.5F)) - r.y;
     return {minimum(maximum(y, I32(0)), I32(m.size - 1)) * I32(m.size), r.rise_y * abs(aside),
             r.per_y * aside};
 }
 // depth: the map's, where column and row cross.
-HWY_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, F32 depth) {
+SIMD_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, F32 depth) {
     const F32 rise = column.rise + row.rise;
     const F32 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     const F32 beyond = minimum(plane, r.nearest) + rise * F32(kBeyond / kRise);
     const F32 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
     return {depth, maximum(own, F32(0.0F))};
 }
-HWY_INLINE F32 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
+SIMD_INLINE F32 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
     return gather(m.depth, row.place + column.place);
 }
 // The one that lies so far aside from the receiver.
-HWY_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32 dx, F32 dy) {
+SIMD_INLINE Texel texel_at(const ShadowMap& m, const Receiver& r, F32 dx, F32 dy) {
     const F32 half = 0.5F;
     const Line across = column(m, r, texel_of((r.x + half * r.aside_x) + dx)),
                down = row(m, r, texel_of((r.y + half * r.aside_y) + dy));
     return texel(r, across, down, depth_at(m, across, down));
 }
-HWY_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
+SIMD_INLINE Texel own_texel(const ShadowMap& m, const Receiver& r) {
     return texel_at(m, r, F32(0.0F), F32(0.0F));
 }
 // 1 where something stands between the texel's part of the receiver's plane and the light.
-HWY_INLINE F32 hidden(const Texel& t) {
+SIMD_INLINE F32 hidden(const Texel& t) {
     return select(t.depth > t.own, F32(1.0F), F32(0.0F));
 }
 
@@ -218,14 +218,14 @@ HWY_INLINE F32 hidden(const Texel& t) {
 // what rises aside then stands between it and the light, however close behind (a face that is
 // folded over, as the lips of a mouth about a lamp within). Without this a filter let in light from
 // as far behind as kRise forgives at its rim.
-HWY_INLINE void forgive_nothing_behind(const Texel& own, Line& line) {
+SIMD_INLINE void forgive_nothing_behind(const Texel& own, Line& line) {
     line.rise = select(own.depth > own.own, F32(0.0F), line.rise);
 }
 
 // Surely light: no higher than the lower of plane and receiver. What the fold forgives, and the
 // triangle's own height, only add to that.
-HWY_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const Line& row,
-                                 F32 depth) {
+SIMD_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const Line& row,
+                                  F32 depth) {
     const F32 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     return depth <= minimum(r.depth, plane) + (column.rise + row.rise);
 }
@@ -234,7 +234,7 @@ HWY_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const Li
 constexpr int kMostColumns = kMostFilter / 4 * 4 + 4;
 
 // Four texels of a row, from a column on, that lie side by side in the map.
-HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32* out) {
+SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32* out) {
     std::int32_t place[kLanes];
     store(row.place + column.place, place);
     const auto* words = reinterpret_cast<const std::int32_t*>(m.depth);
@@ -246,7 +246,7 @@ HWY_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& 
 
 // f(0), ... as often as is known when this is compiled, or, where that is 0, `count` times.
 template <int kCount, class F>
-HWY_INLINE void times(int count, const F& f) {
+SIMD_INLINE void times(int count, const F& f) {
     if constexpr (kCount > 0) {
         SIMD_UNROLL
         for (int i = 0; i < kCount; ++i)
@@ -262,7 +262,7 @@ HWY_INLINE void times(int count, const F& f) {
 template <int kSide>
 class Square {
 public:
-    HWY_INLINE Square(const ShadowMap& m, const Receiver& r, int k) : k_(k) {
+    SIMD_INLINE Square(const ShadowMap& m, const Receiver& r, int k) : k_(k) {
         const float wide = static_cast<float>(k);
         const F32 reach = 0.5F * (wide + 1);
         const F32 x0 = (r.x + reach * r.aside_x) - F32(wide * 0.5F),
@@ -282,7 +282,7 @@ public:
 
     // Are all lanes that ask surely lit, for they lie low in all texels? Its own is one of them and
     // so forgives as much; where lookups have moved over, rounding may leave it out.
-    HWY_INLINE bool lie_low(const Receiver& r) const {
+    SIMD_INLINE bool lie_low(const Receiver& r) const {
         // What is hidden shows in the middle.
         auto low = (r.aside_x == F32(0.0F)) & (r.aside_y == F32(0.0F)) &
                    is_low(r, columns_[k_ / 2], rows_[k_ / 2], depth_[k_ / 2][k_ / 2]);
@@ -295,7 +295,7 @@ public:
     }
     // Do all lanes that ask lie behind all texels? Of what lies behind, nothing is forgiven that is
     // higher than its triangle.
-    HWY_INLINE bool lie_behind(const Receiver& r, const Texel& own) const {
+    SIMD_INLINE bool lie_behind(const Receiver& r, const Texel& own) const {
         if (!all((own.depth > own.own) | !r.asked)) return false;
         F32 lowest = depth_[0][0];
         each([&](int y) HWY_ATTR {
@@ -305,7 +305,7 @@ public:
     }
     // Weighted by how much of each texel the square covers. Weights are whole 256ths: all hidden
     // sums up to 1 exactly.
-    HWY_INLINE F32 hidden_share(const Receiver& r, const Texel& own) {
+    SIMD_INLINE F32 hidden_share(const Receiver& r, const Texel& own) {
         each([&](int i) HWY_ATTR {
             forgive_nothing_behind(own, columns_[i]);
             forgive_nothing_behind(own, rows_[i]);
@@ -330,10 +330,10 @@ private:
     static constexpr int kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
 
     template <class F>
-    HWY_INLINE void each(const F& f) const {
+    SIMD_INLINE void each(const F& f) const {
         times<kLines>(k_ + 1, f);
     }
-    HWY_INLINE void read(const ShadowMap& m, I32 left) {
+    SIMD_INLINE void read(const ShadowMap& m, I32 left) {
         // No column that is read lies beyond the map's border.
         const int count = k_ / 4 * 4 + 4;
         const bool side_by_side = all((left >= I32(0)) & (left <= I32(m.size - count)));
@@ -355,14 +355,14 @@ private:
 
 // The share of a square that is hidden.
 template <int kSide>
-HWY_INLINE F32 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
+SIMD_INLINE F32 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
     Square<kSide> square(m, r, k);
     if (square.lie_low(r)) return F32(0.0F); // most of what is lit
     const Texel own = own_texel(m, r);
     if (square.lie_behind(r, own)) return F32(1.0F);
     return square.hidden_share(r, own);
 }
-HWY_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
+SIMD_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
     switch (k) {
     case 2: // what a GPU's filter reads
         return hidden_square_of<2>(m, r, k);
@@ -376,7 +376,7 @@ HWY_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
 // hide(map, receiver, light): the share that is hidden. A lane asks the first map that it stands
 // in; outside of all of them nothing stands between it and the light (HARD-CASES 43).
 template <class Hide>
-HWY_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
+SIMD_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
     const auto share = [&](std::size_t k, int first, int end, const Facing& facing, float* left)
                            HWY_ATTR {
                                const LightShadow& shadow = frame.shadows[k];

@@ -49,13 +49,14 @@ constexpr Lattice drawn_in(const Lattice& even) {
 constexpr Lattice kSquareSearch = drawn_in(kSquare), kDiscSearch = drawn_in(kDisc);
 
 // No wider than the map is from its middle.
-HWY_INLINE F32 radius(const ShadowMap& m, float texels, F32 depth) {
+SIMD_INLINE F32 radius(const ShadowMap& m, float texels, F32 depth) {
     return minimum(F32(texels) * maximum(depth, F32(0.0F)), F32(m.half));
 }
 
 // Is what lies so far aside, at this depth, seen before the light? A texel more, each way, for what
 // stands in it.
-HWY_INLINE Mask<F32::Tag> before_light(const ShadowMap& m, bool square, F32 dx, F32 dy, F32 depth) {
+SIMD_INLINE Mask<F32::Tag> before_light(const ShadowMap& m, bool square, F32 dx, F32 dy,
+                                        F32 depth) {
     const F32 one = 1.0F, x = dx / (radius(m, m.soft_x, depth) + one),
               y = dy / (radius(m, m.soft_y, depth) + one);
     return square ? (abs(x) <= one) & (abs(y) <= one) : x * x + y * y <= one;
@@ -63,8 +64,8 @@ HWY_INLINE Mask<F32::Tag> before_light(const ShadowMap& m, bool square, F32 dx, 
 
 constexpr float kNone = 0x1p100F; // nothing hides the receiver
 
-HWY_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
-                           int filter) {
+SIMD_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightShadow& shadow,
+                            int filter) {
     const F32 sharp = hidden_square(m, r, filter);
     if (!shadow.soft) return sharp;
     const bool square = shadow.shape == scene::LightShape::square;

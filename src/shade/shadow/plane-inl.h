@@ -25,22 +25,22 @@ struct Facing {
 // Where they come from: one for a whole run, or of each lane its own.
 struct OfRun {
     const Primitive& t;
-    HWY_INLINE F32 facing(int c) const { return t.facing[c]; }
-    HWY_INLINE F32 position(int c, int k) const { return t.position[c][k]; }
+    SIMD_INLINE F32 facing(int c) const { return t.facing[c]; }
+    SIMD_INLINE F32 position(int c, int k) const { return t.position[c][k]; }
 };
 struct OfLanes {
     const LaneTriangles& t;
     Entries<F32::Tag> entries; // of the register's lanes
-    HWY_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
-    HWY_INLINE F32 position(int c, int k) const { return entries.of(t.position[c][k]); }
+    SIMD_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
+    SIMD_INLINE F32 position(int c, int k) const { return entries.of(t.position[c][k]); }
 };
 
-HWY_INLINE F64 dot(const F64 (&a)[3], const F64 (&b)[3]) {
+SIMD_INLINE F64 dot(const F64 (&a)[3], const F64 (&b)[3]) {
     return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
 }
 
 template <class Of>
-HWY_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
+SIMD_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
     Facing f;
     F64 own[3];
     SIMD_UNROLL
@@ -70,7 +70,7 @@ HWY_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::
 // light that casts and every run, or every register of a run whose lanes have their own triangles.
 // What faces away from the light gets none: it lies in its own shadow.
 template <class Share>
-HWY_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
+SIMD_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
     if (!b.lit || frame.shadows == nullptr) return;
     alignas(64) float left[kRoom];
     const std::size_t count = frame.lights.size();

@@ -14,13 +14,13 @@ constexpr float kSquares = 8; // a turn, along u and along v
 constexpr float kLight = 0.8F, kDark = 0.1F;
 
 // Integral from 0 of the wave that is 1 in even squares and -1 in odd ones; of period 2.
-HWY_INLINE F32 triangle_wave(F32 x) {
+SIMD_INLINE F32 triangle_wave(F32 x) {
     const F32 half = x * F32(0.5F);
     return F32(1.0F) - abs(F32(1.0F) - F32(2.0F) * (half - to_f32(floor_to_int(half))));
 }
 
 // Mean of the wave from x - w/2 to x + w/2.
-HWY_INLINE F32 mean_wave(F32 x, F32 width) {
+SIMD_INLINE F32 mean_wave(F32 x, F32 width) {
     const F32 w = minimum(maximum(width, F32(0x1p-10F)), F32(0x1p20F)), half = w * F32(0.5F);
     return (triangle_wave(x + half) - triangle_wave(x - half)) / w;
 }

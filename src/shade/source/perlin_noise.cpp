@@ -12,12 +12,12 @@
 
 SIMD_BEGIN(scanout::shade::source)
 
-HWY_INLINE F32 fade(F32 t) {
+SIMD_INLINE F32 fade(F32 t) {
     return t * t * t * (t * (t * F32(6.0F) - F32(15.0F)) + F32(10.0F));
 }
 
 // One of twelve directions times the offset (x, y, 0).
-HWY_INLINE F32 gradient(I32 hash, F32 x, F32 y) {
+SIMD_INLINE F32 gradient(I32 hash, F32 x, F32 y) {
     const I32 h = hash & I32(15);
     const F32 u = select(h < I32(8), x, y);
     const F32 v = select(h < I32(4), y, select((h == I32(12)) | (h == I32(14)), x, F32(0.0F)));
@@ -25,7 +25,7 @@ HWY_INLINE F32 gradient(I32 hash, F32 x, F32 y) {
 }
 
 // At (x, y) >= 0 on a lattice that repeats after `period` cells, a power of two up to 256.
-HWY_INLINE F32 noise(F32 x, F32 y, int period) {
+SIMD_INLINE F32 noise(F32 x, F32 y, int period) {
     const I32 x0 = floor_to_int(x), y0 = floor_to_int(y), mask = period - 1;
     const F32 fx = x - to_f32(x0), fy = y - to_f32(y0), one = 1.0F;
     const std::int32_t* p = kPermutationTwice.data();

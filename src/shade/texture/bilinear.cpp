@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-HWY_INLINE void bilinear_lanes(Block& b, const TexelReader& reader) {
+SIMD_INLINE void bilinear_lanes(Block& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const Around at = around(reader, reader.unit(reader.turns_x(load<F32>(b.u + i))),
                                  reader.unit(reader.turns_y(load<F32>(b.v + i))));

@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-HWY_INLINE void mipmap_lanes(Block& b, const MipReader& reader) {
+SIMD_INLINE void mipmap_lanes(Block& b, const MipReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 level = level_of_detail(reader.slopes(b, i)) + F32(0.5F);
         const I32 nearest =

@@ -9,7 +9,7 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-HWY_INLINE void nearest_lanes(Block& b, const TexelReader& reader) {
+SIMD_INLINE void nearest_lanes(Block& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
         const I32 place = reader.row(floor_to_int(y)) + reader.column(floor_to_int(x));

@@ -18,7 +18,7 @@ template <int kChannels>
 class Minified {
 public:
     // s and t in turns of the texture, level in [1, last].
-    HWY_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int lane) {
+    SIMD_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int lane) {
         s = reader.image().unit(s);
         t = reader.image().unit(t);
         const I32 sharp = to_i32(level);
@@ -28,7 +28,7 @@ public:
         store(level - to_f32(sharp), share_ + lane);
         lane_[count_++] = lane;
     }
-    HWY_INLINE void read(const MipReader& reader, Block& b) const {
+    SIMD_INLINE void read(const MipReader& reader, Block& b) const {
         if (count_ == 0) return;
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
@@ -46,18 +46,18 @@ private:
     struct Places {
         Corners<ChainTexels, kRoom> corners;
         float x[kRoom], y[kRoom];
-        HWY_INLINE void put(const Around& at, int lane) {
+        SIMD_INLINE void put(const Around& at, int lane) {
             corners.put(at, lane);
             store(at.x, x + lane);
             store(at.y, y + lane);
         }
         template <int kRow>
-        HWY_INLINE F32 row(const ChainTexels& texels, int lane) const {
+        SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
             return blend_row<kRow>(texels, corners, lane, load<F32>(x + lane), load<F32>(y + lane));
         }
     };
     template <int kRow>
-    HWY_INLINE F32 row(const ChainTexels& texels, int lane) const {
+    SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
         return mix(in_block<kRow>(load<F32>(share_ + lane)), near_.template row<kRow>(texels, lane),
                    far_.template row<kRow>(texels, lane));
     }
@@ -67,7 +67,7 @@ private:
 };
 
 template <int kChannels>
-HWY_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
+SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
     Minified<kChannels> minified;
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 detail = level_of_detail(reader.slopes(b, i));
