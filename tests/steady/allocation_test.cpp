@@ -162,7 +162,7 @@ TEST(Steady, ATurningModelAllocatesNothing) {
 TEST(Steady, OnSeveralThreadsNothingIsAllocatedEither) {
     Jobs jobs(3);
     for (const Case& c : kCases)
-        EXPECT_EQ(allocations_of_a_turn(c, jobs, 2, 60), 0U) << c.name;
+        EXPECT_EQ(allocations_of_a_turn(c, jobs, 2, 200), 0U) << c.name;
 }
 
 TEST(Steady, TheFirstTurnIsSeenToAllocate) {
