@@ -24,6 +24,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
+
 #include <valgrind/callgrind.h>
 
 namespace {
