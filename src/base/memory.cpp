@@ -48,17 +48,16 @@ void release_pages(void* begin, std::size_t bytes) {
 
 static constexpr std::uintptr_t kLargePage = 1 << 21; // of x86, and of AArch64 with 4 KiB pages
 
-void use_large_pages(void* begin, std::size_t bytes) {
-    constexpr int kCollapse = 25; // MADV_COLLAPSE, since Linux 6.1: what stands there
-    const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
-    if (pages.empty()) return;
-    ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
-    ::madvise(pages.data(), pages.size(), kCollapse);
-}
-
 void expect_large_pages(void* begin, std::size_t bytes) {
     const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
     if (!pages.empty()) ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
+}
+
+void use_large_pages(void* begin, std::size_t bytes) {
+    constexpr int kCollapse = 25; // MADV_COLLAPSE, since Linux 6.1: what stands there
+    expect_large_pages(begin, bytes);
+    const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
+    if (!pages.empty()) ::madvise(pages.data(), pages.size(), kCollapse);
 }
 
 void release_freed() {

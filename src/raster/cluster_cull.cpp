@@ -101,9 +101,7 @@ SIMD_INLINE std::uint32_t hidden_lanes(const Terms& t, const ClusterLanes& c) {
 
 void find_hidden_clusters(const Terms& terms, const geom::Cluster* clusters, int count,
                           std::uint8_t* hidden) {
-    constexpr std::size_t kAhead = 16; // clusters
     for (int i = 0; i < count; i += kLanesX8) {
-        prefetch<kLanesX8 * sizeof(geom::Cluster)>(clusters + i, kAhead * sizeof(geom::Cluster));
         const int live = count - i < kLanesX8 ? count - i : kLanesX8;
         const std::uint32_t bits = hidden_lanes(terms, clusters_at(clusters + i, live));
         for (int lane = 0; lane < live; ++lane)
