@@ -15,7 +15,7 @@ packages_build=(
     libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev libxkbcommon-dev
     xkb-data # read when the viewer starts
 )
-packages_test=("${libraries_test[@]}" valgrind ccache patch python3)
+packages_test=("${libraries_test[@]}" ccache patch python3)
 packages_bench=(libbenchmark-dev libegl-dev libopengl-dev libgl1-mesa-dri linux-perf valgrind binutils python3)
 packages_clang=(clang-14 libclang-rt-14-dev)
 packages_counts=(valgrind binutils)

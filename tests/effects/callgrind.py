@@ -29,16 +29,14 @@ def parse(path, names):
 
 
 def calls(collected, dumped, command):
-    """Runs the command on AVX2, which callgrind knows; the command says from when on callgrind looks. Collects inside of
-    the function `collected`; dumps after each call of `dumped` inside or outside of it (callgrind cannot do both for one
-    function). Returns the command's output and, for each dump, parse()'s pair. The checks that test builds put after each
-    stage do not count inside of `collected`."""
+    """Runs the command on AVX2, which callgrind knows. Collects inside of the function `collected`; dumps after each call
+    of `dumped` inside or outside of it (callgrind cannot do both for one function). Returns the command's output and, for
+    each dump, parse()'s pair. The checks that test builds put after each stage do not count inside of `collected`."""
     with tempfile.TemporaryDirectory() as folder:
         out = os.path.join(folder, "out")
-        done = subprocess.run(["valgrind", "--tool=callgrind", "--instr-atstart=no", "--demangle=no",
-                               f"--callgrind-out-file={out}", f"--toggle-collect={collected}*",
-                               "--toggle-collect=*check_lanes*", f"--dump-after={dumped}*", *command,
-                               "--target", "avx2"], capture_output=True, text=True)
+        done = subprocess.run(["valgrind", "--tool=callgrind", "--demangle=no", f"--callgrind-out-file={out}",
+                               f"--toggle-collect={collected}*", "--toggle-collect=*check_lanes*",
+                               f"--dump-after={dumped}*", *command, "--target", "avx2"], capture_output=True, text=True)
         if done.returncode != 0:
             raise RuntimeError(f"{command}: exit code {done.returncode}\n{done.stderr}")
         dumps = sorted(glob.glob(out + ".*"), key=lambda p: int(p.rsplit(".", 1)[1]))

@@ -25,8 +25,6 @@
 #include <set>
 #include <utility>
 
-#include <valgrind/callgrind.h>
-
 namespace {
 
 // What operator new has given out and not got back: the frame's buffers, by their true owner.
@@ -156,10 +154,7 @@ Json names(const std::vector<const Technique*>& techniques) {
 Json count(const Subject& s, Jobs& jobs, const std::string& label, const frame::FramePlan& plan) {
     frame::Renderer renderer(jobs);
     renderer.render(s.scene, s.view, plan);
-    // What callgrind looks at takes fifty times as long.
-    CALLGRIND_START_INSTRUMENTATION;
     counted(renderer, s.scene, s.view, plan);
-    CALLGRIND_STOP_INSTRUMENTATION;
     return {{"label", label}, {"techniques", names(plan.techniques)}};
 }
 
