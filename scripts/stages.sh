@@ -13,11 +13,12 @@ declare -A stage_needs=(
 )
 
 # What one stage compiled another does not compile again, above all the release of ./run, which differs in no more than
-# -Werror. Only this script uses the cache, so nothing in it was compiled without.
+# -Werror. Only this script uses the cache, so nothing in it was compiled without. The folder is left out of what a
+# command is told apart by: precompiled headers lie in it.
 use_cache() {
     command -v ccache >/dev/null || return 0
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache CCACHE_DIR=$root/build/ccache
-    export CCACHE_IGNOREOPTIONS=-Werror CCACHE_SLOPPINESS=pch_defines,time_macros
+    export CCACHE_BASEDIR=$root/build CCACHE_IGNOREOPTIONS=-Werror CCACHE_SLOPPINESS=pch_defines,time_macros
 }
 
 # configure FOLDER PRESET [ARGS...]: configures build/FOLDER, unless it is configured so already.

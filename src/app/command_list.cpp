@@ -75,7 +75,6 @@ void list_techniques(const Settings&) {
 std::string_view describe(std::string_view target) {
     if (target == "avx3") return "AVX-512: 16 lanes";
     if (target == "avx2") return "AVX2: 8 lanes";
-    if (target == "sse4") return "SSE4.2 with AES: 4 lanes";
     if (target == "ssse3") return "SSSE3: 4 lanes";
     if (target == "emu128") return "plain C++ in lanes of 4, for every processor";
     if (target == "neon") return "NEON: 4 lanes";

@@ -10,7 +10,7 @@
 namespace scanout::simd {
 
 struct Target {
-    std::string name; // avx3, avx2, sse4, ssse3, emu128 (plain C++ in lanes of four), neon
+    std::string name; // avx3, avx2, ssse3, emu128 (plain C++ in lanes of four), neon
     bool supported;   // by this CPU
     bool chosen;      // kernels run on it
 };
