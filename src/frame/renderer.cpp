@@ -238,7 +238,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
                          int scale, const shade::GatherInput& in, Worker& worker,
                          image::Image& picture) {
     const image::Rect& larger = worker.visibility.area();
-    worker.drawn = shade::LinearPicture(larger.width(), larger.height());
+    worker.drawn.reset(larger.width(), larger.height());
     worker.drawn.x0 = larger.x0;
     worker.drawn.y0 = larger.y0;
     worker.gatherer.send_mixtures({.own = &worker.drawn});
@@ -388,10 +388,10 @@ void Renderer::State::count_frame(const FrameInput& input) {
     wide = {};
     std::fill(back_buffer.pixels().begin(), back_buffer.pixels().end(),
               input.plan.options.background);
-    count_covering(jobs, geometry, *marks);
-    if (input.visibility == nullptr) return;
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         raster::VisibilityTile& visible = workers[static_cast<std::size_t>(number)].visibility;
+        if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, *marks);
+        if (input.visibility == nullptr) return;
         visible.reset(geometry.tile_area(tile), 1, input.plan.visible);
         geometry.draw(tile, visible);
         keep(visible, *input.visibility);
@@ -432,8 +432,12 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
 
     if (visibility != nullptr) *visibility = nothing_seen(width, height, aa.samples);
     if (linear != nullptr) *linear = shade::LinearPicture(width, height);
-    s.marks.reset();
-    if (plan.stencil != nullptr) s.marks = std::make_unique<StencilBuffer>(o.width, o.height);
+    if (plan.stencil == nullptr)
+        s.marks.reset();
+    else if (s.marks == nullptr)
+        s.marks = std::make_unique<StencilBuffer>(o.width, o.height);
+    else
+        s.marks->reset(o.width, o.height);
     const FrameInput input{scene,   view,       plan,   transform, lights,
                            shadows, visibility, linear, tile_size};
     if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering)

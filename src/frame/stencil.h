@@ -16,10 +16,12 @@ namespace scanout::frame {
 
 class StencilBuffer {
 public:
+    StencilBuffer(int width, int height) { reset(width, height); }
     // All pixels are 0.
-    StencilBuffer(int width, int height)
-        : width_(width),
-          mark_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
+    void reset(int width, int height) {
+        width_ = width;
+        mark_.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    }
 
     int width() const { return width_; }
     int height() const { return static_cast<int>(mark_.size()) / width_; }
@@ -35,7 +37,7 @@ private:
     std::size_t start(int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
     }
-    int width_;
+    int width_ = 0;
     std::vector<std::uint8_t> mark_;
 };
 

@@ -29,8 +29,8 @@ void mark_shown(raster::AreaTile& tile, StencilBuffer& out) {
 
 // Whatever comes later, in the order of ids, shows: after each, the pixels that have its id are
 // those that it covers. The coverage is that of the picture itself, to the sample.
-static void count_tile(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
-                       StencilBuffer& out) {
+void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
+                    StencilBuffer& out) {
     scratch.reset(geometry.tile_area(tile), 1, {.test = raster::DepthTest::always});
     geometry.draw_each(tile, scratch, [&](std::uint32_t id, const image::Rect& box) {
         for (int y = box.y0; y < box.y1; ++y) {
@@ -40,14 +40,6 @@ static void count_tile(const raster::Geometry& geometry, int tile, raster::Visib
                 if (scratch.id(x, y) == id && count < 255) ++count;
             }
         }
-    });
-}
-
-void count_covering(Jobs& jobs, const raster::Geometry& geometry, StencilBuffer& out) {
-    std::vector<raster::VisibilityTile> scratch(static_cast<std::size_t>(jobs.threads()));
-    jobs.for_each(geometry.tiles(), [&](int tile, int worker) {
-        if (!geometry.is_empty(tile))
-            count_tile(geometry, tile, scratch[static_cast<std::size_t>(worker)], out);
     });
 }
 

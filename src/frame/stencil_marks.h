@@ -15,9 +15,10 @@ void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels*
 // The same by areas.
 void mark_shown(raster::AreaTile& tile, StencilBuffer& out);
 
-// Counts what lies over the pixels of all tiles, hidden or not; of what the geometry culled,
-// nothing. The geometry must have taken all for opaque.
-void count_covering(Jobs& jobs, const raster::Geometry& geometry, StencilBuffer& out);
+// Counts what lies over the pixels of a tile, hidden or not; of what the geometry culled, nothing.
+// The geometry must have taken all for opaque. scratch is drawn over.
+void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
+                    StencilBuffer& out);
 
 // All rows, after all marks.
 void show_marks(Jobs& jobs, const Stencil& stencil, const StencilBuffer& marks,

@@ -19,6 +19,12 @@ struct LinearPicture {
     LinearPicture() = default;
     LinearPicture(int w, int h)
         : width(w), height(h), pixel(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    // All is zero, the size this, and the memory what it was if that is enough.
+    void reset(int w, int h) {
+        width = w;
+        height = h;
+        pixel.assign(static_cast<std::size_t>(w) * static_cast<std::size_t>(h), {});
+    }
     std::array<float, 4>& at(int x, int y) {
         return pixel[static_cast<std::size_t>(y - y0) * static_cast<std::size_t>(width) +
                      static_cast<std::size_t>(x - x0)];

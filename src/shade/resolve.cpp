@@ -56,21 +56,20 @@ void resolve_area(PixelSums& sums, const Output& output, const image::Rgba8& bac
                   const image::Rect& area, image::Image& picture) {
     const auto width = static_cast<std::size_t>(area.width());
     const std::size_t count = width * static_cast<std::size_t>(area.height());
-    std::vector<std::uint32_t> codes(count + (kRoom - kLanes));
-    std::vector<float> offsets;
+    sums.codes.resize(count + (kRoom - kLanes));
     if (output.dither) {
-        offsets.resize(codes.size());
+        sums.offsets.resize(sums.codes.size());
         std::size_t i = 0;
         for (int y = area.y0; y < area.y1; ++y)
             for (int x = area.x0; x < area.x1; ++x)
-                offsets[i++] =
+                sums.offsets[i++] =
                     image::dither_offset(static_cast<unsigned>(x), static_cast<unsigned>(y));
     }
-    resolve_pixels(sums, output, background, output.dither ? offsets.data() : nullptr,
-                   static_cast<int>(count), codes.data());
+    resolve_pixels(sums, output, background, output.dither ? sums.offsets.data() : nullptr,
+                   static_cast<int>(count), sums.codes.data());
     for (int y = area.y0; y < area.y1; ++y)
         std::memcpy(static_cast<void*>(&picture.at(area.x0, y)),
-                    codes.data() + static_cast<std::size_t>(y - area.y0) * width,
+                    sums.codes.data() + static_cast<std::size_t>(y - area.y0) * width,
                     width * sizeof(std::uint32_t));
 }
 

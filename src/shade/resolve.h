@@ -15,6 +15,9 @@ struct PixelSums {
     std::vector<float> red, green, blue;
     std::vector<float> through;      // the background's share of the pixel
     std::vector<std::int32_t> alpha; // codes; of the means
+    // What resolve_area makes of them, kept for its memory.
+    std::vector<std::uint32_t> codes;
+    std::vector<float> offsets;
     // Room for count pixels, all zero, and a register more.
     void reset(std::size_t count);
 };

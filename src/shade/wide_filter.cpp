@@ -35,7 +35,7 @@ std::size_t WidePicture::bytes() const {
 }
 
 void WidePicture::reset(int width, int height, int tile, int across, int tiles) {
-    own = LinearPicture(width, height);
+    own.reset(width, height);
     part.assign(own.pixel.size(), -1);
     tile_size = tile;
     tiles_across = across;

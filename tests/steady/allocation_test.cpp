@@ -3,6 +3,7 @@
 #include "base/jobs.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
+#include "frame/techniques.h"
 #include "io/load.h"
 #include "simd/targets.h"
 #include "support/meshes.h"
@@ -120,32 +121,58 @@ const Case kCases[] = {
     {"hidden", nullptr, [](FrameOptions&) {}},
 };
 
+struct Frame {
+    scene::View view;
+    FramePlan plan;
+};
+
+// A turn of so many frames.
+std::vector<Frame> planned(const scene::Scene& scene, const FrameOptions& options, int count) {
+    const SceneFacts facts = frame::facts(scene);
+    std::vector<Frame> frames;
+    for (int i = 0; i < count; ++i) {
+        scene::Pose pose;
+        pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * i / count);
+        const scene::View view =
+            *scene::make_view(scene.mesh, {}, pose, {}, {}, options.width, options.height);
+        frames.push_back({view, *plan(options, facts, view)});
+    }
+    return frames;
+}
+
+void draw(Renderer& renderer, const scene::Scene& scene, const std::vector<Frame>& frames) {
+    for (const Frame& frame : frames)
+        renderer.render(scene, frame.view, frame.plan);
+}
+
+std::size_t allocations_of(Renderer& renderer, const scene::Scene& scene,
+                           const std::vector<Frame>& frames) {
+    allocations = 0;
+    counting = true;
+    draw(renderer, scene, frames);
+    counting = false;
+    return allocations;
+}
+
+FrameOptions small_picture() {
+    FrameOptions options;
+    options.width = 160;
+    options.height = 120;
+    return options;
+}
+
 // Blocks that are asked for while the model turns around once: of the turns after `warm` turns the
 // fewest. Of at most `turns`, until one has none.
 std::size_t allocations_of_a_turn(const Case& c, Jobs& jobs, int warm, int turns = 1) {
     const scene::Scene scene = scene_of(c);
-    FrameOptions options;
-    options.width = 160;
-    options.height = 120;
+    FrameOptions options = small_picture();
     c.ask(options);
-    const SceneFacts facts = frame::facts(scene);
+    const std::vector<Frame> frames = planned(scene, options, kTurn);
     Renderer renderer(jobs);
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     for (int turn = 0; turn < warm + turns && fewest > 0; ++turn) {
-        std::vector<std::pair<scene::View, FramePlan>> frames; // planned before: that allocates
-        for (int i = 0; i < kTurn; ++i) {
-            scene::Pose pose;
-            pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * i / kTurn);
-            const scene::View view =
-                *scene::make_view(scene.mesh, {}, pose, {}, {}, options.width, options.height);
-            frames.emplace_back(view, *plan(options, facts, view));
-        }
-        allocations = 0;
-        counting = true;
-        for (const auto& [view, plan] : frames)
-            renderer.render(scene, view, plan);
-        counting = false;
-        if (turn >= warm) fewest = std::min(fewest, allocations.load());
+        const std::size_t now = allocations_of(renderer, scene, frames);
+        if (turn >= warm) fewest = std::min(fewest, now);
     }
     return fewest;
 }
@@ -163,6 +190,30 @@ TEST(Steady, OnSeveralThreadsNothingIsAllocatedEither) {
     Jobs jobs(3);
     for (const Case& c : kCases)
         EXPECT_EQ(allocations_of_a_turn(c, jobs, 2, 200), 0U) << c.name;
+}
+
+// Each builds something anew every frame: the polygons of a volume; a tile's primitives, in the
+// order of their ids; and the planes of a convolution.
+bool builds_anew(const Technique& technique) {
+    return technique.name == "volume" || technique.name == "overdraw" ||
+           (technique.axis == "convolution" && technique.name != "none");
+}
+
+// Of every technique, on its own.
+TEST(Steady, NoTechniqueAllocatesWhatItHasHadBefore) {
+    Jobs jobs(1);
+    const scene::Scene scene = scene_of(kCases[0]);
+    for (const Technique* technique : techniques()) {
+        FrameOptions options = small_picture();
+        options.lights = {sun()};
+        if (!ask(options, technique->axis, technique->name)) continue;
+        const std::vector<Frame> frames = planned(scene, options, 10);
+        Renderer renderer(jobs);
+        draw(renderer, scene, frames);
+        draw(renderer, scene, frames);
+        EXPECT_EQ(allocations_of(renderer, scene, frames) > 0, builds_anew(*technique))
+            << technique->axis << ' ' << technique->name;
+    }
 }
 
 TEST(Steady, TheFirstTurnIsSeenToAllocate) {

@@ -4,6 +4,7 @@
 #include "frame/stencil.h"
 
 #include <algorithm>
+#include <array>
 
 namespace scanout::frame::stencil {
 namespace {
@@ -21,23 +22,37 @@ constexpr int reach(int rows) {
     return columns;
 }
 
-void show(const StencilBuffer& marks, int y, image::Image& picture) {
-    const int width = marks.width();
-    std::vector<std::uint8_t> near_mark;
+// The pixels of row y from x0 to x1, at most kPart of them.
+constexpr int kPart = 256;
+void show_part(const StencilBuffer& marks, int y, int x0, int x1, image::Image& picture) {
+    std::array<std::uint8_t, kPart> near_mark{};
+    bool any = false;
     for (int dy = -kOutlineWidth; dy <= kOutlineWidth; ++dy) {
         if (y + dy < 0 || y + dy >= marks.height()) continue;
-        const auto other = marks.row(y + dy);
-        if (std::find(other.begin(), other.end(), 1) == other.end()) continue;
-        near_mark.resize(static_cast<std::size_t>(width), 0);
         const int most = reach(dy);
+        const int first = std::max(0, x0 - most);
+        const int last = std::min(marks.width(), x1 + most);
+        const auto other = marks.row(y + dy);
+        if (std::find(other.begin() + first, other.begin() + last, 1) == other.begin() + last)
+            continue;
+        any = true;
         for (int dx = -most; dx <= most; ++dx)
-            for (int x = std::max(0, -dx); x < std::min(width, width - dx); ++x)
-                near_mark[static_cast<std::size_t>(x)] |= other[static_cast<std::size_t>(x + dx)];
+            for (int x = std::max(x0, -dx); x < std::min(x1, marks.width() - dx); ++x)
+                near_mark[static_cast<std::size_t>(x - x0)] |=
+                    other[static_cast<std::size_t>(x + dx)];
     }
+    if (!any) return;
     const auto own = marks.row(y);
     const auto pixels = picture.row(y);
-    for (std::size_t x = 0; x < near_mark.size(); ++x)
-        if (near_mark[x] != 0 && own[x] == 0) pixels[x] = kColour;
+    for (int x = x0; x < x1; ++x)
+        if (near_mark[static_cast<std::size_t>(x - x0)] != 0 &&
+            own[static_cast<std::size_t>(x)] == 0)
+            pixels[static_cast<std::size_t>(x)] = kColour;
+}
+
+void show(const StencilBuffer& marks, int y, image::Image& picture) {
+    for (int x = 0; x < marks.width(); x += kPart)
+        show_part(marks, y, x, std::min(x + kPart, marks.width()), picture);
 }
 
 } // namespace
