@@ -24,17 +24,18 @@ packages_arm=(g++-aarch64-linux-gnu qemu-user-static)
 packages_guests=(qemu-system-x86 seabios ipxe-qemu busybox-static kmod python3)
 packages_avx3=(bochs bochs-term bochsbios vgabios busybox-static kmod binutils python3) # bochs-term: without X
 
-# Prints the packages of the purposes that are not installed.
+# Prints the packages of the purposes that are not installed, each once.
 missing_packages() {
-    local purpose wanted=() have
+    local purpose package have wanted=()
     for purpose in "$@"; do
         local -n list=packages_$purpose
         wanted+=("${list[@]}")
     done
     # Its status is 1 when it does not know one of them, which would end this under `set -e`.
     have=$'\n'$(dpkg-query -W -f '${db:Status-Status} ${Package}\n' "${wanted[@]}" 2>/dev/null || true)$'\n'
-    for purpose in "${wanted[@]}"; do
-        [[ $have == *$'\n'"installed $purpose"$'\n'* ]] || echo "$purpose"
+    for package in "${wanted[@]}"; do
+        [[ $have == *$'\n'"installed $package"$'\n'* ]] || echo "$package"
+        have+="installed $package"$'\n' # named once
     done
 }
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034,SC2154  # sourced by ./test, which sets root and counts
-# The stages of ./test, in the order of CI. Together they have 30 minutes on two cores.
+# The stages of ./test, in the order of CI: about an hour on two cores, all builds included.
 # A stage runs with `set -e` in a subshell at the root and adds lines "PASSED FAILED SKIPPED" to $counts.
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
