@@ -25,7 +25,8 @@ struct Worker {
     shade::Gatherer gatherer;
     std::unique_ptr<shade::Layers> layers; // made when a plan wants it
     std::uint64_t lanes = 0;
-    int number = 0; // among the workers
+    int number = 0;               // among the workers
+    raster::Geometry::ById by_id; // of counts
     // Of some anti-aliasings alone; empty with the others.
     raster::AreaTile areas;
     shade::LinearPicture drawn; // of a tile that is larger than its pixels
@@ -99,8 +100,9 @@ struct Renderer::State {
     raster::HiddenClusters hidden; // of the view
     shade::MipChains mips;
     image::Image back_buffer;
-    BareTiles bare;          // of it
-    shade::WidePicture wide; // of filters that reach into neighbours
+    BareTiles bare;                   // of it
+    shade::WidePicture wide;          // of filters that reach into neighbours
+    std::vector<image::Plane> planes; // of a convolution
 
     void draw_tile(const Frame& frame, int tile, Worker& worker);
     void draw_marked_tile(const Frame& frame, int tile, Worker& worker);
@@ -389,8 +391,9 @@ void Renderer::State::count_frame(const FrameInput& input) {
     std::fill(back_buffer.pixels().begin(), back_buffer.pixels().end(),
               input.plan.options.background);
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
-        raster::VisibilityTile& visible = workers[static_cast<std::size_t>(number)].visibility;
-        if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, *marks);
+        Worker& worker = workers[static_cast<std::size_t>(number)];
+        raster::VisibilityTile& visible = worker.visibility;
+        if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, worker.by_id, *marks);
         if (input.visibility == nullptr) return;
         visible.reset(geometry.tile_area(tile), 1, input.plan.visible);
         geometry.draw(tile, visible);
@@ -445,7 +448,10 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     else
         s.draw_frame(input);
     if (plan.stencil != nullptr) show_marks(s.jobs, *plan.stencil, *s.marks, s.back_buffer);
-    if (plan.convolution != nullptr) s.back_buffer = plan.convolution->run(s.back_buffer);
+    if (plan.convolution != nullptr)
+        plan.convolution->run(s.back_buffer, s.planes);
+    else
+        release(s.planes);
     if (plan.stencil != nullptr || plan.convolution != nullptr || aa.weight != nullptr)
         s.bare.forget(); // these write beside the tiles that show something
     s.stats = {};

@@ -1,6 +1,7 @@
 #include "frame/shadow_pass.h"
 
 #include "base/check.h"
+#include "base/memory.h"
 #include "math/rotation.h"
 
 #include <algorithm>
@@ -21,14 +22,33 @@ ViewPlane in_view(const Ground& ground, const scene::View& view) {
 }
 
 // By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
-void find_casters(const geom::Mesh& mesh, std::span<const raster::Layer> layers,
-                  std::vector<std::uint8_t>& casts) {
-    casts.assign(mesh.triangles(), 1);
+std::vector<std::uint8_t> casting(const geom::Mesh& mesh, std::span<const raster::Layer> layers) {
+    std::vector<std::uint8_t> casts(mesh.triangles(), 1);
     for (std::size_t i = 0; i < casts.size() && !layers.empty(); ++i)
         casts[i] = layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::Layer::nothing;
+    return casts;
 }
 
 } // namespace
+
+void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan, bool projected) {
+    const std::optional<Ground> ground = projected ? std::optional(plan.ground) : std::nullopt;
+    if (scene.revision != 0 && casters_.revision == scene.revision && casters_.ground == ground &&
+        casters_.layers == plan.casters)
+        return;
+    const geom::Mesh& mesh = scene.mesh;
+    casters_ = {.revision = scene.revision,
+                .layers = plan.casters,
+                .ground = ground,
+                .casts = casting(mesh, plan.casters)};
+    if (!projected) {
+        casters_.welded = weld(mesh, casters_.casts);
+        return;
+    }
+    casters_.receives = in_ground(mesh, *ground);
+    for (std::size_t i = 0; i < casters_.casts.size(); ++i) // what lies in it throws none on it
+        if (casters_.receives[i] != 0) casters_.casts[i] = 0;
+}
 
 void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& transform,
                      const TileGrid& grid, FrameLights& lights) {
@@ -36,38 +56,35 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
     const std::string_view technique = in.plan.shadow.stage->card.name;
     const bool volume = technique == "volume", projected = technique == "projected";
     const std::size_t count = lights.lights().size();
-    const geom::Mesh& mesh = in.scene.mesh;
     maps_.clear();
-    polygons_.clear();
-    receives_.clear();
     lights_.assign(count, {});
     if (volume || projected) {
         polygons_.resize(count);
-        find_casters(mesh, in.plan.shadow.casters, casts_);
+        find_casters(in.scene, in.plan.shadow, projected);
+    } else {
+        release(polygons_);
+        release(edges_);
+        casters_ = {};
     }
-    const Welded welded = volume ? weld(mesh, casts_) : Welded();
-    ViewPlane ground;
-    if (projected) {
-        ground = in_view(in.plan.shadow.ground, in.view);
-        receives_ = in_ground(mesh, in.plan.shadow.ground);
-        for (std::size_t i = 0; i < casts_.size(); ++i) // what lies in the plane throws none on it
-            casts_[i] = casts_[i] != 0 && receives_[i] == 0 ? 1 : 0;
-    }
+    const ViewPlane ground = projected ? in_view(in.plan.shadow.ground, in.view) : ViewPlane();
     std::array<std::size_t, scene::kMostLights + 1> first_map{};
     for (std::size_t k = 0; k < count; ++k) {
         const scene::ViewLight& light = lights.lights()[k];
         first_map[k + 1] = maps_.maps().size();
-        if (!light.casts) continue;
+        if (!light.casts) {
+            if (!polygons_.empty()) polygons_[k] = {};
+            continue;
+        }
         lights.set_varies(k);
         shade::LightShadow& shadow = lights_[k];
         shadow.casts = true;
         shadow.shape = light.shape;
         shadow.soft = technique == "map_soft" && light.size > 0;
-        const Thrown thrown{mesh, casts_, light, in.view, transform, grid};
+        const Thrown thrown{in.scene.mesh, casters_.casts, light, in.view, transform, grid};
         if (volume)
-            polygons_[k] = shadow_volumes(thrown, welded);
+            shadow_volumes(thrown, casters_.welded, edges_, polygons_[k]);
         else if (projected)
-            polygons_[k] = projected_shadows(thrown, ground);
+            projected_shadows(thrown, ground, polygons_[k]);
         else
             maps_.add(in, light, in.plan.options.shadow_size, shadow.soft);
         first_map[k + 1] = maps_.maps().size();
@@ -84,7 +101,7 @@ const shade::TileShadow* ShadowPass::count(int tile, int worker, const Visibilit
     shade::TileShadow& made = tiles_[static_cast<std::size_t>(worker)];
     made = {};
     made.tile = &seen;
-    made.receives = receives_;
+    made.receives = casters_.receives;
     for (std::size_t k = 0; k < polygons_.size(); ++k) {
         if (!lights_[k].casts) continue;
         float* planes = counts.data() + size * k;

@@ -11,6 +11,7 @@
 #include "shade/shadow.h"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -32,9 +33,21 @@ public:
     std::size_t bytes() const;
 
 private:
+    // What follows from the scene and the plan, not from the view or the lights. Of a scene with
+    // the same revision (0: none has) it stays as it is.
+    struct Casters {
+        std::uint64_t revision = 0;
+        std::vector<raster::Layer> layers;
+        std::optional<Ground> ground;              // of projected shadows
+        std::vector<std::uint8_t> casts, receives; // by triangle; empty: all receive
+        Welded welded;                             // of volumes
+    };
+    void find_casters(const scene::Scene& scene, const ShadowPlan& plan, bool projected);
+
     ShadowMaps maps_;
-    std::vector<ShadowPolygons> polygons_;       // of each light; empty where maps are read
-    std::vector<std::uint8_t> casts_, receives_; // by triangle
+    std::vector<ShadowPolygons> polygons_; // of each light; empty where maps are read
+    Casters casters_;
+    std::vector<ShadowEdge> edges_; // room
     std::vector<shade::LightShadow> lights_;
     std::vector<std::vector<float>> counts_; // of each worker
     std::vector<shade::TileShadow> tiles_;

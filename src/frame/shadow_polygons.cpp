@@ -1,5 +1,6 @@
 #include "frame/shadow_polygons.h"
 
+#include "base/check.h"
 #include "frame/light_view.h"
 
 #include <algorithm>
@@ -20,14 +21,7 @@ constexpr double kFar = 0x1p20;
 // Nearer to the plane, in bounding radii, nothing throws a shadow onto it.
 constexpr double kNearPlane = 0x1p-14;
 
-// An edge from its lower vertex to the higher; `net` counts the triangles that name it in that
-// order, less those that name it the other way round.
-struct Edge {
-    std::uint32_t low, high;
-    std::int32_t net, uses;
-};
-
-void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<Edge>& edges) {
+void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<ShadowEdge>& edges) {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::uint32_t from = v[i], to = v[(i + 1) % 3];
         edges.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1, 1});
@@ -35,12 +29,12 @@ void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<Edge>& edges) 
 }
 
 // One entry an edge.
-void merge(std::vector<Edge>& edges) {
-    std::sort(edges.begin(), edges.end(), [](const Edge& a, const Edge& b) {
+void merge(std::vector<ShadowEdge>& edges) {
+    std::sort(edges.begin(), edges.end(), [](const ShadowEdge& a, const ShadowEdge& b) {
         return std::tie(a.low, a.high, a.net) < std::tie(b.low, b.high, b.net);
     });
     std::size_t kept = 0;
-    for (const Edge& e : edges) {
+    for (const ShadowEdge& e : edges) {
         if (kept > 0 && edges[kept - 1].low == e.low && edges[kept - 1].high == e.high) {
             edges[kept - 1].net += e.net;
             edges[kept - 1].uses += e.uses;
@@ -88,6 +82,7 @@ struct VolumeBuilder {
     const scene::ViewLight& light;
     const scene::View& view;
     const raster::ScreenTransform& transform;
+    std::vector<ShadowEdge>& edges; // room
     std::vector<raster::CountedTriangle>& out;
     DVec3 place = place_of(light, view);
 
@@ -119,7 +114,7 @@ struct VolumeBuilder {
         const std::array<ClipVertex, 3> back = {far(v[0]), far(v[2]), far(v[1])};
         add_polygon(back, transform, 1, CountSide::facing, raster::kNoPrimitive, out);
     }
-    void add_side(const Edge& e) const {
+    void add_side(const ShadowEdge& e) const {
         const std::array<ClipVertex, 4> side = {near(e.high), near(e.low), far(e.low), far(e.high)};
         // With parallel rays in perspective both far corners are the same.
         const std::size_t corners = parallel() && transform.perspective ? 3 : 4;
@@ -144,7 +139,7 @@ struct VolumeBuilder {
     }
     void build() const {
         const bool fronts_alone = welded.closed && stands_outside();
-        std::vector<Edge> edges;
+        edges.clear();
         for (std::size_t i = 0; i < mesh.triangles(); ++i) {
             if (casts[i] == 0) continue;
             std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
@@ -155,25 +150,36 @@ struct VolumeBuilder {
             add_edges(v, edges);
         }
         merge(edges);
-        for (const Edge& e : edges)
+        for (const ShadowEdge& e : edges)
             if (e.net != 0) add_side(e);
     }
 };
 
 // Cuts a polygon where the height leaves [low, high]; from the inside vertex to the outside one.
-using Corner = std::pair<DVec3, double>; // and its height
-void cut(std::vector<Corner>& polygon, double sign, double limit) {
-    std::vector<Corner> out;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double da = sign * (a.second - limit), db = sign * (b.second - limit);
-        if (da >= 0) out.push_back(a);
+struct Corner {
+    DVec3 at{0};
+    double height = 0;
+};
+struct Polygon {
+    std::array<Corner, 8> corner; // a triangle, cut twice, has five
+    std::size_t corners = 0;
+    void add(const Corner& c) {
+        CHECK_LT(corners, corner.size());
+        corner[corners++] = c;
+    }
+};
+void cut(Polygon& polygon, double sign, double limit) {
+    Polygon out;
+    for (std::size_t i = 0; i < polygon.corners; ++i) {
+        const Corner &a = polygon.corner[i], &b = polygon.corner[(i + 1) % polygon.corners];
+        const double da = sign * (a.height - limit), db = sign * (b.height - limit);
+        if (da >= 0) out.add(a);
         if ((da >= 0) == (db >= 0)) continue;
         const Corner &in = da >= 0 ? a : b, &outside = da >= 0 ? b : a;
         const double d_in = da >= 0 ? da : db, d_out = da >= 0 ? db : da;
-        out.emplace_back(in.first + (outside.first - in.first) * (d_in / (d_in - d_out)), limit);
+        out.add({in.at + (outside.at - in.at) * (d_in / (d_in - d_out)), limit});
     }
-    polygon = std::move(out);
+    polygon = out;
 }
 
 } // namespace
@@ -194,14 +200,14 @@ Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts) {
         const bool same = i > 0 && place(order[i]) == place(order[i - 1]);
         welded.vertex[order[i]] = same ? welded.vertex[order[i - 1]] : order[i];
     }
-    std::vector<Edge> edges;
+    std::vector<ShadowEdge> edges;
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
         const std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
         if (casts[i] != 0 && has_edges(v)) add_edges(v, edges);
     }
     merge(edges);
     welded.closed = std::all_of(edges.begin(), edges.end(),
-                                [](const Edge& e) { return e.net == 0 && e.uses == 2; });
+                                [](const ShadowEdge& e) { return e.net == 0 && e.uses == 2; });
     return welded;
 }
 
@@ -212,6 +218,12 @@ std::size_t ShadowPolygons::bytes() const {
     return bytes;
 }
 
+void ShadowPolygons::clear() {
+    triangles.clear();
+    for (std::vector<std::uint32_t>& tile : tiles)
+        tile.clear();
+}
+
 void ShadowPolygons::count(int tile, const raster::VisibilityTile& seen, float* counts) const {
     const raster::CountPlanes planes{seen.area(), seen.pattern(), seen.depths(0).data(),
                                      seen.ids(0).data(), counts};
@@ -219,16 +231,18 @@ void ShadowPolygons::count(int tile, const raster::VisibilityTile& seen, float* 
         count_triangle(planes, triangles[i], where);
 }
 
-ShadowPolygons shadow_volumes(const Thrown& t, const Welded& welded) {
-    ShadowPolygons made;
-    VolumeBuilder{t.mesh, t.casts, welded, t.light, t.view, t.transform, made.triangles}.build();
-    bin(t.grid, made);
-    return made;
+void shadow_volumes(const Thrown& t, const Welded& welded, std::vector<ShadowEdge>& edges,
+                    ShadowPolygons& out) {
+    out.clear();
+    out.where = raster::CountWhere::behind;
+    VolumeBuilder{t.mesh, t.casts, welded, t.light, t.view, t.transform, edges, out.triangles}
+        .build();
+    bin(t.grid, out);
 }
 
-ShadowPolygons projected_shadows(const Thrown& t, const ViewPlane& plane) {
-    ShadowPolygons made;
-    made.where = raster::CountWhere::everywhere;
+void projected_shadows(const Thrown& t, const ViewPlane& plane, ShadowPolygons& out) {
+    out.clear();
+    out.where = raster::CountWhere::everywhere;
     const bool parallel = t.light.kind == scene::LightKind::directional;
     const DVec3 from = parallel ? DVec3(t.light.towards) : place_of(t.light, t.view);
     // A parallel light has a direction alone: how high it stands, not how far above the plane.
@@ -241,30 +255,28 @@ ShadowPolygons projected_shadows(const Thrown& t, const ViewPlane& plane) {
         offset = -offset;
         above = -above;
     }
-    std::vector<Corner> polygon;
     for (std::size_t i = 0; i < t.mesh.triangles() && above > lowest; ++i) {
         if (t.casts[i] == 0) continue;
-        polygon.clear();
+        Polygon polygon;
         for (std::size_t k = 0; k < 3; ++k) {
             const DVec3 at = t.view.linear * DVec3(t.mesh.position[t.mesh.index[i * 3 + k]]) +
                              t.view.translation;
-            polygon.emplace_back(at, dot3(normal, at) + offset);
+            polygon.add({at, dot3(normal, at) + offset});
         }
         cut(polygon, 1, least);
         // What is level with a light at a place throws its shadow infinitely far.
         if (!parallel) cut(polygon, -1, above * (1 - 1 / kFar));
         std::array<ClipVertex, 8> corner{};
         std::size_t corners = 0;
-        for (const auto& [at, height] : polygon) {
+        for (const auto& [at, height] : std::span(polygon.corner).first(polygon.corners)) {
             const double w = parallel ? above : above - height;
             corner[corners++] = to_clip(t.transform, DVec4((at * above - from * height) / w, 1));
         }
         if (corners >= 3)
             add_polygon(std::span(corner).first(corners), t.transform, 1, CountSide::same,
-                        raster::kNoPrimitive, made.triangles);
+                        raster::kNoPrimitive, out.triangles);
     }
-    bin(t.grid, made);
-    return made;
+    bin(t.grid, out);
 }
 
 } // namespace scanout::frame

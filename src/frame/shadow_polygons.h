@@ -30,13 +30,20 @@ struct Thrown {
     const TileGrid& grid;
 };
 
-// The edges of the triangles that throw shadows, vertices at one place taken as one (HARD-CASES
-// 45).
+// Vertices at one place taken as one (HARD-CASES 45). It follows from the mesh and from which of
+// its triangles throw shadows.
 struct Welded {
     std::vector<std::uint32_t> vertex; // of each vertex, the first at its place
     bool closed = false;               // every edge belongs to two triangles that wind the same way
 };
 Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts);
+
+// An edge from its lower vertex to the higher; `net` counts the triangles that name it in that
+// order, less those that name it the other way round.
+struct ShadowEdge {
+    std::uint32_t low, high;
+    std::int32_t net, uses;
+};
 
 struct ShadowPolygons {
     std::vector<raster::CountedTriangle> triangles;
@@ -47,6 +54,8 @@ struct ShadowPolygons {
         return {triangles, tiles[static_cast<std::size_t>(tile)], where};
     }
     std::size_t bytes() const;
+    // Forgets the polygons; memory is kept.
+    void clear();
     // Adds to the tile's counts.
     void count(int tile, const raster::VisibilityTile& seen, float* counts) const;
 };
@@ -55,8 +64,9 @@ struct ShadowPolygons {
 // sides that the light draws from their edges, to infinity, and there their far ends. Counted
 // behind a point, those that leave the space less those that enter it are how often the point is
 // hidden. Of a closed mesh that the light stands outside of the triangles that face it, otherwise
-// all; edges between two of them have no side.
-ShadowPolygons shadow_volumes(const Thrown& thrown, const Welded& welded);
+// all; edges between two of them have no side. `edges` is room.
+void shadow_volumes(const Thrown& thrown, const Welded& welded, std::vector<ShadowEdge>& edges,
+                    ShadowPolygons& out);
 
 // A plane of view space, normal . p + offset = 0.
 struct ViewPlane {
@@ -65,6 +75,6 @@ struct ViewPlane {
 };
 
 // What the triangles between the light and the plane throw onto it.
-ShadowPolygons projected_shadows(const Thrown& thrown, const ViewPlane& plane);
+void projected_shadows(const Thrown& thrown, const ViewPlane& plane, ShadowPolygons& out);
 
 } // namespace scanout::frame

@@ -30,9 +30,9 @@ void mark_shown(raster::AreaTile& tile, StencilBuffer& out) {
 // Whatever comes later, in the order of ids, shows: after each, the pixels that have its id are
 // those that it covers. The coverage is that of the picture itself, to the sample.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
-                    StencilBuffer& out) {
+                    raster::Geometry::ById& order, StencilBuffer& out) {
     scratch.reset(geometry.tile_area(tile), 1, {.test = raster::DepthTest::always});
-    geometry.draw_each(tile, scratch, [&](std::uint32_t id, const image::Rect& box) {
+    geometry.draw_each(tile, scratch, order, [&](std::uint32_t id, const image::Rect& box) {
         for (int y = box.y0; y < box.y1; ++y) {
             const auto row = out.row(y);
             for (int x = box.x0; x < box.x1; ++x) {

@@ -16,9 +16,9 @@ void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels*
 void mark_shown(raster::AreaTile& tile, StencilBuffer& out);
 
 // Counts what lies over the pixels of a tile, hidden or not; of what the geometry culled, nothing.
-// The geometry must have taken all for opaque. scratch is drawn over.
+// The geometry must have taken all for opaque. scratch is drawn over, order is room.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
-                    StencilBuffer& out);
+                    raster::Geometry::ById& order, StencilBuffer& out);
 
 // All rows, after all marks.
 void show_marks(Jobs& jobs, const Stencil& stencil, const StencilBuffer& marks,

@@ -9,16 +9,18 @@
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace scanout::image {
 
 struct Convolution {
     Technique card;
-    Image (*run)(const Image& picture);
-    int planes; // it holds so many at the most, and the picture that it makes
+    // In place; the planes are room, as many as it likes.
+    void (*run)(Image& picture, std::vector<Plane>& planes);
+    int planes; // so many it likes
 
     std::uint64_t bytes(int width, int height) const {
-        return (static_cast<std::uint64_t>(planes) * sizeof(double) + sizeof(Rgba8)) *
+        return static_cast<std::uint64_t>(planes) * sizeof(double) *
                static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     }
 };
@@ -28,8 +30,9 @@ std::span<const Convolution* const> convolutions();
 const Convolution* find_convolution(std::string_view name);
 
 // What varies slowly, by the binomial weights 1 4 6 4 1 / 16 on each axis; and the rest. Together
-// they are the plane; of a constant the first is that constant, the second 0, to the bit.
-Plane low_pass(const Plane& plane);
-Plane high_pass(const Plane& plane);
+// they are the plane; of a constant the first is that constant, the second 0, to the bit. In place;
+// the other planes are room.
+void low_pass(Plane& plane, Plane& between);
+void high_pass(Plane& plane, Plane& low, Plane& between);
 
 } // namespace scanout::image

@@ -25,49 +25,57 @@ Plane convolve(const Plane& plane, const Kernel& k) {
     return out;
 }
 
-static Plane convolve_rows(const Plane& plane, const Side& side) {
+static void convolve_rows(const Plane& plane, const Side& side, Plane& out) {
     CHECK(side.weight.size() % 2 == 1);
     const int radius = static_cast<int>(side.weight.size() / 2);
-    Plane out(plane.width, plane.height);
-    std::vector<double> padded(static_cast<std::size_t>(plane.width) + side.weight.size() - 1);
+    out.resize(plane.width, plane.height);
     for (int y = 0; y < plane.height; ++y) {
-        for (std::size_t i = 0; i < padded.size(); ++i)
-            padded[i] = plane.at(std::clamp(static_cast<int>(i) - radius, 0, plane.width - 1), y);
         for (int x = 0; x < plane.width; ++x) {
             const double middle = plane.at(x, y);
-            const double* from = padded.data() + x;
             double sum = 0;
-            for (const double weight : side.weight)
-                sum += weight * (*from++ - middle);
+            if (x >= radius && x + radius < plane.width) {
+                const double* from = &plane.at(x - radius, y);
+                for (const double weight : side.weight)
+                    sum += weight * (*from++ - middle);
+            } else {
+                int from = x - radius;
+                for (const double weight : side.weight)
+                    sum += weight * (plane.at(std::clamp(from++, 0, plane.width - 1), y) - middle);
+            }
             out.at(x, y) = middle * side.gain + sum;
         }
     }
-    return out;
 }
 
-static Plane convolve_columns(const Plane& plane, const Side& side) {
+static void convolve_columns(const Plane& plane, const Side& side, Plane& out) {
     CHECK(side.weight.size() % 2 == 1);
     const int radius = static_cast<int>(side.weight.size() / 2);
-    Plane out(plane.width, plane.height);
-    for (int y = 0; y < plane.height; ++y) {
-        for (int x = 0; x < plane.width; ++x) // row by row: the cache sees whole lines
-            out.at(x, y) = plane.at(x, y) * side.gain;
+    out.resize(plane.width, plane.height);
+    for (int y = 0; y < plane.height; ++y) { // row by row: the cache sees whole lines
+        for (int x = 0; x < plane.width; ++x)
+            out.at(x, y) = 0;
         std::size_t i = 0;
-        std::vector<double> sum(static_cast<std::size_t>(plane.width), 0.0);
         for (int dy = -radius; dy <= radius; ++dy) {
             const int from = std::clamp(y + dy, 0, plane.height - 1);
             const double weight = side.weight[i++];
             for (int x = 0; x < plane.width; ++x)
-                sum[static_cast<std::size_t>(x)] += weight * (plane.at(x, from) - plane.at(x, y));
+                out.at(x, y) += weight * (plane.at(x, from) - plane.at(x, y));
         }
         for (int x = 0; x < plane.width; ++x)
-            out.at(x, y) += sum[static_cast<std::size_t>(x)];
+            out.at(x, y) = plane.at(x, y) * side.gain + out.at(x, y);
     }
-    return out;
 }
 
 Plane convolve(const Plane& plane, const Side& across, const Side& down) {
-    return convolve_columns(convolve_rows(plane, across), down);
+    Plane between, out;
+    convolve_rows(plane, across, between);
+    convolve_columns(between, down, out);
+    return out;
+}
+
+void convolve(Plane& plane, const Side& across, const Side& down, Plane& between) {
+    convolve_rows(plane, across, between);
+    convolve_columns(between, down, plane);
 }
 
 } // namespace scanout::image

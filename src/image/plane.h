@@ -15,8 +15,14 @@ struct Plane {
     Plane() = default;
     Plane(int w, int h)
         : width(w), height(h), value(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+    // As large as that, whatever stands in it; memory that it has had is kept.
+    void resize(int w, int h) {
+        width = w;
+        height = h;
+        value.resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h));
+    }
     double& at(int x, int y) { return value[offset(x, y)]; }
-    double at(int x, int y) const { return value[offset(x, y)]; }
+    const double& at(int x, int y) const { return value[offset(x, y)]; }
 
 private:
     std::size_t offset(int x, int y) const {
@@ -41,5 +47,7 @@ struct Side {
     double gain = 1;
 };
 Plane convolve(const Plane& plane, const Side& across, const Side& down);
+// In place; `between` is room for what the first pass makes.
+void convolve(Plane& plane, const Side& across, const Side& down, Plane& between);
 
 } // namespace scanout::image

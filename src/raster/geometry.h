@@ -63,9 +63,15 @@ public:
     // The triangles among that.
     void draw(int tile, AreaTile& out) const;
     // Draws what is opaque, one primitive after the other, lines and points without a ground; calls
-    // drawn(id, pixels that it may have changed) after each that shows.
+    // drawn(id, pixels that it may have changed) after each that shows. `order` is room for what
+    // the tile holds.
+    struct ById {
+        std::vector<std::uint32_t> triangles;
+        std::vector<Segment> segments;
+        std::vector<Point> points;
+    };
     using Drawn = std::function<void(std::uint32_t, const image::Rect&)>;
-    void draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const;
+    void draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const;
 
     // Of what may be seen, and of all lines and points.
     std::span<const ScreenVertex> vertices() const { return vertices_; }

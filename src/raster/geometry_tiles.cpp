@@ -155,12 +155,13 @@ image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) cons
     return drawn;
 }
 
-void Geometry::draw_each(int tile, VisibilityTile& out, const Drawn& drawn) const {
+void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
     CHECK(hidden_ == nullptr);
     const auto at = static_cast<std::size_t>(tile);
-    std::vector<std::uint32_t> triangles;
-    std::vector<Segment> segments;
-    std::vector<Point> points;
+    auto& [triangles, segments, points] = order;
+    triangles.clear();
+    segments.clear();
+    points.clear();
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[at];
         triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());

@@ -1,11 +1,13 @@
 // Laws of the shadows, against rays in double.
 #include "image/compare.h"
+#include "image/hash.h"
 #include "oracle/rays.h"
 #include "support/scenes.h"
 #include "techniques.h"
 
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace scanout::test {
 namespace {
@@ -567,6 +569,50 @@ TEST(Shadow, IsWholeWhereOneFaceStandsCloseBehindAnother) {
             }
         }
     }
+}
+
+// A renderer keeps what it found out about a scene's triangles, but only while that holds: for the
+// same revision of a scene, the same materials that let light through, and the same ground.
+TEST(Shadow, IsThatOfItsOwnSceneWhateverWasDrawnBefore) {
+    const auto lifted = [](Shot s, float by, std::uint64_t revision) {
+        s.scene.revision = revision;
+        for (Vec3& p : s.scene.mesh.position) // the ball; the slab lies below
+            if (p.y > -0.2F) p.x += by;
+        return s;
+    };
+    const Shot ball = lifted(ball_on_slab(), 0, 1);
+    Shot glass = ball, opaque = ball, leaning = ball;
+    for (std::size_t i = 12; i < glass.scene.mesh.triangles(); ++i)
+        glass.scene.mesh.material[i] = 1;
+    glass.scene.materials.push_back(plain({0.8F, 0.5F, 0.3F}));
+    glass.scene.materials[1].opacity = 0.5F;
+    glass.scene.revision = 2;
+    opaque = glass;
+    opaque.options.blend = "none";
+    leaning.options.shadow_plane = {DVec3(1, 0, 0), -0.6};
+    const Shot shots[] = {ball,    lifted(ball, 0.3F, 3),
+                          ball,    lifted(ball, 0.2F, 0),
+                          glass,   opaque,
+                          glass,   lifted(ball, 0.1F, 0),
+                          ball,    leaning,
+                          leaning, ball};
+    Jobs jobs(1);
+    frame::Renderer renderer(jobs);
+    std::set<std::uint64_t> pictures;
+    for (const std::string technique : {"volume", "projected", "volume", "map"}) {
+        for (std::size_t i = 0; i < std::size(shots); ++i) {
+            Shot s = shots[i];
+            s.options.shadow = technique;
+            s.options.effects["shadow"] = true;
+            const auto view = scene::make_view(s.scene.mesh, {}, {}, s.camera, {}, 48, 48);
+            const auto plan =
+                frame::plan(s.options, frame::facts(s.scene, s.options.shadow_plane), *view);
+            ASSERT_TRUE(plan) << plan.error().what;
+            EXPECT_EQ(renderer.render(s.scene, *view, *plan), draw(s)) << technique << ' ' << i;
+            pictures.insert(image::frame_hash(draw(s)));
+        }
+    }
+    EXPECT_GE(pictures.size(), 14U); // they do differ
 }
 
 TEST(Shadow, TakesNoMemoryOnceThePlanNeedsNone) {

@@ -3,40 +3,40 @@
 #include "image/convolution.h"
 #include "math/srgb.h"
 
-#include <array>
+#include <algorithm>
 
 namespace scanout::image {
 
-Plane high_pass(const Plane& plane) {
-    Plane rest = low_pass(plane);
-    for (std::size_t i = 0; i < rest.value.size(); ++i)
-        rest.value[i] = plane.value[i] - rest.value[i];
-    return rest;
+void high_pass(Plane& plane, Plane& low, Plane& between) {
+    low.resize(plane.width, plane.height);
+    std::copy(plane.value.begin(), plane.value.end(), low.value.begin());
+    low_pass(low, between);
+    for (std::size_t i = 0; i < plane.value.size(); ++i)
+        plane.value[i] -= low.value[i];
 }
 
 namespace convolution {
 namespace {
 
-Image rest(const Image& picture) {
-    std::array<Plane, 3> planes; // light times alpha
-    planes.fill(Plane(picture.width(), picture.height()));
+void keep_rest(Image& picture, std::vector<Plane>& planes) {
+    planes.resize(3 + 2); // light times alpha; two for one's low-pass
+    for (Plane& plane : planes)
+        plane.resize(picture.width(), picture.height());
     for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const Rgba8& p = picture.pixels()[i];
         const DVec3 light = linear_light(p) * (p.a / 255.0);
         for (std::size_t c = 0; c < 3; ++c)
             planes[c].value[i] = light[static_cast<int>(c)];
     }
-    for (Plane& plane : planes)
-        plane = high_pass(plane);
-    Image out(picture.width(), picture.height());
-    for (std::size_t i = 0; i < out.pixels().size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c)
+        high_pass(planes[c], planes[3], planes[4]);
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const auto code = [&](std::size_t c) {
             const double value = planes[c].value[i];
             return srgb_encode(static_cast<float>(value < 0 ? -value : value));
         };
-        out.pixels()[i] = {code(0), code(1), code(2), 255};
+        picture.pixels()[i] = {code(0), code(1), code(2), 255};
     }
-    return out;
 }
 
 } // namespace
@@ -47,8 +47,8 @@ constinit const Convolution high_pass{{.axis = "convolution",
                                        .blurb = "shows what a low-pass takes away: edges",
                                        .source = "[C 6], identity less the binomial",
                                        .kind = Kind::model},
-                                      rest,
-                                      3 + 2}; // two while one is convolved
+                                      keep_rest,
+                                      3 + 2};
 
 } // namespace convolution
 } // namespace scanout::image

@@ -8,17 +8,18 @@
 
 namespace scanout::image {
 
-Plane low_pass(const Plane& plane) {
+void low_pass(Plane& plane, Plane& between) {
     static constexpr std::array kBinomial = {1 / 16.0, 4 / 16.0, 6 / 16.0, 4 / 16.0, 1 / 16.0};
-    return convolve(plane, {kBinomial, 1}, {kBinomial, 1});
+    convolve(plane, {kBinomial, 1}, {kBinomial, 1}, between);
 }
 
 namespace convolution {
 namespace {
 
-Image smoothed(const Image& picture) {
-    std::array<Plane, 4> planes; // light times alpha, and alpha
-    planes.fill(Plane(picture.width(), picture.height()));
+void smooth(Image& picture, std::vector<Plane>& planes) {
+    planes.resize(4 + 1); // light times alpha, and alpha; one between
+    for (Plane& plane : planes)
+        plane.resize(picture.width(), picture.height());
     for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const Rgba8& p = picture.pixels()[i];
         const DVec3 light = linear_light(p) * static_cast<double>(p.a);
@@ -26,17 +27,15 @@ Image smoothed(const Image& picture) {
             planes[c].value[i] = light[static_cast<int>(c)];
         planes[3].value[i] = p.a;
     }
-    for (Plane& plane : planes)
-        plane = low_pass(plane);
-    Image out(picture.width(), picture.height());
-    for (std::size_t i = 0; i < out.pixels().size(); ++i) {
+    for (std::size_t c = 0; c < 4; ++c)
+        low_pass(planes[c], planes[4]);
+    for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const double alpha = planes[3].value[i];
         const auto code = [&](std::size_t c) {
             return srgb_encode(alpha > 0 ? static_cast<float>(planes[c].value[i] / alpha) : 0.0F);
         };
-        out.pixels()[i] = {code(0), code(1), code(2), static_cast<std::uint8_t>(alpha + 0.5)};
+        picture.pixels()[i] = {code(0), code(1), code(2), static_cast<std::uint8_t>(alpha + 0.5)};
     }
-    return out;
 }
 
 } // namespace
@@ -47,8 +46,8 @@ constinit const Convolution low_pass{{.axis = "convolution",
                                       .blurb = "smooths what varies within 5 x 5 pixels",
                                       .source = "[C 6], binomial weights",
                                       .kind = Kind::model},
-                                     smoothed,
-                                     4 + 2}; // two while one is convolved
+                                     smooth,
+                                     4 + 1};
 
 } // namespace convolution
 } // namespace scanout::image
