@@ -37,10 +37,11 @@ void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan,
         casters_.layers == plan.casters)
         return;
     const geom::Mesh& mesh = scene.mesh;
-    casters_ = {.revision = scene.revision,
-                .layers = plan.casters,
-                .ground = ground,
-                .casts = casting(mesh, plan.casters)};
+    casters_ = {};
+    casters_.revision = scene.revision;
+    casters_.layers = plan.casters;
+    casters_.ground = ground;
+    casters_.casts = casting(mesh, plan.casters);
     if (!projected) {
         casters_.welded = weld(mesh, casters_.casts);
         return;

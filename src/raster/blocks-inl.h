@@ -131,7 +131,7 @@ SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const De
     std::int32_t offset[kSteps];
     int steps = 0;
     bool shows = false;
-    const auto draw_waiting = [&]() HWY_ATTR {
+    const auto draw_waiting = [&]() SIMD_LAMBDA {
         for (; waiting != 0; waiting &= waiting - 1) {
             const int bit = __builtin_ctzll(waiting), step = bit / kLanesX8, lane = bit % kLanesX8;
             const std::ptrdiff_t place = corner[lane] + offset[step];
@@ -180,7 +180,7 @@ SIMD_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
     const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
     const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
     const I32x8 begin = load<I32x8>(b.begin);
-    const auto depth_at = [&](const I32x8(&)[3], int i, int j) HWY_ATTR {
+    const auto depth_at = [&](const I32x8(&)[3], int i, int j) SIMD_LAMBDA {
         const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
         return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
     };

@@ -25,7 +25,7 @@ SIMD_INLINE ClusterLanes clusters_at(const geom::Cluster* first, int count) {
     const auto* words = reinterpret_cast<const double*>(first);
     const I32x8 at = minimum(iota<I32x8>(0), I32x8(count - 1)) * I32x8(kWords);
     const auto word = [&](std::size_t offset)
-                          HWY_ATTR { return gather(words + offset / sizeof(double), at); };
+                          SIMD_LAMBDA { return gather(words + offset / sizeof(double), at); };
     ClusterLanes c;
     SIMD_UNROLL
     for (std::size_t k = 0; k < 3; ++k) {
@@ -49,7 +49,7 @@ SIMD_INLINE F64x8 at_centre(const ClusterCull::Plane& p, const ClusterLanes& c) 
 // All on one side of an edge of the picture, by more than a sample can reach.
 SIMD_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
     const F64x8 radius = c.radius * F64x8(kSlack), limit = most_w * F64x8(-kBesidePixels);
-    const auto past = [&](const ClusterCull::Plane& edge) HWY_ATTR {
+    const auto past = [&](const ClusterCull::Plane& edge) SIMD_LAMBDA {
         return at_centre(edge, c) + F64x8(edge.length) * radius < limit;
     };
     return (past(t.edge[0]) | past(t.edge[1])) | (past(t.edge[2]) | past(t.edge[3]));
@@ -71,7 +71,7 @@ SIMD_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 leas
         distance = sqrt(dot(from_eye, from_eye));
         radius = c.radius * F64x8(kSlack);
         // Beside the view axis, at distance 1.
-        const auto reach = [&](const ClusterCull::Plane& axis) HWY_ATTR {
+        const auto reach = [&](const ClusterCull::Plane& axis) SIMD_LAMBDA {
             return abs(at_centre(axis, c)) + F64x8(axis.length) * c.radius;
         };
         aside = one + (reach(t.x) + reach(t.y)) / least_w;

@@ -17,7 +17,7 @@ SIMD_INLINE void count_rows(const CountSetUp& t, SampleOffset offset, const floa
         const double py = y * 256 + offset.y;
         for (int x = t.x0; x < t.x1; x += kLanesX8) {
             const F64x8 px = to_f64(shift_left<8>(iota<I32x8>(x)) + I32x8(offset.x));
-            const auto edge = [&](int k) HWY_ATTR {
+            const auto edge = [&](int k) SIMD_LAMBDA {
                 return F64x8(t.a[k]) * px + F64x8(t.b[k] * py + t.c[k]);
             };
             const F64x8 e0 = edge(0), e1 = edge(1), e2 = edge(2);

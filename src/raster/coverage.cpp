@@ -12,7 +12,7 @@ template <Shows kShows>
 SIMD_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
                             I32& drawn) {
     WalkLanes lanes =
-        walk_lanes(w, [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); });
+        walk_lanes(w, [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); });
     lanes.x0 = load<I32x8>(w.x0 + i);
     lanes.y0 = load<I32x8>(w.y0 + i);
     lanes.x1 = load<I32x8>(w.x1 + i);
@@ -47,13 +47,13 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, floa
     const F64x8 corner_x = static_cast<double>(tile.area.x0 * kSubpixel),
                 corner_y = static_cast<double>(tile.area.y0 * kSubpixel);
     // From the tile's first block to where it is greatest.
-    const auto highest = [&](F64x8 first, F64x8 across, F64x8 down) HWY_ATTR {
+    const auto highest = [&](F64x8 first, F64x8 across, F64x8 down) SIMD_LAMBDA {
         return first +
                (maximum(across, zero) + maximum(down, zero)) * F64x8(double{BlockList::kRow});
     };
     std::uint32_t seen = 0;
     for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
-        const auto read = [&](const double* from) HWY_ATTR { return load<F64x8>(from + i); };
+        const auto read = [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); };
         F64x8 depth = 0.0;
         auto here = read(w.nearest) >= F64x8(double{farthest}) * F64x8(1 - 0x1p-20);
         SIMD_UNROLL

@@ -55,7 +55,7 @@ SIMD_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds&
     constexpr int kRow = BlockList::kRow;
     static_assert(kRow == BlockWalk::kSide);
     const bool ask = kUsual && tile.farthest != nullptr;
-    const auto lanes = [](float first, float across, float down, int r) HWY_ATTR {
+    const auto lanes = [](float first, float across, float down, int r) SIMD_LAMBDA {
         return F32(first) + (to_f32(columns(r)) * F32(across) + to_f32(rows()) * F32(down));
     };
     F32 edge[3][kRegisters], down[3], depth[kRegisters];

@@ -110,7 +110,7 @@ template <Shows kShows>
 SIMD_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::uint64_t blocks,
                             I32& drawn) {
     const WalkLanes lanes =
-        walk_lanes(w, [&](const double* from) HWY_ATTR { return F64x8(from[i]); });
+        walk_lanes(w, [&](const double* from) SIMD_LAMBDA { return F64x8(from[i]); });
     const std::uint32_t name = w.id[i];
     InBlock in;
     set_up_edges(w, i, in);

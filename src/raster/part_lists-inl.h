@@ -68,11 +68,11 @@ struct AsStrips {
             draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
         else
             steep.add(first, some,
-                      [&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
+                      [&](Parts parts) SIMD_LAMBDA { draw_steep(tile, list, parts, drawn); });
         draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
     }
     SIMD_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        steep.finish([&](Parts parts) HWY_ATTR { draw_steep(tile, list, parts, drawn); });
+        steep.finish([&](Parts parts) SIMD_LAMBDA { draw_steep(tile, list, parts, drawn); });
     }
 };
 
@@ -91,12 +91,12 @@ struct AsSpecks {
     SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList& list,
                           const SetUpParts<Tag>& s, const TilePart* first, I32x8& drawn) {
         steep.add(first, s.live & ~s.plane.flat,
-                  [&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
+                  [&](Parts parts) SIMD_LAMBDA { add_steep(tile, list, parts, drawn); });
         add_specks<SpeckDepths<kKind == PartKind::speck_astride>, kShows>(
             tile, s, s.live & s.plane.flat, batch, drawn);
     }
     SIMD_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        steep.finish([&](Parts parts) HWY_ATTR { add_steep(tile, list, parts, drawn); });
+        steep.finish([&](Parts parts) SIMD_LAMBDA { add_steep(tile, list, parts, drawn); });
         draw_batch<kShows>(tile, batch, drawn);
     }
 };

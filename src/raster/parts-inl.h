@@ -91,10 +91,10 @@ SIMD_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std:
     } else {
         const auto low = screen_lanes<F32x8::Tag>(vertices, index);
         const auto high = screen_lanes<F32x8::Tag>(vertices, index + kLanesX8);
-        const auto both = [](auto a, auto b) HWY_ATTR {
+        const auto both = [](auto a, auto b) SIMD_LAMBDA {
             return Int<D>(hn::Combine(typename Int<D>::Tag(), b.raw, a.raw));
         };
-        const auto depths = [](auto a, auto b) HWY_ATTR { return Double<D>(a.raw, b.raw); };
+        const auto depths = [](auto a, auto b) SIMD_LAMBDA { return Double<D>(a.raw, b.raw); };
         return {both(low.x, high.x), both(low.y, high.y), depths(low.depth, high.depth)};
     }
 }

@@ -93,7 +93,7 @@ SIMD_INLINE void place_lanes(const TileGrid& grid, const std::uint32_t* triangle
     const auto one_block = (shift_right<3>(x0) == shift_right<3>(x1 - one)) &
                            (shift_right<3>(y0) == shift_right<3>(y1 - one));
     const I32 most = maximum(x1 - x0, y1 - y0);
-    const auto is = [](PartKind of) HWY_ATTR { return I32(static_cast<std::int32_t>(of)); };
+    const auto is = [](PartKind of) SIMD_LAMBDA { return I32(static_cast<std::int32_t>(of)); };
     constexpr int kSide2 = speck_side(PartKind::speck_2), kSide3 = speck_side(PartKind::speck_3);
     const I32 speck = select(most <= I32(kSide2), is(PartKind::speck_2), is(PartKind::speck_3));
     const I32 tiny = select(one_block, speck, is(PartKind::speck_astride));

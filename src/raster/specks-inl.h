@@ -89,7 +89,7 @@ struct SpeckDepths {
         if constexpr (kAstride) {
             const I32 side = BlockWalk::kSide, within = BlockWalk::kSide - 1;
             const Mask<F32::Tag> right = x >= side, below = y >= side;
-            const auto here = [&](const F32(&corner)[kBlocks][kBlocks]) HWY_ATTR {
+            const auto here = [&](const F32(&corner)[kBlocks][kBlocks]) SIMD_LAMBDA {
                 return select(below, select(right, corner[1][1], corner[1][0]),
                               select(right, corner[0][1], corner[0][0]));
             };

@@ -46,7 +46,7 @@ SIMD_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanesX8& p
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
         set_up_samples(edges, edges.c, *at, row, b);
-        const auto depth = [&](const I32x8(&edge)[3], int, int) HWY_ATTR {
+        const auto depth = [&](const I32x8(&edge)[3], int, int) SIMD_LAMBDA {
             const I32x8 true_edge[3] = {edge[0] - edges.bias[0], edge[1] - edges.bias[1],
                                         edge[2] - edges.bias[2]};
             return to_f32(depth_of(true_edge, share));

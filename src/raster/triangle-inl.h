@@ -19,7 +19,7 @@ SIMD_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices
     const auto* words = reinterpret_cast<const std::int32_t*>(vertices);
     static_assert(sizeof(ScreenVertex) == 4 * sizeof *words);
     return load_four<typename T::Tag>(
-        [&](int lane) HWY_ATTR { return words + std::size_t{index[lane * step]} * 4; });
+        [&](int lane) SIMD_LAMBDA { return words + std::size_t{index[lane * step]} * 4; });
 }
 
 // Where the mask holds the two change places.

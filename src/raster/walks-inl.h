@@ -182,7 +182,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         const MaskX8 touches = (load<I32x8>(w.x0 + i) < load<I32x8>(w.x1 + i)) &
                                (load<I32x8>(w.y0 + i) < load<I32x8>(w.y1 + i));
         w.live |= (bits(some) & bits(touches)) << i;
-        const auto blocks = [&](const std::int32_t* from, const std::int32_t* to) HWY_ATTR {
+        const auto blocks = [&](const std::int32_t* from, const std::int32_t* to) SIMD_LAMBDA {
             return shift_right<3>(load<I32x8>(to + i) + 7) - shift_right<3>(load<I32x8>(from + i));
         };
         w.small |= bits(blocks(w.x0, w.x1) * blocks(w.y0, w.y1) <= I32x8(4)) << i;

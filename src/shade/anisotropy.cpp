@@ -18,7 +18,7 @@ struct Probes {
 
 // The axes of the ellipse that the slopes' columns span: eigenvectors of J J^T.
 SIMD_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float last) {
-    const auto bounded = [](F32 x) HWY_ATTR { // its fourth power is a float; NaN: the bound
+    const auto bounded = [](F32 x) SIMD_LAMBDA { // its fourth power is a float; NaN: the bound
         return minimum(maximum(x, F32(-0x1p30F)), F32(0x1p30F));
     };
     const F32 u_x = bounded(slopes.u_x), v_x = bounded(slopes.v_x);
@@ -61,7 +61,7 @@ SIMD_INLINE void anisotropic_lanes(Block& b, const MipReader& reader, int most) 
         const F32 step_x = line.along_x * texel_x, step_y = line.along_y * texel_y;
         const F32 share_of_one = F32(1.0F) / line.count;
         const F32 spacing = F32(1.0F) / maximum(line.count - F32(1.0F), F32(1.0F));
-        const auto probe = [&](float number) HWY_ATTR {
+        const auto probe = [&](float number) SIMD_LAMBDA {
             const F32 share = F32(number) * spacing - F32(0.5F);
             return reader.trilinear<kChannels>(s + share * step_x, t + share * step_y, line.level);
         };

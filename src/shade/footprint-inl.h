@@ -71,12 +71,12 @@ public:
     template <class D>
     SIMD_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
-        const auto share = [&](int k) HWY_ATTR {
+        const auto share = [&](int k) SIMD_LAMBDA {
             return maximum(weight[k], F64s(0.0)) * F64s(of_.inverse_w[k]); // as interpolated
         };
         const F64s p0 = share(0), p1 = share(1), p2 = share(2);
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2), pixel = F64s(256.0) * inverse;
-        const auto slope = [&](Number n_slope, F64s f, Number d_slope) HWY_ATTR {
+        const auto slope = [&](Number n_slope, F64s f, Number d_slope) SIMD_LAMBDA {
             const Float<D> rounded = to_f32((F64s(n_slope) - f * F64s(d_slope)) * pixel);
             return minimum(maximum(rounded, Float<D>(-0x1p60F)), Float<D>(0x1p60F));
         };
@@ -171,7 +171,7 @@ SIMD_INLINE void write_slopes(Block& b) {
 template <class D>
 SIMD_INLINE Float<D> level_of_detail(const UvSlopes<D>& texels) {
     using F = Float<D>;
-    const auto length_squared = [](F u, F v) HWY_ATTR {
+    const auto length_squared = [](F u, F v) SIMD_LAMBDA {
         return minimum(u * u + v * v, F(0x1p64F)); // NaN too
     };
     const F longest = maximum(

@@ -45,7 +45,7 @@ SIMD_INLINE void put_plane(LaneTriangles& t, int at) {
     b[0] = F64x8(0.0) - (b[1] + b[2]);
     Plane plane = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(a, b, inverse_w, f).terms();
     for_terms(plane,
-              [&](const F64x8& term, int row) HWY_ATTR { store(term, t.uv_plane[row] + at); });
+              [&](const F64x8& term, int row) SIMD_LAMBDA { store(term, t.uv_plane[row] + at); });
 }
 
 // Areas opposite the vertices are exact in 32 bits, or in doubles. The register is as wide as D.
@@ -79,7 +79,7 @@ template <class In, class D>
 SIMD_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<D> right,
                           Int<D> down) {
     const auto across = In::of(right), along = In::of(down);
-    const auto area = [&](int k) HWY_ATTR {
+    const auto area = [&](int k) SIMD_LAMBDA {
         return (In::of(entries.of(t.right[k])) * across + In::of(entries.of(t.down[k])) * along) +
                In::of(Int<D>(0)); // no double is -0
     };
@@ -92,7 +92,7 @@ SIMD_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, c
     const Int<D> zero = 0, one = 1;
     const Int<D> a[2] = {entries.of(t.right[0]), entries.of(t.right[1])};
     const Int<D> b[2] = {entries.of(t.down[0]), entries.of(t.down[1])};
-    const auto inside = [&](const N& at, Int<D> right, Int<D> down) HWY_ATTR {
+    const auto inside = [&](const N& at, Int<D> right, Int<D> down) SIMD_LAMBDA {
         return In::narrow(at >= In::of(select(is_top_left(right, down), zero, one)));
     };
     return inside(area[0], zero - (a[0] + a[1]), zero - (b[0] + b[1])) &
@@ -147,7 +147,7 @@ SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int 
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
         plane.inverse_w[k] = to_f64(entries.of(t.inverse_w[k]));
-    for_terms(plane, [&](F64x8& term, int row) HWY_ATTR { term = doubles.of(t.uv_plane[row]); });
+    for_terms(plane, [&](F64x8& term, int row) SIMD_LAMBDA { term = doubles.of(t.uv_plane[row]); });
     plane.f0[0] = plane.f0[1] = F64x8(0.0); // of the values, which nobody asks
     const auto at = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(plane).at(area);
     SIMD_UNROLL

@@ -78,7 +78,7 @@ public:
         I32 width, height, begin;
     };
     SIMD_INLINE Levels levels(I32 level) const {
-        const auto shrunk = [&](std::int32_t size) HWY_ATTR {
+        const auto shrunk = [&](std::int32_t size) SIMD_LAMBDA {
             return maximum(I32(hn::Shr(I32(size).raw, level.raw)), I32(1));
         };
         return {shrunk(image_.width()), shrunk(image_.height()), gather(chain_->begin, level)};

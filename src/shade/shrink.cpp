@@ -60,7 +60,7 @@ SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, c
 
 void shrink_any(const LevelAbove& above, int y, int width, float* row) {
     if (above.codes != nullptr)
-        shrink(above, y, width, row, [&](I32x8 place, F32x8(&texel)[4]) HWY_ATTR {
+        shrink(above, y, width, row, [&](I32x8 place, F32x8(&texel)[4]) SIMD_LAMBDA {
             const I32x8 codes = gather(above.codes, place), code_mask = 255;
             texel[0] = gather(above.decode, codes & code_mask);
             texel[1] = gather(above.decode, shift_right<8>(codes) & code_mask);
@@ -68,7 +68,7 @@ void shrink_any(const LevelAbove& above, int y, int width, float* row) {
             texel[3] = gather(::scanout::detail::kSrgb.linear, shift_right<24>(codes) & code_mask);
         });
     else
-        shrink(above, y, width, row, [&](I32x8 place, F32x8(&texel)[4]) HWY_ATTR {
+        shrink(above, y, width, row, [&](I32x8 place, F32x8(&texel)[4]) SIMD_LAMBDA {
             const I32x8 first = shift_left<2>(place);
             SIMD_UNROLL
             for (int c = 0; c < 4; ++c)

@@ -118,7 +118,7 @@ public:
     SIMD_INLINE hn::Vec<Tag> block(Tag tag, std::int32_t word) const {
         const auto codes = static_cast<std::uint32_t>(texels_[word]);
         const auto light = [&](int shift)
-                               HWY_ATTR { return hn::Set(tag, decode_[codes >> shift & 255]); };
+                               SIMD_LAMBDA { return hn::Set(tag, decode_[codes >> shift & 255]); };
         return hn::ConcatLowerLower(tag, light(16), hn::InterleaveLower(tag, light(0), light(8)));
     }
 
@@ -143,7 +143,7 @@ SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I3
     const auto column = reader.neighbours(to_i32(x0), width);
     const auto line = reader.neighbours(to_i32(y0), height);
     const auto row = [&](I32 from_bottom)
-                         HWY_ATTR { return begin + (height - I32(1) - from_bottom) * width; };
+                         SIMD_LAMBDA { return begin + (height - I32(1) - from_bottom) * width; };
     return {column.first, column.second, row(line.first), row(line.second), x - x0, y - y0};
 }
 SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
@@ -156,7 +156,7 @@ struct Corners {
     std::int32_t word[4][kCount];
     SIMD_INLINE void put(const Around& at, int lane) {
         static_assert(Texels::kWords == 1 || Texels::kWords == 4);
-        const auto words = [](I32 texel) HWY_ATTR {
+        const auto words = [](I32 texel) SIMD_LAMBDA {
             return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
         };
         store(words(at.bottom + at.left), word[0] + lane);
@@ -171,8 +171,8 @@ struct Corners {
 template <int kRow, class Texels, int kCount>
 SIMD_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& corners, int lane,
                           F32 x, F32 y) {
-    const auto read = [&](int k) HWY_ATTR {
-        return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) HWY_ATTR {
+    const auto read = [&](int k) SIMD_LAMBDA {
+        return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) SIMD_LAMBDA {
             return texels.block(tag, corners.word[k][number]);
         }));
     };
@@ -185,7 +185,7 @@ template <class Texels>
 HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
     Corners<Texels, kLanes> corners;
     corners.put(at, 0);
-    const auto found = blocks_of_rows<F32::Tag>([&](auto number) HWY_ATTR {
+    const auto found = blocks_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
         return blend_row<decltype(number)::value>(texels, corners, 0, at.x, at.y);
     });
     return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};
@@ -196,7 +196,7 @@ SIMD_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
         return blend_blocks(texels, at);
     } else {
         static_assert(kChannels == 1);
-        const auto read = [&](I32 texel) HWY_ATTR { return texels.alpha(texel); };
+        const auto read = [&](I32 texel) SIMD_LAMBDA { return texels.alpha(texel); };
         return mix(at.y, mix(at.x, read(at.bottom + at.left), read(at.bottom + at.right)),
                    mix(at.x, read(at.top + at.left), read(at.top + at.right)));
     }

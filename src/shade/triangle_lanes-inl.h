@@ -99,7 +99,7 @@ SIMD_INLINE MaskX8 narrow(const F64x8::DoubleMask& mask) {
 
 // No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
 SIMD_INLINE bool are_small(const Vertices (&v)[3]) {
-    const auto extent = [](I32x8 a, I32x8 b, I32x8 c) HWY_ATTR {
+    const auto extent = [](I32x8 a, I32x8 b, I32x8 c) SIMD_LAMBDA {
         return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
     };
     return all(maximum(extent(v[0].x, v[1].x, v[2].x), extent(v[0].y, v[1].y, v[2].y)) <
@@ -158,7 +158,7 @@ struct Attribute {
 template <int kComponents>
 SIMD_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int vertex,
                               Attribute<kComponents>& to) {
-    const auto at = [&](int lane) HWY_ATTR {
+    const auto at = [&](int lane) SIMD_LAMBDA {
         return reinterpret_cast<const std::int32_t*>(from) + std::size_t{index[lane]} * kComponents;
     };
     WordBlocks<F32x8::Tag> blocks;
@@ -195,7 +195,7 @@ SIMD_INLINE void put_positions(const TriangleSource& s, const MeshPlaces& place,
                                int lane) {
     for (int k = 0; k < 3; ++k)
         for (int r = 0; r < 3; ++r) {
-            const auto term = [&](int c) HWY_ATTR {
+            const auto term = [&](int c) SIMD_LAMBDA {
                 return F64x8(s.linear[r][c]) * to_f64(place.of[c][k]);
             };
             const F64x8 turned = (term(0) + term(1)) + term(2);

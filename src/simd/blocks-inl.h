@@ -22,7 +22,7 @@ struct WordBlocks {
 
     SIMD_INLINE Int<D> word(int number) const {
         const Tag tag;
-        const auto pair = [&](int i) HWY_ATTR {
+        const auto pair = [&](int i) SIMD_LAMBDA {
             return number < 2 ? hn::InterleaveLower(tag, row[i], row[i + 2])
                               : hn::InterleaveUpper(tag, row[i], row[i + 2]);
         };
@@ -32,7 +32,7 @@ struct WordBlocks {
     // Words 2 and 3.
     SIMD_INLINE Double<D> last_double() const {
         const typename Double<D>::HalfTag tag;
-        const auto pair = [&](int i) HWY_ATTR {
+        const auto pair = [&](int i) SIMD_LAMBDA {
             return hn::InterleaveUpper(tag, hn::BitCast(tag, row[i]), hn::BitCast(tag, row[i + 1]));
         };
         static_assert(Int<D>::kLanes <= 8);
@@ -53,7 +53,7 @@ SIMD_INLINE Float<D> in_block(Float<D> a) {
 // row(number): a std::integral_constant of 0 to 3; floats of the lanes number, number + 4, ...
 template <class D, class Row>
 SIMD_INLINE WordBlocks<D> blocks_of_rows(const Row& row) {
-    const auto words = [&](auto number) HWY_ATTR { return bits_of(row(number)).raw; };
+    const auto words = [&](auto number) SIMD_LAMBDA { return bits_of(row(number)).raw; };
     return {{words(std::integral_constant<int, 0>()), words(std::integral_constant<int, 1>()),
              words(std::integral_constant<int, 2>()), words(std::integral_constant<int, 3>())}};
 }
@@ -82,12 +82,12 @@ SIMD_INLINE WordBlocks<D> load_rows(const Block& block) {
 // at(lane): where its four words are.
 template <class D, class At>
 SIMD_INLINE WordBlocks<D> load_four(const At& at) {
-    return load_rows<D>([&](auto tag, int lane) HWY_ATTR { return hn::LoadU(tag, at(lane)); });
+    return load_rows<D>([&](auto tag, int lane) SIMD_LAMBDA { return hn::LoadU(tag, at(lane)); });
 }
 // Where two are.
 template <class D, class At>
 SIMD_INLINE WordBlocks<D> load_two(const At& at) {
-    return load_rows<D>([&](auto tag, int lane) HWY_ATTR {
+    return load_rows<D>([&](auto tag, int lane) SIMD_LAMBDA {
         const hn::Half<decltype(tag)> half;
         return hn::ZeroExtendVector(tag, hn::LoadU(half, at(lane)));
     });
@@ -97,14 +97,15 @@ SIMD_INLINE WordBlocks<D> load_two(const At& at) {
 inline constexpr int kThird = 2;
 template <class D, class At>
 SIMD_INLINE WordBlocks<D> load_three(const At& at) {
-    return load_rows<D>([&](auto tag, int lane)
-                            HWY_ATTR { return hn::MaskedLoad(hn::FirstN(tag, 3), tag, at(lane)); });
+    return load_rows<D>([&](auto tag, int lane) SIMD_LAMBDA {
+        return hn::MaskedLoad(hn::FirstN(tag, 3), tag, at(lane));
+    });
 }
 #else
 inline constexpr int kThird = 3;
 template <class D, class At>
 SIMD_INLINE WordBlocks<D> load_three(const At& at) {
-    return load_rows<D>([&](auto tag, int lane) HWY_ATTR {
+    return load_rows<D>([&](auto tag, int lane) SIMD_LAMBDA {
         const hn::Half<decltype(tag)> half;
         const std::int32_t* from = at(lane);
         return hn::Combine(tag, hn::LoadU(half, from + 1), hn::LoadU(half, from));

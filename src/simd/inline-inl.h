@@ -8,8 +8,12 @@
 #include <hwy/highway.h>
 
 #undef SIMD_INLINE
+#undef SIMD_LAMBDA // after a lambda's parameters
 #if HWY_TARGET == HWY_EMU128 || defined(SCANOUT_SANITIZED)
 #define SIMD_INLINE inline HWY_MAYBE_UNUSED
+#define SIMD_LAMBDA HWY_ATTR
 #else
+// Left to the compiler, whether a lambda stays in its loop hangs on what else the file holds.
 #define SIMD_INLINE HWY_INLINE
+#define SIMD_LAMBDA HWY_ATTR __attribute__((always_inline))
 #endif

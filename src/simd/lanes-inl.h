@@ -302,16 +302,16 @@ SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
     const hn::RebindToUnsigned<typename Double<D>::Tag> wide;
     const hn::RebindToUnsigned<typename Int<D>::Tag> words;
     const hn::Half<decltype(words)> half;
-    const auto store_half = [&](auto of_half, auto doubles, std::uint64_t* at) HWY_ATTR {
-        const auto promoted = [&](Int<D> word) HWY_ATTR {
+    const auto store_half = [&](auto of_half, auto doubles, std::uint64_t* at) SIMD_LAMBDA {
+        const auto promoted = [&](Int<D> word) SIMD_LAMBDA {
             return hn::PromoteTo(wide, of_half(hn::BitCast(words, word.raw)));
         };
         const auto pairs = hn::Or(promoted(x), hn::ShiftLeft<32>(promoted(y)));
         hn::StoreInterleaved2(pairs, hn::BitCast(wide, doubles), wide, at);
     };
-    const auto store_both = [&](std::uint64_t* at) HWY_ATTR {
-        store_half([&](auto all) HWY_ATTR { return hn::LowerHalf(half, all); }, z.low, at);
-        store_half([&](auto all) HWY_ATTR { return hn::UpperHalf(half, all); }, z.high,
+    const auto store_both = [&](std::uint64_t* at) SIMD_LAMBDA {
+        store_half([&](auto all) SIMD_LAMBDA { return hn::LowerHalf(half, all); }, z.low, at);
+        store_half([&](auto all) SIMD_LAMBDA { return hn::UpperHalf(half, all); }, z.high,
                    at + Int<D>::kLanes);
     };
 #if HWY_TARGET == HWY_EMU128 // stores numbers of 64 bits, which may lie where others are read

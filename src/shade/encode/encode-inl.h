@@ -23,7 +23,7 @@ SIMD_INLINE F32 clamped(F32 light) {
 template <class Codes, bool kAlpha, bool kDither>
 SIMD_INLINE void encode_rows(const Light& light, int count, std::uint32_t* out) {
     for (int i = 0; i < count; i += kLanes) {
-        const auto code = [&](const float* channel) HWY_ATTR {
+        const auto code = [&](const float* channel) SIMD_LAMBDA {
             const F32 value = load<F32>(channel + i);
             if constexpr (kDither)
                 return to_i32(Codes::fraction(value) + load<F32>(light.offset + i));

@@ -43,7 +43,7 @@ struct Anchor {
 
 // In the order of operations of weights(), one place at a time.
 SIMD_INLINE Anchor anchor_at(const Primitive& t, double x, double y) {
-    const auto area = [&](int k) HWY_ATTR {
+    const auto area = [&](int k) SIMD_LAMBDA {
         const double b = (t.a[k] * x + t.b[k] * y) + t.c[k];
         return b > 0 ? b : 0.0; // an end of the row may round to just outside
     };
@@ -85,7 +85,7 @@ SIMD_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
     const double y = row.y;
     const OfRun of(t);
     const Span span = span_of(t, y);
-    const auto place = [&](std::int32_t x) HWY_ATTR {
+    const auto place = [&](std::int32_t x) SIMD_LAMBDA {
         const double at = x;
         return anchor_at(t, at < span.from ? span.from : at > span.to ? span.to : at, y);
     };

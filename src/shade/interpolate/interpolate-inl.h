@@ -199,7 +199,7 @@ SIMD_INLINE void run_rung(Block& b, const FrameState& frame) {
     rest.normal = Normals::none;
     const bool shades = want.normal != Normals::none;
     int viewed = 0; // lanes whose normals are done
-    const auto view_until = [&](int end) HWY_ATTR {
+    const auto view_until = [&](int end) SIMD_LAMBDA {
         if (shades && want.normal != Normals::raw) lanes_to_view(b, frame, viewed, end);
     };
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {

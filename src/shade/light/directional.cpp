@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade::light)
 
 void directional_run(Block& b, const FrameState& frame) {
     for_each_lane(b, frame, scene::LightKind::directional,
-                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) HWY_ATTR {
+                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
                       const Arrival everywhere = {
                           {F32(light.towards.x), F32(light.towards.y), F32(light.towards.z)},
                           F32(1.0F)};

@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade::light)
 void point_run(Block& b, const FrameState& frame) {
     for_each_lane(b, frame, scene::LightKind::point,
                   [&](const scene::ViewLight& light, LightLanes& lanes, int i)
-                      HWY_ATTR { store_arrival(arrival(b, light, i), light, lanes, i); });
+                      SIMD_LAMBDA { store_arrival(arrival(b, light, i), light, lanes, i); });
 }
 
 SIMD_END

@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade::light)
 
 void spot_run(Block& b, const FrameState& frame) {
     for_each_lane(b, frame, scene::LightKind::spot,
-                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) HWY_ATTR {
+                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
                       Arrival a = arrival(b, light, i);
                       const F32 cosine =
                           F32(0.0F) -

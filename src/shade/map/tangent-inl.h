@@ -78,14 +78,14 @@ SIMD_INLINE void write_tangents(Block& b, const FrameState& frame) {
     const F32x8 zero = 0.0F, one = 1.0F;
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
-            const auto facing = [&](int c) HWY_ATTR {
+            const auto facing = [&](int c) SIMD_LAMBDA {
                 if (run->primitive != nullptr) return F32x8(run->primitive->facing[c]);
                 const LaneTriangles& t = *b.triangles;
                 return Entries<F32x8::Tag>(t.of_lane + i, run->first + run->count - i)
                     .of(t.facing[c]);
             };
             const F32x8 f[3] = {facing(0), facing(1), facing(2)};
-            const auto row = [&](int r) HWY_ATTR {
+            const auto row = [&](int r) SIMD_LAMBDA {
                 const auto& m = frame.normal_matrix[r];
                 return (F32x8(m[0]) * f[0] + F32x8(m[1]) * f[1]) + F32x8(m[2]) * f[2];
             };

@@ -11,8 +11,8 @@
 SIMD_BEGIN(scanout::shade::mapping)
 
 void box_run(Block& b, const FrameState& frame) {
-    project_lanes(b, frame, [](const Primitive& t, const Place& p) HWY_ATTR {
-        const auto size = [&](int axis) HWY_ATTR { // of the normal along an axis
+    project_lanes(b, frame, [](const Primitive& t, const Place& p) SIMD_LAMBDA {
+        const auto size = [&](int axis) SIMD_LAMBDA { // of the normal along an axis
             return t.facing[axis] < 0 ? -t.facing[axis] : t.facing[axis];
         };
         const F32x8 half = 0.5F, zero = 0.0F;

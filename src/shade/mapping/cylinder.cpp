@@ -10,7 +10,7 @@
 SIMD_BEGIN(scanout::shade::mapping)
 
 void cylinder_run(Block& b, const FrameState& frame) {
-    project_lanes(b, frame, [](const Primitive&, const Place& p) HWY_ATTR {
+    project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         const Around around = around_y(p);
         const F32x8 half = 0.5F, zero = 0.0F;
         return Projected{around.u, half + p.y * half, around.u_by, {zero, half, zero}};

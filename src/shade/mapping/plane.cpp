@@ -9,7 +9,7 @@
 SIMD_BEGIN(scanout::shade::mapping)
 
 void plane_run(Block& b, const FrameState& frame) {
-    project_lanes(b, frame, [](const Primitive&, const Place& p) HWY_ATTR {
+    project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         const F32x8 half = 0.5F, zero = 0.0F;
         return Projected{
             half + p.x * half, half + p.y * half, {half, zero, zero}, {zero, half, zero}};

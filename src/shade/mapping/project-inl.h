@@ -50,7 +50,7 @@ SIMD_INLINE void project_lanes(Block& b, const FrameState& frame, Project projec
             if (!frame.attributes.footprint) continue;
             const Place right = {at.right[0], at.right[1], at.right[2]},
                         down = {at.down[0], at.down[1], at.down[2]};
-            const auto bounded = [](F32x8 x) HWY_ATTR {
+            const auto bounded = [](F32x8 x) SIMD_LAMBDA {
                 return minimum(maximum(x, F32x8(-0x1p60F)), F32x8(0x1p60F));
             };
             store(bounded(dot(p.u_by, right)), b.u_x + i);

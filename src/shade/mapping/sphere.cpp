@@ -10,7 +10,7 @@
 SIMD_BEGIN(scanout::shade::mapping)
 
 void sphere_run(Block& b, const FrameState& frame) {
-    project_lanes(b, frame, [](const Primitive&, const Place& p) HWY_ATTR {
+    project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         constexpr float kPerHalfTurn = 0.31830987F; // 1 / pi
         const Around around = around_y(p);
         const F32x8 d = maximum(around.distance, F32x8(0x1p-20F));

@@ -117,14 +117,14 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight
         store_colour(diffuse_at(b, frame, ambient, light_count, i), b, i);
     }
     for (std::size_t k = 0; k < light_count; ++k) {
-        const auto add = [&](const auto& light) HWY_ATTR {
+        const auto add = [&](const auto& light) SIMD_LAMBDA {
             add_highlights(b, highlight, light, gloss, eyes, first, end);
         };
         if (varies(frame, k)) {
-            add([&](int i) HWY_ATTR { return light_at(b, frame, k, i); });
+            add([&](int i) SIMD_LAMBDA { return light_at(b, frame, k, i); });
         } else {
             const Light everywhere = light_everywhere(frame, k);
-            add([&](int) HWY_ATTR -> const Light& { return everywhere; });
+            add([&](int) SIMD_LAMBDA -> const Light& { return everywhere; });
         }
     }
 }

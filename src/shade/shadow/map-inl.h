@@ -121,7 +121,7 @@ SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const B
                               Mask<F32::Tag>& inside) {
     const F32 px = load<F32>(b.position[0] + i), py = load<F32>(b.position[1] + i),
               pz = load<F32>(b.position[2] + i);
-    const auto row = [&](int r) HWY_ATTR {
+    const auto row = [&](int r) SIMD_LAMBDA {
         return ((F32(m.turn[r][0]) * px + F32(m.turn[r][1]) * py) + F32(m.turn[r][2]) * pz) +
                F32(m.move[r]);
     };
@@ -238,7 +238,8 @@ SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line&
     std::int32_t place[kLanes];
     store(row.place + column.place, place);
     const auto* words = reinterpret_cast<const std::int32_t*>(m.depth);
-    const auto four = load_four<F32::Tag>([&](int lane) HWY_ATTR { return words + place[lane]; });
+    const auto four =
+        load_four<F32::Tag>([&](int lane) SIMD_LAMBDA { return words + place[lane]; });
     SIMD_UNROLL
     for (int i = 0; i < 4; ++i)
         out[i] = from_bits(four.word(i));
@@ -268,12 +269,12 @@ public:
         const F32 x0 = (r.x + reach * r.aside_x) - F32(wide * 0.5F),
                   y0 = (r.y + reach * r.aside_y) - F32(wide * 0.5F);
         const I32 left = texel_of(x0), top = texel_of(y0);
-        const auto part = [](F32 a) HWY_ATTR {
+        const auto part = [](F32 a) SIMD_LAMBDA {
             return to_f32(to_i32(maximum(a, F32(0.0F)) * F32(256.0F))) * F32(1.0F / 256);
         };
         fx_ = part(x0 - to_f32(left));
         fy_ = part(y0 - to_f32(top));
-        each([&](int i) HWY_ATTR {
+        each([&](int i) SIMD_LAMBDA {
             columns_[i] = column(m, r, left + I32(i));
             rows_[i] = row(m, r, top + I32(i));
         });
@@ -287,9 +288,9 @@ public:
         auto low = (r.aside_x == F32(0.0F)) & (r.aside_y == F32(0.0F)) &
                    is_low(r, columns_[k_ / 2], rows_[k_ / 2], depth_[k_ / 2][k_ / 2]);
         if (!all(low | !r.asked)) return false;
-        each([&](int y) HWY_ATTR {
+        each([&](int y) SIMD_LAMBDA {
             each([&](int x)
-                     HWY_ATTR { low = low & is_low(r, columns_[x], rows_[y], depth_[y][x]); });
+                     SIMD_LAMBDA { low = low & is_low(r, columns_[x], rows_[y], depth_[y][x]); });
         });
         return all(low | !r.asked);
     }
@@ -298,23 +299,23 @@ public:
     SIMD_INLINE bool lie_behind(const Receiver& r, const Texel& own) const {
         if (!all((own.depth > own.own) | !r.asked)) return false;
         F32 lowest = depth_[0][0];
-        each([&](int y) HWY_ATTR {
-            each([&](int x) HWY_ATTR { lowest = minimum(lowest, depth_[y][x]); });
+        each([&](int y) SIMD_LAMBDA {
+            each([&](int x) SIMD_LAMBDA { lowest = minimum(lowest, depth_[y][x]); });
         });
         return all((lowest > maximum(maximum(r.nearest, r.depth), F32(0.0F))) | !r.asked);
     }
     // Weighted by how much of each texel the square covers. Weights are whole 256ths: all hidden
     // sums up to 1 exactly.
     SIMD_INLINE F32 hidden_share(const Receiver& r, const Texel& own) {
-        each([&](int i) HWY_ATTR {
+        each([&](int i) SIMD_LAMBDA {
             forgive_nothing_behind(own, columns_[i]);
             forgive_nothing_behind(own, rows_[i]);
         });
         const F32 one = 1.0F;
         F32 sum = 0.0F;
-        each([&](int y) HWY_ATTR {
+        each([&](int y) SIMD_LAMBDA {
             F32 in_row = 0.0F;
-            each([&](int x) HWY_ATTR {
+            each([&](int x) SIMD_LAMBDA {
                 const F32 weight = x == 0 ? one - fx_ : x == k_ ? fx_ : one;
                 in_row = in_row + weight * hidden(texel(r, columns_[x], rows_[y], depth_[y][x]));
             });
@@ -337,13 +338,13 @@ private:
         // No column that is read lies beyond the map's border.
         const int count = k_ / 4 * 4 + 4;
         const bool side_by_side = all((left >= I32(0)) & (left <= I32(m.size - count)));
-        each([&](int y) HWY_ATTR {
+        each([&](int y) SIMD_LAMBDA {
             if (side_by_side)
-                times<kFours>(count / 4, [&](int x) HWY_ATTR {
+                times<kFours>(count / 4, [&](int x) SIMD_LAMBDA {
                     four_depths(m, columns_[4 * x], rows_[y], depth_[y] + 4 * x);
                 });
             else
-                each([&](int x) HWY_ATTR { depth_[y][x] = depth_at(m, columns_[x], rows_[y]); });
+                each([&](int x) SIMD_LAMBDA { depth_[y][x] = depth_at(m, columns_[x], rows_[y]); });
         });
     }
 
@@ -378,7 +379,7 @@ SIMD_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
 template <class Hide>
 SIMD_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
     const auto share = [&](std::size_t k, int first, int end, const Facing& facing, float* left)
-                           HWY_ATTR {
+                           SIMD_LAMBDA {
                                const LightShadow& shadow = frame.shadows[k];
                                const F32 none = -1.0F; // asked no map yet
                                for (int i = first; i < end; i += kLanes)

@@ -13,7 +13,7 @@ SIMD_BEGIN(scanout::shade::shadow)
 void map_run(Block& b, const FrameState& frame) {
     shadow_by_maps(b, frame,
                    [](const ShadowMap& m, const Receiver& r, const LightShadow&)
-                       HWY_ATTR { return hidden(own_texel(m, r)); });
+                       SIMD_LAMBDA { return hidden(own_texel(m, r)); });
 }
 
 SIMD_END

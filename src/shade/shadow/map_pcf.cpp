@@ -15,7 +15,7 @@ void map_pcf_run(Block& b, const FrameState& frame) {
     const int k = frame.shadow_filter;
     shadow_by_maps(b, frame,
                    [k](const ShadowMap& m, const Receiver& r, const LightShadow&)
-                       HWY_ATTR { return hidden_square(m, r, k); });
+                       SIMD_LAMBDA { return hidden_square(m, r, k); });
 }
 
 SIMD_END

@@ -102,7 +102,7 @@ void map_soft_run(Block& b, const FrameState& frame) {
     const int k = frame.shadow_filter;
     shadow_by_maps(b, frame,
                    [k](const ShadowMap& m, const Receiver& r, const LightShadow& shadow)
-                       HWY_ATTR { return hidden_soft(m, r, shadow, k); });
+                       SIMD_LAMBDA { return hidden_soft(m, r, shadow, k); });
 }
 
 SIMD_END

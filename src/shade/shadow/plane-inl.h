@@ -83,7 +83,7 @@ SIMD_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
             const int end = run->first + run->count;
             const int step = run->primitive != nullptr ? run->count : kLanes;
             for (int i = run->first; i < end; i += step) {
-                const auto of_lanes = [&]() HWY_ATTR {
+                const auto of_lanes = [&]() SIMD_LAMBDA {
                     return OfLanes{*b.triangles, {b.triangles->of_lane + i, end - i}};
                 };
                 const Facing facing = run->primitive != nullptr

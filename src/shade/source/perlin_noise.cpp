@@ -31,7 +31,7 @@ SIMD_INLINE F32 noise(F32 x, F32 y, int period) {
     const std::int32_t* p = kPermutationTwice.data();
     const I32 left = gather(p, x0 & mask), right = gather(p, (x0 + I32(1)) & mask);
     const I32 below = y0 & mask, above = (y0 + I32(1)) & mask;
-    const auto corner = [&](I32 column, I32 row) HWY_ATTR {
+    const auto corner = [&](I32 column, I32 row) SIMD_LAMBDA {
         return gather(p, gather(p, column + row)); // z = 0
     };
     const F32 share = fade(fx);

@@ -33,8 +33,9 @@ public:
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
             const int lane = lane_[i];
-            const auto found = blocks_of_rows<F32::Tag>(
-                [&](auto number) HWY_ATTR { return row<decltype(number)::value>(texels, lane); });
+            const auto found = blocks_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
+                return row<decltype(number)::value>(texels, lane);
+            });
             for (int c = kFirst; c < kFirst + kChannels; ++c)
                 store(from_bits(found.word(c)), b.sampled[c] + lane);
         }
