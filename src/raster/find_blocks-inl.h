@@ -88,7 +88,7 @@ SIMD_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds&
         }
     }
     // All rows above y.
-    const auto above = [](int y) {
+    const auto above = [](int y) SIMD_LAMBDA {
         return y < kRow ? (std::uint64_t{1} << y * kRow) - 1 : ~std::uint64_t{0};
     };
     const std::uint64_t columns = (1U << b.x1) - (1U << b.x0);

@@ -50,7 +50,7 @@ SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D
     constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
     const auto last = static_cast<int>(list.parts.size()) - 1;
     if (first > last) return;
-    const auto index = [&](int i) {
+    const auto index = [&](int i) SIMD_LAMBDA {
         return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].place} * 3;
     };
     for (int i = 0; i < kWidth; ++i) {

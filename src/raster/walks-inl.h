@@ -43,10 +43,10 @@ SIMD_INLINE void sort_two(Corner& a, Corner& b) {
 SIMD_INLINE void set_up_bounds(const Corner (&v)[3], const TilePlanes& tile,
                                const SampleExtent& extent, Walks& w, int i) {
     // The first and the last pixel whose samples, between low and high, may lie in [min, max].
-    const auto first = [](F64x8 least, std::int32_t high) {
+    const auto first = [](F64x8 least, std::int32_t high) SIMD_LAMBDA {
         return shift_right<kSubpixelBits>(to_i32(least) + I32x8(kSubpixel - 1 - high));
     };
-    const auto end = [](F64x8 most, std::int32_t low) {
+    const auto end = [](F64x8 most, std::int32_t low) SIMD_LAMBDA {
         return shift_right<kSubpixelBits>(to_i32(most) + I32x8(kSubpixel - low));
     };
     const F64x8 min_x = minimum(minimum(v[0].x, v[1].x), v[2].x);

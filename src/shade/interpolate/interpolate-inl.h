@@ -70,7 +70,7 @@ SIMD_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32
 
 // Unit normals in view space.
 SIMD_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
-    const auto row = [&](int r) {
+    const auto row = [&](int r) SIMD_LAMBDA {
         const auto& m = frame.normal_matrix[r];
         return (F32(m[0]) * n[0] + F32(m[1]) * n[1]) + F32(m[2]) * n[2];
     };
