@@ -288,6 +288,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     find_line_faces(result.mesh);
     result.mesh.clusters = find_clusters(jobs, result.mesh, std::move(order));
     use_large_pages(result.mesh.clusters.index);
+    use_large_pages(result.mesh.clusters.place);
     use_large_pages(result.mesh.index);
     use_large_pages(result.mesh.position);
     use_large_pages(result.mesh.normal);

@@ -87,10 +87,13 @@ Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> 
     const std::size_t triangles = mesh.triangles();
     all.triangle = std::move(order);
     all.index.resize(all.triangle.size() * 3);
+    all.place.resize(all.triangle.size());
     for_blocks(jobs, all.triangle.size(), 1 << 15, [&](std::size_t from, std::size_t to, int) {
-        for (std::size_t i = from; i < to; ++i)
+        for (std::size_t i = from; i < to; ++i) {
             std::copy_n(mesh.index.data() + std::size_t{all.triangle[i]} * 3, 3,
                         all.index.data() + i * 3);
+            all.place[all.triangle[i]] = static_cast<std::uint32_t>(i);
+        }
     });
     const Corners corners{mesh.position, all.index.empty() ? mesh.index : all.index};
     const std::size_t clusters = (triangles + Clusters::kTriangles - 1) / Clusters::kTriangles;

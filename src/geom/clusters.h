@@ -31,9 +31,9 @@ struct Clusters {
     std::vector<Cluster> cluster;
     // The blocks of vertices that a cluster has: blocks[begin[c]] up to blocks[begin[c + 1]].
     std::vector<std::uint32_t> begin, blocks;
-    // By place: triangles' numbers in the mesh, and their vertices, three each. Empty where places
-    // are these numbers.
-    std::vector<std::uint32_t> triangle, index;
+    // By place: triangles' numbers in the mesh, and their vertices, three each; and by number their
+    // places. Empty where places are these numbers.
+    std::vector<std::uint32_t> triangle, index, place;
 
     bool empty() const { return cluster.empty(); }
     std::span<const std::uint32_t> blocks_of(std::size_t c) const {

@@ -77,28 +77,6 @@ SIMD_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
     return {gather(stored, at), gather(stored + 1, at)};
 }
 
-// x, y and depth of vertices; those of sixteen lanes come in two eights.
-template <class D>
-struct ScreenLanes {
-    Int<D> x, y;
-    Double<D> depth;
-};
-template <class D>
-SIMD_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::uint32_t* index) {
-    if constexpr (Int<D>::kLanes <= 8) {
-        const auto v = vertices_at<Float<D>>(vertices, index);
-        return {v.word(0), v.word(1), v.last_double()};
-    } else {
-        const auto low = screen_lanes<F32x8::Tag>(vertices, index);
-        const auto high = screen_lanes<F32x8::Tag>(vertices, index + kLanesX8);
-        const auto both = [](auto a, auto b) SIMD_LAMBDA {
-            return Int<D>(hn::Combine(typename Int<D>::Tag(), b.raw, a.raw));
-        };
-        const auto depths = [](auto a, auto b) SIMD_LAMBDA { return Double<D>(a.raw, b.raw); };
-        return {both(low.x, high.x), both(low.y, high.y), depths(low.depth, high.depth)};
-    }
-}
-
 template <class D>
 SIMD_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, const TilePart* part,
                             int count, const PartCorners<D>& corner, PartLanes<D>& out) {
@@ -123,7 +101,7 @@ SIMD_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, co
     for (int k = 0; k < 3; ++k) {
         const auto v = screen_lanes<D>(list.vertices.data(), corner.at[k]);
         out.vertex[k].place = to_f64(shift_left<16>(v.y - corner_y) + (v.x - corner_x));
-        out.vertex[k].depth = v.depth;
+        out.vertex[k].depth = v.last;
     }
 }
 

@@ -22,6 +22,28 @@ SIMD_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices
         [&](int lane) SIMD_LAMBDA { return words + std::size_t{index[lane * step]} * 4; });
 }
 
+// x, y and what stands last in vertices, depth; those of sixteen lanes come in two eights.
+template <class D>
+struct ScreenLanes {
+    Int<D> x, y;
+    Double<D> last;
+};
+template <class D>
+SIMD_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std::uint32_t* index) {
+    if constexpr (Int<D>::kLanes <= 8) {
+        const auto v = vertices_at<Float<D>>(vertices, index);
+        return {v.word(0), v.word(1), v.last_double()};
+    } else {
+        const auto low = screen_lanes<F32x8::Tag>(vertices, index);
+        const auto high = screen_lanes<F32x8::Tag>(vertices, index + kLanesX8);
+        const auto both = [](auto a, auto b) SIMD_LAMBDA {
+            return Int<D>(hn::Combine(typename Int<D>::Tag(), b.raw, a.raw));
+        };
+        const auto depths = [](auto a, auto b) SIMD_LAMBDA { return Double<D>(a.raw, b.raw); };
+        return {both(low.x, high.x), both(low.y, high.y), depths(low.last, high.last)};
+    }
+}
+
 // Where the mask holds the two change places.
 template <class M, class T>
 SIMD_INLINE void exchange(const M& mask, T& one, T& other) {

@@ -467,7 +467,7 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
         for (std::int32_t k = first + triangles,
                           end = std::min(k + triangles, triangle[part.end - 1] + 1);
              k < end; ++k)
-            __builtin_prefetch(in.mesh->index.data() + std::size_t{ids[k]} * 3);
+            prefetch_place(source_, ids[k]);
         add_lanes(b, nullptr, static_cast<int>(count));
         own_ = b.count;
         i += count;

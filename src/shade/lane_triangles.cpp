@@ -66,7 +66,7 @@ struct Wide {
         return DoubleEntries<D>(t.of_lane + lane, live).of(t.exact_twice);
     }
     static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
-        return HWY_NAMESPACE::narrow(mask);
+        return HWY_NAMESPACE::narrow<D>(mask);
     }
 };
 
@@ -161,17 +161,17 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int f
     const bool sloped = s.wanted.uv && s.wanted.footprint;
     const int begin = t.of_lane[first], triangles = t.of_lane[first + count - 1] + 1;
     bool whole = true;
-    for (int i = 0; i < kLanesX8; ++i) // registers reach beyond the last
+    for (int i = 0; i < kLanes; ++i) // registers reach beyond the last
         t.id[t.count + i] = t.id[t.count - 1];
-    prefetch_corners(s, t, begin, triangles);
-    for (int i = begin; i < triangles; i += kLanesX8)
-        put_corners(s, t, i);
-    for (int i = begin; i < triangles; i += kLanesX8)
-        whole &= set_up_register(s, sloped, t, i);
-    for (int i = begin; i < triangles; i += kLanesX8) {
-        put_attributes(s, t, i);
-        if (sloped) put_plane(t, i);
-    }
+    using D = F32::Tag;
+    for (int i = begin; i < triangles; i += kLanes)
+        put_corners<D>(s, t, i);
+    for (int i = begin; i < triangles; i += kLanes)
+        whole &= set_up_register<D>(s, sloped, t, i);
+    for (int i = begin; i < triangles; i += kLanes)
+        put_attributes<D>(s, t, i);
+    for (int i = begin; sloped && i < triangles; i += kLanesX8)
+        put_plane(t, i);
     const int end = first + count;
     if (whole) {
         for (int i = first; i < end; i += kLanes)
@@ -200,7 +200,8 @@ TriangleSource triangle_source(const GatherInput& in) {
         return reinterpret_cast<const float*>(attribute.data());
     };
     TriangleSource s{};
-    s.index = mesh.index.data();
+    s.index = mesh.index_by_place().data();
+    s.place = mesh.clusters.place.empty() ? nullptr : mesh.clusters.place.data();
     s.vertex = in.geometry->vertices().data();
     s.position = floats(mesh.position);
     s.normal = floats(mesh.normal);

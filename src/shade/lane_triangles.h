@@ -53,7 +53,8 @@ struct LaneTriangles {
 
 // What the frame's triangles are made of.
 struct TriangleSource {
-    const std::uint32_t* index; // three a triangle
+    const std::uint32_t* index; // three a triangle, by place
+    const std::uint32_t* place; // of triangles by number; null: places are numbers
     const raster::ScreenVertex* vertex;
     const float *position, *normal, *uv, *colour; // of vertices; null where the mesh has none
     double linear[3][3], translation[3], scale;   // to view space: (linear p + translation) scale
@@ -71,9 +72,18 @@ TriangleSource triangle_source(const GatherInput& input);
 void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,
                   int count);
 
+// A triangle's vertices. By place: coverage has just read those of a tile there, and the file may
+// have them anywhere; then the place alone is waited for, and should be asked for ahead.
+inline const std::uint32_t* vertices_of(const TriangleSource& s, std::uint32_t triangle) {
+    return s.index + std::size_t{s.place == nullptr ? triangle : s.place[triangle]} * 3;
+}
+inline void prefetch_place(const TriangleSource& s, std::uint32_t triangle) {
+    if (s.place != nullptr) __builtin_prefetch(s.place + triangle);
+}
+
 // Do all vertices stand on the screen? Else it is drawn in pieces, which no lane has.
 inline bool is_whole(const TriangleSource& s, std::uint32_t triangle) {
-    const std::uint32_t* v = s.index + std::size_t{triangle} * 3;
+    const std::uint32_t* v = vertices_of(s, triangle);
     return s.vertex[v[0]].on_screen() && s.vertex[v[1]].on_screen() && s.vertex[v[2]].on_screen();
 }
 

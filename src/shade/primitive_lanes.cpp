@@ -59,9 +59,10 @@ void set_up_all(const TriangleSource& s, LaneTriangles& room, Primitive* first, 
         const int live = count - i < kLanesX8 ? count - i : kLanesX8;
         for (int lane = 0; lane < kLanesX8; ++lane)
             room.id[lane] = first[i + (lane < live ? lane : live - 1)].id;
-        put_corners(s, room, 0);
-        set_up_register(s, false, room, 0);
-        put_attributes(s, room, 0);
+        using D = F32x8::Tag;
+        put_corners<D>(s, room, 0);
+        set_up_register<D>(s, false, room, 0);
+        put_attributes<D>(s, room, 0);
         for (int lane = 0; lane < live; ++lane)
             put_primitive(s, room, lane, first[i + lane]);
     }
