@@ -279,6 +279,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
         builder.add_points();
         builder.make_vertices();
     }
+    m = PolygonMesh();
     std::vector<std::uint32_t> order;
     const auto to_clusters = part_of(options.progress, kToOrder, kToClusters);
     result.stopped =
