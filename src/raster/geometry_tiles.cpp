@@ -158,7 +158,9 @@ image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) cons
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
     CHECK(hidden_ == nullptr);
     const auto at = static_cast<std::size_t>(tile);
-    auto& [triangles, segments, points] = order;
+    std::vector<std::uint32_t>& triangles = order.triangles;
+    std::vector<Segment>& segments = order.segments;
+    std::vector<Point>& points = order.points;
     triangles.clear();
     segments.clear();
     points.clear();
