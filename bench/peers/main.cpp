@@ -61,11 +61,8 @@ Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& re
     report.duels.emplace_back(load, std::move(result));
     const bool threads_too = load.shading == Shading::blinn_phong && load.samples == 1;
     if (!threads_too) return {};
-    ThreadsResult threads;
-    for (int tries = 0; tries < 3 && !threads.judged(); ++tries) {
-        TRY(threads,
-            measure_threads(load, *scene, two, a.duel.width, a.duel.height, a.duel.frames));
-    }
+    TRY(const ThreadsResult threads,
+        measure_threads(load, *scene, two, a.duel.width, a.duel.height, a.duel.frames));
     report.threads.emplace_back(load, threads);
     return {};
 }

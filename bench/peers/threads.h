@@ -17,7 +17,8 @@ struct ThreadsResult {
     bool judged() const { return compute >= 1.5 && ours <= 2.1; }
 };
 
-// two: of two threads, made while the process may run on every core.
+// two: of two threads, made while the process may run on every core. Other work that stands in the
+// way gets up to two more turns of as many rounds to leave; least times are of all of them.
 Result<ThreadsResult> measure_threads(const Load& load, const scene::Scene& scene, Jobs& two,
                                       int width, int height, int rounds);
 
