@@ -1,5 +1,6 @@
 #include "bench/peers/machine.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <thread>
@@ -46,10 +47,11 @@ double load_average() {
     return ::getloadavg(&average, 1) == 1 ? average : 0;
 }
 
-void stay_on_one_core() {
+void stay_on_one_core(int number) {
     const cpu_set_t& all = allowed_at_start();
+    int before = number % std::max(CPU_COUNT(&all), 1);
     for (int core = 0; core < CPU_SETSIZE; ++core) {
-        if (!CPU_ISSET(core, &all)) continue;
+        if (!CPU_ISSET(core, &all) || before-- > 0) continue;
         cpu_set_t one;
         CPU_ZERO(&one);
         CPU_SET(core, &one);

@@ -9,8 +9,9 @@ std::string cpu_name();      // and how many there are
 std::string compiler_name(); // of this program
 double load_average();       // of the last minute: 0 on an idle machine
 
-// The calling thread stays on the first core that it may run on.
-void stay_on_one_core();
+// The calling thread stays on one of the cores that it may run on: the first, the second, ..., the
+// first again.
+void stay_on_one_core(int number = 0);
 void run_anywhere();
 
 } // namespace scanout::bench

@@ -16,8 +16,9 @@ using namespace scanout::bench;
 struct Arguments {
     DuelOptions duel;
     bool check = false, json = false;
-    std::string only;   // loads whose name holds it
-    std::string dragon; // a file in the place of the generated one
+    std::string only;            // loads whose name holds it
+    std::string dragon;          // a file in the place of the generated one
+    std::string target = "auto"; // of ours
 };
 
 void read_size(const std::string& text, DuelOptions& duel) {
@@ -42,6 +43,9 @@ void describe(CLI::App& app, Arguments& a) {
         "of the pictures: WIDTHxHEIGHT (1920x1080)");
     app.add_option("--only", a.only, "loads whose name holds this text");
     app.add_option("--save", a.duel.save_in, "a folder for the pictures that are compared");
+    app.add_option("--target", a.target,
+                   "of our kernels: avx2 is what a processor without AVX-512 takes")
+        ->capture_default_str();
     app.add_option("--dragon", a.dragon, "an OBJ file in the place of the dragon's stand-in")
         ->check(CLI::ExistingFile);
 }
@@ -68,6 +72,8 @@ Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& re
 }
 
 Result<Exit> run(const Arguments& a) {
+    if (!simd::choose_target(a.target))
+        return fail(Exit::usage, "--target {}: no such target, or not of this processor", a.target);
     TRY(const GlContext context, GlContext::create());
     run_anywhere(); // remembers where that is
     Jobs two(2);

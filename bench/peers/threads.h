@@ -9,7 +9,7 @@
 namespace scanout::bench {
 
 struct ThreadsResult {
-    double ours = 0;    // speed-up, least time against least time
+    double ours = 0;    // speed-up: the mean of one thread on either core, least times
     double compute = 0; // of the pair
     // Of a machine whose second core is a whole one.
     double relative() const { return compute > 0 ? 2 * ours / compute : 0; }
