@@ -29,8 +29,12 @@ struct Times {
     }
     double wall_median() const { return measure::median(wall); }
     double cpu_median() const { return measure::median(cpu); }
-    double wall_least() const {
-        return wall.empty() ? 0 : *std::min_element(wall.begin(), wall.end());
+    double wall_least() const { return least(wall); }
+    double cpu_least() const { return least(cpu); }
+
+private:
+    static double least(const std::vector<double>& of) {
+        return of.empty() ? 0 : *std::min_element(of.begin(), of.end());
     }
 };
 

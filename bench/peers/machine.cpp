@@ -47,9 +47,13 @@ double load_average() {
     return ::getloadavg(&average, 1) == 1 ? average : 0;
 }
 
+int cores() {
+    return std::max(CPU_COUNT(&allowed_at_start()), 1);
+}
+
 void stay_on_one_core(int number) {
     const cpu_set_t& all = allowed_at_start();
-    int before = number % std::max(CPU_COUNT(&all), 1);
+    int before = number % cores();
     for (int core = 0; core < CPU_SETSIZE; ++core) {
         if (!CPU_ISSET(core, &all) || before-- > 0) continue;
         cpu_set_t one;

@@ -59,7 +59,6 @@ Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& re
     }
     if (!scene) return tl::unexpected(scene.error());
     fmt::print(stderr, "{} ...\n", load.name);
-    stay_on_one_core();
     TRY(Duel result, duel(load, *scene, a.duel));
     run_anywhere();
     report.duels.emplace_back(load, std::move(result));
