@@ -58,16 +58,16 @@ SIMD_INLINE void store_pixels(T a, Word* to) {
 }
 
 // Of what is inside the nearest stays, at a tie the lower id. Returns the depths that are there
-// now.
+// now. No depth that is there is below 0, and none here is NaN or -0: so their bits are in order as
+// whole numbers, and a tie that the lower id wins is won against a depth of one less.
 template <class D>
 SIMD_INLINE Float<D> show(Mask<D> inside, Float<D> z, std::uint32_t primitive, float* depth,
                           std::uint32_t* id, Int<D>& drawn) {
     using Id = Int<D>;
     const auto old = load_pixels<Float<D>>(depth);
     const Id old_id = load_pixels<Id>(id), new_id = static_cast<std::int32_t>(primitive);
-    // Ids are compared as unsigned numbers: their order is that of signed ones moved by 2^31.
-    const Id half = INT32_MIN;
-    const Mask<D> pass = inside & ((z > old) | ((z == old) & ((new_id + half) < (old_id + half))));
+    const Mask<D> pass =
+        inside & (bits_of(z) > less_one_where(less_unsigned(new_id, old_id), bits_of(old)));
     const Float<D> now = select(pass, z, old);
     store_pixels(now, depth);
     store_pixels(select(pass, new_id, old_id), id);

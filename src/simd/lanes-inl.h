@@ -137,6 +137,21 @@ struct Int {
 private:
     static SIMD_INLINE Mask<D> mask(hn::Mask<Tag> m) { return {hn::RebindMask(D(), m)}; }
 };
+// As numbers of 0 to 2^32 - 1.
+template <class D>
+SIMD_INLINE Mask<D> less_unsigned(Int<D> a, Int<D> b) {
+    const hn::RebindToUnsigned<typename Int<D>::Tag> tag;
+    return {hn::RebindMask(D(), hn::Lt(hn::BitCast(tag, a.raw), hn::BitCast(tag, b.raw)))};
+}
+template <class D>
+SIMD_INLINE Int<D> less_one_where(Mask<D> m, Int<D> a) {
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86 // masks are no lanes
+    return select(m, a - Int<D>(1), a);
+#else
+    const typename Int<D>::Tag tag;
+    return a + Int<D>(hn::VecFromMask(tag, hn::RebindMask(tag, m.raw)));
+#endif
+}
 template <int kCount, class D>
 SIMD_INLINE Int<D> shift_left(Int<D> a) {
     return Int<D>(hn::ShiftLeft<kCount>(a.raw));
