@@ -36,7 +36,7 @@ void describe(CLI::App& app, Arguments& a) {
     app.add_flag("--placed", a.duel.placed,
                  "the peer gets scanout's order of triangles, not the file's");
     app.add_option("--frames", a.duel.frames, "of each side and load")
-        ->check(CLI::PositiveNumber)
+        ->check(CLI::Range(1, 1'000'000))
         ->capture_default_str();
     app.add_option_function<std::string>(
         "--size", [&](const std::string& text) { read_size(text, a.duel); },
@@ -106,7 +106,11 @@ int main(int count, char** words) {
                  "bench/README.md, and which gates are missed.");
     Arguments arguments;
     describe(app, arguments);
-    CLI11_PARSE(app, count, words);
+    try {
+        app.parse(count, words);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::usage);
+    }
     const Result<Exit> exit = run(arguments);
     if (exit) return *exit == Exit::ok ? 0 : 1;
     fmt::print(stderr, "bench_peers: {}\n", exit.error().what);
