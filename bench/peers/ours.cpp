@@ -28,7 +28,7 @@ void Ours::draw_depth(const scene::View& view) {
     const std::size_t pixels = width * static_cast<std::size_t>(options_.height);
     if (depth_.size() != pixels) {
         constexpr std::size_t kLine = 64; // bytes
-        assign_in_large_pages(room_, pixels + kLine / sizeof(float));
+        room_ = LargeArray<float>(pixels + kLine / sizeof(float));
         void* begin = room_.data();
         std::size_t bytes = room_.size() * sizeof(float);
         std::align(kLine, pixels * sizeof(float), begin, bytes);

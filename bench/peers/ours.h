@@ -43,7 +43,7 @@ private:
     raster::Geometry geometry_;
     raster::HiddenClusters hidden_;
     std::vector<raster::VisibilityTile> tiles_; // one a worker
-    std::vector<float> room_;
+    LargeArray<float> room_;
     std::span<float> depth_; // in that, from the start of a line of the cache
     frame::BareTiles bare_;
 };

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <new>
 #include <span>
 
 #include <malloc.h>
@@ -46,18 +47,30 @@ void release_pages(void* begin, std::size_t bytes) {
     if (!pages.empty()) ::madvise(pages.data(), pages.size(), MADV_DONTNEED);
 }
 
-static constexpr std::uintptr_t kLargePage = 1 << 21; // of x86, and of AArch64 with 4 KiB pages
-
-void expect_large_pages(void* begin, std::size_t bytes) {
-    const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
-    if (!pages.empty()) ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
-}
+static constexpr std::size_t kLargePage = 1 << 21; // of x86, and of AArch64 with 4 KiB pages
 
 void use_large_pages(void* begin, std::size_t bytes) {
     constexpr int kCollapse = 25; // MADV_COLLAPSE, since Linux 6.1: what stands there
-    expect_large_pages(begin, bytes);
     const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
-    if (!pages.empty()) ::madvise(pages.data(), pages.size(), kCollapse);
+    if (pages.empty()) return;
+    ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);
+    ::madvise(pages.data(), pages.size(), kCollapse);
+}
+
+void* allocate_large_pages(std::size_t bytes) {
+    if (bytes < kLargePage / 2) return ::operator new(bytes);
+    const std::size_t pages = (bytes + kLargePage - 1) / kLargePage * kLargePage;
+    void* const begin = ::operator new (pages, std::align_val_t{kLargePage});
+    const std::size_t filled = (bytes + kLargePage / 2) / kLargePage * kLargePage;
+    ::madvise(begin, filled, MADV_HUGEPAGE);
+    return begin;
+}
+
+void free_large_pages(void* begin, std::size_t bytes) {
+    if (bytes < kLargePage / 2)
+        ::operator delete(begin);
+    else
+        ::operator delete (begin, std::align_val_t{kLargePage});
 }
 
 void release_freed() {

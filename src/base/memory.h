@@ -35,16 +35,10 @@ void use_large_pages(std::vector<T>& values) {
     use_large_pages(std::span(values));
 }
 
-// The same for bytes that nobody has written yet: nothing need be moved.
-void expect_large_pages(void* begin, std::size_t bytes);
-// Makes an array anew, in such pages. What it holds is lost.
-template <class T>
-void assign_in_large_pages(std::vector<T>& values, std::size_t size, const T& value = {}) {
-    release(values);
-    values.reserve(size);
-    expect_large_pages(values.data(), size * sizeof(T));
-    values.assign(size, value);
-}
+// Bytes that nobody has written yet, in such pages where they fill at least half of one; the first
+// begins a page, so that none need be made of small ones. Throws std::bad_alloc, as new does.
+void* allocate_large_pages(std::size_t bytes);
+void free_large_pages(void* begin, std::size_t bytes);
 
 // Gives the memory of small blocks that were freed back to the machine, wherever it lies.
 void release_freed();

@@ -407,7 +407,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     State& s = *state_;
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height) {
-        s.back_buffer = image::Image(o.width, o.height);
+        s.back_buffer = image::Image::unwritten(o.width, o.height);
         s.bare.forget();
     }
     const Stopwatch total;

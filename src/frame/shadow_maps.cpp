@@ -1,7 +1,5 @@
 #include "frame/shadow_maps.h"
 
-#include "base/memory.h"
-
 #include <algorithm>
 
 namespace scanout::frame {
@@ -76,7 +74,7 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
         if (depths_.size() < maps_.size()) depths_.emplace_back();
         Depths& drawn = depths_[maps_.size() - 1];
         draw(in, from, in.plan.shadow.in_maps[light.source], drawn);
-        const std::vector<float>& depth = drawn.depth;
+        const LargeArray<float>& depth = drawn.depth;
         maps_.back().depth = depth.data(); // stays where it is when depths_ grows
         if (soft) maps_.back().nearest = *std::max_element(depth.begin(), depth.end());
     }
@@ -85,7 +83,7 @@ void ShadowMaps::add(const ShadowScene& in, const scene::ViewLight& light, int s
 void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Facing keep,
                       Depths& out) {
     const auto side = static_cast<std::size_t>(from.size);
-    if (out.depth.size() != side * side) assign_in_large_pages(out.depth, side * side);
+    if (out.depth.size() != side * side) out.depth = LargeArray<float>(side * side);
     const raster::ScreenTransform transform(from.view, from.size, from.size);
     raster::GeometryOptions options;
     options.width = options.height = from.size;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "base/large_array.h"
 #include "frame/bare_tiles.h"
 #include "frame/light_view.h"
 #include "frame/plan.h"
@@ -40,7 +41,7 @@ private:
         std::unique_ptr<shade::Layers> layers; // made when something is cut out
     };
     struct Depths {
-        std::vector<float> depth;
+        LargeArray<float> depth;
         BareTiles bare; // of it
         raster::HiddenClusters hidden;
     };

@@ -1,12 +1,12 @@
 // An 8-bit RGBA picture in memory: sRGB codes, rows from the top, no padding.
 #pragma once
 
-#include "base/memory.h"
+#include "base/large_array.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
 
 namespace scanout::image {
 
@@ -19,9 +19,16 @@ static_assert(sizeof(Rgba8) == 4);
 class Image {
 public:
     Image() = default;
-    Image(int width, int height, Rgba8 fill = {}) : width_(width), height_(height) {
-        assign_in_large_pages(
-            pixels_, static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill);
+    Image(int width, int height, Rgba8 fill = {}) : Image(unwritten(width, height)) {
+        std::fill(pixels_.begin(), pixels_.end(), fill);
+    }
+    // Its pixels are anything until they are written.
+    static Image unwritten(int width, int height) {
+        Image image;
+        image.width_ = width;
+        image.height_ = height;
+        image.pixels_ = LargeArray<Rgba8>(image.offset(height));
+        return image;
     }
 
     int width() const { return width_; }
@@ -36,17 +43,20 @@ public:
     }
     Rgba8& at(int x, int y) { return pixels_[offset(y) + static_cast<std::size_t>(x)]; }
     const Rgba8& at(int x, int y) const { return pixels_[offset(y) + static_cast<std::size_t>(x)]; }
-    std::span<const Rgba8> pixels() const { return pixels_; }
-    std::span<Rgba8> pixels() { return pixels_; }
+    std::span<const Rgba8> pixels() const { return {pixels_.data(), pixels_.size()}; }
+    std::span<Rgba8> pixels() { return {pixels_.data(), pixels_.size()}; }
 
-    friend bool operator==(const Image&, const Image&) = default;
+    friend bool operator==(const Image& a, const Image& b) {
+        return a.width_ == b.width_ && a.height_ == b.height_ &&
+               std::equal(a.pixels_.begin(), a.pixels_.end(), b.pixels_.begin());
+    }
 
 private:
     std::size_t offset(int y) const {
         return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_);
     }
     int width_ = 0, height_ = 0;
-    std::vector<Rgba8> pixels_;
+    LargeArray<Rgba8> pixels_;
 };
 
 // A half-open rectangle of pixels, x right, y down.

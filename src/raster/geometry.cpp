@@ -86,7 +86,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
     CHECK(hidden_ == nullptr || layers_.empty());
     CHECK_LE(mesh.position.size(), kMostVertices);
     if (vertices_.size() != mesh.position.size())
-        assign_in_large_pages(vertices_, mesh.position.size());
+        vertices_ = LargeArray<ScreenVertex>(mesh.position.size());
     batches_.resize(static_cast<std::size_t>(jobs.threads()));
     for (Batch& batch : batches_)
         batch.clear(tiles(), !layers_.empty());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "base/large_array.h"
 #include "geom/mesh.h"
 #include "raster/area.h"
 #include "raster/cluster_cull.h"
@@ -174,7 +175,7 @@ private:
     std::vector<std::uint8_t> needed_;
     std::array<std::mutex, 64> late_;
     std::atomic<std::uint64_t> late_drawn_ = 0; // triangles
-    std::vector<ScreenVertex> vertices_;
+    LargeArray<ScreenVertex> vertices_;
     std::vector<Batch> batches_;
 };
 

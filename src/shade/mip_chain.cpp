@@ -1,7 +1,6 @@
 #include "shade/mip_chain.h"
 
 #include "base/check.h"
-#include "base/memory.h"
 #include "math/srgb.h"
 #include "shade/check_lanes.h"
 #include "shade/shrink.h"
@@ -37,7 +36,7 @@ std::uint64_t mip_chain_bytes(const image::Image& image) {
 MipChain make_mip_chain(const image::Image& image, TexelKind kind, Jobs& jobs) {
     std::int32_t texels = 0;
     MipChain chain = mip_levels(image, texels);
-    assign_in_large_pages(chain.texels, static_cast<std::size_t>(texels) * 4);
+    chain.texels = LargeArray<float>(static_cast<std::size_t>(texels) * 4);
     LevelAbove above{
         image.width(), image.height(), reinterpret_cast<const std::int32_t*>(image.pixels().data()),
         kind == TexelKind::colour ? scanout::detail::kSrgb.decode : scanout::detail::kSrgb.linear,

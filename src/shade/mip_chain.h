@@ -5,6 +5,7 @@
 #pragma once
 
 #include "base/jobs.h"
+#include "base/large_array.h"
 #include "image/image.h"
 #include "scene/scene.h"
 #include "shade/stage.h"
@@ -22,7 +23,7 @@ struct MipChain {
     // Of each level: its size, and where it begins in `texels`, in texels. Level 0 is the image.
     std::int32_t width[kMostLevels], height[kMostLevels], begin[kMostLevels];
     // Levels 1 to last, rows from the top: red, green, blue, alpha of each texel.
-    std::vector<float> texels;
+    LargeArray<float> texels;
 };
 
 // Each level has half the sides of the one above, rounded down; every texel is the mean of what it

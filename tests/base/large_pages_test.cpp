@@ -1,4 +1,5 @@
 // Large pages hold what stood there, and the machine gives them where it has them for the asking.
+#include "base/large_array.h"
 #include "base/memory.h"
 
 #include <algorithm>
@@ -59,15 +60,34 @@ TEST(LargePages, AreGivenWhereTheMachineGivesThem) {
     EXPECT_EQ(large_pages() > before + kSome, gives_large_pages());
 }
 
-TEST(LargePages, AreExpectedOfAnArrayThatIsMadeAnew) {
-    std::vector<std::uint32_t> values(1000, 3);
+TEST(LargeArray, IsMadeOfLargePagesWhereTheyAreHalfFull) {
+    for (const long kib : {64 << 10, (64 << 10) - 1000}) {
+        const long before = large_pages();
+        const LargeArray<std::uint32_t> values(static_cast<std::size_t>(kib) * 256, 5U);
+        EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](auto v) { return v == 5; }));
+        EXPECT_EQ(large_pages() == before + (64 << 10), gives_large_pages());
+    }
     const long before = large_pages();
-    assign_in_large_pages(values, 16 << 20, 5U);
-    ASSERT_EQ(values.size(), std::size_t{16 << 20});
-    EXPECT_TRUE(std::all_of(values.begin(), values.end(), [](auto v) { return v == 5; }));
-    EXPECT_EQ(large_pages() > before + kSome, gives_large_pages());
-    assign_in_large_pages(values, 0);
-    EXPECT_TRUE(values.empty());
+    const LargeArray<std::uint32_t> values(100 * 256, 5U);
+    EXPECT_EQ(large_pages(), before);
+}
+
+TEST(LargeArray, IsCopiedAndMoved) {
+    for (const std::size_t size : {std::size_t{0}, std::size_t{1000}, std::size_t{1'000'003}}) {
+        LargeArray<std::uint32_t> values(size);
+        std::iota(values.begin(), values.end(), 7U);
+        LargeArray<std::uint32_t> copy = values;
+        if (size > 0) {
+            EXPECT_NE(copy.data(), values.data());
+            values[0] = 3;
+        }
+        values = std::move(copy);
+        ASSERT_EQ(values.size(), size);
+        for (std::size_t i = 0; i < size; ++i)
+            ASSERT_EQ(values[i], i + 7);
+        values = {};
+        EXPECT_TRUE(values.empty());
+    }
 }
 
 } // namespace
