@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/peers/clock.h"
+#include "bench/peers/core_limits.h"
 #include "bench/peers/load.h"
 
 #include <string>
@@ -22,7 +23,8 @@ struct Duel {
     double fragments = 0; // that pass the depth test in the file's order, mean of four views
     std::size_t vertices = 0, triangles = 0;
     std::uint64_t drawn = 0; // by us, left after culling
-    double floor = 0;        // ms, of one core (floor.h); 0: not known
+    CoreLimits core;         // measured after it
+    double floor = 0;        // ms, of that core (floor.h); 0: not known
     // How many times faster we are, by the time that the thread ran: other work on the machine
     // takes wall time from both.
     double ratio() const { return theirs.cpu_median() / ours.cpu_median(); }

@@ -3,18 +3,12 @@
 // done to each vertex, triangle and pixel. How fast this core writes, reads and counts is measured.
 #pragma once
 
+#include "bench/peers/core_limits.h"
 #include "bench/peers/load.h"
 
 #include <cstddef>
 
 namespace scanout::bench {
-
-struct CoreLimits {
-    double clock = 0;           // Hz
-    double write = 0, read = 0; // bytes a second, of memory that no cache holds
-};
-// Of the core that the thread runs on; a tenth of a second.
-CoreLimits measure_core();
 
 struct Work {
     std::size_t vertices = 0, triangles = 0;

@@ -1,5 +1,6 @@
 #include "bench/peers/report.h"
 
+#include <algorithm>
 #include <iterator>
 
 namespace scanout::bench {
@@ -18,12 +19,28 @@ bool has_floor(const Load& load, const Duel& duel) {
     return load.gate > 0 && duel.floor > 0;
 }
 
+// What the floors stand on, the least and the most beside any load.
+std::string limits_of_core(const Report& r) {
+    const auto range = [&](double CoreLimits::*limit) {
+        std::vector<double> all;
+        for (const auto& [load, duel] : r.duels)
+            all.push_back(duel.core.*limit * 1e-9);
+        const auto [least, most] = std::minmax_element(all.begin(), all.end());
+        return fmt::format("{:.1f} to {:.1f}", *least, *most);
+    };
+    return fmt::format("The core: {} GHz, writes {} GB/s, reads {} GB/s.\n",
+                       range(&CoreLimits::clock), range(&CoreLimits::write),
+                       range(&CoreLimits::read));
+}
+
 void print_lesser(std::string& text, const Report& r) {
     const auto out = std::back_inserter(text);
-    fmt::format_to(out,
-                   "\n| less is better | first / steady | {} | floor ms | times the floor | {} |\n"
-                   "|---|--:|---|--:|--:|---|\n",
-                   bounds(kFirstGate, kFirstGoal), bounds(kFloorGate, kFloorGoal));
+    if (r.duels.empty()) return;
+    fmt::format_to(
+        out,
+        "\n{}\n| less is better | first / steady | {} | floor ms | times the floor | {} |\n"
+        "|---|--:|---|--:|--:|---|\n",
+        limits_of_core(r), bounds(kFirstGate, kFirstGoal), bounds(kFloorGate, kFloorGoal));
     for (const auto& [load, d] : r.duels) {
         if (!has_first_frame(load) && !has_floor(load, d)) continue;
         const auto cells = [](bool known, auto... parts) {
@@ -65,6 +82,9 @@ std::vector<std::string> missed_gates(const Report& report) {
             missed.push_back(fmt::format("{}: the first frame takes {:.2f} steady ones, the gate "
                                          "is {}",
                                          load.name, duel.first, kFirstGate));
+        if (has_floor(load, duel) && duel.above_floor() < 1)
+            missed.push_back(fmt::format("{}: faster than its floor of {:.2f} ms, which is wrong",
+                                         load.name, duel.floor));
         if (has_floor(load, duel) && duel.above_floor() > kFloorGate)
             missed.push_back(fmt::format("{}: {:.2f} times the floor of {:.2f} ms, the gate is {}",
                                          load.name, duel.above_floor(), duel.floor, kFloorGate));

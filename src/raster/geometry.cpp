@@ -34,7 +34,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
     pieces.clear();
     segments.clear();
     points.clear();
-    waiting.clear();
+    asked.clear();
     bins.resize(static_cast<std::size_t>(tiles));
     layered.resize(layers ? static_cast<std::size_t>(tiles) : 0);
     for (auto* all : {&bins, &layered}) {
@@ -44,6 +44,7 @@ void Geometry::Batch::clear(int tiles, bool layers) {
             bin.segments.clear();
             bin.points.clear();
             bin.waiting.clear();
+            bin.asked.clear();
             bin.large.clear();
             for (auto& parts : bin.parts)
                 parts.clear();

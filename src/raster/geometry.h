@@ -92,8 +92,9 @@ private:
         std::vector<Point> points;
         struct Bin {
             std::vector<std::uint32_t> triangles, pieces, segments, points;
-            std::vector<std::uint32_t> waiting; // clusters, by number in the batch
-            PartsByKind parts;                  // of small triangles
+            // Clusters by number in the batch: what waits, and what is drawn and asked about.
+            std::vector<std::uint32_t> waiting, asked;
+            PartsByKind parts; // of small triangles
             const std::vector<TilePart>& parts_of(PartKind kind) const {
                 return parts[static_cast<std::size_t>(kind)];
             }
@@ -105,11 +106,11 @@ private:
             template <class F>
             void for_small(F&& f) const;
         };
-        struct Waiting {
+        struct Asked {
             std::uint32_t cluster;
             ClusterBounds bounds;
         };
-        std::vector<Waiting> waiting;
+        std::vector<Asked> asked;
         std::vector<Bin> bins;
         std::vector<Bin> layered; // what is not opaque: none where everything is
         CullResult found;         // of one chunk
@@ -119,12 +120,12 @@ private:
         void clear(int tiles, bool layers);
     };
     void find_needed(Jobs& jobs, bool all_vertices);
-    // Does a cluster wait? Then the batch has it.
+    // Does a cluster wait? What does or is asked about the batch has.
     bool waits(Batch& batch, std::size_t cluster) const;
     void transform_needed(Jobs& jobs);
     void transform_blocks(std::size_t begin, std::size_t end);
-    // Those that wait, in a tile whose others are drawn. Of one that is not hidden there: what no
-    // tile has transformed before, and what it has in the tile.
+    // In a tile whose others are drawn: which it does not hide; and those of them that waited. Of
+    // one: what no tile has transformed before, and what it has in the tile.
     void draw_waiting(int tile, VisibilityTile& out);
     void transform_late(std::size_t cluster);
     void find_late(std::size_t cluster, const image::Rect& area, LateParts& out);

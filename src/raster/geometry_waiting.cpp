@@ -14,7 +14,9 @@ constexpr int kMostTiles = 9;
 } // namespace
 
 bool Geometry::waits(Batch& batch, std::size_t cluster) const {
-    if (hidden_ == nullptr || !hidden_->waits(cluster)) return false;
+    using Order = HiddenClusters::Order;
+    const Order order = hidden_ == nullptr ? Order::draw : hidden_->order(cluster);
+    if (order == Order::draw) return false;
     const auto bounds = cluster_cull_->bounds(mesh_->clusters.cluster[cluster]);
     int touched = 0;
     if (bounds) for_tiles(bounds->pixels, [&](std::size_t) { ++touched; });
@@ -22,11 +24,12 @@ bool Geometry::waits(Batch& batch, std::size_t cluster) const {
         hidden_->show(cluster); // as good as
         return false;
     }
-    const auto number = static_cast<std::uint32_t>(batch.waiting.size());
-    batch.waiting.push_back({static_cast<std::uint32_t>(cluster), *bounds});
+    const auto number = static_cast<std::uint32_t>(batch.asked.size());
+    batch.asked.push_back({static_cast<std::uint32_t>(cluster), *bounds});
+    const auto list = order == Order::wait ? &Batch::Bin::waiting : &Batch::Bin::asked;
     for_tiles(bounds->pixels,
-              [&](std::size_t tile) { batch.bins[tile].waiting.push_back(number); });
-    return true;
+              [&](std::size_t tile) { (batch.bins[tile].*list).push_back(number); });
+    return order == Order::wait;
 }
 
 void Geometry::transform_late(std::size_t cluster) {
@@ -64,14 +67,21 @@ void Geometry::draw_waiting(int tile, VisibilityTile& out) {
     LateParts& late = out.late_parts();
     late.clear();
     CHECK(out.rule().usual());
-    for (const Batch& batch : batches_)
+    const auto shows = [&](const Batch::Asked& a) {
+        if (out.hides(a.bounds.pixels, a.bounds.nearest)) return false;
+        hidden_->show(a.cluster);
+        return true;
+    };
+    for (const Batch& batch : batches_) {
+        for (const std::uint32_t i : batch.bins[at].asked)
+            shows(batch.asked[i]);
         for (const std::uint32_t i : batch.bins[at].waiting) {
-            const Batch::Waiting& w = batch.waiting[i];
-            if (out.hides(w.bounds.pixels, w.bounds.nearest)) continue;
-            hidden_->show(w.cluster);
-            transform_late(w.cluster);
-            find_late(w.cluster, out.area(), late);
+            const Batch::Asked& a = batch.asked[i];
+            if (!shows(a)) continue;
+            transform_late(a.cluster);
+            find_late(a.cluster, out.area(), late);
         }
+    }
     if (!late.triangles.empty())
         out.draw(TriangleList{vertices_, mesh_->index, late.triangles, late.triangles});
     for (std::size_t kind = 0; kind < kPartKinds; ++kind)

@@ -6,9 +6,9 @@
 namespace scanout::raster {
 namespace {
 
-// A cluster that waits and is drawn after all costs more than one that did not wait. Where most
-// are, fewer are tried.
-constexpr std::size_t kOften = 16, kSeldom = 2048;
+// To ask costs a fifteenth of what drawing a cluster does. Where most are shown, fewer are asked
+// about.
+constexpr std::size_t kOften = 1, kSeldom = 2048;
 
 } // namespace
 
@@ -23,20 +23,21 @@ void HiddenClusters::begin_frame(std::size_t clusters) {
     // Of those that the last frame asked about: what is out of sight says nothing.
     std::size_t hidden = 0, shown = 0;
     for (std::uint8_t& state : state_) {
-        hidden += state == kWaits ? 1 : 0;
+        hidden += state == kAsked ? 1 : 0;
         shown += state == kShown ? 1 : 0;
-        if (state == kWaits) state = kHidden;
+        if (state == kAsked) state = kHidden;
         if (state == kShown) state = kDrawn;
     }
     if (shown > hidden) period_ = std::min(period_ * 2, kSeldom);
     if (hidden > 3 * shown) period_ = std::max(period_ / 2, kOften);
 }
 
-bool HiddenClusters::waits(std::size_t cluster) {
+HiddenClusters::Order HiddenClusters::order(std::size_t cluster) {
     std::uint8_t& state = state_[cluster];
-    if (state == kDrawn && (period_ == kNever || (cluster + frame_) % period_ != 0)) return false;
-    state = kWaits;
-    return true;
+    const bool drawn = state == kDrawn;
+    if (drawn && (period_ == kNever || (cluster + frame_) % period_ != 0)) return Order::draw;
+    state = kAsked;
+    return drawn ? Order::draw_and_ask : Order::wait;
 }
 
 void HiddenClusters::show(std::size_t cluster) {

@@ -77,6 +77,8 @@ TEST(Report, TheFloorIsJudgedWhereItIsKnown) {
     d.floor = d.ours.cpu[0] / 4.5;
     EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: 4.50 times the floor")));
     EXPECT_THAT(missed(kFree, d), IsEmpty());
+    d.floor = d.ours.cpu[0] * 1.1;
+    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: faster than its floor")));
     d.floor = 0;
     EXPECT_THAT(missed(kSamples, d), IsEmpty());
 }
