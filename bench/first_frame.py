@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""first_frame.py BUILD [RUNS] [OTHER]: from the start of the program to the first picture of a model of a million triangles,
-1920x1080, written and closed: STL, binary and ASCII, and OBJ, on one thread and on all; and of binary STL whose facets lie in no
-order, those of a scan and shuffled ones, which are put in one. Goal: a binary STL in two seconds.
-Medians of RUNS (7), taken in turns, because other work on the machine takes wall time; "ran" is what all threads ran.
-Remakes the table in bench/README.md. With OTHER, another program: its figures beside BUILD's, and the page stays.
+"""From the start of the program to the first picture of a model of a million triangles, 1920x1080, written and closed: STL,
+binary and ASCII, and OBJ, on one thread and on all; and of binary STL whose facets lie in no order, those of a scan and
+shuffled ones, which are put in one. Goal: a binary STL in two seconds. Medians of RUNS (7), taken in turns, because other work
+on the machine takes wall time; "ran" is what all threads ran. Remakes the table in bench/README.md. With OTHER, another
+program: its figures beside BUILD's, and the page stays.
 """
 import json
 import os
@@ -17,9 +17,10 @@ import sys
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parents[1]
-README = ROOT / "bench/README.md"
-BEGIN, END = "<!-- first frame -->\n", "<!-- end of first frame -->"
+import arguments
+import page
+
+MAKES_MESHES = "bench/meshes/bench_mesh"
 GOAL = 2.0 # seconds
 
 
@@ -55,18 +56,22 @@ def run(program, model, threads, folder):
 
 
 def main():
-    build = pathlib.Path(sys.argv[1])
-    runs = int(sys.argv[2]) if len(sys.argv) > 2 else 7
+    parser = arguments.parser(__doc__)
+    parser.add_argument("build", type=arguments.build_with("scanout", MAKES_MESHES))
+    parser.add_argument("runs", nargs="?", type=arguments.above_zero(int), default=7)
+    parser.add_argument("other", nargs="?", type=arguments.program)
+    asked = parser.parse_args()
+    build, runs = asked.build, asked.runs
     programs = {"": build / "scanout"}
-    if len(sys.argv) > 3:
-        programs = {"this, ": build / "scanout", "other, ": pathlib.Path(sys.argv[3])}
+    if asked.other is not None:
+        programs = {"this, ": build / "scanout", "other, ": asked.other}
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         models = {"binary STL": folder / "knot.stl", "ASCII STL": folder / "ascii.stl", "OBJ": folder / "knot.obj",
                   "binary STL, a scan's": folder / "dragon.stl", "binary STL, shuffled": folder / "shuffled.stl"}
         for path in (models["binary STL"], models["OBJ"]):
-            subprocess.run([build / "bench/meshes/bench_mesh", "knot:1000000", path], check=True)
-        subprocess.run([build / "bench/meshes/bench_mesh", "dragon", models["binary STL, a scan's"]], check=True)
+            subprocess.run([build / MAKES_MESHES, "knot:1000000", path], check=True)
+        subprocess.run([build / MAKES_MESHES, "dragon", models["binary STL, a scan's"]], check=True)
         write_shuffled(models["binary STL"], models["binary STL, shuffled"])
         write_ascii(models["binary STL"], models["ASCII STL"])
         cores = len(os.sched_getaffinity(0))
@@ -88,11 +93,8 @@ def main():
                 if kind.startswith("binary STL") and label != "other, ")
     print(f"a binary STL in {worst:.2f} s: the goal of {GOAL:.0f} s is {'met' if worst <= GOAL else 'MISSED'}")
     if len(programs) == 1:
-        page = README.read_text()
-        head, rest = page.split(BEGIN)
-        tail = rest.split(END)[1]
-        commit = subprocess.run(["git", "describe", "--always", "--dirty", "--exclude=*"], cwd=ROOT, capture_output=True, text=True).stdout.strip()
-        README.write_text(f"{head}{BEGIN}Commit {commit}, {cores} cores, load average {os.getloadavg()[0]:.1f}; {runs} runs each.\n\n{text}\n{END}{tail}")
+        page.remake("first frame", f"{page.machine()}, load average {os.getloadavg()[0]:.1f}; {runs} runs each.\n\n{text}")
 
 
-main()
+if __name__ == "__main__":
+    main()
