@@ -1,12 +1,8 @@
 #include "bench/peers/core_limits.h"
 
-#include "bench/peers/clock.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-
-#include <hwy/aligned_allocator.h>
 
 #define SIMD_FILE "bench/peers/core_limits.cpp"
 #include "simd/for_each_target.h"
@@ -44,44 +40,38 @@ namespace {
 SIMD_REGISTER(sum);
 SIMD_REGISTER(write);
 
-constexpr int kTries = 5;
 constexpr std::size_t kFloats = 16 << 20; // more than a core's own caches hold
-
-// The least of some turns, in seconds.
-template <class F>
-double least_seconds(F&& turn) {
-    Times times;
-    for (int i = 0; i < kTries; ++i)
-        times.add(turn);
-    return times.cpu_least() * 1e-3;
-}
+constexpr double kBytes = kFloats * sizeof(float);
+constexpr int kSteps = 2'000'000;
 
 // Steps of two cycles on every processor: a shift, and what waits for it.
-double clock_of_core() {
-    constexpr int kSteps = 2'000'000;
+void step() {
     std::uint64_t x = 1;
-    const double seconds = least_seconds([&] {
-        for (int i = 0; i < kSteps; ++i) {
-            x ^= x << 1;
-            asm volatile("" : "+r"(x));
-        }
-    });
-    return 2.0 * kSteps / seconds;
+    for (int i = 0; i < kSteps; ++i) {
+        x ^= x << 1;
+        asm volatile("" : "+r"(x));
+    }
 }
 
 } // namespace
 
-CoreLimits measure_core() {
-    const auto memory = hwy::AllocateAligned<float>(kFloats);
-    const double bytes = kFloats * sizeof(float);
-    CoreLimits limits;
-    limits.clock = clock_of_core();
-    std::fill_n(memory.get(), kFloats, 1.0F); // its pages are there
-    limits.write = bytes / least_seconds([&] { SIMD_CALL(write)(memory.get(), kFloats); });
+CoreMeter::CoreMeter() : memory_(hwy::AllocateAligned<float>(kFloats)) {
+    std::fill_n(memory_.get(), kFloats, 1.0F); // its pages are there
+}
+
+void CoreMeter::measure() {
+    clock_.add(step);
+    write_.add([&] { SIMD_CALL(write)(memory_.get(), kFloats); });
     volatile float kept = 0;
-    limits.read = bytes / least_seconds([&] { kept = SIMD_CALL(sum)(memory.get(), kFloats); });
+    read_.add([&] { kept = SIMD_CALL(sum)(memory_.get(), kFloats); });
     static_cast<void>(kept);
-    return limits;
+}
+
+CoreLimits CoreMeter::median() const {
+    const auto a_second = [](double count, const Times& times) {
+        return count / (times.cpu_median() * 1e-3);
+    };
+    return {a_second(2.0 * kSteps, clock_), a_second(kBytes, write_), a_second(kBytes, read_)};
 }
 
 } // namespace scanout::bench

@@ -1,13 +1,30 @@
 // How fast one core counts, reads and writes: what the floor of a load stands on.
 #pragma once
 
+#include "bench/peers/clock.h"
+
+#include <cstddef>
+
+#include <hwy/aligned_allocator.h>
+
 namespace scanout::bench {
 
 struct CoreLimits {
     double clock = 0;           // Hz
     double write = 0, read = 0; // bytes a second, in order, past the caches and of 64 MB
 };
-// Of the core that the thread runs on, with the lanes that kernels use; a tenth of a second.
-CoreLimits measure_core();
+
+// Measures the core that the thread runs on, with the lanes that kernels use: in the turns in which
+// frames are timed, because other work on the machine takes from both.
+class CoreMeter {
+public:
+    CoreMeter();
+    void measure(); // once; a fiftieth of a second
+    CoreLimits median() const;
+
+private:
+    hwy::AlignedFreeUniquePtr<float[]> memory_;
+    Times clock_, write_, read_;
+};
 
 } // namespace scanout::bench
