@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "base/jobs.h"
 #include "base/stopwatch.h"
-#include "frame/plan.h"
+#include "frame/kept_plan.h"
 #include "frame/renderer.h"
 #include "io/load.h"
 #include "measure/median.h"
@@ -75,7 +75,7 @@ double sums_milliseconds(Jobs& jobs, int parts) {
 Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
     Jobs jobs(asked.threads);
     frame::Renderer renderer(jobs);
-    const frame::SceneFacts facts = frame::facts(scene);
+    frame::KeptPlan kept(frame::facts(scene));
     frame::FrameOptions options;
     options.width = asked.width;
     options.height = asked.height;
@@ -90,8 +90,8 @@ Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
         const double before = process_milliseconds();
         TRY(const scene::View view,
             scene::make_view(scene.mesh, {}, pose, {}, {}, asked.width, asked.height));
-        TRY(const frame::FramePlan plan, frame::plan(options, facts, view));
-        renderer.render(scene, view, plan);
+        TRY(const frame::FramePlan* const plan, kept.plan(options, view));
+        renderer.render(scene, view, *plan);
         if (number == 0) { // it makes the buffers, and says how many sums take as long
             parts = std::max(1, static_cast<int>((process_milliseconds() - before) / kSumsPart));
             continue;

@@ -10,7 +10,7 @@ namespace scanout::bench {
 
 Ours::Ours(Jobs& jobs, const scene::Scene& scene, const Load& load, int width, int height)
     : jobs_(jobs), scene_(scene), depth_only_(load.shading == Shading::depth),
-      options_(options_of(load, width, height)), facts_(frame::facts(scene)), renderer_(jobs),
+      options_(options_of(load, width, height)), plan_(frame::facts(scene)), renderer_(jobs),
       tiles_(static_cast<std::size_t>(jobs.threads())) {}
 
 Result<void> Ours::draw(const scene::View& view) {
@@ -18,8 +18,8 @@ Result<void> Ours::draw(const scene::View& view) {
         draw_depth(view);
         return {};
     }
-    TRY(const frame::FramePlan plan, frame::plan(options_, facts_, view));
-    picture_ = &renderer_.render(scene_, view, plan);
+    TRY(const frame::FramePlan* const plan, plan_.plan(options_, view));
+    picture_ = &renderer_.render(scene_, view, *plan);
     return {};
 }
 

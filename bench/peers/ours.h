@@ -4,7 +4,7 @@
 #include "base/jobs.h"
 #include "bench/peers/load.h"
 #include "frame/bare_tiles.h"
-#include "frame/plan.h"
+#include "frame/kept_plan.h"
 #include "frame/renderer.h"
 #include "raster/geometry.h"
 
@@ -37,7 +37,7 @@ private:
     const scene::Scene& scene_;
     bool depth_only_;
     frame::FrameOptions options_;
-    frame::SceneFacts facts_;
+    frame::KeptPlan plan_;
     frame::Renderer renderer_;
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;

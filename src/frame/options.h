@@ -21,6 +21,7 @@ enum class Cull : std::uint8_t { none, back, front }; // in the order of techniq
 struct FilePlane {
     DVec3 normal{0};
     double offset = 0;
+    friend bool operator==(const FilePlane&, const FilePlane&) = default;
 };
 
 struct FrameOptions {
@@ -57,6 +58,7 @@ struct FrameOptions {
     double exposure = 0; // stops: light is multiplied by 2^exposure; within +-kMostStops
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
+    friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
 };
 
 // Asks for a technique on an axis, instead of what stands there; false for an axis without option.

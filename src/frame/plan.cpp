@@ -1,4 +1,3 @@
-#include "frame/bounding_sphere.h"
 #include "frame/planner.h"
 #include "raster/sample_pattern.h"
 
@@ -8,25 +7,6 @@
 
 namespace scanout::frame {
 namespace {
-
-Result<void> check_numbers(const FrameOptions& o) {
-    if (o.width < 1 || o.height < 1 || o.width > kMaxSide || o.height > kMaxSide)
-        return fail(Exit::usage,
-                    "a picture of {}x{} pixels is not possible: each side must be 1 to {}", o.width,
-                    o.height, kMaxSide);
-    if (raster::sample_pattern(o.samples).empty())
-        return fail(Exit::usage, "--samples {}: choose 1, 2, 4, 8 or 16", o.samples);
-    if (o.lights.size() > scene::kMostLights)
-        return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
-                    scene::kMostLights);
-    if (o.shadow_size < kLeastShadowSize || o.shadow_size > kMostShadowSize)
-        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
-                    kLeastShadowSize, kMostShadowSize);
-    if (o.shadow_filter < 1 || o.shadow_filter > kMostShadowFilter)
-        return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
-                    kMostShadowFilter);
-    return {};
-}
 
 // Maps change what light falls on, so they come before it; what a surface gives off by itself is
 // added to what it reflects, and no shadow darkens it.
@@ -72,15 +52,34 @@ std::string to_string(const Decision& d) {
                        d.forced ? " (forced)" : "");
 }
 
+Result<void> check_numbers(const FrameOptions& o) {
+    if (o.width < 1 || o.height < 1 || o.width > kMaxSide || o.height > kMaxSide)
+        return fail(Exit::usage,
+                    "a picture of {}x{} pixels is not possible: each side must be 1 to {}", o.width,
+                    o.height, kMaxSide);
+    if (raster::sample_pattern(o.samples).empty())
+        return fail(Exit::usage, "--samples {}: choose 1, 2, 4, 8 or 16", o.samples);
+    if (o.lights.size() > scene::kMostLights)
+        return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
+                    scene::kMostLights);
+    if (o.shadow_size < kLeastShadowSize || o.shadow_size > kMostShadowSize)
+        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
+                    kLeastShadowSize, kMostShadowSize);
+    if (o.shadow_filter < 1 || o.shadow_filter > kMostShadowFilter)
+        return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
+                    kMostShadowFilter);
+    return {};
+}
+
 static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFacts& facts,
-                                      const scene::View& view) {
+                                      const ViewFacts& view) {
     FramePlan plan;
     plan.options = options;
     if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
     plan.only_material = facts.only_material;
     Planner planner(options, plan);
     TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
-    const bool flat = view.projection == scene::Projection::orthographic;
+    const bool flat = view.orthographic;
     planner.choice("interpolate", steps, options.interpolate,
                    facts.triangles == 0 ? "along lines colours are exact, whatever is asked"
                    : flat ? "nothing is foreshortened: but for rounding all ways are the same"
@@ -106,7 +105,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_edges(options, facts, planner, plan));
     TRY_VOID(plan_output(options, facts, planner, plan));
-    TRY_VOID(plan_sampling(planner, plan, facts, view));
+    TRY_VOID(plan_sampling(planner, plan, facts));
     put_in_order(plan.stages);
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
@@ -116,14 +115,21 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     return plan;
 }
 
-Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
-                       const scene::View& view) {
-    TRY_VOID(check_numbers(options));
-    if (may_be_seen(view)) return plan_of_seen(options, facts, view);
+Result<FramePlan> plan_without_filter(const FrameOptions& options, const SceneFacts& facts,
+                                      const ViewFacts& view) {
+    if (view.in_view) return plan_of_seen(options, facts, view);
     TRY(FramePlan plan, plan_of_seen(options, SceneFacts(), view));
     plan.techniques.clear(); // no pixel is shaded
     for (Decision& d : plan.decisions)
         if (!d.on() || !d.needed) d.because = "nothing of the model is in view";
+    return plan;
+}
+
+Result<FramePlan> plan(const FrameOptions& options, const SceneFacts& facts,
+                       const scene::View& view) {
+    TRY_VOID(check_numbers(options));
+    TRY(FramePlan plan, plan_without_filter(options, facts, view_facts(options, facts, view)));
+    plan_filter(plan, facts, view);
     return plan;
 }
 

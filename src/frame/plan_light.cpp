@@ -1,9 +1,6 @@
 // Lights, sides, reflection, shadows, and how often they are evaluated.
 #include "base/check.h"
-#include "frame/bounding_sphere.h"
 #include "frame/planner.h"
-#include "frame/shadow_fronts.h"
-#include "frame/shadow_reach.h"
 #include "shade/sides.h"
 
 #include <algorithm>
@@ -26,38 +23,28 @@ const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
     return nullptr;
 }
 
-scene::ViewLight in_view(const scene::Light& light, const scene::View& view,
-                         const SceneFacts& facts) {
-    geom::Mesh place; // all that lights ask of a mesh
-    place.centre = facts.centre;
-    place.exponent = facts.exponent;
-    place.radius = facts.radius;
-    return in_view(light, view, place);
-}
-
-// Whether some of a light falls on the model.
-bool reaches(const scene::Light& light, const SceneFacts& facts, const scene::View& view) {
-    return light.kind != scene::LightKind::spot || !(view.near_distance > 0) ||
-           may_be_lit(in_view(light, view, facts), view);
-}
-
 // One row for each kind of light: on where one shines that is not black, and something is lit.
-void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                 const scene::View& view, const shade::Stage& shading) {
+// Returns the facts of the plan's lights.
+std::vector<LightFacts> plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                                    const ViewFacts& view, const shade::Stage& shading) {
     const FrameOptions& options = plan.options;
+    std::vector<LightFacts> of_lights;
     for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
                             scene::LightKind::point, scene::LightKind::spot}) {
         std::string names;
         std::vector<scene::Light> shining;
+        std::vector<LightFacts> of_shining;
         bool elsewhere = false; // one shines, but not on the model
-        for (const scene::Light& light : options.lights) {
+        for (std::size_t i = 0; i < options.lights.size(); ++i) {
+            const scene::Light& light = options.lights[i];
             if (light.kind != kind || is_black(light)) continue;
-            if (!reaches(light, facts, view)) {
+            if (!view.lights[i].reaches) {
                 elsewhere = true;
                 continue;
             }
             names += (names.empty() ? "" : ", ") + light.name;
             shining.push_back(light);
+            of_shining.push_back(view.lights[i]);
         }
         const char* const unlit = why_unlit(plan, facts);
         const bool lit = unlit == nullptr;
@@ -71,6 +58,7 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                                        lit && !shining.empty(), because);
         if (!on || !lit || shining.empty()) continue;
         plan.lights.insert(plan.lights.end(), shining.begin(), shining.end());
+        of_lights.insert(of_lights.end(), of_shining.begin(), of_shining.end());
         // A directional light is the same in all lanes: there is nothing to write.
         if (kind == scene::LightKind::directional) continue;
         if (shading.needs.corners)
@@ -78,6 +66,7 @@ void plan_lights(Planner& planner, FramePlan& plan, const SceneFacts& facts,
         else
             planner.stage("light", name_of(kind));
     }
+    return of_lights;
 }
 
 // Which model reflects on each kind of surface.
@@ -122,7 +111,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
 
 // Why backs may be seen, or why not; of meshes whose normals lean to no back.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
-                                   const scene::View& view) {
+                                   const ViewFacts& view) {
     const MeshSides& sides = facts.sides;
     const Cull cull = options.cull;
     if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
@@ -143,7 +132,7 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
                             sides.inward, facts.triangles)};
     if (sides.back_to_back)
         return {true, "faces lie back to back: of two at one depth either may be seen"};
-    switch (backs_in_view(sides, view)) {
+    switch (view.backs) {
     case Backs::of_open_parts:
         return {true, facts.alpha.see_through_triangles() > 0
                           ? fmt::format("backs show through {} of {} triangles that are not opaque",
@@ -163,8 +152,7 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
 
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
 // the one that the eye sees.
-void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                const scene::View& view) {
+void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, const ViewFacts& view) {
     const std::size_t leaning = facts.sides.leaning;
     auto [needed, because] =
         why_unlit(plan, facts) != nullptr ? std::pair(false, std::string(why_unlit(plan, facts)))
@@ -181,15 +169,13 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts,
 }
 
 // From inside, a convex body's near side stands between the lights and its far side.
-bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const scene::View& view) {
+bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFacts& view,
+                    const std::vector<LightFacts>& of_lights) {
     const MeshSides& sides = facts.sides;
     if (sides.flat) return false;
-    if (sides.bodies.empty() || plan.options.cull == Cull::front || may_be_inside(sides, view))
-        return true;
-    const ShadowTexels map{plan.options.shadow_size, plan.options.shadow_filter};
-    return std::any_of(plan.lights.begin(), plan.lights.end(), [&](const scene::Light& light) {
-        return light.casts && !stand_apart(sides.bodies, in_view(light, view, facts), view, map);
-    });
+    if (sides.bodies.empty() || plan.options.cull == Cull::front || view.inside) return true;
+    return !std::all_of(of_lights.begin(), of_lights.end(),
+                        [](const LightFacts& light) { return light.parts_apart; });
 }
 
 // Is some triangle neither blended, as things stand, nor clear?
@@ -209,7 +195,7 @@ struct Casting {
     bool directional = false;
     std::vector<raster::Facing> in_maps; // ShadowPlan
 
-    Casting(const FramePlan& plan, const SceneFacts& facts, const scene::View& view) {
+    Casting(const FramePlan& plan, const std::vector<LightFacts>& of_lights) {
         in_maps.assign(plan.lights.size(), raster::Facing::any);
         for (std::size_t i = 0; i < in_maps.size(); ++i) {
             const scene::Light& light = plan.lights[i];
@@ -218,7 +204,7 @@ struct Casting {
             ++lights;
             sized += light.size > 0 ? 1 : 0;
             directional = directional || light.kind == scene::LightKind::directional;
-            if (!meets_fronts_first(facts.sides, in_view(light, view, facts), view)) continue;
+            if (!of_lights[i].fronts_first) continue;
             ++outside;
             in_maps[i] = raster::Facing::front;
         }
@@ -235,12 +221,13 @@ struct Casting {
 // Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
 // a point are sharp, and the filtered map is the cheapest that shows no steps.
 Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                          const scene::View& view, const shade::Stage& shading) {
-    const Casting casting(plan, facts, view);
+                          const ViewFacts& view, const std::vector<LightFacts>& of_lights,
+                          const shade::Stage& shading) {
+    const Casting casting(plan, of_lights);
     TRY(const std::string name,
         choose("shadow", plan.options.shadow, casting.sized > 0 ? "map_soft" : "map_pcf"));
     const bool floor = name != "projected" || facts.ground.triangles > 0;
-    const bool falls = name == "attached" || shadows_itself(plan, facts, view);
+    const bool falls = name == "attached" || shadows_itself(plan, facts, view, of_lights);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     const bool throws = name == "attached" || something_throws(plan.options, facts);
     std::string because =
@@ -298,15 +285,15 @@ bool has_directed_light(const FramePlan& plan) {
 }
 
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                        const scene::View& view) {
+                        const ViewFacts& view) {
     const std::string& asked = plan.options.shading;
     TRY(const std::string name, choose("shading", asked, "per_pixel"));
     const shade::Stage* shading = shade::find_stage("shading", name);
     CHECK(shading != nullptr);
-    plan_lights(planner, plan, facts, view, *shading);
+    const std::vector<LightFacts> of_lights = plan_lights(planner, plan, facts, view, *shading);
     plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
-    TRY_VOID(plan_shadows(planner, plan, facts, view, *shading));
+    TRY_VOID(plan_shadows(planner, plan, facts, view, of_lights, *shading));
     const bool directed = has_directed_light(plan);
     const bool lit = why_unlit(plan, facts) == nullptr;
     planner.choice("shading", lit ? name : "off", asked,

@@ -4,6 +4,7 @@
 #include "frame/planner.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -30,42 +31,23 @@ bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
                : surface.map == shade::kOpacityMap && alpha.opacity_map;
 }
 
-// How the maps that the plan's stages read are filtered, and which textures have mipmaps.
-Result<void> plan_filter(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                         const scene::View& view) {
-    const FrameOptions& options = plan.options;
-    TRY(const std::string name, choose("texture", options.texture, "trilinear"));
-    const shade::Filter* filter = shade::find_filter(name);
-    CHECK(filter != nullptr);
-    const bool automatic = options.texture == "auto";
-    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
-    Minification most;
-    std::optional<bool> plain; // whether each texture that is read is of one colour
-    for (const TexturedSurface& surface : facts.textured_surfaces) {
-        if (!is_read(surface, plan)) continue;
-        plain = plain.value_or(true) && surface.constant;
-        if (automatic && surface.constant) continue; // the same at every size
-        const Minification texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
-                                                     options.height * plan.aa->scale, plan.mapped);
-        most = {std::max(most.facing, texels.facing), std::max(most.slanted, texels.slanted)};
-        // A filter that the user names is drawn as it is; else what is not minified has no
-        // mipmaps, though its rim may show a few texels a pixel.
-        if (automatic && texels.slanted <= 1) continue;
-        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
-            plan.mips.push_back(surface.texture);
+// For the stages that find colours, for those that find alpha, or both.
+void use(const shade::Filter& filter, bool colour, bool alpha, FramePlan& plan) {
+    for (Decision& decision : plan.decisions)
+        if (decision.effect == "texture" && decision.on()) decision.technique = filter.card.name;
+    shade::Attributes needs = filter.needs;
+    if (plan.mapped) needs.uv = false; // they are made, not fetched
+    if (colour) {
+        plan.filter = &filter;
+        plan.attributes = plan.attributes | needs;
     }
-    const bool mipmaps = planner.effect(
-        "mipmaps", "on", filter->needs.footprint && !plan.mips.empty(),
-        !(colour || alpha) ? "no texture is read"
-        : plain.value_or(false)
-            ? "each texture that is read is of one colour"
-            : fmt::format("textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
-                          most.facing, most.slanted));
-    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
-    if (filter->needs.footprint && plan.mips.empty())
-        filter = shade::find_filter(automatic && plain.value_or(false) ? "nearest" : "bilinear");
-    if (colour || alpha) planner.filter(*filter, colour, alpha);
-    return {};
+    if (alpha) {
+        plan.transparency.filter = &filter;
+        plan.transparency.attributes = plan.transparency.attributes | needs;
+    }
+    const auto first_map = std::find_if(plan.techniques.begin(), plan.techniques.end(),
+                                        [](const Technique* t) { return t->axis == "map"; });
+    plan.techniques.insert(first_map, &filter.card); // in the order of techniques.h
 }
 
 // What lies beyond textures' edges: what each map says, unless the user does.
@@ -226,14 +208,53 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
                           shade::Attributes{.uv = true, .maps = shade::bit_of(shade::kEmissionMap)};
 }
 
-Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                           const scene::View& view) {
+Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     TRY_VOID(plan_mapping(planner, plan, facts));
-    TRY_VOID(plan_filter(planner, plan, facts, view));
+    TRY_VOID(choose("texture", plan.options.texture, "trilinear")); // there is such a one
+    planner.effect("mipmaps", "on", false, "no texture is read");   // else plan_filter says why
     TRY_VOID(plan_wrap(planner, plan, facts));
     // Whatever reads coordinates, they are made, not fetched.
     if (plan.mapped) plan.attributes.uv = plan.transparency.attributes.uv = false;
     return {};
+}
+
+void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& view) {
+    const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
+    if (!colour && !alpha) return;
+    const FrameOptions& options = plan.options;
+    const bool automatic = options.texture == "auto";
+    const shade::Filter* filter = shade::find_filter(automatic ? "trilinear" : options.texture);
+    CHECK(filter != nullptr);
+    Minification most;
+    std::optional<bool> plain; // whether each texture that is read is of one colour
+    for (const TexturedSurface& surface : facts.textured_surfaces) {
+        if (!is_read(surface, plan)) continue;
+        plain = plain.value_or(true) && surface.constant;
+        if (automatic && surface.constant) continue; // the same at every size
+        const Minification texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
+                                                     options.height * plan.aa->scale, plan.mapped);
+        most = {std::max(most.facing, texels.facing), std::max(most.slanted, texels.slanted)};
+        // A filter that the user names is drawn as it is; else what is not minified has no
+        // mipmaps, though its rim may show a few texels a pixel.
+        if (automatic && texels.slanted <= 1) continue;
+        if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
+            plan.mips.push_back(surface.texture);
+    }
+    const auto row = std::find_if(plan.decisions.begin(), plan.decisions.end(),
+                                  [](const Decision& d) { return d.effect == "mipmaps"; });
+    CHECK(row != plan.decisions.end());
+    row->because.clear(); // and its room is used again
+    if (plain.value_or(false))
+        row->because = "each texture that is read is of one colour";
+    else
+        fmt::format_to(std::back_inserter(row->because),
+                       "textures show up to {:.3g} texels a pixel, {:.3g} where they slant",
+                       most.facing, most.slanted);
+    const bool mipmaps = decide(*row, options, "on", filter->needs.footprint && !plan.mips.empty());
+    if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
+    if (filter->needs.footprint && plan.mips.empty())
+        filter = shade::find_filter(automatic && plain.value_or(false) ? "nearest" : "bilinear");
+    use(*filter, colour, alpha, plan);
 }
 
 } // namespace scanout::frame

@@ -3,8 +3,6 @@
 #include "base/check.h"
 #include "frame/techniques.h"
 
-#include <algorithm>
-
 namespace scanout::frame {
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic) {
@@ -15,13 +13,18 @@ Result<std::string> choose(std::string_view axis, const std::string& asked,
                 asked, names_of(axis));
 }
 
-bool Planner::effect(std::string name, std::string technique, bool needed, std::string because) {
-    const auto forced = options_.effects.find(name);
-    const bool is_forced = forced != options_.effects.end();
-    const bool on = is_forced ? forced->second : needed;
-    plan_.decisions.push_back({std::move(name), on ? std::move(technique) : "off",
-                               std::move(because), needed, is_forced && on != needed, false});
+bool decide(Decision& row, const FrameOptions& options, std::string technique, bool needed) {
+    const auto forced = options.effects.find(row.effect);
+    const bool on = forced != options.effects.end() ? forced->second : needed;
+    row.technique = on ? std::move(technique) : "off";
+    row.needed = needed;
+    row.forced = on != needed;
     return on;
+}
+
+bool Planner::effect(std::string name, std::string technique, bool needed, std::string because) {
+    plan_.decisions.push_back({std::move(name), {}, std::move(because)});
+    return decide(plan_.decisions.back(), options_, std::move(technique), needed);
 }
 
 void Planner::choice(std::string axis, std::string technique, const std::string& asked,
@@ -50,22 +53,6 @@ const shade::Stage* Planner::technique(std::string_view axis, std::string_view n
     CHECK(found != nullptr);
     plan_.techniques.push_back(&found->card);
     return found;
-}
-
-void Planner::filter(const shade::Filter& filter, bool colour, bool alpha) {
-    for (Decision& decision : plan_.decisions)
-        if (decision.effect == "texture" && decision.on()) decision.technique = filter.card.name;
-    if (colour) {
-        plan_.filter = &filter;
-        plan_.attributes = plan_.attributes | filter.needs;
-    }
-    if (alpha) {
-        plan_.transparency.filter = &filter;
-        plan_.transparency.attributes = plan_.transparency.attributes | filter.needs;
-    }
-    const auto first_map = std::find_if(plan_.techniques.begin(), plan_.techniques.end(),
-                                        [](const Technique* t) { return t->axis == "map"; });
-    plan_.techniques.insert(first_map, &filter.card); // in the order of techniques.h
 }
 
 } // namespace scanout::frame

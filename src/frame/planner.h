@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frame/plan.h"
+#include "frame/view_facts.h"
 
 #include <string>
 #include <string_view>
@@ -13,12 +14,15 @@ namespace scanout::frame {
 Result<std::string> choose(std::string_view axis, const std::string& asked,
                            std::string_view automatic);
 
+// Switches an effect's row: on when the scene needs it, unless the user forces it. Returns whether.
+bool decide(Decision& row, const FrameOptions& options, std::string technique, bool needed);
+
 // Builds a plan row by row.
 class Planner {
 public:
     Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
 
-    // Decides an effect: on when the scene needs it, unless the user forces it. Returns whether.
+    // A row of an effect that is decided (see above).
     bool effect(std::string name, std::string technique, bool needed, std::string because);
     // Notes what was chosen on an axis that is no effect: its own option decides.
     void choice(std::string axis, std::string technique, const std::string& asked,
@@ -29,13 +33,21 @@ public:
                                shade::Attributes needs);
     // It runs without a stage.
     const shade::Stage* technique(std::string_view axis, std::string_view name);
-    // For the stages that find colours, for those that find alpha, or both.
-    void filter(const shade::Filter& filter, bool colour, bool alpha);
 
 private:
     const FrameOptions& options_;
     FramePlan& plan_;
 };
+
+// Sizes and counts that are possible.
+Result<void> check_numbers(const FrameOptions& options);
+// A plan of options that are checked. All of it but what plan_filter decides; nothing but these
+// facts is asked of the view.
+Result<FramePlan> plan_without_filter(const FrameOptions& options, const SceneFacts& facts,
+                                      const ViewFacts& view);
+// How the maps that the plan's stages read are filtered in a view, and which textures have mipmaps.
+// Allocates nothing in a plan that was such a one before.
+void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& view);
 
 // map_Kd, or what is computed in its place.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
@@ -49,15 +61,14 @@ bool has_directed_light(const FramePlan& plan); // after plan_light
 inline constexpr const char* kNoDirection = "no light comes from a side: normals do not matter";
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                        const scene::View& view);
+                        const ViewFacts& view);
 // The other maps, and light of the surfaces' own; after the light and the highlights are decided.
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// How what the stages read is read: where coordinates come from, filter, mipmaps, edges; after all
-// that reads a map is decided.
-Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                           const scene::View& view);
+// How what the stages read is read: where coordinates come from, and edges; after all that reads a
+// map is decided.
+Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // --blend none shows the nearest surface whole: as opaque ones are shown, and drawn as these, where
 // the nearest is seen, and a pixel shows no more than its own samples.
 bool blends_nothing(const FrameOptions& options);

@@ -73,14 +73,15 @@ bool stand_apart(std::span<const Box> bodies, const scene::ViewLight& light,
     constexpr double kWidest = 1.75; // tangent of half the angle of a view, at most
     const double texel = (directional ? radius_of(view) : kWidest) / inner;
     const DVec3 towards(light.towards), place = directional ? DVec3(0) : place_of(light, view);
-    std::vector<Body> all;
-    for (const Box& box : bodies)
-        all.emplace_back(box, view);
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t k = 0; k < i; ++k)
-            if (directional ? !plane_between(all[i], all[k], towards, texels * texel)
-                            : !plane_between_from(place, all[i], all[k], texel, texels))
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+        const Body a(bodies[i], view);
+        for (std::size_t k = 0; k < i; ++k) {
+            const Body b(bodies[k], view);
+            if (directional ? !plane_between(a, b, towards, texels * texel)
+                            : !plane_between_from(place, a, b, texel, texels))
                 return false;
+        }
+    }
     return true;
 }
 

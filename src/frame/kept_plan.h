@@ -1,0 +1,34 @@
+// Plans from frame to frame: what frame::plan() says, without making it anew, and without
+// allocating anything, while options and view facts are those of an earlier frame.
+#pragma once
+
+#include "frame/plan.h"
+#include "frame/view_facts.h"
+
+#include <utility>
+#include <vector>
+
+namespace scanout::frame {
+
+class KeptPlan {
+public:
+    explicit KeptPlan(SceneFacts facts = {}) : facts_(std::move(facts)) {}
+    const SceneFacts& facts() const { return facts_; }
+
+    // Like frame::plan(), its failures as well. The plan stays valid until the next call.
+    Result<const FramePlan*> plan(const FrameOptions& options, const scene::View& view);
+
+private:
+    struct Kept {
+        ViewFacts view;
+        FramePlan plan; // without the filters of textures, which each view decides
+    };
+    Result<const FramePlan*> find(const ViewFacts& view);
+
+    SceneFacts facts_;
+    FrameOptions options_;
+    std::vector<Kept> kept_; // of these options
+    FramePlan plan_;
+};
+
+} // namespace scanout::frame

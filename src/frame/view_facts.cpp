@@ -1,0 +1,52 @@
+#include "frame/view_facts.h"
+
+#include "base/check.h"
+#include "frame/bounding_sphere.h"
+#include "frame/shadow_fronts.h"
+#include "frame/shadow_reach.h"
+
+namespace scanout::frame {
+namespace {
+
+scene::ViewLight in_view(const scene::Light& light, const scene::View& view,
+                         const SceneFacts& facts) {
+    geom::Mesh place; // all that lights ask of a mesh
+    place.centre = facts.centre;
+    place.exponent = facts.exponent;
+    place.radius = facts.radius;
+    return in_view(light, view, place);
+}
+
+LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
+                       const SceneFacts& facts, const scene::View& view) {
+    LightFacts found;
+    const bool casts = light.casts && light.kind != scene::LightKind::ambient;
+    const bool may_miss = light.kind == scene::LightKind::spot && view.near_distance > 0;
+    if (!casts && !may_miss) return found;
+    const scene::ViewLight seen = in_view(light, view, facts);
+    found.reaches = !may_miss || may_be_lit(seen, view);
+    if (!casts || !found.reaches) return found;
+    const ShadowTexels map{options.shadow_size, options.shadow_filter};
+    found.parts_apart = stand_apart(facts.sides.bodies, seen, view, map);
+    found.fronts_first = meets_fronts_first(facts.sides, seen, view);
+    return found;
+}
+
+} // namespace
+
+ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts,
+                     const scene::View& view) {
+    ViewFacts found;
+    found.in_view = may_be_seen(view);
+    found.orthographic = view.projection == scene::Projection::orthographic;
+    if (!found.in_view) return found;
+    found.inside = may_be_inside(facts.sides, view);
+    found.backs = backs_in_view(facts.sides, view);
+    CHECK(options.lights.size() <= found.lights.size());
+    for (std::size_t i = 0; i < options.lights.size(); ++i)
+        if (!is_black(options.lights[i]))
+            found.lights[i] = light_facts(options.lights[i], options, facts, view);
+    return found;
+}
+
+} // namespace scanout::frame

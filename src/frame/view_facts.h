@@ -1,0 +1,34 @@
+// Facts about a view of a scene: what a plan asks of it, but for the size of textures
+// (minification.h). They are few cases, found without drawing, and seldom change while a model
+// turns: as long as they are the same, so is the plan.
+#pragma once
+
+#include "frame/facts.h"
+#include "frame/mesh_sides.h"
+#include "frame/options.h"
+#include "scene/view.h"
+
+#include <array>
+
+namespace scanout::frame {
+
+// Of a light that is not black.
+struct LightFacts {
+    bool reaches = true;       // some of it falls on the model
+    bool parts_apart = true;   // none of the mesh's bodies throws a shadow on another
+    bool fronts_first = false; // whatever its shadow map holds is a front
+    friend bool operator==(const LightFacts&, const LightFacts&) = default;
+};
+
+struct ViewFacts {
+    bool in_view = true; // some of the model may be seen; else the others are not found
+    bool orthographic = false;
+    bool inside = false; // the eye may be inside of a closed part
+    Backs backs = Backs::none;
+    std::array<LightFacts, scene::kMostLights> lights{}; // of the options' lights
+    friend bool operator==(const ViewFacts&, const ViewFacts&) = default;
+};
+// There are at most scene::kMostLights.
+ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts, const scene::View& view);
+
+} // namespace scanout::frame
