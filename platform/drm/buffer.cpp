@@ -57,7 +57,8 @@ std::span<const image::Rect> Buffer::draw(const image::Image& frame,
     if (all_) damage_ = {image::Rect{0, 0, frame.width(), frame.height()}};
     port::copy_damage(format, frame, damage_, memory_, dumb_.pitch);
     all_ = false;
-    drawn_ = std::exchange(damage_, {});
+    std::swap(drawn_, damage_);
+    damage_.clear(); // and its room is used again
     return drawn_;
 }
 

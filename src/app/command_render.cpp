@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "frame/in_vain.h"
+#include "frame/kept_plan.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 
@@ -63,9 +64,9 @@ Result<void> check_files(const Settings& s) {
 // Draws the pictures of one run, in order, and writes and counts each.
 class RenderRun {
 public:
-    RenderRun(const Settings& settings, PictureFormat format, const scene::Scene& scene,
-              const frame::SceneFacts& facts, Jobs& jobs)
-        : settings_(settings), format_(format), scene_(scene), facts_(facts), renderer_(jobs) {}
+    RenderRun(const Settings& settings, PictureFormat format, const scene::Scene& scene, Jobs& jobs)
+        : settings_(settings), format_(format), scene_(scene),
+          plan_(frame::facts(scene, settings.frame.shadow_plane)), renderer_(jobs) {}
 
     Result<void> draw(int index, RunReport& report) {
         scene::Pose pose;
@@ -73,17 +74,17 @@ public:
         TRY(const scene::View view,
             scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
                              settings_.frame.width, settings_.frame.height));
-        TRY(const frame::FramePlan plan, frame::plan(settings_.frame, facts_, view));
-        if (index == 0) tell(plan, report);
+        TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
+        if (index == 0) tell(*plan, report);
         const image::Image* picture = nullptr;
         for (int repeat = 0; repeat < settings_.frames; ++repeat) {
-            picture = &renderer_.render(scene_, view, plan);
-            const std::uint64_t hash = image::frame_hash(displayed(*picture, settings_));
-            report.frames.push_back(
-                {index, hash, picture->width(), picture->height(), renderer_.stats()});
+            picture = &renderer_.render(scene_, view, *plan);
+            if (settings_.json)
+                report.frames.push_back({index, hash_of(*picture), picture->width(),
+                                         picture->height(), renderer_.stats()});
         }
         if (settings_.hash && settings_.json != "-")
-            fmt::print("{}\n", image::hash_text(report.frames.back().hash));
+            fmt::print("{}\n", image::hash_text(hash_of(*picture)));
         return settings_.output.empty() ? Result<void>() : write(*picture, index, report);
     }
 
@@ -95,6 +96,11 @@ private:
         const std::vector<std::string> in_vain = frame::asked_in_vain(plan);
         print_warnings(in_vain, settings_);
         report.warnings.insert(report.warnings.end(), in_vain.begin(), in_vain.end());
+    }
+
+    std::uint64_t hash_of(const image::Image& picture) const {
+        if (settings_.pixel_format) return image::frame_hash(displayed(picture, settings_));
+        return image::frame_hash(picture);
     }
 
     Result<void> write(const image::Image& picture, int index, RunReport& report) {
@@ -113,14 +119,14 @@ private:
         TRY_VOID(write_picture(path, bytes));
         if (settings_.verbose)
             say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", path, bytes.size(),
-                            report.frames.back().stats.total_ms));
+                            renderer_.stats().total_ms));
         return {};
     }
 
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
-    const frame::SceneFacts& facts_;
+    frame::KeptPlan plan_;
     frame::Renderer renderer_;
 };
 
@@ -132,7 +138,6 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     Jobs jobs(settings.threads);
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs));
-    const frame::SceneFacts facts = frame::facts(model.scene, settings.frame.shadow_plane);
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     RunReport report;
     report.model_path = model.scene.path;
@@ -142,10 +147,10 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     report.warnings = model.warnings;
     report.start_bytes = start_bytes;
     report.threads = jobs.threads();
-    RenderRun run(settings, format, model.scene, facts, jobs);
+    RenderRun run(settings, format, model.scene, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));
-    TRY_VOID(write_report(settings, to_json(report)));
+    if (settings.json) TRY_VOID(write_report(settings, to_json(report)));
     return Exit::ok;
 }
 

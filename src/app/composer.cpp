@@ -62,8 +62,10 @@ void Composer::set_pointer(std::optional<PixelPlace> pointer) {
     if (pointer_) draw_pointer(frame_, pointer_->x, pointer_->y);
 }
 
-std::vector<image::Rect> Composer::take_damage() {
-    return std::exchange(damage_, {});
+const std::vector<image::Rect>& Composer::take_damage() {
+    std::swap(damage_, taken_);
+    damage_.clear();
+    return taken_;
 }
 
 void Composer::damage(const image::Rect& area) {

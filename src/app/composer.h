@@ -29,8 +29,8 @@ public:
     void set_pointer(std::optional<PixelPlace> pointer);
 
     const image::Image& frame() const { return frame_; }
-    // What changed since the last call.
-    std::vector<image::Rect> take_damage();
+    // What changed since the last call; valid until the next.
+    const std::vector<image::Rect>& take_damage();
 
 private:
     void damage(const image::Rect& area);
@@ -39,7 +39,7 @@ private:
     image::Image clean_, next_; // without the pointer
     image::Image frame_;
     std::optional<PixelPlace> pointer_;
-    std::vector<image::Rect> damage_;
+    std::vector<image::Rect> damage_, taken_;
 };
 
 } // namespace scanout::app

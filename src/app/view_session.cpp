@@ -279,12 +279,12 @@ Result<void> ViewSession::load(bool again) {
     error_.clear();
     showed_model_ = true;
     model_ = *std::move(model);
-    facts_ = frame::facts(model_->scene, settings_.frame.shadow_plane);
+    plan_ = frame::KeptPlan(frame::facts(model_->scene, settings_.frame.shadow_plane));
     print_warnings(model_->warnings, settings_);
     // Options that no technique answers to, and cameras that see nothing, are faults of the
     // command.
     TRY(const scene::View view, viewer_.view(model_->scene.mesh));
-    TRY(const frame::FramePlan plan, frame::plan(options(), facts_, view));
+    TRY(const frame::FramePlan plan, frame::plan(options(), plan_.facts(), view));
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
@@ -377,20 +377,26 @@ ScreenPage ViewSession::explain_page() const {
     return now ? plan_lines(*now, !steady_, letters, lines, page) : ScreenPage();
 }
 
-frame::FrameOptions ViewSession::options() const {
-    frame::FrameOptions options = settings_.frame;
+// Into the room that it has.
+void ViewSession::fill(frame::FrameOptions& options) const {
+    options = settings_.frame;
     options.width = background_.width();
     options.height = background_.height();
     options.bits = image::fewest_bits(parts_.display.info().format);
     options.cull = viewer_.state().look.cull;
-    options.lights = viewer_.lights(model_->scene.mesh);
+    viewer_.place_lights(model_->scene.mesh, options.lights);
+}
+
+frame::FrameOptions ViewSession::options() const {
+    frame::FrameOptions options;
+    fill(options);
     return options;
 }
 
 // Of the model on show, as it stands now.
 Result<frame::FramePlan> ViewSession::plan() const {
     const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    return frame::plan(options(), facts_, view ? *view : scene::View());
+    return frame::plan(options(), plan_.facts(), view ? *view : scene::View());
 }
 
 // What the explainer knows is true of what should be seen.
@@ -425,8 +431,8 @@ Result<void> ViewSession::explain_a_row() {
     how.display = parts_.display.info().format;
     how.seconds_a_row = 0.05;
     how.fewest_pairs = 1; // keys wait for a row
-    TRY(explainer_,
-        measure::Explainer::create(model_->scene, facts_, view, options(), parts_.jobs, how));
+    TRY(explainer_, measure::Explainer::create(model_->scene, plan_.facts(), view, options(),
+                                               parts_.jobs, how));
     rows_ = 0;
     explained_look_ = viewer_.state().look;
     explained_look_.turntable = false;
@@ -439,11 +445,12 @@ Result<void> ViewSession::render() {
         picture_ = &background_;
         return {};
     }
-    TRY(const frame::FramePlan now, plan());
     // What the keys led to may be too near or too far away for any picture: then none is the
     // model's.
     const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    picture_ = view ? &renderer_.render(model_->scene, *view, now) : &background_;
+    fill(options_);
+    TRY(const frame::FramePlan* const now, plan_.plan(options_, view ? *view : scene::View()));
+    picture_ = view ? &renderer_.render(model_->scene, *view, *now) : &background_;
     in_view_ = view && renderer_.stats().lanes_shaded > 0;
     return {};
 }
@@ -484,7 +491,7 @@ const image::Image& ViewSession::frame() {
 }
 
 Result<void> ViewSession::present() {
-    const std::vector<image::Rect> damage = composer_.take_damage();
+    const std::vector<image::Rect>& damage = composer_.take_damage();
     const image::Image& shown = frame();
     TRY_VOID(parts_.display.present(shown, damage));
     log_.presented(shown, renderer_.stats());

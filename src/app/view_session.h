@@ -13,6 +13,7 @@
 #include "app/viewer.h"
 #include "app/virtual_clock.h"
 #include "base/fd.h"
+#include "frame/kept_plan.h"
 #include "frame/renderer.h"
 #include "measure/explain.h"
 #include "port/display.h"
@@ -87,6 +88,7 @@ private:
     ScreenPage explain_page() const;
     bool wants_frame() const { return repaint_ || frame_file_ || !(wanted() == shown_); }
     Result<void> draw(const Shown& wanted);
+    void fill(frame::FrameOptions& options) const;
     frame::FrameOptions options() const;
     Result<frame::FramePlan> plan() const;
     bool wants_row() const;
@@ -111,8 +113,9 @@ private:
     FrameLog log_;
 
     std::optional<LoadedModel> model_;
-    frame::SceneFacts facts_;
-    std::string error_; // why there is no model
+    frame::KeptPlan plan_;        // of it
+    frame::FrameOptions options_; // of the picture
+    std::string error_;           // why there is no model
     bool showed_model_ = false;
     int generation_ = 0;
     std::size_t next_entry_ = 0;            // of the script

@@ -1,5 +1,7 @@
 #include "app/viewer.h"
 
+#include "base/check.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -40,7 +42,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
-    start_.lights.resize(lights_.size());
+    CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
     state_.pointer.x = width / 2;
     state_.pointer.y = height / 2;

@@ -45,6 +45,7 @@ public:
     Result<scene::View> view(const geom::Mesh& mesh) const;
     // The frame's lights where keys and mouse have put them.
     std::vector<scene::Light> lights(const geom::Mesh& mesh) const;
+    void place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out) const; // the same
     // A line about the light that is selected, with short words where `letters` would be too few;
     // empty: none is.
     std::string light_line(const geom::Mesh& mesh, std::size_t letters) const;

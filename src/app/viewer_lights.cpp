@@ -37,11 +37,18 @@ void Viewer::brighten(int levels) {
 }
 
 std::vector<scene::Light> Viewer::lights(const geom::Mesh& mesh) const {
-    std::vector<scene::Light> moved;
-    moved.reserve(lights_.size());
-    for (std::size_t i = 0; i < lights_.size(); ++i)
-        moved.push_back(scene::moved(lights_[i], state_.look.lights[i], state_.look.up, mesh));
-    return moved;
+    std::vector<scene::Light> placed;
+    place_lights(mesh, placed);
+    return placed;
+}
+
+void Viewer::place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out) const {
+    out = lights_; // into the room that it has
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const scene::LightMove& move = state_.look.lights[i];
+        if (!(move == scene::LightMove())) // no move leaves every bit of it
+            out[i] = scene::moved(lights_[i], move, state_.look.up, mesh);
+    }
 }
 
 std::string Viewer::light_line(const geom::Mesh& mesh, std::size_t letters) const {

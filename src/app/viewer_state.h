@@ -7,8 +7,8 @@
 #include "scene/pose.h"
 #include "scene/view.h"
 
+#include <array>
 #include <cstdint>
-#include <vector>
 
 namespace scanout::app {
 
@@ -21,7 +21,7 @@ struct Look {
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
     bool turntable = false;
-    std::vector<scene::LightMove> lights; // one for each light of the frame
+    std::array<scene::LightMove, scene::kMostLights> lights{}; // of the frame's lights
     friend bool operator==(const Look&, const Look&) = default;
 };
 

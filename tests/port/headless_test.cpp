@@ -85,5 +85,21 @@ TEST(CopyDamage, cuts_damage_to_the_frame_and_writes_no_byte_beside_it) {
     EXPECT_EQ(memory, expected);
 }
 
+// It goes there in pieces, each with the dither of its place.
+TEST(CopyDamage, writes_rows_of_any_width) {
+    const image::PixelFormat format = *image::pixel_format("rgb565");
+    for (const int width : {1023, 1024, 1025, 2049, 4101}) {
+        const image::Image frame = picture(width, 2, 1);
+        const std::size_t pitch = static_cast<std::size_t>(width) * 2;
+        std::vector<std::uint8_t> memory(pitch * 2, 0xEE), expected = memory;
+        for (int y = 0; y < 2; ++y)
+            image::encode_row(format, frame.row(y), 0, y,
+                              expected.data() + pitch * static_cast<std::size_t>(y));
+        const image::Rect rects[] = {{0, 0, width, 2}, {3, 1, width - 2, 2}};
+        copy_damage(format, frame, rects, memory.data(), pitch);
+        EXPECT_EQ(memory, expected) << width;
+    }
+}
+
 } // namespace
 } // namespace scanout::port
