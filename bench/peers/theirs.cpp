@@ -4,6 +4,7 @@
 #include "math/srgb.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -143,8 +144,11 @@ Result<void> Theirs::make_targets() {
                                   buffers[0]);
     }
     glBindRenderbuffer(GL_RENDERBUFFER, buffers[1]);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_ > 1 ? samples_ : 0,
-                                     GL_DEPTH_COMPONENT24, width_, height_);
+    // Floats are read as they are: from 24 bits to a number takes llvmpipe twice the time of a
+    // copy. Where no one reads depth, neither draws faster.
+    const GLenum depth = shading_ == Shading::depth ? GL_DEPTH_COMPONENT32F : GL_DEPTH_COMPONENT24;
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples_ > 1 ? samples_ : 0, depth, width_,
+                                     height_);
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffers[1]);
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         return fail(Exit::internal, "llvmpipe has no frame buffer of {}x{} with {} samples", width_,
@@ -232,7 +236,7 @@ void Theirs::read() {
     }
     glBindFramebuffer(GL_READ_FRAMEBUFFER, resolved_);
     if (shading_ == Shading::depth)
-        glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_UNSIGNED_INT, read_.data());
+        glReadPixels(0, 0, width_, height_, GL_DEPTH_COMPONENT, GL_FLOAT, read_.data());
     else
         glReadPixels(0, 0, width_, height_, GL_BGRA, GL_UNSIGNED_BYTE, read_.data());
 }
@@ -278,7 +282,7 @@ std::vector<float> Theirs::distances(const scene::View& view) const {
     const auto width = static_cast<std::size_t>(width_), height = static_cast<std::size_t>(height_);
     for (std::size_t y = 0; y < height; ++y)
         for (std::size_t x = 0; x < width; ++x) {
-            const double depth = read_[(height - 1 - y) * width + x] / 4294967295.0;
+            const double depth = std::bit_cast<float>(read_[(height - 1 - y) * width + x]);
             if (depth < 1)
                 distances[y * width + x] =
                     static_cast<float>(near * far / (far - depth * (far - near)));

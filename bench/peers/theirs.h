@@ -48,7 +48,7 @@ private:
     GLuint drawn_ = 0, resolved_ = 0; // frame buffer objects; the same with one sample
     GLuint shadow_target_ = 0, shadow_texture_ = 0, texture_ = 0;
     glm::mat4 to_shadow_{1};
-    std::vector<std::uint32_t> read_; // BGRA codes, or depth; rows from the bottom
+    std::vector<std::uint32_t> read_; // BGRA codes, or depth as floats; rows from the bottom
 };
 
 } // namespace scanout::bench
