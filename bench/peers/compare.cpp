@@ -1,39 +1,32 @@
 #include "bench/peers/compare.h"
 
-#include "bench/peers/gl_view.h"
+#include "image/flip.h"
 
 #include <algorithm>
 
 namespace scanout::bench {
 namespace {
 
-// distances: 0 where nothing is.
-image::Image grey(const std::vector<float>& distances, const DepthRange& range, int width,
-                  int height) {
-    image::Image picture(width, height);
-    std::size_t at = 0;
-    for (image::Rgba8& pixel : picture.pixels()) {
-        const double distance = distances[at++];
-        if (distance == 0) continue;
-        const double share = (range.far - distance) / (range.far - range.near);
-        const auto code = static_cast<std::uint8_t>(55 + 200 * std::clamp(share, 0.0, 1.0));
-        pixel = {code, code, code, 255};
+double one_sided(const PicturePair& pair, const image::Rgba8& background) {
+    const auto ours = pair.ours.pixels(), theirs = pair.theirs.pixels();
+    std::size_t either = 0, one = 0;
+    for (std::size_t i = 0; i < ours.size(); ++i) {
+        const bool by_us = ours[i] != background, by_them = theirs[i] != background;
+        if (by_us || by_them) ++either;
+        if (by_us != by_them) ++one;
     }
-    return picture;
+    return either == 0 ? 1 : static_cast<double>(one) / static_cast<double>(either);
 }
 
 } // namespace
 
-PicturePair pictures_of(const Ours& ours, const Theirs& theirs, const Load& load,
-                        const scene::View& view) {
-    if (load.shading != Shading::depth) return {ours.picture(), theirs.picture()};
-    const image::Image size = theirs.picture();
-    std::vector<float> distances(ours.depth().begin(), ours.depth().end());
-    for (float& depth : distances)
-        if (depth > 0) depth = static_cast<float>(view.near_distance / static_cast<double>(depth));
-    const DepthRange range = depth_range(view, is_inside(load));
-    return {grey(distances, range, size.width(), size.height()),
-            grey(theirs.distances(view), range, size.width(), size.height())};
+Difference difference(const PicturePair& pair, const image::Rgba8& background) {
+    return {static_cast<double>(image::mean_flip(pair.theirs, pair.ours)),
+            one_sided(pair, background)};
+}
+
+Difference worse(const Difference& a, const Difference& b) {
+    return {std::max(a.flip, b.flip), std::max(a.one_sided, b.one_sided)};
 }
 
 } // namespace scanout::bench

@@ -1,8 +1,6 @@
 // Do both sides draw the same thing? A side that draws less must not count as fast.
 #pragma once
 
-#include "bench/peers/ours.h"
-#include "bench/peers/theirs.h"
 #include "image/image.h"
 
 namespace scanout::bench {
@@ -11,8 +9,17 @@ struct PicturePair {
     image::Image ours, theirs;
 };
 
-// Of the frame that both drew last, of this view. Depth alone becomes grey: nearer is brighter.
-PicturePair pictures_of(const Ours& ours, const Theirs& theirs, const Load& load,
-                        const scene::View& view);
+struct Difference {
+    double flip = 0; // mean of the whole picture
+    // Pixels that one side alone covers, over those that either does: most of a picture is
+    // background, so that a mean hardly sees what a side leaves out of the model.
+    double one_sided = 0;
+};
+// Pixels of any colour but the background's are covered. Pictures of nothing are one-sided as a
+// whole: they compare no drawing.
+Difference difference(const PicturePair& pair, const image::Rgba8& background);
+
+// The larger of each.
+Difference worse(const Difference& a, const Difference& b);
 
 } // namespace scanout::bench

@@ -1,13 +1,13 @@
 #include "bench/peers/duel.h"
 
 #include "base/write_file.h"
-#include "bench/peers/compare.h"
 #include "bench/peers/floor.h"
 #include "bench/peers/machine.h"
+#include "bench/peers/pictures.h"
 #include "image/codec.h"
-#include "image/flip.h"
 
 #include <algorithm>
+#include <array>
 
 namespace scanout::bench {
 namespace {
@@ -15,13 +15,17 @@ namespace {
 constexpr int kBatch = 5, kWarm = 2;
 constexpr int kMostCores = 8; // that are asked which is the quietest
 
-Result<void> save(const PicturePair& pair, const Load& load, const std::string& folder) {
+// The views that are compared, in twelfths of a turn.
+constexpr std::array kCompared = {10, 7, 4, 1};
+
+Result<void> save(const PicturePair& pair, const Load& load, int twelfth,
+                  const std::string& folder) {
     std::string name(load.name);
     std::replace(name.begin(), name.end(), ' ', '-');
     for (const auto& [picture, side] :
          {std::pair(&pair.ours, "scanout"), {&pair.theirs, "llvmpipe"}}) {
         TRY(const image::Bytes png, image::encode_png(*picture));
-        TRY_VOID(write_file(fmt::format("{}/{}.{}.png", folder, name, side), png));
+        TRY_VOID(write_file(fmt::format("{}/{}.{}.{}.png", folder, name, twelfth * 30, side), png));
     }
     return {};
 }
@@ -59,6 +63,21 @@ Result<void> choose_core(Ours& ours, Theirs& theirs, const scene::View& view) {
     return {};
 }
 
+// Of the view where they differ most.
+Result<Difference> compare(Ours& ours, Theirs& theirs, const Load& load, const scene::Scene& scene,
+                           const DuelOptions& o) {
+    Difference worst;
+    for (const int twelfth : kCompared) {
+        TRY(const scene::View view, view_of(load, scene, twelfth, 12, o.width, o.height));
+        theirs.draw(view);
+        TRY_VOID(ours.draw(view));
+        const PicturePair pair = pictures_of(ours, theirs, load, view);
+        worst = worse(worst, difference(pair, kBackground));
+        if (!o.save_in.empty()) TRY_VOID(save(pair, load, twelfth, o.save_in));
+    }
+    return worst;
+}
+
 } // namespace
 
 Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions& o) {
@@ -93,12 +112,7 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
         TRY(const scene::View view, view_of(load, scene, quarter, 4, o.width, o.height));
         result.fragments += theirs.fragments(view) / 4;
     }
-    TRY(const scene::View seen, view_of(load, scene, 1, 12, o.width, o.height));
-    theirs.draw(seen);
-    TRY_VOID(ours.draw(seen));
-    const PicturePair pair = pictures_of(ours, theirs, load, seen);
-    result.flip = static_cast<double>(mean_flip(pair.theirs, pair.ours));
-    if (!o.save_in.empty()) TRY_VOID(save(pair, load, o.save_in));
+    TRY(result.difference, compare(ours, theirs, load, scene, o));
     result.first = first.cpu_median() / result.ours.cpu_median();
     result.vertices = scene.mesh.position.size();
     result.triangles = scene.mesh.triangles();

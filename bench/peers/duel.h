@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/peers/clock.h"
+#include "bench/peers/compare.h"
 #include "bench/peers/core_limits.h"
 #include "bench/peers/load.h"
 
@@ -18,9 +19,9 @@ struct DuelOptions {
 
 struct Duel {
     Times theirs, ours;
-    double first = 0;     // our first frame over our median, of a renderer without buffers
-    double flip = 0;      // mean, between both pictures
-    double fragments = 0; // that pass the depth test in the file's order, mean of four views
+    double first = 0;      // our first frame over our median, of a renderer without buffers
+    Difference difference; // between both pictures, where four views differ most
+    double fragments = 0;  // that pass the depth test in the file's order, mean of four views
     std::size_t vertices = 0, triangles = 0;
     std::uint64_t drawn = 0; // by us, left after culling
     CoreLimits core;         // measured in the same turns

@@ -44,8 +44,8 @@ image::Image squares() {
 
 } // namespace
 
-const image::Rgba8 kBackground = {srgb_encode(8 / 255.0F), srgb_encode(9 / 255.0F),
-                                  srgb_encode(11 / 255.0F), 255};
+const image::Rgba8 kBackground = {srgb_encode(0), srgb_encode(9 / 255.0F), srgb_encode(11 / 255.0F),
+                                  255};
 
 std::span<const Load> loads() {
     return kLoads;

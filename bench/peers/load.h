@@ -29,7 +29,9 @@ inline constexpr double kAmbient = 0.1;
 inline constexpr DVec3 kTowardsLight{0.4, 0.7, 0.6};
 inline constexpr float kInsideNear = 0.005F, kInsideFar = 2.5F; // radii; of GL alone
 
-// GL clears to linear light in 8 bits: a colour whose code is exactly that of such a number.
+// GL clears to linear light in 8 bits: a colour whose code is exactly that of such a number. It has
+// no red, of which every surface shows some by the ambient light alone, in a quarter of a pixel,
+// too: whatever has another colour is covered.
 extern const image::Rgba8 kBackground;
 
 // A mesh in the load's material, with its texture.

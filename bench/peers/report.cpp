@@ -75,9 +75,14 @@ std::vector<std::string> missed_gates(const Report& report) {
         if (duel.ratio() < load.gate)
             missed.push_back(
                 fmt::format("{}: {:.2f}x, the gate is {}x", load.name, duel.ratio(), load.gate));
-        if (!(duel.flip <= kMostFlip))
+        if (!(duel.difference.flip <= kMostFlip))
             missed.push_back(fmt::format("{}: the pictures differ by FLIP {:.4f}, more than {}",
-                                         load.name, duel.flip, kMostFlip));
+                                         load.name, duel.difference.flip, kMostFlip));
+        if (!(duel.difference.one_sided <= kMostOneSided))
+            missed.push_back(fmt::format("{}: one side alone covers {:.2f} % of the pixels that "
+                                         "either does, more than {} %",
+                                         load.name, duel.difference.one_sided * 100,
+                                         kMostOneSided * 100));
         if (has_first_frame(load) && duel.first > kFirstGate)
             missed.push_back(fmt::format("{}: the first frame takes {:.2f} steady ones, the gate "
                                          "is {}",
@@ -111,15 +116,16 @@ std::string to_markdown(const Report& r) {
                    r.width, r.height, r.cpu, r.compiler, r.target, r.peer, r.load_before,
                    r.load_after);
     fmt::format_to(out, "| load | triangles | Mfrag | llvmpipe ms | scanout ms | ratio | by wall | "
-                        "gate / goal | verdict | FLIP |\n"
-                        "|---|--:|--:|--:|--:|--:|--:|--:|---|--:|\n");
+                        "gate / goal | verdict | FLIP | one side alone |\n"
+                        "|---|--:|--:|--:|--:|--:|--:|--:|---|--:|--:|\n");
     for (const auto& [load, d] : r.duels)
         fmt::format_to(out,
                        "| {} | {} | {:.2f} | {:.2f} | {:.2f} | **{:.2f}x** | {:.2f}x | {} | {} | "
-                       "{:.4f} |\n",
+                       "{:.4f} | {:.3f} % |\n",
                        load.name, d.triangles, d.fragments * 1e-6, d.theirs.cpu_median(),
                        d.ours.cpu_median(), d.ratio(), d.wall_ratio(), bounds(load.gate, load.goal),
-                       verdict(d.ratio(), load.gate, load.goal), d.flip);
+                       verdict(d.ratio(), load.gate, load.goal), d.difference.flip,
+                       d.difference.one_sided * 100);
     print_lesser(text, r);
     if (r.threads.empty()) return text;
     fmt::format_to(out,
@@ -149,11 +155,11 @@ std::string to_json(const Report& r) {
             "\"llvmpipe_ms\": {{\"cpu\": {:.4f}, \"wall\": {:.4f}, \"least\": {:.4f}}}, "
             "\"scanout_ms\": {{\"cpu\": {:.4f}, \"wall\": {:.4f}, \"least\": {:.4f}}}, "
             "\"ratio\": {:.3f}, \"gate\": {}, \"goal\": {}, \"first\": {:.3f}, \"floor_ms\": "
-            "{:.4f}, \"flip\": {:.5f}}}",
+            "{:.4f}, \"flip\": {:.5f}, \"one_sided\": {:.6f}}}",
             std::exchange(comma, ","), load.name, d.triangles, d.drawn, d.fragments,
             d.theirs.cpu_median(), d.theirs.wall_median(), d.theirs.wall_least(),
             d.ours.cpu_median(), d.ours.wall_median(), d.ours.wall_least(), d.ratio(), load.gate,
-            load.goal, d.first, d.floor, d.flip);
+            load.goal, d.first, d.floor, d.difference.flip, d.difference.one_sided);
     }
     fmt::format_to(out, "],\n \"two_threads\": [");
     comma = "";

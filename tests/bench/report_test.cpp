@@ -27,7 +27,7 @@ Duel of_ratio(double ratio) {
     d.ours.cpu = d.ours.wall = {40 / ratio};
     d.first = 1.5;
     d.floor = 40 / ratio / 3;
-    d.flip = 0.01;
+    d.difference = {0.01, 0.001};
     return d;
 }
 std::vector<std::string> missed(const Load& load, const Duel& duel) {
@@ -59,10 +59,14 @@ TEST(Report, ARatioBelowItsGateIsMissed) {
 
 TEST(Report, PicturesThatDifferAreMissedWithoutAGate) {
     Duel d = of_ratio(9);
-    d.flip = 0.06;
+    d.difference.flip = 0.06;
     EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP 0.0600")));
-    d.flip = std::numeric_limits<double>::quiet_NaN();
+    d.difference.flip = std::numeric_limits<double>::quiet_NaN();
     EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP")));
+    d.difference = {0.01, 0.006};
+    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("one side alone covers 0.60 %")));
+    d.difference.one_sided = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("one side alone")));
 }
 
 TEST(Report, AFirstFrameIsJudgedWhereItIsTheRenderers) {
@@ -100,7 +104,7 @@ TEST(Report, TablesNameEveryLoadAndVerdict) {
     r.threads = {{kLit, {0.9, 0.8}}, {kLit, {1.95, 2}}};
     const std::string text = to_markdown(r);
     EXPECT_THAT(text, HasSubstr("| lit | 0 | 0.00 | 40.00 | 8.00 | **5.00x** | 5.00x | 4x / 6x | "
-                                "gate met, goal short by 1.20x | 0.0100 |"));
+                                "gate met, goal short by 1.20x | 0.0100 | 0.100 % |"));
     EXPECT_THAT(text, HasSubstr("| lit | 1.50 | gate met, goal short by 1.25x | 2.67 | 3.00 | gate "
                                 "met, goal short by 1.50x |"));
     EXPECT_THAT(text, HasSubstr("| samples | 1.50 | gate met, goal short by 1.25x | - | - | - |"));
