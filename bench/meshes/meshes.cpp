@@ -31,6 +31,14 @@ Result<geom::PolygonMesh> from_file(const std::string& path) {
     return std::move(obj.polygons);
 }
 
+Result<geom::PolygonMesh> bunny() {
+    auto read = from_file(std::string(kBunny));
+    if (!read)
+        return fail(read.error().exit, "{}; put Stanford's bunny there, one of the assets",
+                    read.error().what);
+    return read;
+}
+
 } // namespace
 
 std::span<const MeshCard> meshes() {
@@ -39,7 +47,7 @@ std::span<const MeshCard> meshes() {
 
 Result<geom::PolygonMesh> make_polygons(std::string_view name) {
     if (name == "teapot") return teapot();
-    if (name == "bunny") return from_file(std::string(kBunny));
+    if (name == "bunny") return bunny();
     if (name.ends_with(".obj")) return from_file(std::string(name));
     if (name == "dragon") return dragon(kDragon);
     if (name == "building") return building();

@@ -31,7 +31,7 @@ void read_size(const std::string& text, DuelOptions& duel) {
 }
 
 void describe(CLI::App& app, Arguments& a) {
-    app.add_flag("--check", a.check, "exit with 1 where a gate is missed");
+    app.add_flag("--check", a.check, "exit with 1 where a gate is missed or not judged");
     app.add_flag("--json", a.json, "all figures, as JSON");
     app.add_flag("--placed", a.duel.placed,
                  "the peer gets scanout's order of triangles, not the file's");
@@ -50,11 +50,11 @@ void describe(CLI::App& app, Arguments& a) {
         ->check(CLI::ExistingFile);
 }
 
-// A load whose model is not there is left out, and said.
+// A load whose model is not there is left out, and not judged.
 Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& report) {
     Result<scene::Scene> scene = scene_of(load);
     if (!scene && scene.error().exit == Exit::unreadable) {
-        fmt::print(stderr, "bench_peers: {} left out: {}\n", load.name, scene.error().what);
+        report.left_out.emplace_back(load, scene.error().what);
         return {};
     }
     if (!scene) return tl::unexpected(scene.error());
@@ -62,8 +62,7 @@ Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& re
     TRY(Duel result, duel(load, *scene, a.duel));
     run_anywhere();
     report.duels.emplace_back(load, std::move(result));
-    const bool threads_too = load.shading == Shading::blinn_phong && load.samples == 1;
-    if (!threads_too) return {};
+    if (!has_threads(load)) return {};
     TRY(const ThreadsResult threads,
         measure_threads(load, *scene, two, a.duel.width, a.duel.height, a.duel.frames));
     report.threads.emplace_back(load, threads);
@@ -91,12 +90,16 @@ Result<Exit> run(const Arguments& a) {
         TRY_VOID(measure(load, a, two, report));
     }
     report.load_after = load_average();
-    if (report.duels.empty()) return fail(Exit::usage, "no load has a name with {}", a.only);
-    fmt::print("{}", a.json ? to_json(report) : to_markdown(report));
-    const std::vector<std::string> missed = missed_gates(report);
-    for (const std::string& line : missed)
+    if (report.duels.empty() && report.left_out.empty())
+        return fail(Exit::usage, "no load has a name with {}", a.only);
+    if (!report.duels.empty()) fmt::print("{}", a.json ? to_json(report) : to_markdown(report));
+    const Verdicts verdicts = judge(report);
+    for (const std::string& line : verdicts.missed)
         fmt::print(stderr, "{}{}\n", a.check ? "MISSED " : "", line);
-    return a.check && !missed.empty() ? Exit::pixels_differ : Exit::ok;
+    fmt::print(stderr, "{}\n", count_line(verdicts, gates_of(loads())));
+    if (a.check && !verdicts.all_met()) return Exit::pixels_differ;
+    if (report.duels.empty()) return fail(Exit::unreadable, "nothing is left to be drawn");
+    return Exit::ok;
 }
 
 } // namespace

@@ -14,9 +14,63 @@ std::string bounds(double gate, double goal) {
 bool has_first_frame(const Load& load) {
     return load.shading != Shading::depth;
 }
-// With PEERS.md's gates of loads: it names none for the teapot's depth.
-bool has_floor(const Load& load, const Duel& duel) {
-    return load.gate > 0 && duel.floor > 0;
+// With PEERS.md's gates of loads, of which it names none for the teapot's depth; its model knows
+// one sample.
+bool has_floor(const Load& load) {
+    return load.gate > 0 && load.samples == 1;
+}
+
+class Judge {
+public:
+    template <class... Args>
+    void gate(bool met, fmt::format_string<Args...> otherwise, Args&&... args) {
+        ++verdicts.judged;
+        if (!met) miss(otherwise, std::forward<Args>(args)...);
+    }
+    template <class... Args>
+    void miss(fmt::format_string<Args...> line, Args&&... args) {
+        verdicts.missed.push_back(fmt::format(line, std::forward<Args>(args)...));
+    }
+
+    Verdicts verdicts;
+};
+
+void judge_load(Judge& judge, const Load& load, const Duel& duel) {
+    const Difference& difference = duel.difference;
+    if (load.gate > 0)
+        judge.gate(duel.ratio() >= load.gate, "{}: {:.2f}x, the gate is {}x", load.name,
+                   duel.ratio(), load.gate);
+    judge.gate(difference.flip <= kMostFlip, "{}: the pictures differ by FLIP {:.4f}, more than {}",
+               load.name, difference.flip, kMostFlip);
+    judge.gate(difference.one_sided <= kMostOneSided,
+               "{}: one side alone covers {:.2f} % of the pixels that either does, more than {} %",
+               load.name, difference.one_sided * 100, kMostOneSided * 100);
+    if (has_first_frame(load))
+        judge.gate(duel.first <= kFirstGate,
+                   "{}: the first frame takes {:.2f} steady ones, the gate is {}", load.name,
+                   duel.first, kFirstGate);
+    if (!has_floor(load)) return;
+    if (duel.floor > 0 && duel.above_floor() < 1)
+        judge.gate(false, "{}: faster than its floor of {:.2f} ms, which is wrong", load.name,
+                   duel.floor);
+    else if (duel.floor > 0)
+        judge.gate(duel.above_floor() <= kFloorGate,
+                   "{}: {:.2f} times the floor of {:.2f} ms, the gate is {}", load.name,
+                   duel.above_floor(), duel.floor, kFloorGate);
+    else
+        judge.miss("{}: not judged: its floor is not known", load.name);
+}
+
+void judge_threads(Judge& judge, const Load& load, const ThreadsResult& threads) {
+    if (threads.judged())
+        judge.gate(threads.relative() >= kThreadsGate,
+                   "two threads, {}: {:.2f}x beside a pair that computes at {:.2f}x, so {:.2f}x; "
+                   "the gate is {}x",
+                   load.name, threads.ours, threads.compute, threads.relative(), kThreadsGate);
+    else
+        judge.miss("two threads, {}: not judged: {:.2f}x beside a pair that computes at {:.2f}x is "
+                   "other work on the machine",
+                   load.name, threads.ours, threads.compute);
 }
 
 // What the floors stand on, the least and the most beside any load.
@@ -42,16 +96,17 @@ void print_lesser(std::string& text, const Report& r) {
         "|---|--:|---|--:|--:|---|\n",
         limits_of_core(r), bounds(kFirstGate, kFirstGoal), bounds(kFloorGate, kFloorGoal));
     for (const auto& [load, d] : r.duels) {
-        if (!has_first_frame(load) && !has_floor(load, d)) continue;
+        if (!has_first_frame(load) && !has_floor(load)) continue;
         const auto cells = [](bool known, auto... parts) {
             return known ? fmt::format("{:.2f} | {}", parts...) : std::string("- | -");
         };
         fmt::format_to(
             out, "| {} | {} | {} |\n", load.name,
             cells(has_first_frame(load), d.first, verdict(d.first, kFirstGate, kFirstGoal, true)),
-            has_floor(load, d) ? fmt::format("{:.2f} | {:.2f} | {}", d.floor, d.above_floor(),
-                                             verdict(d.above_floor(), kFloorGate, kFloorGoal, true))
-                               : "- | - | -");
+            has_floor(load) && d.floor > 0
+                ? fmt::format("{:.2f} | {:.2f} | {}", d.floor, d.above_floor(),
+                              verdict(d.above_floor(), kFloorGate, kFloorGoal, true))
+                : "- | - | -");
     }
 }
 
@@ -69,42 +124,37 @@ std::string verdict(double value, double gate, double goal, bool less_is_better)
     return fmt::format("MISSED by {:.2f}x", short_by);
 }
 
-std::vector<std::string> missed_gates(const Report& report) {
-    std::vector<std::string> missed;
-    for (const auto& [load, duel] : report.duels) {
-        if (duel.ratio() < load.gate)
-            missed.push_back(
-                fmt::format("{}: {:.2f}x, the gate is {}x", load.name, duel.ratio(), load.gate));
-        if (!(duel.difference.flip <= kMostFlip))
-            missed.push_back(fmt::format("{}: the pictures differ by FLIP {:.4f}, more than {}",
-                                         load.name, duel.difference.flip, kMostFlip));
-        if (!(duel.difference.one_sided <= kMostOneSided))
-            missed.push_back(fmt::format("{}: one side alone covers {:.2f} % of the pixels that "
-                                         "either does, more than {} %",
-                                         load.name, duel.difference.one_sided * 100,
-                                         kMostOneSided * 100));
-        if (has_first_frame(load) && duel.first > kFirstGate)
-            missed.push_back(fmt::format("{}: the first frame takes {:.2f} steady ones, the gate "
-                                         "is {}",
-                                         load.name, duel.first, kFirstGate));
-        if (has_floor(load, duel) && duel.above_floor() < 1)
-            missed.push_back(fmt::format("{}: faster than its floor of {:.2f} ms, which is wrong",
-                                         load.name, duel.floor));
-        if (has_floor(load, duel) && duel.above_floor() > kFloorGate)
-            missed.push_back(fmt::format("{}: {:.2f} times the floor of {:.2f} ms, the gate is {}",
-                                         load.name, duel.above_floor(), duel.floor, kFloorGate));
-    }
+bool has_threads(const Load& load) {
+    return load.shading == Shading::blinn_phong && load.samples == 1;
+}
+
+int gates_of(std::span<const Load> loads) {
+    int count = 0;
+    for (const Load& load : loads)
+        count += 2 + int{load.gate > 0} + int{has_first_frame(load)} + int{has_floor(load)} +
+                 int{has_threads(load)};
+    return count;
+}
+
+Verdicts judge(const Report& report) {
+    Judge judge;
+    for (const auto& [load, duel] : report.duels)
+        judge_load(judge, load, duel);
     for (const auto& [load, threads] : report.threads)
-        if (!threads.judged())
-            missed.push_back(fmt::format("two threads, {}: not judged: {:.2f}x beside a pair that "
-                                         "computes at {:.2f}x is other work on the machine",
-                                         load.name, threads.ours, threads.compute));
-        else if (threads.relative() < kThreadsGate)
-            missed.push_back(fmt::format("two threads, {}: {:.2f}x beside a pair that computes at "
-                                         "{:.2f}x, so {:.2f}x; the gate is {}x",
-                                         load.name, threads.ours, threads.compute,
-                                         threads.relative(), kThreadsGate));
-    return missed;
+        judge_threads(judge, load, threads);
+    for (const auto& [load, why] : report.left_out)
+        judge.miss("{}: left out, not judged: {}", load.name, why);
+    for (const auto& [load, duel] : report.duels)
+        judge.verdicts.asked += gates_of({&load, 1});
+    for (const auto& [load, why] : report.left_out)
+        judge.verdicts.asked += gates_of({&load, 1});
+    return std::move(judge.verdicts);
+}
+
+std::string count_line(const Verdicts& verdicts, int all) {
+    std::string line = fmt::format("{} of {} gates judged", verdicts.judged, all);
+    if (verdicts.asked == all) return line;
+    return fmt::format("{}; {} were not asked for (--only)", line, all - verdicts.asked);
 }
 
 std::string to_markdown(const Report& r) {

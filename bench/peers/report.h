@@ -4,6 +4,7 @@
 #include "bench/peers/duel.h"
 #include "bench/peers/threads.h"
 
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +17,7 @@ struct Report {
     int width = 0, height = 0;
     std::vector<std::pair<Load, Duel>> duels;
     std::vector<std::pair<Load, ThreadsResult>> threads;
+    std::vector<std::pair<Load, std::string>> left_out; // and why
 };
 
 inline constexpr double kThreadsGate = 1.7, kThreadsGoal = 1.9;
@@ -30,9 +32,23 @@ inline constexpr double kMostFlip = 0.05, kMostOneSided = 0.005;
 // What a figure reaches: "goal met", "gate met, goal short by 1.20x", "MISSED by 1.10x".
 std::string verdict(double value, double gate, double goal, bool less_is_better = false);
 
-// Gates that were missed, what could not be judged, and pictures that differ: one line each.
-// Loads without a gate count for their picture alone.
-std::vector<std::string> missed_gates(const Report& report);
+// Of which two threads are timed against one, too.
+bool has_threads(const Load& load);
+
+struct Verdicts {
+    // Gates that were missed, what could not be judged, and pictures that differ: one line each.
+    std::vector<std::string> missed;
+    int judged = 0, asked = 0; // gates: of the report's loads, and those that were left out
+    bool all_met() const { return missed.empty() && judged == asked; }
+};
+// Both limits of pictures are gates of every load.
+Verdicts judge(const Report& report);
+
+// Gates that these loads have together, whatever was measured of them.
+int gates_of(std::span<const Load> loads);
+
+// "46 of 52 gates judged", and of those that were not, how many no one asked for.
+std::string count_line(const Verdicts& verdicts, int all);
 
 std::string to_markdown(const Report& report);
 std::string to_json(const Report& report);

@@ -44,6 +44,9 @@ public:
     const T* end() const { return values_ + size_; }
     T& operator[](std::size_t i) { return values_[i]; }
     const T& operator[](std::size_t i) const { return values_[i]; }
+    friend bool operator==(const LargeArray& a, const LargeArray& b) {
+        return std::equal(a.begin(), a.end(), b.begin(), b.end());
+    }
 
 private:
     void swap(LargeArray& other) noexcept {

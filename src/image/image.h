@@ -46,10 +46,7 @@ public:
     std::span<const Rgba8> pixels() const { return {pixels_.data(), pixels_.size()}; }
     std::span<Rgba8> pixels() { return {pixels_.data(), pixels_.size()}; }
 
-    friend bool operator==(const Image& a, const Image& b) {
-        return a.width_ == b.width_ && a.height_ == b.height_ &&
-               std::equal(a.pixels_.begin(), a.pixels_.end(), b.pixels_.begin());
-    }
+    friend bool operator==(const Image&, const Image&) = default;
 
 private:
     std::size_t offset(int y) const {

@@ -31,7 +31,7 @@ std::vector<std::string> missed(const Difference& difference) {
     d.difference = difference;
     Report r;
     r.duels.emplace_back(Load{"block", "block", Shading::depth, 1, 0, 0}, d);
-    return missed_gates(r);
+    return judge(r).missed;
 }
 
 TEST(Compare, ATwentiethLeftOutIsSeenOnEitherSideThoughAMeanIsBlindToIt) {

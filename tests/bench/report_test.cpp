@@ -33,12 +33,12 @@ Duel of_ratio(double ratio) {
 std::vector<std::string> missed(const Load& load, const Duel& duel) {
     Report r;
     r.duels.emplace_back(load, duel);
-    return missed_gates(r);
+    return judge(r).missed;
 }
 std::vector<std::string> missed(const ThreadsResult& threads) {
     Report r;
     r.threads.emplace_back(kLit, threads);
-    return missed_gates(r);
+    return judge(r).missed;
 }
 
 TEST(Report, VerdictsSayHowFarOff) {
@@ -85,6 +85,7 @@ TEST(Report, TheFloorIsJudgedWhereItIsKnown) {
     EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: faster than its floor")));
     d.floor = 0;
     EXPECT_THAT(missed(kSamples, d), IsEmpty());
+    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: not judged: its floor")));
 }
 
 TEST(Report, TwoThreadsAreJudgedBesideAPairThatHasTheMachine) {
@@ -93,6 +94,33 @@ TEST(Report, TwoThreadsAreJudgedBesideAPairThatHasTheMachine) {
     EXPECT_THAT(missed({1.6, 1.6}), IsEmpty()); // all that the machine gave
     EXPECT_THAT(missed({0.98, 0.73}), ElementsAre(HasSubstr("not judged")));
     EXPECT_THAT(missed({2.3, 2}), ElementsAre(HasSubstr("not judged")));
+}
+
+TEST(Report, NoGateIsMetThatWasNotJudged) {
+    const std::vector<Load> both = {kLit, kSamples};
+    EXPECT_EQ(gates_of(both), 6 + 4); // kSamples: no floor, no two threads
+    Report r;
+    r.duels = {{kLit, of_ratio(5)}, {kSamples, of_ratio(6)}};
+    r.threads = {{kLit, {1.9, 2}}};
+    EXPECT_TRUE(judge(r).all_met());
+    EXPECT_EQ(count_line(judge(r), 10), "10 of 10 gates judged");
+    r.threads = {{kLit, {0.9, 0.8}}}; // other work had the rest
+    EXPECT_FALSE(judge(r).all_met());
+    EXPECT_EQ(count_line(judge(r), 10), "9 of 10 gates judged");
+    r.threads.clear();
+    EXPECT_THAT(judge(r).missed, IsEmpty());
+    EXPECT_FALSE(judge(r).all_met());
+}
+
+TEST(Report, ALoadThatIsLeftOutIsMissedAndOneThatNoOneAskedForIsNot) {
+    Report r;
+    r.duels = {{kSamples, of_ratio(6)}};
+    EXPECT_TRUE(judge(r).all_met());
+    EXPECT_EQ(count_line(judge(r), 10), "4 of 10 gates judged; 6 were not asked for (--only)");
+    r.left_out = {{kLit, "no such file"}};
+    EXPECT_THAT(judge(r).missed, ElementsAre("lit: left out, not judged: no such file"));
+    EXPECT_FALSE(judge(r).all_met());
+    EXPECT_EQ(count_line(judge(r), 10), "4 of 10 gates judged");
 }
 
 TEST(Report, TablesNameEveryLoadAndVerdict) {

@@ -137,7 +137,7 @@ TEST(MipChain, IsTheSameOnEveryTarget) {
     Jobs jobs(1);
     for (const auto& [width, height] : kSizes) {
         const image::Image image = noise(width, height, 8);
-        const std::vector<float> best = make_mip_chain(image, TexelKind::colour, jobs).texels;
+        const auto best = make_mip_chain(image, TexelKind::colour, jobs).texels;
         scanout::test::on_every_target([&](const std::string&) {
             ASSERT_EQ(make_mip_chain(image, TexelKind::colour, jobs).texels, best);
         });
