@@ -23,7 +23,8 @@ public:
     CoreLimits median() const;
 
 private:
-    hwy::AlignedFreeUniquePtr<float[]> memory_;
+    // What is written past the caches is not what is read into them.
+    hwy::AlignedFreeUniquePtr<float[]> read_from_, written_;
     Times clock_, write_, read_;
 };
 

@@ -1,9 +1,10 @@
 // Whole frames at 1920x1080 on one thread, plan included, as a viewer draws while the model turns:
-// the meshes and shadings of bench_peers, without the peer.
+// the meshes and shadings of bench_peers, without the peer; and first frames in Blinn-Phong.
 #include "base/jobs.h"
 #include "bench/peers/load.h"
 #include "bench/peers/ours.h"
 
+#include <memory>
 #include <string>
 
 #include <benchmark/benchmark.h>
@@ -53,6 +54,26 @@ void frame_of(benchmark::State& state, const Load& load) {
     state.counters["pixels"] = benchmark::Counter(double{kWidth} * kHeight, rate);
 }
 
+// A new renderer, with all its buffers to make.
+void first_frame_of(benchmark::State& state, const Load& load) {
+    const Result<scene::Scene>& scene = kept_scene(load);
+    if (!scene) return state.SkipWithError(scene.error().what.c_str());
+    const auto view = bench::view_of(load, *scene, 0, kTurn, kWidth, kHeight);
+    if (!view) return state.SkipWithError(view.error().what.c_str());
+    Jobs jobs(1);
+    Result<void> drawn;
+    for (auto _ : state) {
+        state.PauseTiming();
+        auto fresh = std::make_unique<bench::Ours>(jobs, *scene, load, kWidth, kHeight);
+        state.ResumeTiming();
+        if (drawn) drawn = fresh->draw(*view);
+        state.PauseTiming();
+        fresh.reset();
+        state.ResumeTiming();
+    }
+    if (!drawn) state.SkipWithError(drawn.error().what.c_str());
+}
+
 const bool kRegistered = [] {
     const struct {
         const char* name;
@@ -68,6 +89,10 @@ const bool kRegistered = [] {
             benchmark::RegisterBenchmark((std::string(mesh) + "/" + kind.name).c_str(), frame_of,
                                          Load{kind.name, mesh, kind.shading, kind.samples, 0, 0})
                 ->Unit(benchmark::kMillisecond);
+    for (const char* mesh : {"teapot", "bunny", "dragon"})
+        benchmark::RegisterBenchmark((std::string(mesh) + "/first").c_str(), first_frame_of,
+                                     Load{"blinn_phong", mesh, Shading::blinn_phong, 1, 0, 0})
+            ->Unit(benchmark::kMillisecond);
     return true;
 }();
 
