@@ -117,7 +117,7 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     result.vertices = scene.mesh.position.size();
     result.triangles = scene.mesh.triangles();
     result.drawn = ours.triangles_drawn();
-    result.core = core.median();
+    result.core = core.best();
     result.floor = floor_of(load,
                             {result.vertices, result.triangles, static_cast<double>(result.drawn),
                              result.fragments, static_cast<double>(o.width) * o.height},
