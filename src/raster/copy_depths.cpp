@@ -14,7 +14,6 @@ void copy_lines(const float* from, int width, int height, float* to, std::size_t
     for (int y = 0; y < height; ++y, from += kTileSize, to += stride)
         for (int x = 0; x < width; x += kLanes)
             stream(load<F32>(from + x), to + x);
-    finish_streams();
 }
 
 SIMD_END

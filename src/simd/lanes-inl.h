@@ -259,8 +259,8 @@ SIMD_INLINE void store_first(Int<D> a, int count, std::int32_t* to) {
     const typename Int<D>::Tag tag;
     hn::BlendedStore(a.raw, hn::FirstN(tag, static_cast<std::size_t>(count)), tag, to);
 }
-// Past the caches, to an address that the register's size divides. Others may read it after
-// finish_streams().
+// Past the caches, to an address that the register's size divides. Other threads may read it after
+// finish_streams(), or any locked instruction of this one.
 template <class D>
 SIMD_INLINE void stream(Float<D> a, float* to) {
     hn::Stream(a.raw, D(), to);
