@@ -59,18 +59,27 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
         const DVec3 row(linear[0][r], linear[1][r], linear[2][r]);
         stretch[r] = scanout::sqrt(dot3(row, row));
     }
-    constexpr double kRounding = 0x1p-40;
-    constexpr std::size_t kCorners = geom::Clusters::kTriangles * 3;
+    const auto skipped = [&](const auto& sphere) {
+        constexpr double kRounding = 0x1p-40;
+        const DVec3 middle = linear * sphere.centre + offset;
+        const DVec3 reach = stretch * (sphere.radius * (1 + kRounding)) +
+                            (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
+        return skips(middle, reach);
+    };
+    using geom::Clusters;
+    const std::span<const geom::Cluster> cluster = mesh.clusters.cluster;
+    const auto call_cluster = [&](std::size_t c) {
+        constexpr std::size_t kCorners = Clusters::kTriangles * 3;
+        if (!skipped(cluster[c])) call(c * kCorners, std::min((c + 1) * kCorners, index.size()));
+    };
     // Some from all over the mesh first: after these most of the others can be skipped.
-    for (const std::size_t step : {64, 1}) {
-        for (std::size_t c = 0; c < mesh.clusters.cluster.size(); c += step) {
-            const geom::Cluster& cluster = mesh.clusters.cluster[c];
-            const DVec3 middle = linear * cluster.centre + offset;
-            const DVec3 reach = stretch * (cluster.radius * (1 + kRounding)) +
-                                (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
-            if (!skips(middle, reach))
-                call(c * kCorners, std::min((c + 1) * kCorners, index.size()));
-        }
+    for (std::size_t c = 0; c < cluster.size(); c += Clusters::kGroup)
+        call_cluster(c);
+    for (std::size_t g = 0; g < mesh.clusters.group.size(); ++g) {
+        if (skipped(mesh.clusters.group[g])) continue;
+        const std::size_t end = std::min((g + 1) * Clusters::kGroup, cluster.size());
+        for (std::size_t c = g * Clusters::kGroup; c < end; ++c)
+            call_cluster(c);
     }
 }
 

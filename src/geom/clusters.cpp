@@ -68,6 +68,21 @@ Cluster bounds(const Corners& all, std::size_t begin, std::size_t end) {
     return c;
 }
 
+Sphere sphere_of(std::span<const Cluster> clusters) {
+    DVec3 least(std::numeric_limits<double>::infinity()), most = -least;
+    for (const Cluster& c : clusters) {
+        least = glm::min(least, c.centre - c.radius);
+        most = glm::max(most, c.centre + c.radius);
+    }
+    Sphere sphere{(least + most) * 0.5, 0};
+    for (const Cluster& c : clusters) {
+        const DVec3 d = c.centre - sphere.centre;
+        sphere.radius = std::max(sphere.radius, std::sqrt(dot3(d, d)) + c.radius);
+    }
+    sphere.radius *= 1 + 0x1p-40; // what is rounded here
+    return sphere;
+}
+
 // The blocks that the vertices of some triangles are in, ascending; returns how many.
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
 std::size_t blocks_of(const Corners& all, std::size_t begin, std::size_t end,
@@ -113,6 +128,9 @@ Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> 
         all.cluster[c] = bounds(corners, begin, end);
         all.begin[c + 1] = static_cast<std::uint32_t>(blocks_of(corners, begin, end, room));
     });
+    for (std::size_t c = 0; c < clusters; c += Clusters::kGroup)
+        all.group.push_back(
+            sphere_of(std::span(all.cluster).subspan(c, std::min(Clusters::kGroup, clusters - c))));
     std::partial_sum(all.begin.begin(), all.begin.end(), all.begin.begin());
     all.blocks.resize(all.begin.back());
     for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {

@@ -24,11 +24,19 @@ struct Cluster {
     double thinnest; // the least height over a triangle's longest side; 0 where one has no area
 };
 
+// Mesh space.
+struct Sphere {
+    DVec3 centre;
+    double radius;
+};
+
 struct Clusters {
     static constexpr std::size_t kTriangles = 32; // a cluster, by place; the last may have fewer
+    static constexpr std::size_t kGroup = 64;     // clusters in a row; likewise
     static constexpr std::size_t kVertices = 16;  // a block of vertices, by number
 
     std::vector<Cluster> cluster;
+    std::vector<Sphere> group; // hold those of their clusters
     // The blocks of vertices that a cluster has: blocks[begin[c]] up to blocks[begin[c + 1]].
     std::vector<std::uint32_t> begin, blocks;
     // By place: triangles' numbers in the mesh, and their vertices, three each; and by number their

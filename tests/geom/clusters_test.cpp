@@ -42,6 +42,14 @@ TEST(Clusters, HoldTheirTrianglesWithinTheirBounds) {
         const Clusters all = find_clusters(jobs, mesh);
         ASSERT_EQ(all.cluster.size(),
                   (mesh.triangles() + Clusters::kTriangles - 1) / Clusters::kTriangles);
+        ASSERT_EQ(all.group.size(),
+                  (all.cluster.size() + Clusters::kGroup - 1) / Clusters::kGroup);
+        for (std::size_t c = 0; c < all.cluster.size(); ++c) {
+            const Sphere& group = all.group[c / Clusters::kGroup];
+            EXPECT_LE(length(all.cluster[c].centre - group.centre) + all.cluster[c].radius,
+                      group.radius * (1 + 1e-15));
+            EXPECT_LE(group.radius, 4); // of meshes that lie within 1 of the middle
+        }
         for (std::size_t t = 0; t < mesh.triangles(); ++t) {
             const std::size_t number = t / Clusters::kTriangles;
             const Cluster& c = all.cluster[number];
