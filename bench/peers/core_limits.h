@@ -14,13 +14,12 @@ struct CoreLimits {
     double write = 0, read = 0; // bytes a second, in order, past the caches and of 64 MB
 };
 
-// Measures the core that the thread runs on, with the lanes that kernels use, in the turns in which
-// frames are timed.
+// Measures the core that the thread runs on, with the lanes that kernels use.
 class CoreMeter {
 public:
     CoreMeter();
     void measure();          // once; a fiftieth of a second
-    CoreLimits best() const; // of all turns: other work on the machine only takes from it
+    CoreLimits best() const; // of all: other work on the machine only takes from it
 
 private:
     // What is written past the caches is not what is read into them.

@@ -24,7 +24,7 @@ struct Duel {
     double fragments = 0;  // that pass the depth test in the file's order, mean of four views
     std::size_t vertices = 0, triangles = 0;
     std::uint64_t drawn = 0; // by us, left after culling
-    CoreLimits core;         // measured in the same turns
+    CoreLimits core;         // measured before and after
     double floor = 0;        // ms, of that core (floor.h); 0: not known
     // How many times faster we are, by the time that the thread ran: other work on the machine
     // takes wall time from both.
