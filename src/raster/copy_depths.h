@@ -11,8 +11,9 @@ inline constexpr int kFloatsOfLine = 16; // of the cache
 
 // to: of the pixel at the tile's corner; stride: floats from row to row. Whole lines of the cache
 // are written past it, so that none of them is fetched before. Another thread may read them when a
-// locked instruction of this one has let it, as the end of a task of Jobs is: x86 orders writes past
-// the caches with those (Intel SDM 3A, 9.2.2). A fence a tile waits until memory has all of them.
+// locked instruction of this one has let it, as the end of a task of Jobs is: x86 orders writes
+// past the caches with those (Intel SDM 3A, 9.2.2). A fence a tile waits until memory has all of
+// them.
 void copy_depths(const VisibilityTile& tile, float* to, std::size_t stride);
 
 } // namespace scanout::raster
