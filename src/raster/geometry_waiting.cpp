@@ -1,5 +1,6 @@
-// Clusters that wait: what was hidden a frame ago is asked by each tile that it may touch, when the
-// tile's others are drawn, and only then transformed, culled and drawn, if they do not hide it.
+// Clusters that wait: each tile that one may touch asks, when its others are drawn, whether they
+// hide it, and only if not is it transformed, culled and drawn. And of some that are drawn at once
+// tiles say the same, for the frames to come.
 #include "base/check.h"
 #include "raster/geometry.h"
 

@@ -6,8 +6,7 @@
 namespace scanout::raster {
 namespace {
 
-// To ask costs a fifteenth of what drawing a cluster does. Where most are shown, fewer are asked
-// about.
+// What is asked about is drawn but once. Where most are shown, fewer are asked about all the same.
 constexpr std::size_t kOften = 1, kSeldom = 2048;
 
 } // namespace

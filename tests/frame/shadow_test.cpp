@@ -1,4 +1,5 @@
 // Laws of the shadows, against rays in double.
+#include "frame/shadow_shares.h"
 #include "image/compare.h"
 #include "oracle/rays.h"
 #include "support/scenes.h"
@@ -16,29 +17,6 @@ using scene::LightKind;
 #define SCANOUT_NAME(name) #name,
 const std::vector<std::string> kTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
 #undef SCANOUT_NAME
-
-scene::Light lamp(LightKind kind) {
-    scene::Light light = light_of(kind, 0.9);
-    light.casts = true;
-    return light;
-}
-
-// The share of its light that every pixel keeps, by the picture with shadows and that without; -1
-// where there is none to lose.
-std::vector<double> shares(Shot s, const std::string& technique) {
-    shade::LinearPicture with, without;
-    s.options.shadow = technique;
-    s.options.effects["shadow"] = true; // where the plan sees no need for it, too
-    draw(s, {.linear = &with});
-    s.options.effects["shadow"] = false;
-    draw(s, {.linear = &without});
-    std::vector<double> share;
-    for (std::size_t i = 0; i < with.pixel.size(); ++i)
-        share.push_back(without.pixel[i][0] > 0x1p-12F
-                            ? static_cast<double>(with.pixel[i][0] / without.pixel[i][0])
-                            : -1);
-    return share;
-}
 
 // What a ray through a pixel finds, and whether light reaches it there.
 class Oracle {
@@ -442,41 +420,6 @@ TEST(Shadow, OfALightWithoutSizeIsTheFilteredOneToTheBit) {
         const image::Image filtered = draw(s);
         s.options.shadow = "map_soft";
         EXPECT_EQ(draw(s), filtered) << s.name;
-    }
-}
-
-// Pixels that are neither dark nor bright.
-int penumbra(double size, double height, int map_size = 512) {
-    Shot s = shot("penumbra", 96, 96);
-    s.scene.materials = {plain(Vec3(0.8F))};
-    add_square(s.scene.mesh, 1, 0, 0);
-    add_square(s.scene.mesh, 0.3F, static_cast<float>(height), 0);
-    s.scene.mesh.uv.clear();
-    s.camera.projection = scene::Projection::orthographic;
-    s.camera.azimuth_degrees = 60;
-    s.options.lights = {lamp(LightKind::directional)};
-    s.options.lights[0].towards = {-0.5, 0, 1};
-    s.options.lights[0].size = size;
-    s.options.shadow_size = map_size;
-    int partly = 0;
-    for (const double share : shares(s, "map_soft"))
-        partly += share > 0.02 && share < 0.98 ? 1 : 0;
-    return partly;
-}
-
-TEST(Shadow, IsSofterTheLargerTheLightAndTheFartherItFalls) {
-    EXPECT_GT(penumbra(2, 0.4), penumbra(0, 0.4));
-    EXPECT_GT(penumbra(4, 0.4), penumbra(2, 0.4) * 3 / 2);
-    EXPECT_GT(penumbra(4, 0.8), penumbra(4, 0.4) * 3 / 2);
-}
-
-TEST(Shadow, IsAsSoftInAFineMapAsInACoarseOne) {
-    for (const double size : {4, 10}) {
-        const int coarse = penumbra(size, 0.8);
-        EXPECT_GT(coarse, 200);
-        for (const int map_size : {1024, 2048, 4096})
-            EXPECT_NEAR(penumbra(size, 0.8, map_size), coarse, 0.12 * coarse)
-                << size << ' ' << map_size;
     }
 }
 
