@@ -99,6 +99,23 @@ TEST(HiddenClusters, WhatAWallHidesCostsNoTriangle) {
     EXPECT_LT(waiting, clusters / 10);
 }
 
+// What is asked about and seen does not wait afterwards: that would cost more.
+TEST(HiddenClusters, WhatIsSeenDoesNotWait) {
+    Jobs jobs(2);
+    geom::Mesh mesh = scanout::test::empty_mesh();
+    scanout::test::add_sphere(mesh, Vec3(0), 0.7F, 384, 64);
+    mesh.clusters = geom::find_clusters(jobs, mesh);
+    HiddenClusters hidden;
+    for (int frame = 0; frame < 2; ++frame)
+        draw_planes(jobs, mesh, turned(0, 0), 640, 480, 1, Facing::front, 64, &hidden, nullptr);
+    const std::size_t clusters = mesh.clusters.cluster.size();
+    std::size_t waiting = 0; // in the third frame
+    hidden.begin_frame(clusters);
+    for (std::size_t c = 0; c < clusters; ++c)
+        waiting += hidden.order(c) == HiddenClusters::Order::wait ? 1 : 0;
+    EXPECT_LT(waiting, clusters / 20);
+}
+
 constexpr std::size_t kClusters = 4096;
 
 // A frame that asks about those from `first` on, of which those below `end` are hidden. How many
