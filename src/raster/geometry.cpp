@@ -54,13 +54,13 @@ void Geometry::Batch::clear(int tiles, bool layers) {
 
 void Geometry::Batch::Bin::put_large_first() {
     if (large.empty()) return;
-    std::sort(large.begin(), large.end(), std::greater<>());
+    put_nearest_first(large);
     const std::size_t small = triangles.size();
     triangles.resize(small + large.size());
     std::move_backward(triangles.begin(), triangles.begin() + static_cast<std::ptrdiff_t>(small),
                        triangles.end());
     std::transform(large.begin(), large.end(), triangles.begin(),
-                   [](std::uint64_t key) { return static_cast<std::uint32_t>(key); });
+                   [](DepthAndId of) { return id_of(of); });
 }
 
 void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& transform,
@@ -196,9 +196,7 @@ void Geometry::add_large(Batch& batch, const KeptTriangle& t, std::uint32_t tria
     double nearest = 0;
     for (const ScreenVertex& v : corners(triangle))
         nearest = std::max(nearest, v.depth);
-    // Floats that are not negative are ordered as their bits.
-    const auto depth = std::bit_cast<std::uint32_t>(static_cast<float>(nearest));
-    const std::uint64_t key = std::uint64_t{depth} << 32 | triangle;
+    const DepthAndId key = depth_and_id(static_cast<float>(nearest), triangle);
     for_tiles(t.x0(), t.y0(), t.x1(), t.y1(),
               [&](std::size_t tile) { batch.bins[tile].large.push_back(key); });
 }

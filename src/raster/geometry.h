@@ -11,6 +11,7 @@
 #include "raster/cull.h"
 #include "raster/hidden_clusters.h"
 #include "raster/layer.h"
+#include "raster/nearest_first.h"
 #include "raster/piece.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
@@ -100,7 +101,7 @@ private:
             }
             // Triangles that may cover whole blocks, by depth and id, until they are put before the
             // others, the nearest first: they hide what comes after them.
-            std::vector<std::uint64_t> large;
+            std::vector<DepthAndId> large;
             void put_large_first();
             // f(place) for the triangles that have parts here.
             template <class F>

@@ -1,0 +1,52 @@
+#include "raster/nearest_first.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <functional>
+
+#define SIMD_FILE "raster/nearest_first.cpp"
+#include "simd/for_each_target.h"
+
+SIMD_BEGIN(scanout::raster)
+
+// How many there are that each is compared with: a tile has a few dozen.
+constexpr int kMost = 64;
+
+// Each goes where it belongs: behind as many as are nearer. All pairs are compared, side by side; a
+// sort of so few would spend its time on branches that nobody can foretell.
+void rank_all(const std::uint64_t* triangle, int count, std::uint64_t* out) {
+    alignas(64) std::int32_t depth[kMost];
+    for (int i = 0; i < kMost; ++i) // of floats that are not negative the bits have their order
+        depth[i] = i < count ? (static_cast<std::int32_t>(triangle[i] >> 32) & -kMost) | i : -1;
+    for (int i = 0; i < count; ++i) {
+        const I32 mine = depth[i];
+        int nearer = 0;
+        for (int k = 0; k < count; k += kLanes)
+            nearer += __builtin_popcount(bits(load<I32>(depth + k) > mine));
+        out[nearer] = triangle[i];
+    }
+}
+
+SIMD_END
+
+#if SIMD_ONCE
+namespace scanout::raster {
+
+SIMD_REGISTER(rank_all);
+
+DepthAndId depth_and_id(float depth, std::uint32_t id) {
+    return std::uint64_t{std::bit_cast<std::uint32_t>(depth)} << 32 | id;
+}
+
+void put_nearest_first(std::vector<DepthAndId>& triangles) {
+    constexpr std::size_t kMost = 64;
+    if (triangles.size() > kMost)
+        return std::sort(triangles.begin(), triangles.end(), std::greater<>());
+    std::array<DepthAndId, kMost> ranked;
+    SIMD_CALL(rank_all)(triangles.data(), static_cast<int>(triangles.size()), ranked.data());
+    std::copy_n(ranked.begin(), triangles.size(), triangles.begin());
+}
+
+} // namespace scanout::raster
+#endif
