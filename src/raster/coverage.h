@@ -16,6 +16,8 @@ namespace scanout::raster {
 
 inline constexpr int kTileSize = 64;
 
+struct PieceSetUp;
+
 // One plane a sample, kTileSize rows of kTileSize pixels each, whatever the area.
 struct TilePlanes {
     image::Rect area; // of the picture; its corner is a multiple of 8 in x and y
@@ -40,7 +42,7 @@ struct TriangleList {
 // Did any of them show? Where depth alone is kept: was any nearer than what was there? Pixels of
 // the planes beyond the area may be drawn, too.
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles);
-bool draw_piece(const TilePlanes& tile, const Piece& piece);
+bool draw_piece(const TilePlanes& tile, const PieceSetUp& piece);
 
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23
 // of the exact plane through the snapped vertices (HARD-CASES 14, 15):

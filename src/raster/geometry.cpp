@@ -280,7 +280,7 @@ void Geometry::add_clipped(Batch& batch, std::uint32_t triangle) const {
         if (bounds.empty()) continue;
         drawn = true;
         const auto number = static_cast<std::uint32_t>(batch.pieces.size());
-        batch.pieces.push_back(piece);
+        batch.pieces.emplace_back(piece, cull_.extent);
         for_tiles(bounds, [&](std::size_t tile) { bins[tile].pieces.push_back(number); });
     }
     batch.triangles_drawn += drawn ? 1 : 0;

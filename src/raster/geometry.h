@@ -13,6 +13,7 @@
 #include "raster/layer.h"
 #include "raster/nearest_first.h"
 #include "raster/piece.h"
+#include "raster/piece_set_up.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
 #include "raster/tile.h"
@@ -88,7 +89,7 @@ private:
     // small ones by its place (geom/clusters.h), and set up again by the tile that draws them: four
     // bytes each instead of sixty.
     struct Batch {
-        std::vector<Piece> pieces;
+        std::vector<PieceSetUp> pieces;
         std::vector<Segment> segments;
         std::vector<Point> points;
         struct Bin {

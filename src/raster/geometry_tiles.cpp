@@ -47,7 +47,7 @@ void Geometry::draw(int tile, AreaTile& out) const {
         std::for_each(bin.triangles.begin(), bin.triangles.end(), add);
         bin.for_small([&](std::uint32_t place) { add(mesh_->triangle_at(place)); });
         for (const std::uint32_t i : bin.pieces)
-            out.add(batch.pieces[i]);
+            out.add(batch.pieces[i].piece);
     }
     out.finish();
 }
@@ -129,7 +129,8 @@ void Geometry::layered(int tile, Layer layer, std::vector<std::uint32_t>& out) c
         for (const std::uint32_t id : bin.triangles)
             if (layer_of(id) == layer) out.push_back(id);
         for (const std::uint32_t i : bin.pieces)
-            if (layer_of(batch.pieces[i].id) == layer) out.push_back(batch.pieces[i].id);
+            if (layer_of(batch.pieces[i].piece.id) == layer)
+                out.push_back(batch.pieces[i].piece.id);
     }
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end()); // two pieces of one
@@ -169,7 +170,7 @@ void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn
         triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
         bin.for_small([&](std::uint32_t place) { triangles.push_back(mesh_->triangle_at(place)); });
         for (const std::uint32_t i : bin.pieces)
-            triangles.push_back(batch.pieces[i].id);
+            triangles.push_back(batch.pieces[i].piece.id);
         for (const std::uint32_t i : bin.segments)
             segments.push_back(batch.segments[i]);
         for (const std::uint32_t i : bin.points)

@@ -4,6 +4,7 @@
 // rounding, and whole numbers where it is.
 #include "raster/block_walk.h"
 #include "raster/coverage.h"
+#include "raster/piece_set_up.h"
 
 #include <algorithm>
 #include <bit>
@@ -103,31 +104,16 @@ namespace {
 constexpr int kSide = BlockWalk::kSide;
 constexpr std::int64_t kBlock = std::int64_t{kSide} * kSubpixel;
 
-// How far the edge functions of a square of pixels may lie below and above those of its corner.
-struct Reach {
-    Int128 lowest[3], highest[3];
-    Reach() = default;
-    Reach(const ExactEdges& e, const SampleExtent& extent, int side) {
-        const Int128 more = Int128{side - 1} * kSubpixel;
-        const Int128 across[2] = {extent.low.x, more + extent.high.x};
-        const Int128 down[2] = {extent.low.y, more + extent.high.y};
-        for (std::size_t k = 0; k < 3; ++k) {
-            lowest[k] = e.a[k] * across[e.a[k] < 0 ? 1 : 0] + e.b[k] * down[e.b[k] < 0 ? 1 : 0];
-            highest[k] = e.a[k] * across[e.a[k] < 0 ? 0 : 1] + e.b[k] * down[e.b[k] < 0 ? 0 : 1];
-        }
-    }
-};
-
 class PieceWalk {
 public:
-    PieceWalk(const TilePlanes& tile, const SampleExtent& extent, const Piece& piece)
-        : tile_(tile), extent_(extent), piece_(piece), edges_(edges_of(piece)) {}
+    PieceWalk(const TilePlanes& tile, const PieceSetUp& piece)
+        : tile_(tile), piece_(piece), edges_(piece.edges) {}
 
-    bool draw(const image::Rect& box) {
+    bool draw() {
+        const image::Rect& box = piece_.box;
         const image::Rect here = {std::max(box.x0, tile_.area.x0), std::max(box.y0, tile_.area.y0),
                                   std::min(box.x1, tile_.area.x1), std::min(box.y1, tile_.area.y1)};
         if (here.empty() || !reaches_tile()) return false; // most tiles that its box touches
-        set_up(piece_);
         BlockList blocks;
         SIMD_CALL(blocks_of_piece)(tile_, bounds_of(here), blocks);
         bool drawn = false;
@@ -137,31 +123,9 @@ public:
     }
 
 private:
-    void set_up(const Piece& piece) {
-        block_ = Reach(edges_, extent_, kSide);
-        const double size = size_of(piece);
-        least_ = most_ = piece.vertex[0].depth;
-        for (std::size_t k = 0; k < 3; ++k) {
-            share_[k] = piece.vertex[k].z / size;
-            a_[k] = static_cast<double>(edges_.a[k]);
-            b_[k] = static_cast<double>(edges_.b[k]);
-            terms_ += (std::abs(a_[k]) + std::abs(b_[k])) * std::abs(share_[k]);
-            least_ = std::min(least_, piece.vertex[k].depth);
-            most_ = std::max(most_, piece.vertex[k].depth);
-        }
-        per_x_ = sum(a_);
-        per_y_ = sum(b_);
-        id_ = piece.id;
-    }
-
-    // Depth is E_0 z_0 / size + E_1 z_1 / size + E_2 z_2 / size.
-    double sum(const double (&e)[3]) const {
-        return (e[0] * share_[0] + e[1] * share_[1]) + e[2] * share_[2];
-    }
-
     // Can the tile hold a sample? Notes which edges leave all of it inside.
     bool reaches_tile() {
-        const Reach tile(edges_, extent_, kTileSize);
+        const Reach& tile = piece_.of_tile;
         for (std::size_t k = 0; k < 3; ++k) {
             const Int128 corner = at(k, tile_.area.x0, tile_.area.y0);
             if (corner + tile.highest[k] < 0) return false;
@@ -175,20 +139,21 @@ private:
         double nearest = 0, per_across = 0, per_down = 0;
         for (std::size_t k = 0; k < 3; ++k) {
             const auto corner = static_cast<double>(at(k, tile_.area.x0, tile_.area.y0)),
-                       highest = static_cast<double>(block_.highest[k]),
-                       across = a_[k] * static_cast<double>(kBlock),
-                       down = b_[k] * static_cast<double>(kBlock);
+                       highest = static_cast<double>(piece_.of_block.highest[k]),
+                       across = piece_.a[k] * static_cast<double>(kBlock),
+                       down = piece_.b[k] * static_cast<double>(kBlock);
             const double terms = std::abs(corner) + std::abs(highest) +
                                  BlockList::kRow * (std::abs(across) + std::abs(down));
             b.edge[k] = static_cast<float>((corner + highest) / terms + BlockBounds::kMargin);
             b.across[k] = static_cast<float>(across / terms);
             b.down[k] = static_cast<float>(down / terms);
-            nearest += corner * share_[k] + BlockBounds::kMargin * terms * std::abs(share_[k]);
-            per_across += across * share_[k];
-            per_down += down * share_[k];
+            nearest +=
+                corner * piece_.share[k] + BlockBounds::kMargin * terms * std::abs(piece_.share[k]);
+            per_across += across * piece_.share[k];
+            per_down += down * piece_.share[k];
         }
         nearest += std::max(per_across, 0.0) + std::max(per_down, 0.0);
-        b.most = static_cast<float>(most_ * (1 + BlockBounds::kMargin));
+        b.most = static_cast<float>(piece_.most * (1 + BlockBounds::kMargin));
         b.depth = b.most; // where float may not hold the others
         if (std::abs(nearest) + std::abs(per_across) + std::abs(per_down) < 0x1p120) {
             b.depth = static_cast<float>(nearest);
@@ -210,16 +175,16 @@ private:
         bool whole[3];
         for (std::size_t k = 0; k < 3; ++k) {
             corner[k] = at(k, tile_.area.x0 + bx * kSide, tile_.area.y0 + by * kSide);
-            whole[k] = whole_tile_[k] || corner[k] + block_.lowest[k] >= 0;
+            whole[k] = whole_tile_[k] || corner[k] + piece_.of_block.lowest[k] >= 0;
         }
         PieceBlock b{};
-        b.id = id_;
-        b.least = least_;
-        b.most = most_;
+        b.id = piece_.piece.id;
+        b.least = piece_.least;
+        b.most = piece_.most;
         double depth = 0;
         const bool plane = is_plane(corner, depth);
-        b.per_x = per_x_ * kSubpixel;
-        b.per_y = per_y_ * kSubpixel;
+        b.per_x = piece_.per_x * kSubpixel;
+        b.per_y = piece_.per_y * kSubpixel;
         float depths[kSide * kSide];
         bool drawn = false;
         for (std::size_t s = 0; s < tile_.pattern.size(); ++s) {
@@ -229,7 +194,7 @@ private:
                 e[k] = corner[k] + edges_.a[k] * offset.x + edges_.b[k] * offset.y;
             b.inside = inside(e, whole);
             if (b.inside == 0) continue;
-            b.corner = depth + (offset.x * per_x_ + offset.y * per_y_);
+            b.corner = depth + (offset.x * piece_.per_x + offset.y * piece_.per_y);
             b.depths = plane ? nullptr : depths;
             if (!plane) find_depths(e, b.inside, depths);
             const std::size_t first = s * std::size_t{kTileSize} * kTileSize +
@@ -254,8 +219,8 @@ private:
         for (std::size_t k = 0; k < 3; ++k) {
             if (whole[k]) continue;
             edges.first[k] = static_cast<double>(e[k]);
-            edges.per_x[k] = a_[k] * kSubpixel;
-            edges.per_y[k] = b_[k] * kSubpixel;
+            edges.per_x[k] = piece_.a[k] * kSubpixel;
+            edges.per_y[k] = piece_.b[k] * kSubpixel;
             // Eight roundings of 2^-53 of what is added up, and more.
             edges.error[k] = (std::abs(edges.first[k]) +
                               kSide * (std::abs(edges.per_x[k]) + std::abs(edges.per_y[k]))) *
@@ -280,12 +245,12 @@ private:
     bool is_plane(const Int128 (&corner)[3], double& depth) const {
         const double e[3] = {static_cast<double>(corner[0]), static_cast<double>(corner[1]),
                              static_cast<double>(corner[2])};
-        depth = sum(e);
-        double cancels = static_cast<double>(kBlock) * terms_;
+        depth = piece_.depth_of(e);
+        double cancels = static_cast<double>(kBlock) * piece_.terms;
         for (std::size_t k = 0; k < 3; ++k)
-            cancels += std::abs(e[k] * share_[k]);
-        const double down = std::min(per_x_, 0.0) + std::min(per_y_, 0.0);
-        const double least = std::max(least_, depth + static_cast<double>(kBlock) * down);
+            cancels += std::abs(e[k] * piece_.share[k]);
+        const double down = std::min(piece_.per_x, 0.0) + std::min(piece_.per_y, 0.0);
+        const double least = std::max(piece_.least, depth + static_cast<double>(kBlock) * down);
         return cancels <= least * 0x1p22;
     }
     // Elsewhere: from the edge functions at the sample itself. No term is negative.
@@ -297,30 +262,21 @@ private:
             double e[3];
             for (std::size_t k = 0; k < 3; ++k)
                 e[k] = static_cast<double>(first[k] + edges_.a[k] * x + edges_.b[k] * y);
-            out[pixel] = static_cast<float>(std::clamp(sum(e), least_, most_));
+            out[pixel] =
+                static_cast<float>(std::clamp(piece_.depth_of(e), piece_.least, piece_.most));
         }
     }
 
     const TilePlanes& tile_;
-    const SampleExtent& extent_;
-    const Piece& piece_;
-    ExactEdges edges_;
-    Reach block_; // from here on: once it is known that the tile is reached
-    std::uint32_t id_;
-    double share_[3]; // z of a vertex / size
-    double a_[3], b_[3];
-    double terms_ = 0;     // what may cancel in the slopes
-    double per_x_, per_y_; // of depth, 1/256 pixel
-    double least_, most_;
+    const PieceSetUp& piece_;
+    const ExactEdges& edges_;
     bool whole_tile_[3] = {};
 };
 
 } // namespace
 
-bool draw_piece(const TilePlanes& tile, const Piece& piece) {
-    const SampleExtent extent = extent_of(tile.pattern);
-    return PieceWalk(tile, extent, piece)
-        .draw(pixel_bounds(piece, tile.area.x1, tile.area.y1, extent));
+bool draw_piece(const TilePlanes& tile, const PieceSetUp& piece) {
+    return PieceWalk(tile, piece).draw();
 }
 
 } // namespace scanout::raster

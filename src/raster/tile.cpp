@@ -3,6 +3,7 @@
 #include "raster/check_lanes.h"
 #include "raster/coverage.h"
 #include "raster/depth_bias.h"
+#include "raster/piece_set_up.h"
 #include "raster/screen.h"
 
 #include <algorithm>
@@ -102,7 +103,11 @@ bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
 }
 
 bool VisibilityTile::draw(const Piece& piece) {
-    check_lanes(piece);
+    return draw(PieceSetUp(piece, extent_of(pattern_)));
+}
+
+bool VisibilityTile::draw(const PieceSetUp& piece) {
+    check_lanes(piece.piece);
     const bool shows = draw_piece(planes(), piece);
     touched_ |= shows;
     return shows;

@@ -41,6 +41,7 @@ public:
     LateParts& late_parts() { return late_parts_; }
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
+    bool draw(const PieceSetUp& piece);
     bool draw(const Piece& piece);
     // What is drawn there so far, all triangles, is the ground, as a rule of this very tile: lines
     // and points that follow are held against it, not against each other's pixels, so that their

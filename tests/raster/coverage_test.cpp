@@ -67,7 +67,7 @@ struct Drawn {
                 shows = draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}});
             else
                 for (const Piece& piece : pieces_far_out(t, times))
-                    shows |= draw_piece(planes, piece);
+                    shows |= draw_piece(planes, {piece, extent_of(planes.pattern)});
             skipped += shows ? 0 : 1;
         }
     }
