@@ -42,7 +42,8 @@ struct LaneTriangles {
     alignas(64) std::int32_t whole[kRoom];
     alignas(64) double exact_twice[kRoom];
     alignas(64) float inverse_w[3][kRoom];
-    // side: what normals are multiplied by (Sides). The rest as in Primitive, [component][vertex].
+    // side: what normals are multiplied by (Sides), and have been. The rest as in Primitive,
+    // [component][vertex].
     alignas(64) float side[kRoom];
     alignas(64) float facing[3][kRoom];
     alignas(64) float normal[3][3][kRoom], uv[2][3][kRoom], colour[3][3][kRoom];

@@ -41,13 +41,10 @@ SIMD_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
 SIMD_INLINE void put_primitive(const TriangleSource& s, const LaneTriangles& t, int lane,
                                Primitive& p) {
     put_edges(t, lane, p);
-    const float side = t.side[lane];
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c) {
         if (s.wants_facing()) p.facing[c] = t.facing[c][lane];
-        if (s.wanted.normal) SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            p.normal[c][k] = t.normal[c][k][lane] * side;
+        if (s.wanted.normal) put_vertices(t.normal[c], lane, p.normal[c]);
         if (s.wanted.colour) put_vertices(t.colour[c], lane, p.colour[c]);
         if (s.wanted.position) put_vertices(t.position[c], lane, p.position[c]);
         if (s.wanted.uv && c < 2) put_vertices(t.uv[c], lane, p.uv[c]);

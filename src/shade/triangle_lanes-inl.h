@@ -212,6 +212,18 @@ SIMD_INLINE void put_positions(const TriangleSource& s, const MeshPlaces<D>& pla
         }
 }
 
+// On the side that they light.
+template <class D>
+SIMD_INLINE void put_normals(Attribute<D, 3> normal, LaneTriangles& out, int lane) {
+    const Float<D> side = load<Float<D>>(out.side + lane);
+    SIMD_UNROLL
+    for (int c = 0; c < 3; ++c)
+        SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        normal.of[c][k] = normal.of[c][k] * side;
+    put(normal, out.normal, lane);
+}
+
 // The triangles' own normals, brought near length 1; `turned` ones the other way round.
 template <class D>
 SIMD_INLINE void put_facing(const MeshPlaces<D>& place, Mask<D> turned, LaneTriangles& out,
@@ -289,7 +301,7 @@ SIMD_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int
             put_facing(place, load<Int<D>>(out.turned + at) == Int<D>(1), out, at);
         if (s.wanted.position) put_positions(s, place, out, at);
     }
-    if (s.wanted.normal) put(fetch<D, 3>(s.normal, out, at), out.normal, at);
+    if (s.wanted.normal) put_normals(fetch<D, 3>(s.normal, out, at), out, at);
     if (s.wanted.colour) put(fetch<D, 3>(s.colour, out, at), out.colour, at);
     if (s.wanted.uv) put(fetch<D, 2>(s.uv, out, at), out.uv, at);
 }

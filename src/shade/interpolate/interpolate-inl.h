@@ -36,12 +36,7 @@ struct OfLanes {
     SIMD_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
         return mix(w, entries.of(vertex[0]), entries.of(vertex[1]), entries.of(vertex[2]));
     }
-    SIMD_INLINE F32 normal(const Weights& w, int c) const {
-        const F32 side = entries.of(t.side);
-        const auto& vertex = t.normal[c];
-        return mix(w, entries.of(vertex[0]) * side, entries.of(vertex[1]) * side,
-                   entries.of(vertex[2]) * side);
-    }
+    SIMD_INLINE F32 normal(const Weights& w, int c) const { return mixed(w, t.normal[c]); }
     SIMD_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
     SIMD_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
     SIMD_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
