@@ -69,10 +69,17 @@ private:
 
 template <int kChannels>
 SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
-    Minified<kChannels> minified;
+    // Levels first: with what follows a register's way would be a chain of some hundred cycles, and
+    // registers overlap only as far as the processor looks ahead.
+    alignas(64) float levels[kRoom];
+    const F32 last = reader.last();
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 detail = level_of_detail(reader.slopes(b, i));
-        const F32 level = minimum(maximum(detail, F32(0.0F)), F32(reader.last()));
+        store(minimum(maximum(detail, F32(0.0F)), last), levels + i);
+    }
+    Minified<kChannels> minified;
+    for (int i = 0; i < b.count; i += kLanes) {
+        const F32 level = load<F32>(levels + i);
         const F32 s = reader.image().turns_x(load<F32>(b.u + i));
         const F32 t = reader.image().turns_y(load<F32>(b.v + i));
         if (any(level < F32(1.0F)))
