@@ -57,6 +57,8 @@ struct Whole {
         return entries.of(t.twice);
     }
     static SIMD_INLINE Mask<D> narrow(Mask<D> mask) { return mask; }
+    // For read_areas, in registers of another width.
+    static SIMD_INLINE void keep(Number area, std::int32_t* to) { store(area, to); }
 };
 template <class D>
 struct Wide {
@@ -68,6 +70,7 @@ struct Wide {
     static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
         return HWY_NAMESPACE::narrow<D>(mask);
     }
+    static SIMD_INLINE void keep(Number, std::int32_t*) {}
 };
 
 // Of vertices 1 and 2; what is left of the triangle lies opposite vertex 0.
@@ -130,19 +133,39 @@ SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
     }
     const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
     SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < 3; ++k) {
         store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + lane);
+        In<D>::keep(area[k], t.area[k] + lane);
+    }
+}
+
+// The areas at a register of lanes that have been weighed.
+template <class D>
+SIMD_INLINE void read_areas(Whole<D>, const LaneTriangles& t, const Block&, int lane, int,
+                            Double<D> (&area)[3]) {
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k)
+        area[k] = to_f64(load<Int<D>>(t.area[k] + lane));
+}
+template <class D>
+SIMD_INLINE void read_areas(Wide<D>, const LaneTriangles& t, const Block& block, int lane, int live,
+                            Double<D> (&area)[3]) {
+    const Entries<D> entries(t.of_lane + lane, live);
+    const auto found = areas_at<Wide<D>>(t, entries, load<Int<D>>(block.x + lane) - entries.of(t.x),
+                                         load<Int<D>>(block.y + lane) - entries.of(t.y));
+    area[0] = (Wide<D>::twice(t, lane, live, entries) - found.one) - found.two;
+    area[1] = found.one;
+    area[2] = found.two;
 }
 
 // How u and v change on the screen (footprint-inl.h).
+template <template <class> class In>
 SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int live) {
     using D = F32x8::Tag;
     const Entries<D> entries(t.of_lane + lane, live);
     const DoubleEntries<D> doubles(t.of_lane + lane, live);
-    const auto found = areas_at<Wide<D>>(t, entries, load<I32x8>(block.x + lane) - entries.of(t.x),
-                                         load<I32x8>(block.y + lane) - entries.of(t.y));
-    const F64x8 area[3] = {(doubles.of(t.exact_twice) - found.one) - found.two, found.one,
-                           found.two};
+    F64x8 area[3];
+    read_areas(In<D>(), t, block, lane, live, area);
     Plane plane;
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
@@ -167,7 +190,7 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int f
     for (int i = begin; i < triangles; i += kLanes)
         put_corners<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
-        whole &= set_up_register<D>(s, sloped, t, i);
+        whole &= set_up_register<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
         put_attributes<D>(s, t, i);
     for (int i = begin; sloped && i < triangles; i += kLanesX8)
@@ -183,8 +206,12 @@ void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int f
             weigh<F32x8::Tag, Wide>(t, b, i, end - i);
     }
     if (!sloped) return;
-    for (int i = first; i < end; i += kLanesX8)
-        put_slopes(t, b, i, end - i);
+    for (int i = first; i < end; i += kLanesX8) {
+        if (whole)
+            put_slopes<Whole>(t, b, i, end - i);
+        else
+            put_slopes<Wide>(t, b, i, end - i);
+    }
 }
 
 SIMD_END

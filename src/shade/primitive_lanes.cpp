@@ -58,7 +58,7 @@ void set_up_all(const TriangleSource& s, LaneTriangles& room, Primitive* first, 
             room.id[lane] = first[i + (lane < live ? lane : live - 1)].id;
         using D = F32x8::Tag;
         put_corners<D>(s, room, 0);
-        set_up_register<D>(s, false, room, 0);
+        set_up_register<D>(s, room, 0);
         put_attributes<D>(s, room, 0);
         for (int lane = 0; lane < live; ++lane)
             put_primitive(s, room, lane, first[i + lane]);

@@ -115,12 +115,11 @@ struct Doubled {
     Int<D> low; // its amount, modulo 2^32
 };
 template <class D>
-SIMD_INLINE Doubled<D> doubled(const Vertices<D> (&v)[3], bool wants_exact, double* exact) {
+SIMD_INLINE Doubled<D> doubled(const Vertices<D> (&v)[3], double* exact) {
     const Int<D> right_1 = v[1].x - v[0].x, down_1 = v[1].y - v[0].y, right_2 = v[2].x - v[0].x,
                  down_2 = v[2].y - v[0].y, zero = 0;
     const Int<D> low = right_1 * down_2 - down_1 * right_2;
-    if (are_small(v) & !wants_exact)
-        return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low)};
+    if (are_small(v)) return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low)};
     const Double<D> twice = to_f64(right_1) * to_f64(down_2) - to_f64(down_1) * to_f64(right_2);
     const Mask<D> below_zero = narrow<D>(twice < Double<D>(0.0));
     store(abs(twice), exact);
@@ -277,15 +276,14 @@ SIMD_INLINE void put_sides(const TriangleSource& s, const Windings<D>& behind, L
 }
 
 // A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.
-// Returns whether all are whole; exact_twice is set where not all are, or if it is wanted.
+// Returns whether all are whole; exact_twice is set where not all are.
 template <class D>
-SIMD_INLINE bool set_up_register(const TriangleSource& s, bool wants_exact, LaneTriangles& out,
-                                 int at) {
+SIMD_INLINE bool set_up_register(const TriangleSource& s, LaneTriangles& out, int at) {
     Vertices<D> v[3];
     load_vertices(s, out, at, v);
     const Turns<D> turns = put_in_order(v);
     turn_corners(turns, out, at);
-    const Doubled<D> twice = doubled(v, wants_exact, out.exact_twice + at);
+    const Doubled<D> twice = doubled(v, out.exact_twice + at);
     put_areas(v, twice, out, at);
     const Mask<D> mirrored = Float<D>(s.mirrored ? 1.0F : 0.0F) > Float<D>(0.0F);
     put_sides(s, windings_of(twice.above_zero, turns, mirrored), out, at);
