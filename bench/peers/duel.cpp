@@ -1,6 +1,7 @@
 #include "bench/peers/duel.h"
 
 #include "base/large_array.h"
+#include "base/memory.h"
 #include "base/write_file.h"
 #include "bench/peers/floor.h"
 #include "bench/peers/machine.h"
@@ -43,7 +44,7 @@ void free_written_pages() {
 // A first frame of a new renderer, with all its buffers to make.
 Result<void> add_first_frame(Times& times, Jobs& jobs, const Load& load, const scene::Scene& scene,
                              const scene::View& view, const DuelOptions& o) {
-    free_written_pages();
+    release_freed(); // as a new process begins: what it writes to is cleared by the system
     Ours fresh(jobs, scene, load, o.width, o.height);
     Result<void> drawn;
     times.add([&] { drawn = fresh.draw(view); });
@@ -99,6 +100,7 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height, o.placed));
     Result<void> drawn;
     Times first;
+    free_written_pages();
     CoreMeter core; // not between frames: it leaves nothing in the caches that was there
     for (int i = 0; i < kCoreTries; ++i)
         core.measure();
