@@ -191,6 +191,14 @@ SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t firs
     result.kept_count = static_cast<std::size_t>(kept - result.kept.data());
 }
 
+// Vertices lie in the order of the file; those of triangles so many registers on are asked for now.
+// One of each is enough: neighbours bring the others.
+constexpr int kSoon = 2;
+SIMD_INLINE void prefetch_vertices(const ScreenVertex* vertices, const std::uint32_t* index) {
+    for (int lane = 0; lane < kLanes; ++lane)
+        __builtin_prefetch(vertices + index[(kSoon * kLanes + lane) * 3]);
+}
+
 void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uint32_t* index,
               int count, std::uint32_t first, CullResult& result) {
     constexpr std::size_t kIndices = 3 * sizeof(std::uint32_t), kAhead = 96; // triangles
@@ -202,6 +210,7 @@ void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uin
             // Registers take so long that nothing else would ask for the next indices in time.
             const std::uint32_t* of_lanes = index + std::ptrdiff_t{i} * 3;
             prefetch<kLanes * kIndices>(of_lanes, kAhead * kIndices);
+            if (i + (kSoon + 1) * kLanes <= count) prefetch_vertices(vertices, of_lanes);
             cull_lanes(o, corners(vertices, of_lanes), kLanes, r, found);
         }
         if (r < FoundLanes::kRegisters && i < count) {
