@@ -174,15 +174,20 @@ SIMD_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, in
     found.cut[r] = bits(cut) & lanes;
 }
 
-// Lane by lane: packing registers costs more where there is no instruction for it.
 SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t first,
                       CullResult& result) {
     KeptTriangle* kept = result.kept.data() + result.kept_count;
     for (int r = 0; r < registers; ++r) {
         const auto at = static_cast<std::uint32_t>(r * kLanes);
-        for (std::uint32_t rest = found.kept[r]; rest != 0; rest &= rest - 1) {
-            const std::uint32_t i = at + static_cast<std::uint32_t>(__builtin_ctz(rest));
-            *kept++ = {first + i, found.from[i], found.to[i]};
+        if constexpr (kPacksLanes) {
+            const I32 place = iota<I32>(static_cast<std::int32_t>(first + at));
+            kept += store_packed(found.kept[r], place, load<I32>(found.from + at),
+                                 load<I32>(found.to + at), &kept->place);
+        } else {
+            for (std::uint32_t rest = found.kept[r]; rest != 0; rest &= rest - 1) {
+                const std::uint32_t i = at + static_cast<std::uint32_t>(__builtin_ctz(rest));
+                *kept++ = {first + i, found.from[i], found.to[i]};
+            }
         }
         for (std::uint32_t rest = found.cut[r]; rest != 0; rest &= rest - 1)
             result.cut.data()[result.cut_count++] =

@@ -309,6 +309,22 @@ SIMD_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& 
     y = Int<D>(hn::BitCast(tag, b));
     z = Int<D>(hn::BitCast(tag, c));
 }
+// Is there an instruction that packs lanes? Else they are faster one by one.
+constexpr bool kPacksLanes = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
+// Of the lanes whose bit is set x, y and z, in order; what stands behind them, up to a register's
+// worth, is anything. Returns how many they are.
+template <class D>
+SIMD_INLINE int store_packed(std::uint32_t lanes, Int<D> x, Int<D> y, Int<D> z, std::uint32_t* to) {
+    const typename Int<D>::Tag tag;
+    const hn::RebindToUnsigned<decltype(tag)> u;
+    const std::uint8_t bits[8] = {static_cast<std::uint8_t>(lanes),
+                                  static_cast<std::uint8_t>(lanes >> 8)};
+    const auto mask = hn::LoadMaskBits(u, bits);
+    const auto packed = [&](Int<D> a)
+                            SIMD_LAMBDA { return hn::Compress(hn::BitCast(u, a.raw), mask); };
+    hn::StoreInterleaved3(packed(x), packed(y), packed(z), u, to);
+    return __builtin_popcount(lanes);
+}
 // Of every lane in order x, y and z: 16 bytes, each word as it stands in memory.
 template <class D>
 SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {

@@ -103,6 +103,7 @@ struct Results {
     std::uint32_t bits[kMaskOperations];
     bool any[kMaskOperations], all[kMaskOperations];
 };
+constexpr std::uint32_t kPacked = 0x5a6d; // the lanes that are packed, a bit each
 // What touches memory: from `numbers`, three times as many as there are lanes.
 struct MemoryResults {
     struct Record {
@@ -114,6 +115,8 @@ struct MemoryResults {
     float gathered[kMostLanes];                                  // numbers[index]
     std::int32_t gathered_bits[kMostLanes], counted[kMostLanes]; // iota(-3)
     std::uint32_t copied[kMostLanes];
+    std::uint32_t packed[3 * kMostLanes]; // ix, iy, iz of those lanes
+    int packed_count;
 };
 
 // narrow: the types of at most 8 lanes.

@@ -290,6 +290,17 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
             EXPECT_EQ(got.records[n].y, -got.iy[n]) << n;
             EXPECT_EQ(got.records[n].z, double{got.z[n]}) << n;
         }
+        int packed = 0;
+        for (int n = 0; n < width.lanes; ++n) {
+            if ((kPacked >> n & 1) == 0) continue;
+            const std::uint32_t* three = got.packed + 3 * packed++;
+            EXPECT_EQ(three[0], static_cast<std::uint32_t>(got.ix[n])) << n;
+            EXPECT_EQ(three[1], static_cast<std::uint32_t>(got.iy[n])) << n;
+            EXPECT_EQ(three[2], static_cast<std::uint32_t>(got.iz[n])) << n;
+        }
+        EXPECT_EQ(got.packed_count, packed);
+        for (int n = 3 * width.lanes; n < 3 * kMostLanes; ++n)
+            EXPECT_EQ(got.packed[n], 0U);
         EXPECT_EQ(got.records[width.lanes].x, 0);
         for (int n = width.lanes; n < kMostLanes; ++n) { // nothing beyond the register is written
             EXPECT_EQ(got.x[n], 0.0F);
