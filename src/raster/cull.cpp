@@ -196,8 +196,8 @@ SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t firs
     result.kept_count = static_cast<std::size_t>(kept - result.kept.data());
 }
 
-// Vertices lie in the order of the file; those of triangles so many registers on are asked for now.
-// One of each is enough: neighbours bring the others.
+// Vertices lie in the order of the file: those of triangles this many registers on are asked for
+// before they are needed. One of each is enough: neighbours bring the others.
 constexpr int kSoon = 2;
 SIMD_INLINE void prefetch_vertices(const ScreenVertex* vertices, const std::uint32_t* index) {
     for (int lane = 0; lane < kLanes; ++lane)

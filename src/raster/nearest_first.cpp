@@ -10,15 +10,13 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// How many there are that each is compared with: a tile has a few dozen.
-constexpr int kMost = 64;
-
 // Each goes where it belongs: behind as many as are nearer. All pairs are compared, side by side; a
 // sort of so few would spend its time on branches that nobody can foretell.
 void rank_all(const std::uint64_t* triangle, int count, std::uint64_t* out) {
-    alignas(64) std::int32_t depth[kMost];
-    for (int i = 0; i < kMost; ++i) // of floats that are not negative the bits have their order
-        depth[i] = i < count ? (static_cast<std::int32_t>(triangle[i] >> 32) & -kMost) | i : -1;
+    alignas(64) std::int32_t depth[kMostRanked];
+    for (int i = 0; i < kMostRanked; ++i) // bits of floats that are not negative have their order
+        depth[i] =
+            i < count ? (static_cast<std::int32_t>(triangle[i] >> 32) & -kMostRanked) | i : -1;
     for (int i = 0; i < count; ++i) {
         const I32 mine = depth[i];
         int nearer = 0;
@@ -40,10 +38,9 @@ DepthAndId depth_and_id(float depth, std::uint32_t id) {
 }
 
 void put_nearest_first(std::vector<DepthAndId>& triangles) {
-    constexpr std::size_t kMost = 64;
-    if (triangles.size() > kMost)
+    if (triangles.size() > kMostRanked)
         return std::sort(triangles.begin(), triangles.end(), std::greater<>());
-    std::array<DepthAndId, kMost> ranked;
+    std::array<DepthAndId, kMostRanked> ranked;
     SIMD_CALL(rank_all)(triangles.data(), static_cast<int>(triangles.size()), ranked.data());
     std::copy_n(ranked.begin(), triangles.size(), triangles.begin());
 }

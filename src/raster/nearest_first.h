@@ -14,7 +14,9 @@ inline std::uint32_t id_of(DepthAndId of) {
     return static_cast<std::uint32_t>(of);
 }
 
-// The nearest first; depths that differ by less than 2^-16 of themselves in any order.
+// The nearest first; depths that differ by less than 2^-16 of themselves in any order. A tile has a
+// few dozen: up to kMostRanked are ranked, more are sorted.
+inline constexpr int kMostRanked = 64;
 void put_nearest_first(std::vector<DepthAndId>& triangles);
 
 } // namespace scanout::raster

@@ -2,6 +2,7 @@
 // functions have up to 126 bits: a block that no edge crosses takes three of them and lanes do the
 // rest; in one that an edge crosses lanes tell the sign in double wherever it is no matter of
 // rounding, and whole numbers where it is.
+#include "base/check.h"
 #include "raster/block_walk.h"
 #include "raster/coverage.h"
 #include "raster/piece_set_up.h"
@@ -276,6 +277,7 @@ private:
 } // namespace
 
 bool draw_piece(const TilePlanes& tile, const PieceSetUp& piece) {
+    CHECK(piece.extent == extent_of(tile.pattern)); // else it would reach too few of its tiles
     return PieceWalk(tile, piece).draw();
 }
 

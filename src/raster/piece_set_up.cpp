@@ -21,10 +21,10 @@ Reach::Reach(const ExactEdges& e, const SampleExtent& extent, int side) {
     }
 }
 
-PieceSetUp::PieceSetUp(const Piece& of, const SampleExtent& extent)
-    : piece(of), edges(edges_of(of)), of_tile(edges, extent, kTileSize),
-      of_block(edges, extent, BlockWalk::kSide), least(of.vertex[0].depth), most(least),
-      box(pixel_bounds(of, kAnySize, kAnySize, extent)) {
+PieceSetUp::PieceSetUp(const Piece& of, const SampleExtent& samples)
+    : piece(of), edges(edges_of(of)), of_tile(edges, samples, kTileSize),
+      of_block(edges, samples, BlockWalk::kSide), least(of.vertex[0].depth), most(least),
+      box(pixel_bounds(of, kAnySize, kAnySize, samples)), extent(samples) {
     const double size = size_of(piece);
     for (std::size_t k = 0; k < 3; ++k) {
         share[k] = piece.vertex[k].z / size;

@@ -26,7 +26,7 @@ struct PieceSetUp {
     double terms = 0;    // what may cancel in these slopes
     double least, most;  // depth of the vertices
     image::Rect box;     // pixels that it may touch, of a picture of any size
-    // extent: of the samples of a pixel of all these tiles.
+    SampleExtent extent; // of the pattern of all these tiles
     PieceSetUp(const Piece& piece, const SampleExtent& extent);
 
     double depth_of(const double (&e)[3]) const {

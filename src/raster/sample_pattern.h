@@ -12,6 +12,7 @@ namespace scanout::raster {
 // Offset from the pixel's top left corner in 1/256 pixel, x right, y down.
 struct SampleOffset {
     std::int32_t x, y;
+    friend bool operator==(const SampleOffset&, const SampleOffset&) = default;
 };
 
 namespace detail {
@@ -37,6 +38,7 @@ inline constexpr SampleOffset kPixelCentre = detail::kOne[0];
 // The box around a pattern's samples, both ends included; of a whole pixel when nothing is known.
 struct SampleExtent {
     SampleOffset low{0, 0}, high{255, 255};
+    friend bool operator==(const SampleExtent&, const SampleExtent&) = default;
 };
 constexpr SampleExtent extent_of(std::span<const SampleOffset> pattern) {
     SampleExtent extent{{255, 255}, {0, 0}};
