@@ -108,12 +108,12 @@ SIMD_INLINE Few few_pixels(const WalkLanes& w, I32x8 left, I32x8 begin, I32x8 en
     return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
 }
 
-// By the usual rule, pixel by pixel, at most `most` each way. depth_at(edge, column, row): lanes of
-// depth, columns from few.column, rows from b.begin.
-template <Shows kShows, class DepthAt, class Drawn>
-SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const DepthAt& depth_at,
+// By the usual rule, pixel by pixel. depth_at(column, row): lanes of depth, columns from
+// few.column, rows from b.begin.
+template <Shows kShows, class DepthAt>
+SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, const DepthAt& depth_at,
                              const std::uint32_t* name, float* depth, std::uint32_t* id,
-                             Drawn& drawn) {
+                             I32& drawn) {
     I32x8 start[3], right[3], below[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -144,21 +144,19 @@ SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const De
         }
         steps = 0;
     };
-    for (int j = 0; j < most; ++j) {
+    for (int j = 0; j < kFew; ++j) {
         const MaskX8 in_row = I32x8(j) < few.down;
         if ((bits(in_row) & few.lanes) == 0) break;
         I32x8 edge[3] = {start[0], start[1], start[2]};
-        for (int i = 0; i < most; ++i) {
+        for (int i = 0; i < kFew; ++i) {
             const MaskX8 in_column = I32x8(i) < few.across;
             if ((bits(in_column) & few.lanes) == 0) break;
             const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) > I32x8(-1));
-            const std::uint32_t here = bits(inside) & few.lanes;
-            if (most <= kFew || here != 0) { // whether there are some can't be foretold, either
-                waiting |= std::uint64_t{here} << (steps * kLanesX8);
-                store(depth_at(edge, i, j), depths[steps]);
-                offset[steps] = j * kTileSize + i;
-                if (++steps == kSteps) draw_waiting();
-            }
+            // Whether there are some can't be foretold, either.
+            waiting |= std::uint64_t{bits(inside) & few.lanes} << (steps * kLanesX8);
+            store(depth_at(i, j), depths[steps]);
+            offset[steps] = j * kTileSize + i;
+            if (++steps == kSteps) draw_waiting();
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)
                 edge[k] = edge[k] + right[k];
@@ -168,7 +166,7 @@ SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, int most, const De
             start[k] = start[k] + below[k];
     }
     draw_waiting();
-    if (shows) drawn = Drawn(-1);
+    if (shows) drawn = I32(-1);
 }
 
 // The same bits as draw_rows.
@@ -180,11 +178,11 @@ SIMD_INLINE void draw_few(const Blocks& b, const Few& few, SampleOffset at,
     const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
     const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
     const I32x8 begin = load<I32x8>(b.begin);
-    const auto depth_at = [&](const I32x8(&)[3], int i, int j) SIMD_LAMBDA {
+    const auto depth_at = [&](int i, int j) SIMD_LAMBDA {
         const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
         return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
     };
-    draw_pixels<kShows>(b, few, kFew, depth_at, name, depth, id, drawn);
+    draw_pixels<kShows>(b, few, depth_at, name, depth, id, drawn);
 }
 
 // floor((E + bias) / 256), which saturates at 2^29 (BlockWalk).

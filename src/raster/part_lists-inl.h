@@ -16,16 +16,29 @@ SIMD_BEGIN(scanout::raster)
 
 using Parts = std::span<const TilePart>;
 
-// Steep parts of a list, which wait until they fill a register.
-template <int kWidth>
-class SteepParts {
+// Any part.
+template <Shows kShows>
+struct AsStrips {
+    using Tag = F32x8::Tag;
+
+    SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList&, const SetUpPartsX8& s,
+                          const TilePart*, I32x8& drawn) {
+        const std::uint32_t steep = s.live & ~s.plane.flat;
+        if (steep != 0) draw_steep_parts<kShows>(tile, s, steep, drawn);
+        draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
+    }
+    SIMD_INLINE void finish(const TilePlanes&, const TilePartList&, I32x8&) {}
+};
+
+// Steep specks of a list, which wait until they fill a register.
+class SteepSpecks {
 public:
     // Those of a register whose bit is set. draw(parts): as many as fill one.
     template <class Draw>
     SIMD_INLINE void add(const TilePart* first, std::uint32_t some, const Draw& draw) {
         for (; some != 0; some &= some - 1) {
             part_[count_++] = first[__builtin_ctz(some)];
-            if (count_ == kWidth) finish(draw);
+            if (count_ == kLanes) finish(draw);
         }
     }
     template <class Draw>
@@ -35,57 +48,23 @@ public:
     }
 
 private:
-    TilePart part_[kWidth];
+    TilePart part_[kLanes];
     int count_ = 0;
-};
-
-// A register of them at most.
-template <class D>
-SIMD_INLINE void set_up_some(const TilePlanes& tile, const TilePartList& of, Parts some,
-                             SetUpParts<D>& out) {
-    const TilePartList list{of.vertices, of.index, some, of.kind, of.id};
-    PartCorners<D> corner;
-    read_corners(list, 0, corner);
-    set_up_parts(tile, list, some.data(), static_cast<int>(some.size()), corner, out);
-}
-
-// Any part.
-template <Shows kShows>
-struct AsStrips {
-    using Tag = F32x8::Tag;
-    SteepParts<kLanesX8> steep;
-
-    static HWY_NOINLINE void draw_steep(const TilePlanes& tile, const TilePartList& list,
-                                        Parts some, I32x8& drawn) {
-        SetUpPartsX8 s;
-        set_up_some(tile, list, some, s);
-        draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, s.live, drawn);
-    }
-    SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList& list, const SetUpPartsX8& s,
-                          const TilePart* first, I32x8& drawn) {
-        const std::uint32_t some = s.live & ~s.plane.flat;
-        if (__builtin_popcount(some) >= kLanesX8 / 2)
-            draw_steep_samples<kShows>(tile, s.part, s.edges, s.plane.share, some, drawn);
-        else
-            steep.add(first, some,
-                      [&](Parts parts) SIMD_LAMBDA { draw_steep(tile, list, parts, drawn); });
-        draw_flat_parts<kShows>(tile, s, s.live & s.plane.flat, drawn);
-    }
-    SIMD_INLINE void finish(const TilePlanes& tile, const TilePartList& list, I32x8& drawn) {
-        steep.finish([&](Parts parts) SIMD_LAMBDA { draw_steep(tile, list, parts, drawn); });
-    }
 };
 
 template <Shows kShows, PartKind kKind>
 struct AsSpecks {
     using Tag = F32::Tag;
     SpeckBatch<speck_side(kKind)> batch;
-    SteepParts<kLanes> steep;
+    SteepSpecks steep;
 
     HWY_NOINLINE void add_steep(const TilePlanes& tile, const TilePartList& list, Parts some,
                                 I32x8& drawn) {
+        const TilePartList of{list.vertices, list.index, some, list.kind, list.id};
+        PartCorners<Tag> corner;
         SetUpParts<Tag> s;
-        set_up_some(tile, list, some, s);
+        read_corners(of, 0, corner);
+        set_up_parts(tile, of, some.data(), static_cast<int>(some.size()), corner, s);
         add_specks<SteepSpeckDepths, kShows>(tile, s, s.live, batch, drawn);
     }
     SIMD_INLINE void draw(const TilePlanes& tile, const TilePartList& list,

@@ -1,6 +1,6 @@
-// Parts of small triangles of any size, a register of them set up at a time and drawn one by one:
-// flat ones as strips as wide as a block, steep ones sample by sample. Included once for every SIMD
-// target.
+// Parts of small triangles of any size, a register of them set up at a time and drawn one by one,
+// as strips as wide as a block: of flat ones depth is in float, of steep ones in double. Included
+// once for every SIMD target.
 #if defined(SCANOUT_RASTER_STRIPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_STRIPS_INL_H
 #undef SCANOUT_RASTER_STRIPS_INL_H
@@ -17,46 +17,100 @@ using PartLanesX8 = PartLanes<F32x8::Tag>;
 using PartEdgesX8 = PartEdges<F32x8::Tag>;
 using SetUpPartsX8 = SetUpParts<F32x8::Tag>;
 
-// For rows from `begin` on.
-SIMD_INLINE void set_up_samples(const PartEdgesX8& e, const I32x8 (&corner)[3], SampleOffset at,
-                                I32x8 begin, Blocks& out) {
-    I32x8 first[3];
-    edges_at(e, corner, at, first);
+constexpr std::size_t kMostSamples = std::size(detail::kSixteen); // of a pixel
+constexpr int kAcross = BlockWalk::kSide / kLanesX8;              // registers, of a row of a strip
+
+// The edges of parts at the samples of their pixels (column, row), from the first block's corner.
+SIMD_INLINE void set_up_strip_edges(const TilePlanes& tile, const PartEdgesX8& edges, I32x8 column,
+                                    I32x8 row, std::int32_t (&first)[kMostSamples][3][kLanesX8]) {
+    I32x8 corner[3];
+    edges_at_pixel(edges, column, row, corner);
+    for (std::size_t n = 0; n < tile.pattern.size(); ++n) {
+        I32x8 at[3];
+        edges_at(edges, corner, tile.pattern.data()[n], at);
+        SIMD_UNROLL
+        for (int k = 0; k < 3; ++k)
+            store(at[k], first[n][k]);
+    }
+}
+
+// Steep parts, one a lane.
+struct SteepStrips {
+    std::int32_t across[kLanesX8], down[kLanesX8], place[kLanesX8]; // pixels
+    std::int32_t per_x[3][kLanesX8], per_y[3][kLanesX8], bias[3][kLanesX8];
+    double share[3][kLanesX8];
+    std::int32_t first[kMostSamples][3][kLanesX8]; // the edges at the first pixel's samples
+};
+
+// Row by row, a strip after the other. Depth by the edge functions at every sample, in double
+// (coverage.h).
+template <Shows kShows>
+SIMD_INLINE void draw_steep_strips(const TilePlanes& tile, const SteepStrips& s, int lane,
+                                   std::uint32_t name, I32x8& drawn) {
+    F64x8 share[3], down_wide[3];
+    I32x8 down[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const I32x8 per_y = shift_left<kSubpixelBits>(e.b[k]);
-        store(first[k] + per_y * begin, out.first[k]);
-        store(shift_left<kSubpixelBits>(e.a[k]), out.per_x[k]);
-        store(per_y, out.per_y[k]);
+        share[k] = s.share[k][lane];
+        down[k] = s.per_y[k][lane];
+        down_wide[k] = static_cast<double>(s.per_y[k][lane]);
     }
+    const int across = s.across[lane], rows = s.down[lane];
+    I32x8 shows = 0;
+    std::ptrdiff_t first = s.place[lane]; // pixel of the plane
+    for (std::size_t n = 0; n < tile.pattern.size();
+         ++n, first += std::ptrdiff_t{kTileSize} * kTileSize)
+        for (int column = 0; column < across; column += kLanesX8) {
+            const I32x8 number = iota<I32x8>(column);
+            I32x8 edge[3];
+            F64x8 exact[3]; // the same without the bias
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k) {
+                edge[k] = I32x8(s.first[n][k][lane]) + I32x8(s.per_x[k][lane]) * number;
+                exact[k] = to_f64(edge[k] - I32x8(s.bias[k][lane]));
+            }
+            const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
+            edge[0] = select(number < I32x8(across), edge[0], outside);
+            float* depth = tile.depth + first + column;
+            std::uint32_t* id = id_after<kShows>(tile.id, first + column);
+            for (int row = 0; row < rows;
+                 ++row, depth += kTileSize, id = id_after<kShows>(id, kTileSize)) {
+                const MaskX8 inside = (edge[0] | edge[1] | edge[2]) > I32x8(-1);
+                show_samples<kShows>({}, inside, to_f32(depth_of(exact, share)), name, depth, id,
+                                     shows);
+                SIMD_UNROLL
+                for (int k = 0; k < 3; ++k) {
+                    edge[k] = edge[k] + down[k];
+                    exact[k] = exact[k] + down_wide[k];
+                }
+            }
+        }
+    drawn = drawn | shows;
 }
 
-// Depth by the edge functions at every sample, in double (coverage.h).
+// live: of the lanes.
 template <Shows kShows>
-SIMD_INLINE void draw_steep_samples(const TilePlanes& tile, const PartLanesX8& part,
-                                    const PartEdgesX8& edges, const F64x8 (&share)[3],
-                                    std::uint32_t live, I32x8& drawn) {
-    Blocks b;
-    const I32x8 row = part.y0 - part.top;
-    store(row, b.begin);
-    store(part.top * I32x8(kTileSize) + part.left, b.place);
-    std::ptrdiff_t plane = 0;
-    const Few all{live, part.x0 - part.left, part.x1 - part.x0, part.y1 - part.y0};
-    for (const SampleOffset* at = tile.pattern.data();
-         at != tile.pattern.data() + tile.pattern.size();
-         ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
-        set_up_samples(edges, edges.c, *at, row, b);
-        const auto depth = [&](const I32x8(&edge)[3], int, int) SIMD_LAMBDA {
-            const I32x8 true_edge[3] = {edge[0] - edges.bias[0], edge[1] - edges.bias[1],
-                                        edge[2] - edges.bias[2]};
-            return to_f32(depth_of(true_edge, share));
-        };
-        draw_pixels<kShows>(b, all, kSmallSide + 1, depth, part.name, tile.depth + plane,
-                            id_after<kShows>(tile.id, plane), drawn);
+HWY_NOINLINE void draw_steep_parts(const TilePlanes& tile, const SetUpPartsX8& s,
+                                   std::uint32_t live, I32x8& drawn) {
+    const PartLanesX8& part = s.part;
+    SteepStrips strips;
+    store(part.x1 - part.x0, strips.across);
+    store(part.y1 - part.y0, strips.down);
+    store(part.y0 * I32x8(kTileSize) + part.x0, strips.place);
+    SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        store(shift_left<kSubpixelBits>(s.edges.a[k]), strips.per_x[k]);
+        store(shift_left<kSubpixelBits>(s.edges.b[k]), strips.per_y[k]);
+        store(s.edges.bias[k], strips.bias[k]);
+        store(s.plane.share[k], strips.share[k]);
+    }
+    set_up_strip_edges(tile, s.edges, part.x0 - part.left, part.y0 - part.top, strips.first);
+    for (; live != 0; live &= live - 1) {
+        const int lane = __builtin_ctz(live);
+        draw_steep_strips<kShows>(tile, strips, lane, part.name[lane], drawn);
     }
 }
 
-constexpr std::size_t kMostSamples = std::size(detail::kSixteen); // of a pixel
 // Each way at most as many blocks hold a part.
 constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
 
@@ -70,8 +124,6 @@ struct Strips {
     float rest[kMostBlocks][2][kLanesX8];          // across (Blocks)
     std::int32_t first[kMostSamples][3][kLanesX8]; // the edges at the first pixel's samples
 };
-
-constexpr int kAcross = BlockWalk::kSide / kLanesX8; // registers, of a row
 
 // The blocks' depths. Returns the lanes of which something may be seen.
 SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX8& s, I32x8 x0,
@@ -203,20 +255,12 @@ SIMD_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x
     store(x0 & I32x8(kSide - 1), strips.column);
     store(part.y0 - part.top, strips.row);
     store(part.y0 * I32x8(kTileSize) + x0, b.place);
-    I32x8 first[3];
-    edges_at_pixel(s.edges, x0 - part.left, part.y0 - part.top, first);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         store(shift_left<kSubpixelBits>(s.edges.a[k]), b.per_x[k]);
         store(shift_left<kSubpixelBits>(s.edges.b[k]), b.per_y[k]);
     }
-    for (std::size_t n = 0; n < tile.pattern.size(); ++n) {
-        I32x8 at[3];
-        edges_at(s.edges, first, tile.pattern.data()[n], at);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
-            store(at[k], strips.first[n][k]);
-    }
+    set_up_strip_edges(tile, s.edges, x0 - part.left, part.y0 - part.top, strips.first);
     for (std::uint32_t rest = seen; rest != 0; rest &= rest - 1) {
         const int lane = __builtin_ctz(rest);
         draw_strip<kShows>(tile, b, strips, lane, part.name[lane], drawn);
