@@ -19,13 +19,16 @@ SIMD_BEGIN(scanout::raster)
 // A vertex relative to the corner of the first block: x + 2^16 y, both below 2^14, and its depth.
 template <class D>
 struct NearCorner {
-    Double<D> place, depth;
+    Int<D> place;
+    Double<D> depth;
 };
 
 template <class D>
 SIMD_INLINE void sort_two(NearCorner<D>& a, NearCorner<D>& b) {
-    const auto turn = b.place < a.place;
-    exchange(turn, a.place, b.place);
+    const auto turn = to_f64(b.place < a.place);
+    const Int<D> first = minimum(a.place, b.place);
+    b.place = maximum(a.place, b.place);
+    a.place = first;
     exchange(turn, a.depth, b.depth);
 }
 
@@ -100,7 +103,7 @@ SIMD_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, co
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         const auto v = screen_lanes<D>(list.vertices.data(), corner.at[k]);
-        out.vertex[k].place = to_f64(shift_left<16>(v.y - corner_y) + (v.x - corner_x));
+        out.vertex[k].place = shift_left<16>(v.y - corner_y) + (v.x - corner_x);
         out.vertex[k].depth = v.last;
     }
 }
@@ -120,7 +123,7 @@ SIMD_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
     N x[3], y[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
-        const N place = to_i32(part.vertex[k].place);
+        const N place = part.vertex[k].place;
         y[k] = shift_right<16>(place + N(1 << 15));
         x[k] = place - shift_left<16>(y[k]);
     }

@@ -51,9 +51,10 @@ SIMD_INLINE bool all(Mask<D> m) {
 // Bit i is lane i.
 template <class D>
 SIMD_INLINE std::uint32_t bits(Mask<D> m) {
-    std::uint8_t byte[8] = {};
-    hn::StoreMaskBits(D(), m.raw, byte);
-    return byte[0] | static_cast<std::uint32_t>(byte[1]) << 8;
+    static_assert(std::endian::native == std::endian::little);
+    std::uint32_t word = 0; // at least eight bits are written
+    hn::StoreMaskBits(D(), m.raw, reinterpret_cast<std::uint8_t*>(&word));
+    return word;
 }
 
 // --- float
@@ -194,6 +195,27 @@ template <class D>
 SIMD_INLINE Int<D> to_i32(Double<D> a) {
     return Int<D>(a.demoted(typename Int<D>::Tag()));
 }
+// The same lanes.
+template <class D>
+SIMD_INLINE typename Double<D>::DoubleMask to_f64(Mask<D> m) {
+    using Of = typename Double<D>::DoubleMask;
+#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
+    if constexpr (hn::MaxLanes(typename Double<D>::Tag()) == hn::MaxLanes(D()))
+        return Of{{m.raw.raw}};
+    else
+        return Of{{static_cast<__mmask8>(m.raw.raw)}, {static_cast<__mmask8>(m.raw.raw >> 8)}};
+#else
+    const hn::RebindToSigned<D> narrow;
+    const hn::RebindToSigned<typename Double<D>::Tag> wide;
+    const auto half = [&](auto lanes) SIMD_LAMBDA {
+        const auto promoted = hn::PromoteTo(wide, lanes);
+        return hn::RebindMask(typename Double<D>::Tag(), hn::MaskFromVec(promoted));
+    };
+    const auto lanes = hn::VecFromMask(narrow, hn::RebindMask(narrow, m.raw));
+    const hn::Half<decltype(narrow)> of_half;
+    return Of{half(hn::LowerHalf(of_half, lanes)), half(hn::UpperHalf(of_half, lanes))};
+#endif
+}
 // Exact.
 template <class D>
 SIMD_INLINE Double<D> to_f64(Float<D> a) {
@@ -324,6 +346,14 @@ SIMD_INLINE int store_packed(std::uint32_t lanes, Int<D> x, Int<D> y, Int<D> z, 
                             SIMD_LAMBDA { return hn::Compress(hn::BitCast(u, a.raw), mask); };
     hn::StoreInterleaved3(packed(x), packed(y), packed(z), u, to);
     return __builtin_popcount(lanes);
+}
+// Of those lanes x alone, likewise.
+template <class D>
+SIMD_INLINE std::uint32_t store_packed(Mask<D> lanes, Int<D> x, std::int32_t* to) {
+    const typename Int<D>::Tag tag;
+    const auto mask = hn::RebindMask(tag, lanes.raw);
+    hn::StoreU(hn::Compress(x.raw, mask), tag, to);
+    return static_cast<std::uint32_t>(hn::CountTrue(tag, mask));
 }
 // Of every lane in order x, y and z: 16 bytes, each word as it stands in memory.
 template <class D>

@@ -48,6 +48,8 @@ SIMD_INLINE void memory(const float* numbers, const std::int32_t* index, MemoryR
     store(iz, out.iz);
     out.packed_count =
         store_packed(kPacked & ((2U << (I::kLanes - 1)) - 1), ix, iy, iz, out.packed);
+    out.packed_alone_count =
+        store_packed(x < gather(numbers, load<I>(index)), ix, out.packed_alone);
     store(gather(numbers, load<I>(index)), out.gathered);
     store(gather(reinterpret_cast<const std::int32_t*>(numbers), load<I>(index)),
           out.gathered_bits);

@@ -58,6 +58,8 @@
     X(select(p == q, p, q))                                                                        \
     X(select((!(p < q)) & (q <= p), p, q))                                                         \
     X(select((p < q) | (q == q), p, q))                                                            \
+    X(select(to_f64(i < j), p, q))                                                                 \
+    X(select(to_f64(a < b), p, q))                                                                 \
     X(to_f64(a))                                                                                   \
     X(to_f64(i))                                                                                   \
     X(p* q + q)
@@ -117,6 +119,8 @@ struct MemoryResults {
     std::uint32_t copied[kMostLanes];
     std::uint32_t packed[3 * kMostLanes]; // ix, iy, iz of those lanes
     int packed_count;
+    std::int32_t packed_alone[2 * kMostLanes]; // ix of those of which x < numbers[index]
+    std::uint32_t packed_alone_count;
 };
 
 // narrow: the types of at most 8 lanes.

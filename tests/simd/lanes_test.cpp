@@ -92,6 +92,9 @@ double to_f64(Whole a) {
 double to_f64(float a) {
     return a;
 }
+bool to_f64(bool mask) {
+    return mask;
+}
 Whole to_i32(float a) {
     return {static_cast<std::int32_t>(a)};
 }
@@ -301,6 +304,15 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
         EXPECT_EQ(got.packed_count, packed);
         for (int n = 3 * width.lanes; n < 3 * kMostLanes; ++n)
             EXPECT_EQ(got.packed[n], 0U);
+        std::uint32_t alone = 0;
+        for (int n = 0; n < width.lanes; ++n)
+            if (got.x[n] < got.gathered[n]) {
+                EXPECT_EQ(got.packed_alone[alone++], got.ix[n]) << n;
+            }
+        EXPECT_EQ(got.packed_alone_count, alone);
+        EXPECT_GT(alone, 0U);
+        for (int n = width.lanes; n < 2 * kMostLanes; ++n)
+            EXPECT_EQ(got.packed_alone[n], 0);
         EXPECT_EQ(got.records[width.lanes].x, 0);
         for (int n = width.lanes; n < kMostLanes; ++n) { // nothing beyond the register is written
             EXPECT_EQ(got.x[n], 0.0F);
