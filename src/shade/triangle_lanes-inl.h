@@ -61,15 +61,21 @@ SIMD_INLINE Turns<D> put_in_order(Vertices<D> (&v)[3]) {
 // Of a register of triangles, in the order of the file. In memory, whence they are read one by one.
 template <class D>
 SIMD_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, int at) {
-    for (int lane = at; lane < at + static_cast<int>(Int<D>::kLanes); ++lane) {
-        const std::uint32_t* index = vertices_of(source, out.id[lane]);
+    const int end = at + static_cast<int>(Int<D>::kLanes);
+    const TriangleSource s = source; // no store writes to it
+    for (int lane = at; lane < end; ++lane) {
+        const std::uint32_t* index = vertices_of(s, out.id[lane]);
+        SIMD_UNROLL
         for (int k = 0; k < 3; ++k)
             out.corner[k][lane] = index[k];
-        if (!source.wants_position()) continue;
-        for (int k = 0; k < 3; ++k) {
-            __builtin_prefetch(source.position + std::size_t{index[k]} * 3);
-            if (source.wanted.normal) __builtin_prefetch(source.normal + std::size_t{index[k]} * 3);
-        }
+    }
+    if (!s.wants_position()) return;
+    for (int lane = at; lane < end; ++lane)
+        SIMD_UNROLL
+    for (int k = 0; k < 3; ++k) {
+        const std::size_t place = std::size_t{out.corner[k][lane]} * 3;
+        __builtin_prefetch(s.position + place);
+        if (s.wanted.normal) __builtin_prefetch(s.normal + place);
     }
 }
 // Into the order that their vertices have been put in: cheaper than to turn all that they carry.
@@ -213,7 +219,9 @@ SIMD_INLINE void put_positions(const TriangleSource& s, const MeshPlaces<D>& pla
 
 // On the side that they light.
 template <class D>
-SIMD_INLINE void put_normals(Attribute<D, 3> normal, LaneTriangles& out, int lane) {
+SIMD_INLINE void put_normals(const TriangleSource& s, Attribute<D, 3> normal, LaneTriangles& out,
+                             int lane) {
+    if (s.sides != Sides::face) return put(normal, out.normal, lane); // all sides are 1
     const Float<D> side = load<Float<D>>(out.side + lane);
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
@@ -299,7 +307,7 @@ SIMD_INLINE void put_attributes(const TriangleSource& s, LaneTriangles& out, int
             put_facing(place, load<Int<D>>(out.turned + at) == Int<D>(1), out, at);
         if (s.wanted.position) put_positions(s, place, out, at);
     }
-    if (s.wanted.normal) put_normals(fetch<D, 3>(s.normal, out, at), out, at);
+    if (s.wanted.normal) put_normals(s, fetch<D, 3>(s.normal, out, at), out, at);
     if (s.wanted.colour) put(fetch<D, 3>(s.colour, out, at), out.colour, at);
     if (s.wanted.uv) put(fetch<D, 2>(s.uv, out, at), out.uv, at);
 }
