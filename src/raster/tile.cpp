@@ -31,7 +31,8 @@ void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRu
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
-    touched_ = false;
+    touched_ = others_ = false;
+    parts_.clear();
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
     fill_bytes(depth_, size + kRegisterRoom, 0);
     static_assert(kNoPrimitive == ~std::uint32_t{0});
@@ -55,6 +56,7 @@ bool VisibilityTile::draw(const Triangle& t) {
 
 bool VisibilityTile::draw(const TriangleList& triangles) {
     check_lanes(triangles);
+    others_ = true;
     const bool shows = draw_triangles(planes(), triangles);
     touched_ |= shows;
     return shows;
@@ -72,6 +74,7 @@ bool VisibilityTile::draw(const TilePartList& parts) {
     }
     if (!hides) to.farthest = nullptr;
     const bool shows = draw_parts(to, parts);
+    if (shows) parts_.push_back(parts);
     touched_ |= shows;
     return shows;
 }
@@ -79,6 +82,7 @@ bool VisibilityTile::draw(const TilePartList& parts) {
 bool VisibilityTile::draw_behind(const TilePartList& parts) {
     check_lanes(parts);
     const bool shows = draw_parts_behind(planes(), parts, seen_);
+    others_ |= shows; // in few tiles: looking for all of them there would not pay
     touched_ |= shows;
     return shows;
 }
@@ -108,6 +112,7 @@ bool VisibilityTile::draw(const Piece& piece) {
 
 bool VisibilityTile::draw(const PieceSetUp& piece) {
     check_lanes(piece.piece);
+    others_ = true;
     const bool shows = draw_piece(planes(), piece);
     touched_ |= shows;
     return shows;
@@ -117,6 +122,7 @@ void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels)
     CHECK(from.keeps_ids() || !keeps_ids());
     const image::Rect r = inside(pixels);
     farthest_.fill(0);
+    others_ = true;
     for (int sample = 0; sample < samples_; ++sample) {
         for (int y = r.y0; y < r.y1; ++y) {
             const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));

@@ -39,6 +39,9 @@ public:
         return touched_ && raster::hides(planes(), pixels, nearest);
     }
     LateParts& late_parts() { return late_parts_; }
+    // Lists of parts that hold all that shows, while what they list is there; null where something
+    // else may show. Of those that were drawn behind them none shows then.
+    const std::vector<TilePartList>* parts_alone() const { return others_ ? nullptr : &parts_; }
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
     bool draw(const PieceSetUp& piece);
@@ -97,6 +100,7 @@ private:
     // Shows the primitive at one sample if it is the nearest there.
     void put(std::size_t sample, float depth, std::uint32_t id) {
         const bool ids = keeps_ids();
+        others_ = true;
         if (!rule_.shows(depth, id, depth_[sample], ids ? id_[sample] : 0)) return;
         depth_[sample] = depth;
         if (ids) id_[sample] = id;
@@ -122,6 +126,8 @@ private:
     VisibleRule rule_;
     Keeps keeps_ = Keeps::depth_and_id;
     bool touched_ = false;
+    bool others_ = false; // something may show that is not in parts_
+    std::vector<TilePartList> parts_;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
     std::array<float, (kTileSize / 8) * (kTileSize / 8)> farthest_{}; // TilePlanes

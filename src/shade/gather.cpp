@@ -159,8 +159,18 @@ static std::uint64_t columns_of(const image::Rect& part) {
     return before(part.x1) & ~before(part.x0);
 }
 
+// Where nothing but parts of small triangles shows, each pixel whole.
+bool Gatherer::collect_parts(const raster::VisibilityTile& tile, const GatherInput& in) {
+    const std::vector<raster::TilePartList>* parts = tile.parts_alone();
+    return parts != nullptr && tile.samples() == 1 && all_whole_ && in.looks.only_material &&
+           own_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
+                                   area_.width() * area_.height());
+}
+
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
                        const BlendedPixels* blended) {
+    by_rows_ = false;
+    if (blended == nullptr && collect_parts(tile, in)) return;
     const image::Rect& whole = blended != nullptr ? blended->part : area_;
     const image::Rect part = {whole.x0 - area_.x0, whole.y0 - area_.y0, whole.x1 - area_.x0,
                               whole.y1 - area_.y0};

@@ -34,6 +34,71 @@ void put_spans(const SpanTable& table, std::uint32_t* place, std::int32_t* pixel
     }
 }
 
+// The pixels of a part, row by row, are those that show its id: all else that is read with them,
+// rows above, columns behind and what a register takes from the next row, shows others. Returns
+// where they end.
+SIMD_INLINE std::int32_t* put_part(const std::uint32_t* ids, const image::Rect& box,
+                                   std::uint32_t id, std::int32_t* to) {
+    using raster::kTileSize;
+    constexpr int kRows = 8, kHalf = kLanes / 2; // most parts have no more rows: no loop ends there
+    const I32 wanted = static_cast<std::int32_t>(id);
+    const int first = box.y0 < kTileSize - kRows ? box.y0 : kTileSize - kRows;
+    const auto put = [&](I32 here, I32 pixels)
+                         SIMD_LAMBDA { to += store_packed(here == wanted, pixels, to); };
+    if (box.x1 - box.x0 <= kHalf && box.y1 - first <= kRows) { // two rows a register
+        const int corner = first * kTileSize + box.x0;
+        const I32 lane = iota<I32>(0);
+        I32 pixels = lane + select(lane < I32(kHalf), I32(corner), I32(corner + kTileSize - kHalf));
+        SIMD_UNROLL
+        for (int row = 0; row < kRows; row += 2) {
+            const std::uint32_t* const from = ids + corner + row * kTileSize;
+            put(load_halves<I32>(from, from + kTileSize), pixels);
+            pixels = pixels + I32(2 * kTileSize);
+        }
+        return to;
+    }
+    for (int x = box.x0; x < box.x1; x += kLanes) {
+        const int corner = first * kTileSize + x;
+        I32 pixels = iota<I32>(corner);
+        const auto put_row = [&](int row) SIMD_LAMBDA {
+            put(load<I32>(ids + corner + row * kTileSize), pixels);
+            pixels = pixels + I32(kTileSize);
+        };
+        SIMD_UNROLL
+        for (int row = 0; row < kRows; ++row)
+            put_row(row);
+        for (int row = kRows; row < box.y1 - first; ++row)
+            put_row(row);
+    }
+    return to;
+}
+
+void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, PixelsOfParts& out) {
+    PixelsOfParts o = out; // no store writes to it
+    for (const raster::TilePart& part : list.parts) {
+        const std::uint32_t id = list.id_of(part);
+        const auto count = static_cast<int>(put_part(ids, part.box(), id, o.pixel) - o.pixel);
+        if (count > TilePixels::kMost) {
+            for (int k = 0; k < count; k += kLanes)
+                store(load<I32>(o.pixel + k), o.of_groups + k);
+            o.of_groups += count;
+            *o.group++ = {id, static_cast<std::uint32_t>(count)};
+            continue;
+        }
+        const I32 number = static_cast<std::int32_t>(o.triangles);
+        for (int k = 0; k < TilePixels::kMost; k += kLanes) // those beyond are the next part's
+            store(number, o.triangle + k);
+        o.pixel += count;
+        o.triangle += count;
+        o.id[o.triangles] = id;
+        o.triangles += count > 0 ? 1 : 0;
+    }
+    out = o;
+}
+bool packs_lanes() {
+    return kPacksLanes;
+}
+
 SIMD_END
 
 #if SIMD_ONCE
@@ -50,6 +115,8 @@ namespace scanout::shade {
 
 SIMD_REGISTER(find_spans);
 SIMD_REGISTER(put_spans);
+SIMD_REGISTER(find_parts);
+SIMD_REGISTER(packs_lanes);
 
 void SpanTable::clear() {
     std::fill(std::begin(slot), std::end(slot), Slot{raster::kNoPrimitive, 0});
@@ -59,15 +126,15 @@ void SpanTable::clear() {
 
 TilePixels::TilePixels()
     : table_(std::make_unique<SpanTable>()), place_(SpanTable::kPixels),
-      pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(SpanTable::kPixels) {
+      pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(SpanTable::kPixels + 1) {
+    table_->clear();
     order_.reserve(SpanTable::kPixels);
     groups_.reserve(SpanTable::kPixels);
     parts_.reserve(SpanTable::kSlots);
-    clear();
 }
 
 void TilePixels::clear() {
-    table_->clear();
+    if (table_->spans > 0) table_->clear();
     groups_.clear();
     parts_.clear();
     size_ = triangles_ = 0;
@@ -95,6 +162,39 @@ void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, i
     parts_.back().end = size_ = size;
 }
 
+// Looking for a part takes about as long as sorting seven pixels that have no more than two or
+// three others of their triangle beside them.
+static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pixels) {
+    std::size_t parts = 0, specks = 0;
+    for (const raster::TilePartList& list : lists) {
+        parts += list.parts.size();
+        if (list.kind != raster::PartKind::strip) specks += list.parts.size();
+    }
+    return parts * 7 <= pixels && specks * 4 <= parts;
+}
+
+bool TilePixels::take_parts(std::int32_t material, std::span<const raster::TilePartList> lists,
+                            const std::uint32_t* ids, int pixels) {
+    if (!SIMD_CALL(packs_lanes)() || !are_few(lists, static_cast<std::size_t>(pixels)))
+        return false;
+    CHECK_EQ(size_ + table_->spans, std::size_t{0});
+    large_.resize(SpanTable::kPixels);
+    of_large_.resize(pixel_.size());
+    PixelsOfParts found{pixel_.data(),    triangle_.data(), id_.data(), 0,
+                        of_large_.data(), large_.data()};
+    for (const raster::TilePartList& list : lists)
+        SIMD_CALL(find_parts)(list, ids, found);
+    triangles_ = found.triangles;
+    size_ = static_cast<std::size_t>(found.pixel - pixel_.data());
+    if (size_ > 0) parts_.push_back({material, 0, size_});
+    for (const SpanTable::Group* group = large_.data(); group != found.group; ++group)
+        groups_.push_back({group->id, {material, true}, 0, group->pixels});
+    std::copy(of_large_.data(), found.of_groups, pixel_.data() + size_);
+    size_ += static_cast<std::size_t>(found.of_groups - of_large_.data());
+    CHECK_LE(size_, SpanTable::kPixels); // each pixel once
+    return true;
+}
+
 // Groups of the table; those that look alike stand together.
 void TilePixels::find_order(const Looks& looks) {
     order_.clear();
@@ -112,6 +212,7 @@ void TilePixels::find_order(const Looks& looks) {
 }
 
 void TilePixels::put_pixels() {
+    if (table_->groups == 0) return; // those of take_parts() have their pixels
     CHECK_LE(table_->spans, std::uint32_t{SpanTable::kPixels}); // each pixel once
     for (const Group& group : groups_) {
         place_[group.in_table] = static_cast<std::uint32_t>(size_);

@@ -1,10 +1,12 @@
 // The pixels of a tile that one primitive fills alone, by primitive: each is set up once, and its
 // pixels fill registers of lanes whatever rows they lie in. Sorted by counting: a pass over the
 // tile finds spans of a row and how many pixels each primitive has, a second one puts the spans'
-// pixels where they belong.
+// pixels where they belong. Where a tile shows few parts of small triangles and nothing else, each
+// part's pixels are looked for instead.
 #pragma once
 
 #include "raster/coverage.h"
+#include "raster/small_triangles.h"
 #include "shade/looks.h"
 #include "shade/tile_runs.h"
 
@@ -71,6 +73,15 @@ struct SpanTable {
     }
 };
 
+// Where TilePixels::take_parts() puts what it finds next.
+struct PixelsOfParts {
+    std::int32_t *pixel, *triangle; // of parts with few pixels, and these parts by number
+    std::uint32_t* id;              // of these parts, by that
+    std::uint32_t triangles;
+    std::int32_t* of_groups; // pixels of the others
+    SpanTable::Group* group;
+};
+
 class TilePixels {
 public:
     static constexpr int kMost = 24; // of a triangle: more are cheaper in registers of their own
@@ -86,6 +97,13 @@ public:
     // triangle of their own: a part, as they come. add() may not go with it.
     void add_scattered(std::int32_t material, const std::uint32_t* id, int first,
                        std::uint64_t pixels);
+
+    // All pixels of a tile that has one sample a pixel, so many pixels, and shows nothing but these
+    // parts, whose lanes may all set up their triangles. They need no sorting: each part's are
+    // found by its id. Nothing else is added before or after it. Returns false, and does nothing,
+    // where sorting takes less time.
+    bool take_parts(std::int32_t material, std::span<const raster::TilePartList> lists,
+                    const std::uint32_t* ids, int pixels);
 
     // Sorts what was added. own_lanes(id): may lanes set up this triangle, each for itself? Then
     // its pixels, if they are few, are in a part; else it has a group.
@@ -156,6 +174,9 @@ private:
     std::size_t size_ = 0, triangles_ = 0;
     std::vector<std::int32_t> pixel_, triangle_;
     std::vector<std::uint32_t> id_;
+    // Of take_parts(): what becomes groups, and its pixels.
+    std::vector<SpanTable::Group> large_;
+    std::vector<std::int32_t> of_large_;
 };
 
 } // namespace scanout::shade

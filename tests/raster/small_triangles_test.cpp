@@ -271,6 +271,54 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
     });
 }
 
+TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
+    Random random(79);
+    const Corner corner{64, 128};
+    const Soup some = soup(random, 300, corner, 64, 0.25), behind = soup(random, 300, corner);
+    const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
+    const std::vector<TilePart> parts = parts_of(some, area, 1), others = parts_of(behind, area, 1);
+    const TilePartList list{some.vertices, some.index, parts};
+    const std::vector<std::uint32_t> name = {0};
+    VisibilityTile tile;
+    const auto begin = [&] {
+        tile.reset(area, 1);
+        EXPECT_TRUE(tile.draw(list));
+        ASSERT_NE(tile.parts_alone(), nullptr);
+        ASSERT_EQ(tile.parts_alone()->size(), 1U);
+        EXPECT_EQ(tile.parts_alone()->front().parts.data(), parts.data());
+    };
+    begin();
+    EXPECT_FALSE(tile.draw(list)); // nothing shows that is not there
+    EXPECT_EQ(tile.parts_alone()->size(), 1U);
+    tile.find_farthest();
+    EXPECT_TRUE(tile.draw_behind(TilePartList{behind.vertices, behind.index, others}));
+    EXPECT_EQ(tile.parts_alone(), nullptr);
+
+    begin();
+    tile.find_farthest();
+    EXPECT_FALSE(tile.draw_behind(list));
+    EXPECT_NE(tile.parts_alone(), nullptr);
+    tile.draw(TriangleList{behind.vertices, behind.index, name, name});
+    EXPECT_EQ(tile.parts_alone(), nullptr);
+
+    begin();
+    tile.draw(area.x0, area.y0, 0, 0.9F, 7);
+    EXPECT_EQ(tile.parts_alone(), nullptr);
+
+    begin();
+    VisibilityTile from;
+    from.reset(area, 1);
+    tile.take(from, area);
+    EXPECT_EQ(tile.parts_alone(), nullptr);
+
+    begin();
+    const std::array v = some.corners(2);
+    for (const Piece& piece :
+         split(std::array{point_on_screen(v[0]), point_on_screen(v[1]), point_on_screen(v[2])}, 0))
+        tile.draw(piece);
+    EXPECT_EQ(tile.parts_alone(), nullptr);
+}
+
 TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(72);

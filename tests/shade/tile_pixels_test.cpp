@@ -1,13 +1,18 @@
 // Pixels of a tile by the primitive that fills them: each comes back once, under its primitive's
 // name, however many names share a slot of the table.
 #include "raster/coverage.h"
+#include "raster/small_triangles.h"
 #include "shade/tile_pixels.h"
 #include "support/random.h"
+#include "support/targets.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <functional>
 #include <set>
+#include <span>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -193,6 +198,84 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
         expect_names();
         EXPECT_EQ(seen, expected);
     }
+}
+
+// Parts of at most kSmallSide pixels from vertex to vertex, anywhere in the tile: each shows any of
+// its pixels, unless one that comes later does.
+class PixelsOfParts : public PixelsOfATile {
+protected:
+    std::vector<raster::TilePart> parts;
+    std::vector<std::uint32_t> id; // of the parts' places
+    void draw(int count) {
+        parts.clear();
+        id.clear();
+        std::fill(name_of.begin(), name_of.end(), raster::kNoPrimitive);
+        for (int i = 0; i < count; ++i) {
+            id.push_back(static_cast<std::uint32_t>(i) * 7919);
+            const auto side = [&] {
+                return random.whole(1, random.whole(1, raster::kSmallSide + 1));
+            };
+            const int across = side(), down = side(), density = random.whole(0, 3);
+            const int x0 = random.whole(0, kTileSize - across),
+                      y0 = random.whole(0, kTileSize - down);
+            parts.push_back(raster::TilePart::of(static_cast<std::uint32_t>(i), x0, y0, x0 + across,
+                                                 y0 + down));
+            for (int y = y0; y < y0 + down; ++y)
+                for (int x = x0; x < x0 + across; ++x)
+                    if (random.whole(0, 3) < density)
+                        name_of[static_cast<std::size_t>(y * kTileSize + x)] = id.back();
+        }
+    }
+    // Kernels read up to a register beyond the tile.
+    bool take(std::span<const raster::TilePartList> lists, int tile_pixels = kPixels) {
+        std::vector<std::uint32_t> ids = name_of;
+        ids.resize(ids.size() + 16, raster::kNoPrimitive);
+        pixels.clear();
+        const bool taken = pixels.take_parts(0, lists, ids.data(), tile_pixels);
+        pixels.arrange(looks, own_lanes);
+        return taken;
+    }
+};
+
+TEST_F(PixelsOfParts, AreThoseThatShowTheirIds) {
+    int taken = 0, large = 0;
+    scanout::test::on_every_target([&](const std::string& target) {
+        for (int round = 0; round < 200; ++round) {
+            draw(random.whole(1, 585));
+            const std::span<const raster::TilePart> all = parts;
+            const std::size_t first = all.size() / 3;
+            const std::array lists = {
+                raster::TilePartList{{}, {}, all.first(first), raster::PartKind::strip, id},
+                raster::TilePartList{{}, {}, all.subspan(first), raster::PartKind::strip, id}};
+            if (!take(lists)) {
+                EXPECT_FALSE(target.starts_with("avx3"));
+                EXPECT_EQ(pixels.size(), 0U);
+                continue;
+            }
+            ++taken;
+            large += static_cast<int>(pixels.groups().size());
+            expect_names();
+            for (std::size_t pixel = 0; pixel < name_of.size(); ++pixel)
+                ASSERT_EQ(seen[pixel], name_of[pixel] == raster::kNoPrimitive ? 0 : 1) << pixel;
+        }
+    });
+    const std::vector<std::string> targets = scanout::test::supported_targets();
+    if (std::any_of(targets.begin(), targets.end(),
+                    [](const std::string& name) { return name.starts_with("avx3"); })) {
+        EXPECT_GT(taken, 100);
+        EXPECT_GT(large, 100);
+    }
+}
+
+TEST_F(PixelsOfParts, AreNotLookedForWherePartsAreManyOrTiny) {
+    draw(500);
+    const auto lists = [&](raster::PartKind kind) {
+        return std::array{raster::TilePartList{{}, {}, parts, kind, id}};
+    };
+    EXPECT_FALSE(take(lists(raster::PartKind::speck_3)));
+    EXPECT_FALSE(take(lists(raster::PartKind::strip), kPixels / 2));
+    EXPECT_EQ(pixels.size(), 0U);
+    EXPECT_TRUE(pixels.parts().empty());
 }
 
 TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
