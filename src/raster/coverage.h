@@ -53,7 +53,7 @@ bool draw_piece(const TilePlanes& tile, const PieceSetUp& piece);
 //   by less than 1/8 unit in the last place. Not where depth is below 2^-100 and its parts would
 //   be denormal.
 // - else in double: E_0 d_0 / area + E_1 d_1 / area + E_2 d_2 / area, no term of which is negative,
-//   so nothing cancels, rounded once.
+//   so nothing cancels, rounded to float once. d_i / area is d_i times 1 / area.
 //
 // Neither depends on the tile, the vertices' order or what else is drawn. Pieces have the same
 // bound (raster/piece_coverage.cpp).

@@ -80,9 +80,10 @@ SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<
                                       bool cancels = true) {
     using Wide = Double<D>;
     DepthPlane<D> plane;
+    const Wide inverse = Wide(1.0) / area; // quotients take longer than all else here
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
-        plane.share[k] = depth[k] / area;
+        plane.share[k] = depth[k] * inverse;
     plane.per_x = depth_of(a, plane.share) * Wide(kSubpixel);
     plane.per_y = depth_of(b, plane.share) * Wide(kSubpixel);
     const Wide least = minimum(minimum(depth[0], depth[1]), depth[2]);
