@@ -25,7 +25,8 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const Corners& v, bool neg
     const DVec3 p0(mesh.position[v[0]]), p1(mesh.position[v[1]]), p2(mesh.position[v[2]]);
     DVec3 n = cross3(p1 - p0, p2 - p0);
     const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-    if (largest > 0) n = n / (negate ? -largest : largest);
+    if (largest > 0)
+        n = n * (1 / (negate ? -largest : largest)); // at least 2^-298: floats' products
     for (int c = 0; c < 3; ++c)
         p.facing[c] = static_cast<float>(n[c]);
 }

@@ -247,10 +247,11 @@ SIMD_INLINE void put_facing(const MeshPlaces<D>& place, Mask<D> turned, LaneTria
     n[2] = one[0] * two[1] - one[1] * two[0];
     const Double<D> largest = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
     const Double<D> sign = to_f64(select(turned, Float<D>(-1.0F), Float<D>(1.0F)));
-    const Double<D> divisor = select(largest > Double<D>(0.0), largest * sign, Double<D>(1.0));
+    const Double<D> scale =
+        Double<D>(1.0) / select(largest > Double<D>(0.0), largest * sign, Double<D>(1.0));
     SIMD_UNROLL
     for (int c = 0; c < 3; ++c)
-        store(to_f32(n[c] / divisor), out.facing[c] + lane);
+        store(to_f32(n[c] * scale), out.facing[c] + lane);
 }
 
 template <class D>

@@ -82,8 +82,8 @@ SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
             depth = depth * scale + F64(double{m.depth_offset});
         nearest = maximum(nearest, depth);
     }
-    const F64 per_x = n[0] * to_depth / F64(double{m.scale_x}),
-              per_y = -(n[1] * to_depth) / F64(double{m.scale_y});
+    const F64 per_x = n[0] * to_depth * F64(1 / double{m.scale_x}),
+              per_y = -(n[1] * to_depth) * F64(1 / double{m.scale_y});
     // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
     const F64 slope = abs(per_x) + abs(per_y);
     const F64 texels = F64(double{m.scale_x > m.scale_y ? m.scale_x : m.scale_y}) * error *
