@@ -51,20 +51,26 @@ struct PartCorners {
 template <class D>
 SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>& out) {
     constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
+    const TilePart* const parts = list.parts.data();
+    const std::uint32_t* const index = list.index.data();
+    const ScreenVertex* const vertices = list.vertices.data();
     const auto last = static_cast<int>(list.parts.size()) - 1;
-    if (first > last) return;
-    const auto index = [&](int i) SIMD_LAMBDA {
-        return list.index.data() + std::size_t{list.parts.data()[i < last ? i : last].place} * 3;
-    };
-    for (int i = 0; i < kWidth; ++i) {
-        const std::uint32_t* corner = index(first + i);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
-            out.at[k][i] = corner[k];
-            __builtin_prefetch(list.vertices.data() + corner[k]);
+    const auto read = [&](const auto& number) SIMD_LAMBDA {
+        for (int i = 0; i < kWidth; ++i) {
+            const std::uint32_t* corner = index + std::size_t{parts[number(first + i)].place} * 3;
+            SIMD_UNROLL
+            for (int k = 0; k < 3; ++k) {
+                out.at[k][i] = corner[k];
+                __builtin_prefetch(vertices + corner[k]);
+            }
+            const int later = number(first + i + 2 * kWidth);
+            __builtin_prefetch(index + std::size_t{parts[later].place} * 3);
         }
-        __builtin_prefetch(index(first + i + 2 * kWidth));
-    }
+    };
+    if (first + 3 * kWidth <= last)
+        read([](int i) SIMD_LAMBDA { return i; });
+    else if (first <= last) // the last stands for what is missing
+        read([&](int i) SIMD_LAMBDA { return i < last ? i : last; });
 }
 
 // A register of parts; the last stands for what is missing.
@@ -75,6 +81,11 @@ struct StoredParts {
 template <class D>
 SIMD_INLINE StoredParts<D> stored_parts(const TilePart* part, int count) {
     static_assert(sizeof(TilePart) == 8);
+    if (count == static_cast<int>(Int<D>::kLanes)) {
+        StoredParts<D> full;
+        load_interleaved(&part->place, full.place, full.where);
+        return full;
+    }
     const Int<D> at = shift_left<1>(minimum(iota<Int<D>>(0), Int<D>(count - 1)));
     const auto* stored = reinterpret_cast<const std::int32_t*>(part);
     return {gather(stored, at), gather(stored + 1, at)};

@@ -331,6 +331,15 @@ SIMD_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& 
     y = Int<D>(hn::BitCast(tag, b));
     z = Int<D>(hn::BitCast(tag, c));
 }
+template <class D>
+SIMD_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& y) {
+    const typename Int<D>::Tag tag;
+    const hn::RebindToUnsigned<decltype(tag)> u;
+    hn::Vec<decltype(u)> a, b;
+    hn::LoadInterleaved2(u, from, a, b);
+    x = Int<D>(hn::BitCast(tag, a));
+    y = Int<D>(hn::BitCast(tag, b));
+}
 // Is there an instruction that packs lanes? Else they are faster one by one.
 constexpr bool kPacksLanes = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
 // Of the lanes whose bit is set x, y and z, in order; what stands behind them, up to a register's
