@@ -162,9 +162,12 @@ static std::uint64_t columns_of(const image::Rect& part) {
 // Where nothing but parts of small triangles shows, each pixel whole.
 bool Gatherer::collect_parts(const raster::VisibilityTile& tile, const GatherInput& in) {
     const std::vector<raster::TilePartList>* parts = tile.parts_alone();
-    return parts != nullptr && tile.samples() == 1 && all_whole_ && in.looks.only_material &&
-           own_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
-                                   area_.width() * area_.height());
+    if (parts == nullptr || tile.samples() > 1 || !all_whole_ || !in.looks.only_material ||
+        !own_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
+                                 area_.width() * area_.height()))
+        return false;
+    own_source_.place = nullptr; // they are named by their places
+    return true;
 }
 
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
@@ -324,7 +327,7 @@ void Gatherer::place_block() {
         const Run& run = b.run[r];
         if (run.primitive != nullptr) continue;
         place_at_centres(b, pixel_, run.first, run.count, area_.x0, area_.y0);
-        set_up_lanes(source_, *triangles_, b, run.first, run.count);
+        set_up_lanes(own_source_, *triangles_, b, run.first, run.count);
     }
 }
 
@@ -417,7 +420,7 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
 
 void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
                      const BlendedPixels* blended) {
-    if (in.frame->own_triangles) source_ = triangle_source(in);
+    if (in.frame->own_triangles) own_source_ = source_ = triangle_source(in);
     all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
     set_up_later_ = all_whole_ && in.frame->steps == nullptr;
     own_pixels_->clear();
@@ -477,7 +480,7 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
         for (std::int32_t k = first + triangles,
                           end = std::min(k + triangles, triangle[part.end - 1] + 1);
              k < end; ++k)
-            prefetch_place(source_, ids[k]);
+            prefetch_place(own_source_, ids[k]);
         add_lanes(b, nullptr, static_cast<int>(count));
         own_ = b.count;
         i += count;

@@ -168,9 +168,10 @@ private:
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<TilePixels> own_pixels_;
-    TriangleSource source_{};
-    bool all_whole_ = false;    // every triangle may have lanes of its own
-    bool set_up_later_ = false; // primitives, with their block
+    TriangleSource source_{};     // of triangles by id
+    TriangleSource own_source_{}; // by what own_pixels_ and shared rows name them
+    bool all_whole_ = false;      // every triangle may have lanes of its own
+    bool set_up_later_ = false;   // primitives, with their block
     std::vector<Fragment> fragments_;
     // Where all that is drawn looks alike and every lane may have a triangle of its own, pixels
     // that are shared are no fragments of a list: bits of the tile's rows.

@@ -78,7 +78,7 @@ void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, Pixe
     for (const raster::TilePart& part : list.parts) {
         const std::uint32_t id = list.id_of(part);
         const auto count = static_cast<int>(put_part(ids, part.box(), id, o.pixel) - o.pixel);
-        if (count > TilePixels::kMost) {
+        if (count > TilePixels::kMostOfPart) {
             for (int k = 0; k < count; k += kLanes)
                 store(load<I32>(o.pixel + k), o.of_groups + k);
             o.of_groups += count;
@@ -86,11 +86,11 @@ void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, Pixe
             continue;
         }
         const I32 number = static_cast<std::int32_t>(o.triangles);
-        for (int k = 0; k < TilePixels::kMost; k += kLanes) // those beyond are the next part's
+        for (int k = 0; k < TilePixels::kMostOfPart; k += kLanes) // those beyond are the next part's
             store(number, o.triangle + k);
         o.pixel += count;
         o.triangle += count;
-        o.id[o.triangles] = id;
+        o.place[o.triangles] = part.place;
         o.triangles += count > 0 ? 1 : 0;
     }
     out = o;

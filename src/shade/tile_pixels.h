@@ -76,7 +76,7 @@ struct SpanTable {
 // Where TilePixels::take_parts() puts what it finds next.
 struct PixelsOfParts {
     std::int32_t *pixel, *triangle; // of parts with few pixels, and these parts by number
-    std::uint32_t* id;              // of these parts, by that
+    std::uint32_t* place;           // of these parts, by that
     std::uint32_t triangles;
     std::int32_t* of_groups; // pixels of the others
     SpanTable::Group* group;
@@ -84,7 +84,9 @@ struct PixelsOfParts {
 
 class TilePixels {
 public:
-    static constexpr int kMost = 24; // of a triangle: more are cheaper in registers of their own
+    // Of a triangle: more are cheaper in registers of their own. Of those of take_parts() more are
+    // worth it, for their lanes cost nothing but a number.
+    static constexpr int kMost = 24, kMostOfPart = 64;
 
     TilePixels();
     void clear();
@@ -100,8 +102,8 @@ public:
 
     // All pixels of a tile that has one sample a pixel, so many pixels, and shows nothing but these
     // parts, whose lanes may all set up their triangles. They need no sorting: each part's are
-    // found by its id. Nothing else is added before or after it. Returns false, and does nothing,
-    // where sorting takes less time.
+    // found by its id. Their triangles are named by their places, which are known. Nothing else is
+    // added before or after it. Returns false, and does nothing, where sorting takes less time.
     bool take_parts(std::int32_t material, std::span<const raster::TilePartList> lists,
                     const std::uint32_t* ids, int pixels);
 
@@ -131,7 +133,8 @@ public:
     std::span<const Part> parts() const { return parts_; }
     // Of a part's pixel: its triangle; from pixel to pixel the same or the next one.
     const std::int32_t* triangles() const { return triangle_.data(); }
-    const std::uint32_t* ids() const { return id_.data(); } // of these triangles
+    // Of these triangles; after take_parts() their places (geom/clusters.h).
+    const std::uint32_t* ids() const { return id_.data(); }
     // One primitive, whose pixels follow those of the group before it. It may have several, where
     // many share the table's slots. Those that look alike stand together.
     struct Group {

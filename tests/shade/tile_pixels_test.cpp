@@ -31,6 +31,7 @@ protected:
     TilePixels pixels;
     Looks looks{nullptr, 0};
     std::vector<std::uint32_t> name_of = std::vector<std::uint32_t>(kPixels);
+    std::function<std::uint32_t(std::uint32_t)> id_of = [](std::uint32_t id) { return id; };
     std::function<bool(std::uint32_t)> own_lanes = [](std::uint32_t) { return true; };
 
     // Fills the tile; next: the name of the run that begins at a pixel, `most` pixels at most.
@@ -62,7 +63,7 @@ protected:
             ASSERT_EQ(part.first, at);
             for (; at < part.end; ++at) {
                 const auto triangle = static_cast<std::size_t>(pixels.triangles()[at]);
-                const std::uint32_t id = pixels.ids()[triangle];
+                const std::uint32_t id = id_of(pixels.ids()[triangle]);
                 expect_pixel(at, id);
                 EXPECT_TRUE(own_lanes(id));
                 EXPECT_EQ(part.material, looks.of(id).material);
@@ -230,6 +231,7 @@ protected:
     bool take(std::span<const raster::TilePartList> lists, int tile_pixels = kPixels) {
         std::vector<std::uint32_t> ids = name_of;
         ids.resize(ids.size() + 16, raster::kNoPrimitive);
+        id_of = [&](std::uint32_t place) { return id[place]; };
         pixels.clear();
         const bool taken = pixels.take_parts(0, lists, ids.data(), tile_pixels);
         pixels.arrange(looks, own_lanes);
