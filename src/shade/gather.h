@@ -115,7 +115,7 @@ private:
     struct Fragment;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input,
                  const BlendedPixels* blended);
-    bool collect_parts(const raster::VisibilityTile& tile, const GatherInput& in);
+    bool collect_parts(const raster::VisibilityTile& tile, const GatherInput& input);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,

@@ -203,7 +203,7 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
 
 // Parts of at most kSmallSide pixels from vertex to vertex, anywhere in the tile: each shows any of
 // its pixels, unless one that comes later does.
-class PixelsOfParts : public PixelsOfATile {
+class PixelsOfSmallParts : public PixelsOfATile {
 protected:
     std::vector<raster::TilePart> parts;
     std::vector<std::uint32_t> id; // of the parts' places
@@ -239,7 +239,7 @@ protected:
     }
 };
 
-TEST_F(PixelsOfParts, AreThoseThatShowTheirIds) {
+TEST_F(PixelsOfSmallParts, AreThoseThatShowTheirIds) {
     int taken = 0, large = 0;
     scanout::test::on_every_target([&](const std::string& target) {
         for (int round = 0; round < 200; ++round) {
@@ -269,7 +269,7 @@ TEST_F(PixelsOfParts, AreThoseThatShowTheirIds) {
     }
 }
 
-TEST_F(PixelsOfParts, AreNotLookedForWherePartsAreManyOrTiny) {
+TEST_F(PixelsOfSmallParts, AreNotLookedForWherePartsAreManyOrTiny) {
     draw(500);
     const auto lists = [&](raster::PartKind kind) {
         return std::array{raster::TilePartList{{}, {}, parts, kind, id}};

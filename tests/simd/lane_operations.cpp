@@ -53,6 +53,10 @@ SIMD_INLINE void memory(const float* numbers, const std::int32_t* index, MemoryR
     store(gather(numbers, load<I>(index)), out.gathered);
     store(gather(reinterpret_cast<const std::int32_t*>(numbers), load<I>(index)),
           out.gathered_bits);
+    I first, second;
+    load_interleaved(bit_patterns, first, second);
+    store(first, out.pair[0]);
+    store(second, out.pair[1]);
     store(iota<I>(-3), out.counted);
     store(load<I>(bit_patterns), out.copied);
 }

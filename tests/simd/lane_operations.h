@@ -114,6 +114,7 @@ struct MemoryResults {
     } records[kMostLanes + 1];                         // of store_interleaved, of wide lanes
     float x[kMostLanes], y[kMostLanes], z[kMostLanes]; // of load_interleaved
     std::int32_t ix[kMostLanes], iy[kMostLanes], iz[kMostLanes]; // the same of integers
+    std::int32_t pair[2][kMostLanes];                            // of load_interleaved of two
     float gathered[kMostLanes];                                  // numbers[index]
     std::int32_t gathered_bits[kMostLanes], counted[kMostLanes]; // iota(-3)
     std::uint32_t copied[kMostLanes];

@@ -284,6 +284,8 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
             EXPECT_EQ(got.ix[n], std::bit_cast<std::int32_t>(three[0])) << n;
             EXPECT_EQ(got.iy[n], std::bit_cast<std::int32_t>(three[1])) << n;
             EXPECT_EQ(got.iz[n], std::bit_cast<std::int32_t>(three[2])) << n;
+            for (int k = 0; k < 2; ++k)
+                EXPECT_EQ(got.pair[k][n], std::bit_cast<std::int32_t>(numbers[2 * n + k])) << n;
             EXPECT_EQ(got.gathered[n], numbers[index[n]]) << n;
             EXPECT_EQ(got.gathered_bits[n], std::bit_cast<std::int32_t>(numbers[index[n]])) << n;
             EXPECT_EQ(got.counted[n], n - 3);
