@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cstring>
 #include <tuple>
 #include <utility>
 
@@ -326,7 +325,8 @@ void Gatherer::place_block() {
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
         if (run.primitive != nullptr) continue;
-        place_at_centres(b, pixel_, run.first, run.count, area_.x0, area_.y0);
+        const int others = std::max(run.first, own_), end = run.first + run.count;
+        if (others < end) place_at_centres(b, pixel_, others, end - others, area_.x0, area_.y0);
         set_up_lanes(own_source_, *triangles_, b, run.first, run.count);
     }
 }
@@ -447,19 +447,6 @@ std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
     return shade_collected(in, picture, nullptr);
 }
 
-// to[k] = number[k] + more; also for up to three behind the last. Four at a time: compilers take
-// them one by one where they know little of the arrays.
-static void renumber(const std::int32_t* number, std::size_t count, std::int32_t more,
-                     std::int32_t* to) {
-    using Four __attribute__((vector_size(16))) = std::int32_t;
-    for (std::size_t k = 0; k < count; k += 4) {
-        Four four;
-        std::memcpy(&four, number + k, sizeof four);
-        four += more;
-        std::memcpy(to + k, &four, sizeof four);
-    }
-}
-
 void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
                           image::Image& picture) {
     Block& b = *block_;
@@ -472,15 +459,15 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
         if (b.count == kLanes) finish_block(in, picture);
         const std::size_t count =
             std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
-        const std::int32_t first = triangle[i], triangles = triangle[i + count - 1] + 1 - first;
-        renumber(triangle + i, count, t.count - first, t.of_lane + b.count);
-        std::copy_n(ids + first, triangles, t.id + t.count);
-        t.count += triangles;
+        take_lanes(triangle + i, ids, static_cast<int>(count), t, b.count);
         // The next block's: the file may have them far from each other.
-        for (std::int32_t k = first + triangles,
-                          end = std::min(k + triangles, triangle[part.end - 1] + 1);
-             k < end; ++k)
-            prefetch_place(own_source_, ids[k]);
+        if (own_source_.place != nullptr) {
+            const std::int32_t next = triangle[i + count - 1] + 1,
+                               last = triangle[part.end - 1] + 1,
+                               end = std::min(2 * next - triangle[i], last);
+            for (std::int32_t k = next; k < end; ++k)
+                prefetch_place(own_source_, ids[k]);
+        }
         add_lanes(b, nullptr, static_cast<int>(count));
         own_ = b.count;
         i += count;

@@ -180,6 +180,20 @@ SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int 
     }
 }
 
+// No loop over the triangles: how many there are is not foretold.
+void take(const std::int32_t* number, const std::uint32_t* ids, int count, LaneTriangles& t,
+          int lane) {
+    const std::int32_t first = number[0];
+    std::int32_t* const to = t.of_lane + lane;
+    std::uint32_t* const id = t.id + t.count;
+    const I32 more = t.count - first;
+    for (int i = 0; i < count; i += kLanes) {
+        store(load<I32>(number + i) + more, to + i);
+        store(load<I32>(ids + first + i), id + i);
+    }
+    t.count += number[count - 1] + 1 - first;
+}
+
 void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int first, int count) {
     const bool sloped = s.wanted.uv && s.wanted.footprint;
     const int begin = t.of_lane[first], triangles = t.of_lane[first + count - 1] + 1;
@@ -219,6 +233,7 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade {
 
+SIMD_REGISTER(take);
 SIMD_REGISTER(set_up_triangles);
 
 TriangleSource triangle_source(const GatherInput& in) {
@@ -245,6 +260,11 @@ TriangleSource triangle_source(const GatherInput& in) {
     s.sides = in.frame->sides;
     s.wanted = in.frame->attributes;
     return s;
+}
+
+void take_lanes(const std::int32_t* number, const std::uint32_t* ids, int count,
+                LaneTriangles& triangles, int lane) {
+    SIMD_CALL(take)(number, ids, count, triangles, lane);
 }
 
 void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,

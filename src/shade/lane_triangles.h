@@ -69,6 +69,11 @@ struct TriangleSource {
 };
 TriangleSource triangle_source(const GatherInput& input);
 
+// A block's lanes from `lane` on get their triangles. number: of so many lanes' triangles in ids,
+// from lane to lane the same or the next one. Reads up to a register behind the last of both.
+void take_lanes(const std::int32_t* number, const std::uint32_t* ids, int count,
+                LaneTriangles& triangles, int lane);
+
 // Of lanes first to first + count of a run, which lie at the centres of their pixels: sets up their
 // triangles, and moves those lanes that their triangles do not cover there.
 void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,

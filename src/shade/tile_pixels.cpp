@@ -86,7 +86,8 @@ void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, Pixe
             continue;
         }
         const I32 number = static_cast<std::int32_t>(o.triangles);
-        for (int k = 0; k < TilePixels::kMostOfPart; k += kLanes) // those beyond are the next part's
+        for (int k = 0; k < TilePixels::kMostOfPart;
+             k += kLanes) // those beyond are the next part's
             store(number, o.triangle + k);
         o.pixel += count;
         o.triangle += count;
@@ -126,7 +127,7 @@ void SpanTable::clear() {
 
 TilePixels::TilePixels()
     : table_(std::make_unique<SpanTable>()), place_(SpanTable::kPixels),
-      pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(SpanTable::kPixels + 1) {
+      pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(pixel_.size()) {
     table_->clear();
     order_.reserve(SpanTable::kPixels);
     groups_.reserve(SpanTable::kPixels);
