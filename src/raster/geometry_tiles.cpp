@@ -69,11 +69,12 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) {
         some[count++] = id;
         if (count == some.size()) draw_some();
     };
-    for (const Batch& batch : batches_) {
-        const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
+    for (Batch& batch : batches_) {
+        Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
         if (out.rule().usual()) {
+            order_strips(bin.parts[static_cast<std::size_t>(PartKind::strip)]);
             for (const PartKind kind : kFrontKinds)
                 if (!bin.parts_of(kind).empty()) out.draw(list_of(bin.parts_of(kind), kind));
         } else {

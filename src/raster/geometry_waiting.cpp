@@ -85,6 +85,7 @@ void Geometry::draw_waiting(int tile, VisibilityTile& out) {
     }
     if (!late.triangles.empty())
         out.draw(TriangleList{vertices_, mesh_->index, late.triangles, late.triangles});
+    order_strips(late.parts[static_cast<std::size_t>(PartKind::strip)]);
     for (std::size_t kind = 0; kind < kPartKinds; ++kind)
         if (!late.parts[kind].empty())
             out.draw(list_of(late.parts[kind], static_cast<PartKind>(kind)));

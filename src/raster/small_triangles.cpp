@@ -14,6 +14,38 @@ bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
     return draw_kind<Shows::depth>(tile, {list.vertices, list.index, list.parts, list.kind});
 }
 
+constexpr int kMostOrdered = 512; // at a time
+
+SIMD_INLINE void order_some(TilePart* parts, int count) {
+    constexpr int kSide = BlockWalk::kSide;
+    constexpr int kHeights = 8, kLeast = 3; // rows: from so many and fewer to as many more, or more
+    std::uint32_t sort[kMostOrdered + kLanes], next[kHeights * kSide] = {};
+    TilePart ordered[kMostOrdered];
+    for (int i = 0; i < count; i += kLanes) {
+        const int left = count - i < kLanes ? count - i : kLanes;
+        const I32 where = stored_parts<F32::Tag>(parts + i, left).where;
+        const I32 y0 = shift_right<TilePart::kFirstRow>(where) & I32(63),
+                  rows = shift_right<TilePart::kEndRow>(where) - y0;
+        const I32 height = minimum(maximum(rows - I32(kLeast), I32(0)), I32(kHeights - 1));
+        store(height * I32(kSide) + (y0 & I32(kSide - 1)), sort + i);
+    }
+    for (int i = 0; i < count; ++i)
+        ++next[sort[i]];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& first : next) {
+        const std::uint32_t here = first;
+        first = sum;
+        sum += here;
+    }
+    for (int i = 0; i < count; ++i)
+        ordered[next[sort[i]]++] = parts[i];
+    __builtin_memcpy(parts, ordered, static_cast<std::size_t>(count) * sizeof *parts);
+}
+void order_all(TilePart* parts, int count) {
+    for (int i = 0; i < count; i += kMostOrdered)
+        order_some(parts + i, count - i < kMostOrdered ? count - i : kMostOrdered);
+}
+
 // Of the blocks that parts may touch the one with the farthest depth.
 SIMD_INLINE F32x8 farthest_of(const TilePlanes& tile, I32x8 where) {
     using P = TilePart;
@@ -123,6 +155,7 @@ SIMD_END
 namespace scanout::raster {
 
 SIMD_REGISTER(draw_all_parts);
+SIMD_REGISTER(order_all);
 SIMD_REGISTER(drop_hidden);
 SIMD_REGISTER(find_farthest_of_all);
 SIMD_REGISTER(hidden_in_blocks);
@@ -138,6 +171,11 @@ void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, 
     SIMD_CALL(place_all)
     (grid, &triangles.data()->place, static_cast<int>(triangles.size()), out.tile.data(),
      out.where.data(), out.kind.data());
+}
+
+void order_strips(std::span<TilePart> parts) {
+    constexpr std::size_t kFew = 32; // are not worth it
+    if (parts.size() >= kFew) SIMD_CALL(order_all)(parts.data(), static_cast<int>(parts.size()));
 }
 
 bool draw_parts(const TilePlanes& tile, const TilePartList& list) {

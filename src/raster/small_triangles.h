@@ -92,6 +92,11 @@ struct TilePartList {
     }
 };
 
+// Puts parts that will be strips in order by how many rows they have, and how many of those lie in
+// their first block, some at a time: loops over rows then mostly end where the last one did, as
+// processors foretell.
+void order_strips(std::span<TilePart> parts);
+
 // Did any of them show? By the usual rule; the same bits as draw_triangles. Where depth alone is
 // kept, specks count in any case.
 bool draw_parts(const TilePlanes& tile, const TilePartList& list);

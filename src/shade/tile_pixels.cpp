@@ -35,41 +35,34 @@ void put_spans(const SpanTable& table, std::uint32_t* place, std::int32_t* pixel
 }
 
 // The pixels of a part, row by row, are those that show its id: all else that is read with them,
-// rows above, columns behind and what a register takes from the next row, shows others. Returns
-// where they end.
+// a row above, columns behind and what a register takes from the next row, shows others. Returns
+// where they end. Parts stand by how many rows they have (raster::order_strips), so that processors
+// foretell where the loops end.
 SIMD_INLINE std::int32_t* put_part(const std::uint32_t* ids, const image::Rect& box,
                                    std::uint32_t id, std::int32_t* to) {
     using raster::kTileSize;
-    constexpr int kRows = 8, kHalf = kLanes / 2; // most parts have no more rows: no loop ends there
+    constexpr int kHalf = kLanes / 2;
     const I32 wanted = static_cast<std::int32_t>(id);
-    const int first = box.y0 < kTileSize - kRows ? box.y0 : kTileSize - kRows;
     const auto put = [&](I32 here, I32 pixels)
                          SIMD_LAMBDA { to += store_packed(here == wanted, pixels, to); };
-    if (box.x1 - box.x0 <= kHalf && box.y1 - first <= kRows) { // two rows a register
+    if (box.x1 - box.x0 <= kHalf) { // two rows a register
+        const int rows = (box.y1 - box.y0 + 1) & -2;
+        const int first = box.y0 < kTileSize - rows ? box.y0 : kTileSize - rows;
         const int corner = first * kTileSize + box.x0;
         const I32 lane = iota<I32>(0);
         I32 pixels = lane + select(lane < I32(kHalf), I32(corner), I32(corner + kTileSize - kHalf));
-        SIMD_UNROLL
-        for (int row = 0; row < kRows; row += 2) {
-            const std::uint32_t* const from = ids + corner + row * kTileSize;
+        const std::uint32_t* from = ids + corner;
+        for (int row = 0; row < rows; row += 2, from += 2 * kTileSize) {
             put(load_halves<I32>(from, from + kTileSize), pixels);
             pixels = pixels + I32(2 * kTileSize);
         }
         return to;
     }
-    for (int x = box.x0; x < box.x1; x += kLanes) {
-        const int corner = first * kTileSize + x;
-        I32 pixels = iota<I32>(corner);
-        const auto put_row = [&](int row) SIMD_LAMBDA {
-            put(load<I32>(ids + corner + row * kTileSize), pixels);
-            pixels = pixels + I32(kTileSize);
-        };
-        SIMD_UNROLL
-        for (int row = 0; row < kRows; ++row)
-            put_row(row);
-        for (int row = kRows; row < box.y1 - first; ++row)
-            put_row(row);
-    }
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; x += kLanes) {
+            const int pixel = y * kTileSize + x;
+            put(load<I32>(ids + pixel), iota<I32>(pixel));
+        }
     return to;
 }
 
@@ -86,9 +79,8 @@ void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, Pixe
             continue;
         }
         const I32 number = static_cast<std::int32_t>(o.triangles);
-        for (int k = 0; k < TilePixels::kMostOfPart;
-             k += kLanes) // those beyond are the next part's
-            store(number, o.triangle + k);
+        for (int k = 0; k < TilePixels::kMostOfPart; k += kLanes)
+            store(number, o.triangle + k); // lanes beyond are the next part's
         o.pixel += count;
         o.triangle += count;
         o.place[o.triangles] = part.place;

@@ -319,6 +319,39 @@ TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
     EXPECT_EQ(tile.parts_alone(), nullptr);
 }
 
+// Each once, and nearly all beside one whose rows a loop goes over as often.
+TEST(SmallTriangles, StripsStandByTheirRows) {
+    scanout::test::on_every_target([](const std::string&) {
+        Random random(91);
+        for (const std::size_t count : {0U, 1U, 31U, 100U, 511U, 512U, 513U, 1500U}) {
+            std::vector<TilePart> parts(count);
+            for (std::size_t i = 0; i < count; ++i) {
+                const int x = random.whole(0, 60), y = random.whole(0, 63);
+                parts[i] = TilePart::of(static_cast<std::uint32_t>(i), x, y,
+                                        random.whole(x + 1, std::min(64, x + kSmallSide + 1)),
+                                        random.whole(y + 1, std::min(64, y + kSmallSide + 1)));
+            }
+            std::vector<TilePart> ordered = parts;
+            order_strips(ordered);
+            std::vector<bool> found(count);
+            std::size_t alike = 0;
+            for (std::size_t i = 0; i < count; ++i) {
+                ASSERT_LT(ordered[i].place, count);
+                EXPECT_FALSE(found[ordered[i].place]);
+                found[ordered[i].place] = true;
+                EXPECT_EQ(ordered[i].where, parts[ordered[i].place].where);
+                if (i == 0) continue;
+                const image::Rect box = ordered[i].box(), last = ordered[i - 1].box();
+                // From ten rows on, which few have, it does not matter.
+                alike += box.y0 % 8 == last.y0 % 8 &&
+                         std::clamp(box.height(), 3, 10) == std::clamp(last.height(), 3, 10);
+            }
+            const bool are_ordered = count >= 100;
+            EXPECT_TRUE(!are_ordered || alike + 64 * ((count + 511) / 512) >= count) << alike;
+        }
+    });
+}
+
 TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(72);
