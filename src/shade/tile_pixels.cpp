@@ -155,15 +155,15 @@ void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, i
     parts_.back().end = size_ = size;
 }
 
-// Looking for a part takes about as long as sorting seven pixels that have no more than two or
-// three others of their triangle beside them.
+// Looking for a part takes about as long as sorting four pixels that have no more than two or three
+// others of their triangle beside them; specks have fewer.
 static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pixels) {
     std::size_t parts = 0, specks = 0;
     for (const raster::TilePartList& list : lists) {
         parts += list.parts.size();
         if (list.kind != raster::PartKind::strip) specks += list.parts.size();
     }
-    return parts * 7 <= pixels && specks * 4 <= parts;
+    return parts * 4 <= pixels && specks * 2 <= parts;
 }
 
 bool TilePixels::take_parts(std::int32_t material, std::span<const raster::TilePartList> lists,

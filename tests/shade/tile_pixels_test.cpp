@@ -275,7 +275,7 @@ TEST_F(PixelsOfSmallParts, AreNotLookedForWherePartsAreManyOrTiny) {
         return std::array{raster::TilePartList{{}, {}, parts, kind, id}};
     };
     EXPECT_FALSE(take(lists(raster::PartKind::speck_3)));
-    EXPECT_FALSE(take(lists(raster::PartKind::strip), kPixels / 2));
+    EXPECT_FALSE(take(lists(raster::PartKind::strip), kPixels / 4));
     EXPECT_EQ(pixels.size(), 0U);
     EXPECT_TRUE(pixels.parts().empty());
 }
