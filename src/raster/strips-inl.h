@@ -120,6 +120,7 @@ constexpr int kMostBlocks = kSmallSide / BlockWalk::kSide + 1;
 struct Strips {
     std::int32_t across[kLanesX8], down[kLanesX8]; // pixels
     std::int32_t column[kLanesX8], row[kLanesX8];  // of the first pixel, in its block
+    float first_row[kLanesX8];                     // the same row
     float base[kMostBlocks][2][kLanesX8];          // at the corners of blocks, downwards and
     float rest[kMostBlocks][2][kLanesX8];          // across (Blocks)
     std::int32_t first[kMostSamples][3][kLanesX8]; // the edges at the first pixel's samples
@@ -167,11 +168,23 @@ SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX
     return seen;
 }
 
+// A pixel's samples: the only one, known ahead of all strips, or several.
+struct OneSample {
+    SampleOffset only;
+    static constexpr std::size_t size() { return 1; }
+    SIMD_INLINE SampleOffset operator[](std::size_t) const { return only; }
+};
+struct ManySamples {
+    const std::span<const SampleOffset> all;
+    SIMD_INLINE std::size_t size() const { return all.size(); }
+    SIMD_INLINE SampleOffset operator[](std::size_t n) const { return all.data()[n]; }
+};
+
 // Row by row, at one sample after the other: how many rows there are is foretold from the second
 // sample on.
-template <Shows kShows>
-SIMD_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strips& s, int lane,
-                            std::uint32_t name, I32x8& drawn) {
+template <Shows kShows, class Samples>
+SIMD_INLINE void draw_strip(const TilePlanes& tile, const Samples& samples, const Blocks& b,
+                            const Strips& s, int lane, std::uint32_t name, I32x8& drawn) {
     constexpr int kSide = BlockWalk::kSide;
     const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
     I32x8 from_first[3][kAcross], down[3];
@@ -193,9 +206,9 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strip
     }
     I32x8 shows = 0;
     std::ptrdiff_t first = b.place[lane]; // pixel of the plane
-    for (std::size_t n = 0; n < tile.pattern.size();
+    for (std::size_t n = 0; n < samples.size();
          ++n, first += std::ptrdiff_t{kTileSize} * kTileSize) {
-        const SampleOffset at = tile.pattern.data()[n];
+        const SampleOffset at = samples[n];
         const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
         I32x8 edge[3][kAcross];
         F32x8 across[kAcross];
@@ -210,7 +223,7 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Blocks& b, const Strip
         std::uint32_t* id = id_after<kShows>(tile.id, first);
         int row = s.row[lane];
         const int end = row + s.down[lane];
-        F32x8 y = static_cast<float>(row) + static_cast<float>(at.y) / kSubpixel;
+        F32x8 y = F32x8(s.first_row[lane]) + F32x8(static_cast<float>(at.y) / kSubpixel);
         for (int block = 0; row < end; ++block) {
             F32x8 base[kAcross], rest[kAcross];
             SIMD_UNROLL
@@ -254,6 +267,7 @@ SIMD_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x
     store(part.y1 - part.y0, strips.down);
     store(x0 & I32x8(kSide - 1), strips.column);
     store(part.y0 - part.top, strips.row);
+    store(to_f32(part.y0 - part.top), strips.first_row);
     store(part.y0 * I32x8(kTileSize) + x0, b.place);
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
@@ -261,10 +275,16 @@ SIMD_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x
         store(shift_left<kSubpixelBits>(s.edges.b[k]), b.per_y[k]);
     }
     set_up_strip_edges(tile, s.edges, x0 - part.left, part.y0 - part.top, strips.first);
-    for (std::uint32_t rest = seen; rest != 0; rest &= rest - 1) {
-        const int lane = __builtin_ctz(rest);
-        draw_strip<kShows>(tile, b, strips, lane, part.name[lane], drawn);
-    }
+    const auto draw = [&](const auto& samples) SIMD_LAMBDA {
+        for (std::uint32_t rest = seen; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            draw_strip<kShows>(tile, samples, b, strips, lane, part.name[lane], drawn);
+        }
+    };
+    if (tile.pattern.size() == 1)
+        draw(OneSample{tile.pattern.front()});
+    else
+        draw(ManySamples{tile.pattern});
 }
 
 template <Shows kShows>
