@@ -48,6 +48,12 @@ SIMD_INLINE void put_plane(LaneTriangles& t, int at) {
               [&](const F64x8& term, int row) SIMD_LAMBDA { store(term, t.uv_plane[row] + at); });
 }
 
+// Of vertices 1 and 2; what is left of the triangle lies opposite vertex 0.
+template <class N>
+struct Areas {
+    N one, two;
+};
+
 // Areas opposite the vertices are exact in 32 bits, or in doubles. The register is as wide as D.
 template <class D>
 struct Whole {
@@ -72,21 +78,25 @@ struct Wide {
     }
     static SIMD_INLINE void keep(Number, std::int32_t*) {}
 };
-
-// Of vertices 1 and 2; what is left of the triangle lies opposite vertex 0.
-template <class N>
-struct Areas {
-    N one, two;
-};
+// At these places of the lanes, 1/256 pixel.
 template <class In, class D>
-SIMD_INLINE auto areas_at(const LaneTriangles& t, const Entries<D>& entries, Int<D> right,
-                          Int<D> down) {
-    const auto across = In::of(right), along = In::of(down);
+SIMD_INLINE Areas<typename In::Number> areas_at(In, const LaneTriangles& t,
+                                                const Entries<D>& entries, Int<D> x, Int<D> y) {
+    const auto across = In::of(x - entries.of(t.x)), along = In::of(y - entries.of(t.y));
     const auto area = [&](int k) SIMD_LAMBDA {
         return (In::of(entries.of(t.right[k])) * across + In::of(entries.of(t.down[k])) * along) +
                In::of(Int<D>(0)); // no double is -0
     };
-    return Areas<typename In::Number>{area(0), area(1)};
+    return {area(0), area(1)};
+}
+// Of small triangles (are_small), made of numbers of 16 bits: half as many products.
+template <class D>
+struct Small : Whole<D> {};
+template <class D>
+SIMD_INLINE Areas<Int<D>> areas_at(Small<D>, const LaneTriangles& t, const Entries<D>& entries,
+                                   Int<D> x, Int<D> y) {
+    const Int<D> apart = subtract_pairs(pair_of(x, y), entries.of(t.place));
+    return {dot_pairs(entries.of(t.step[0]), apart), dot_pairs(entries.of(t.step[1]), apart)};
 }
 
 // Which lanes their triangles cover where these areas are.
@@ -110,16 +120,16 @@ SIMD_INLINE void fill_exact(LaneTriangles& t, int at) {
     store(select(whole, twice, load<F64x8>(t.exact_twice + at)), t.exact_twice + at);
 }
 
-// Moves a register of lanes where they are shaded, and finds their weights there.
+// Moves a register of lanes where they are shaded, and finds their weights there. sloped: slopes
+// will be wanted, too.
 template <class D, template <class> class In>
-SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
+SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live, bool sloped) {
     using I = Int<D>;
     using N = typename In<D>::Number;
     const Entries<D> entries(t.of_lane + lane, live);
     I x = load<I>(block.x + lane), y = load<I>(block.y + lane);
-    const I from_x = entries.of(t.x), from_y = entries.of(t.y);
     const N twice = In<D>::twice(t, lane, live, entries);
-    auto found = areas_at<In<D>>(t, entries, x - from_x, y - from_y);
+    auto found = areas_at(In<D>(), t, entries, x, y);
     if (lane + static_cast<int>(I::kLanes) > t.centred) { // not all cover the centre
         const I sample_x = load<I>(t.sample_x + lane), sample_y = load<I>(t.sample_y + lane);
         const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
@@ -129,13 +139,13 @@ SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live) {
         y = y + select(moves, sample_y, I(0));
         store(x, block.x + lane);
         store(y, block.y + lane);
-        found = areas_at<In<D>>(t, entries, x - from_x, y - from_y);
+        found = areas_at(In<D>(), t, entries, x, y);
     }
     const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + lane);
-        In<D>::keep(area[k], t.area[k] + lane);
+        if (sloped) In<D>::keep(area[k], t.area[k] + lane);
     }
 }
 
@@ -151,8 +161,8 @@ template <class D>
 SIMD_INLINE void read_areas(Wide<D>, const LaneTriangles& t, const Block& block, int lane, int live,
                             Double<D> (&area)[3]) {
     const Entries<D> entries(t.of_lane + lane, live);
-    const auto found = areas_at<Wide<D>>(t, entries, load<Int<D>>(block.x + lane) - entries.of(t.x),
-                                         load<Int<D>>(block.y + lane) - entries.of(t.y));
+    const auto found =
+        areas_at(Wide<D>(), t, entries, load<Int<D>>(block.x + lane), load<Int<D>>(block.y + lane));
     area[0] = (Wide<D>::twice(t, lane, live, entries) - found.one) - found.two;
     area[1] = found.one;
     area[2] = found.two;
@@ -197,31 +207,34 @@ void take(const std::int32_t* number, const std::uint32_t* ids, int count, LaneT
 void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int first, int count) {
     const bool sloped = s.wanted.uv && s.wanted.footprint;
     const int begin = t.of_lane[first], triangles = t.of_lane[first + count - 1] + 1;
-    bool whole = true;
+    Fits fit;
     for (int i = 0; i < kLanes; ++i) // registers reach beyond the last
         t.id[t.count + i] = t.id[t.count - 1];
     using D = F32::Tag;
     for (int i = begin; i < triangles; i += kLanes)
         put_corners<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
-        whole &= set_up_register<D>(s, t, i);
+        fit = fit & set_up_register<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
         put_attributes<D>(s, t, i);
     for (int i = begin; sloped && i < triangles; i += kLanesX8)
         put_plane(t, i);
     const int end = first + count;
-    if (whole) {
+    if (fit.small) {
         for (int i = first; i < end; i += kLanes)
-            weigh<F32::Tag, Whole>(t, b, i, end - i);
+            weigh<F32::Tag, Small>(t, b, i, end - i, sloped);
+    } else if (fit.whole) {
+        for (int i = first; i < end; i += kLanes)
+            weigh<F32::Tag, Whole>(t, b, i, end - i, sloped);
     } else {
         for (int i = begin; i < triangles; i += kLanesX8)
             fill_exact(t, i);
         for (int i = first; i < end; i += kLanesX8)
-            weigh<F32x8::Tag, Wide>(t, b, i, end - i);
+            weigh<F32x8::Tag, Wide>(t, b, i, end - i, sloped);
     }
     if (!sloped) return;
     for (int i = first; i < end; i += kLanesX8) {
-        if (whole)
+        if (fit.whole)
             put_slopes<Whole>(t, b, i, end - i);
         else
             put_slopes<Wide>(t, b, i, end - i);

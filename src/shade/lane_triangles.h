@@ -41,6 +41,8 @@ struct LaneTriangles {
     // (Primitive); exact_twice is set where some of a register are not.
     alignas(64) std::int32_t x[kRoom], y[kRoom], right[2][kRoom], down[2][kRoom], twice[kRoom];
     alignas(64) std::int32_t whole[kRoom];
+    // x and y, right and down, modulo 2^16, in the halves of a number.
+    alignas(64) std::int32_t place[kRoom], step[2][kRoom];
     alignas(64) double exact_twice[kRoom];
     alignas(64) float inverse_w[3][kRoom];
     // side: what normals are multiplied by (Sides), and have been. The rest as in Primitive,

@@ -114,18 +114,28 @@ SIMD_INLINE bool are_small(const Vertices<D> (&v)[3]) {
                Int<D>(1 << 14));
 }
 
+// Of all of some triangles: are they whole (LaneTriangles), and are they small (are_small)?
+struct Fits {
+    bool whole = true, small = true;
+    friend SIMD_INLINE Fits operator&(Fits a, Fits b) {
+        return {a.whole && b.whole, a.small && b.small};
+    }
+};
+
 // Twice the area of a register of triangles, counter-clockwise below 0 as y runs down.
 template <class D>
 struct Doubled {
     Mask<D> below_zero, above_zero, whole;
     Int<D> low; // its amount, modulo 2^32
+    bool small;
 };
 template <class D>
 SIMD_INLINE Doubled<D> doubled(const Vertices<D> (&v)[3], double* exact) {
     const Int<D> right_1 = v[1].x - v[0].x, down_1 = v[1].y - v[0].y, right_2 = v[2].x - v[0].x,
                  down_2 = v[2].y - v[0].y, zero = 0;
     const Int<D> low = right_1 * down_2 - down_1 * right_2;
-    if (are_small(v)) return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low)};
+    if (are_small(v))
+        return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low), true};
     const Double<D> twice = to_f64(right_1) * to_f64(down_2) - to_f64(down_1) * to_f64(right_2);
     const Mask<D> below_zero = narrow<D>(twice < Double<D>(0.0));
     store(abs(twice), exact);
@@ -137,7 +147,7 @@ SIMD_INLINE Doubled<D> doubled(const Vertices<D> (&v)[3], double* exact) {
     for (const Int<D>& step : steps)
         whole = whole & (zero - side < step) & (step < side);
     return {below_zero, narrow<D>(twice > Double<D>(0.0)), whole,
-            select(below_zero, zero - low, low)};
+            select(below_zero, zero - low, low), false};
 }
 
 // The areas opposite the vertices.
@@ -147,14 +157,18 @@ SIMD_INLINE void put_areas(const Vertices<D> (&v)[3], const Doubled<D>& twice, L
     const Int<D> zero = 0;
     store(v[0].x, out.x + lane);
     store(v[0].y, out.y + lane);
+    store(pair_of(v[0].x, v[0].y), out.place + lane);
     store(twice.low, out.twice + lane);
     store(select(twice.whole, Int<D>(1), zero), out.whole + lane);
     SIMD_UNROLL
     for (int k = 1; k < 3; ++k) { // the edge from vertex 2 to 0, or 0 to 1
         const Vertices<D>&from = v[k == 1 ? 2 : 0], &to = v[k == 1 ? 0 : 1];
         const Int<D> up = from.y - to.y, right = to.x - from.x;
-        store(select(twice.below_zero, zero - up, up), out.right[k - 1] + lane);
-        store(select(twice.below_zero, zero - right, right), out.down[k - 1] + lane);
+        const Int<D> across = select(twice.below_zero, zero - up, up),
+                     down = select(twice.below_zero, zero - right, right);
+        store(across, out.right[k - 1] + lane);
+        store(down, out.down[k - 1] + lane);
+        store(pair_of(across, down), out.step[k - 1] + lane);
     }
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k)
@@ -254,11 +268,6 @@ SIMD_INLINE void put_facing(const MeshPlaces<D>& place, Mask<D> turned, LaneTria
         store(to_f32(n[c] * scale), out.facing[c] + lane);
 }
 
-template <class D>
-SIMD_INLINE Mask<D> differ(Mask<D> a, Mask<D> b) {
-    return (a & !b) | (b & !a);
-}
-
 // Which way round the vertices wind on the screen. Behind: as seen where the view is no mirror.
 template <class D>
 struct Windings {
@@ -267,8 +276,8 @@ struct Windings {
 template <class D>
 SIMD_INLINE Windings<D> windings_of(Mask<D> clockwise_in_order, const Turns<D>& turns,
                                     Mask<D> mirrored) {
-    const Mask<D> behind = differ(clockwise_in_order, mirrored);
-    return {differ(behind, differ(turns.of[0], differ(turns.of[1], turns.of[2]))), behind};
+    const Mask<D> behind = clockwise_in_order ^ mirrored;
+    return {behind ^ turns.of[0] ^ turns.of[1] ^ turns.of[2], behind};
 }
 
 // The side that normals are on, and which way `facing` goes (Vertices in shade/primitives.cpp).
@@ -280,14 +289,14 @@ SIMD_INLINE void put_sides(const TriangleSource& s, const Windings<D>& behind, L
           out.side + lane);
     if (!s.wants_facing()) return;
     const Mask<D> turned =
-        s.sides == Sides::file ? differ(behind.of_order, behind.of_file) : behind.of_order;
+        s.sides == Sides::file ? behind.of_order ^ behind.of_file : behind.of_order;
     store(select(turned, Int<D>(1), Int<D>(0)), out.turned + lane);
 }
 
 // A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.
-// Returns whether all are whole; exact_twice is set where not all are.
+// exact_twice is set where not all are small.
 template <class D>
-SIMD_INLINE bool set_up_register(const TriangleSource& s, LaneTriangles& out, int at) {
+SIMD_INLINE Fits set_up_register(const TriangleSource& s, LaneTriangles& out, int at) {
     Vertices<D> v[3];
     load_vertices(s, out, at, v);
     const Turns<D> turns = put_in_order(v);
@@ -296,7 +305,7 @@ SIMD_INLINE bool set_up_register(const TriangleSource& s, LaneTriangles& out, in
     put_areas(v, twice, out, at);
     const Mask<D> mirrored = Float<D>(s.mirrored ? 1.0F : 0.0F) > Float<D>(0.0F);
     put_sides(s, windings_of(twice.above_zero, turns, mirrored), out, at);
-    return all(twice.whole);
+    return {all(twice.whole), twice.small};
 }
 // And then what their vertices carry: not at once with it, so that compilers leave the corners in
 // memory, and so that no load waits for them.

@@ -39,6 +39,9 @@
     X(shift_left<31>(i))                                                                           \
     X(shift_right<7>(i))                                                                           \
     X(shift_right<31>(i))                                                                          \
+    X(pair_of(i, j))                                                                               \
+    X(subtract_pairs(i, j))                                                                        \
+    X(dot_pairs(i, j))                                                                             \
     X(to_i32(c))                                                                                   \
     X(to_i32(r))                                                                                   \
     X(bits_of(a))
@@ -76,6 +79,7 @@
     X(i == j)                                                                                      \
     X((a < b) & (i < j))                                                                           \
     X((a < b) | (i < j))                                                                           \
+    X((a < b) ^ (i < j))                                                                           \
     X(!(a < b))                                                                                    \
     X(i == i)                                                                                      \
     X(!(i == i))
