@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 namespace scanout::frame {
@@ -70,12 +71,13 @@ namespace {
 
 constexpr double kFlat = 0x1p-16; // bounding radii: so far off is still in the plane
 
+bool lies_in(const Vec3& position, const Ground& ground) {
+    return std::abs(dot3(ground.normal, DVec3(position)) - ground.offset) <= kFlat;
+}
 bool lies_in(const geom::Mesh& mesh, std::size_t triangle, const Ground& ground) {
-    for (std::size_t k = 0; k < 3; ++k) {
-        const DVec3 at(mesh.position[mesh.index[triangle * 3 + k]]);
-        if (!(std::abs(dot3(ground.normal, at) - ground.offset) <= kFlat)) return false;
-    }
-    return true;
+    const std::uint32_t* v = &mesh.index[triangle * 3];
+    return std::all_of(
+        v, v + 3, [&](std::uint32_t corner) { return lies_in(mesh.position[corner], ground); });
 }
 
 } // namespace
@@ -99,11 +101,16 @@ Ground ground(const geom::Mesh& mesh) {
     const DVec3 size = DVec3(high) - DVec3(low);
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0)) return {};
+    // Of a vertex a bit for every side that it lies in: few lie in any.
+    std::vector<std::uint8_t> in(mesh.position.size(), 0);
+    for (std::size_t v = 0; v < in.size(); ++v)
+        for (std::size_t k = 0; k < 6; ++k)
+            if (lies_in(mesh.position[v], sides[k])) in[v] |= 1U << k;
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
-        for (std::size_t k = 0; k < 6; ++k) {
-            if (!lies_in(mesh, i, sides[k])) continue;
-            const DVec3 a(mesh.position[mesh.index[i * 3]]),
-                b(mesh.position[mesh.index[i * 3 + 1]]), c(mesh.position[mesh.index[i * 3 + 2]]);
+        const std::uint32_t* v = &mesh.index[i * 3];
+        for (unsigned rest = in [v[0]] & in [v[1]] & in [v[2]]; rest != 0; rest &= rest - 1) {
+            const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+            const DVec3 a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]);
             const double share =
                 std::abs(dot3(cross3((b - a) / extent, (c - a) / extent), sides[k].normal));
             area[k] += static_cast<std::int64_t>(share * 0x1p30); // at most 1: 2^32 triangles fit

@@ -16,9 +16,9 @@ struct Corner {
     DVec2 texel{0};
 };
 
-// The most texels a unit of a triangle's plane spans in any direction: the larger singular value of
-// position -> texel. 0 for a triangle without area, which nobody sees.
-double texels_per_unit(const std::array<Corner, 3>& c) {
+// The square of the most texels a unit of a triangle's plane spans in any direction: of the larger
+// singular value of position -> texel. 0 for a triangle without area, which nobody sees.
+double squared_texels_per_unit(const std::array<Corner, 3>& c) {
     const DVec3 e1 = c[1].position - c[0].position, e2 = c[2].position - c[0].position;
     const DVec2 t1 = c[1].texel - c[0].texel, t2 = c[2].texel - c[0].texel;
     // J J^T = T G^-1 T^T, G the edges' inner products.
@@ -32,12 +32,12 @@ double texels_per_unit(const std::array<Corner, 3>& c) {
     const double a = product(t1.x, t2.x, t1.x, t2.x), b = product(t1.x, t2.x, t1.y, t2.y),
                  d = product(t1.y, t2.y, t1.y, t2.y);
     const double half = (a - d) / 2;
-    const double largest = (a + d) / 2 + scanout::sqrt(half * half + b * b);
-    return largest > 0 ? scanout::sqrt(largest) : 0;
+    return (a + d) / 2 + scanout::sqrt(half * half + b * b);
 }
 
+// texels_per_unit is its square until all are there.
 void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool first) {
-    surface.texels_per_unit = std::max(surface.texels_per_unit, texels_per_unit(triangle));
+    surface.texels_per_unit = std::max(surface.texels_per_unit, squared_texels_per_unit(triangle));
     surface.planes.add(triangle[0].position, triangle[1].position, triangle[2].position);
     if (first) surface.box_min = surface.box_max = triangle[0].position;
     for (const Corner& corner : triangle)
@@ -47,43 +47,61 @@ void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool f
         }
 }
 
+// A map that a material has: its texels over the whole range of u and v.
+struct Use {
+    shade::Map map;
+    const scene::TextureMap* options;
+    DVec2 size;
+};
+std::vector<std::vector<Use>> uses_of(const scene::Scene& scene) {
+    std::vector<std::vector<Use>> uses(scene.materials.size());
+    for (std::size_t m = 0; m < uses.size(); ++m)
+        for (std::size_t i = 0; i < shade::kMaps; ++i) {
+            const scene::TextureMap& map = scene.materials[m].*shade::map_slots()[i].map;
+            if (map.texture < 0) continue;
+            const image::Image& image = scene.textures[static_cast<std::size_t>(map.texture)].image;
+            uses[m].push_back(
+                {static_cast<shade::Map>(i), &map,
+                 DVec2(double{map.scale.x} * image.width(), double{map.scale.y} * image.height())});
+        }
+    return uses;
+}
+
 } // namespace
 
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
     const geom::Mesh& mesh = scene.mesh;
+    const std::vector<std::vector<Use>> uses = uses_of(scene);
     std::vector<TexturedSurface> found;
     constexpr std::size_t kNone = ~std::size_t{0};
     std::vector<std::size_t> first_of(scene.materials.size(), kNone); // surface of each material
     for (std::size_t t = 0; t < mesh.triangles(); ++t) {
         if (mesh.material[t] < 0) continue;
         const auto m = static_cast<std::size_t>(mesh.material[t]);
-        const scene::Material& material = scene.materials[m];
+        if (uses[m].empty()) continue;
         const bool first = first_of[m] == kNone;
         if (first) first_of[m] = found.size();
         std::size_t at = first_of[m];
-        for (std::size_t i = 0; i < shade::kMaps; ++i) {
-            const scene::TextureMap& map = material.*shade::map_slots()[i].map;
-            if (map.texture < 0) continue;
+        for (const Use& use : uses[m]) {
             if (first)
                 found.push_back({.material = m,
-                                 .map = static_cast<shade::Map>(i),
-                                 .texture = shade::mip_use(static_cast<shade::Map>(i), map),
-                                 .clamp = map.clamp});
-            const image::Image& image = scene.textures[static_cast<std::size_t>(map.texture)].image;
-            const DVec2 size(double{map.scale.x} * image.width(),
-                             double{map.scale.y} * image.height());
+                                 .map = use.map,
+                                 .texture = shade::mip_use(use.map, *use.options),
+                                 .clamp = use.options->clamp});
             std::array<Corner, 3> corner;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t v = mesh.index[3 * t + k];
                 const DVec2 uv = mesh.uv.empty() ? DVec2(0) : DVec2(mesh.uv[v]);
-                corner[k] = {DVec3(mesh.position[v]), uv * size};
+                corner[k] = {DVec3(mesh.position[v]), uv * use.size};
             }
             // Mappings lay a turn over the model's width, or more.
             found[at].texels_per_unit_mapped =
-                std::max({size.x, -size.x, size.y, -size.y}) * kTurnsPerUnit;
+                std::max({use.size.x, -use.size.x, use.size.y, -use.size.y}) * kTurnsPerUnit;
             add(found[at++], corner, first);
         }
     }
+    for (TexturedSurface& surface : found)
+        surface.texels_per_unit = scanout::sqrt(surface.texels_per_unit);
     return found;
 }
 
