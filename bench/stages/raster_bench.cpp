@@ -119,6 +119,33 @@ BENCHMARK_CAPTURE(geometry, teapot, "teapot")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(geometry, building, "building")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(geometry, knot_100k, "knot:100000")->Unit(benchmark::kMicrosecond);
 
+// Coverage of all tiles, as a frame has it before it is shaded.
+void tiles(benchmark::State& state, const std::string& name) {
+    const auto seen = see(name);
+    if (!seen) return state.SkipWithError(seen.error().what.c_str());
+    Jobs jobs(1);
+    raster::Geometry stage;
+    raster::GeometryOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.keep = name == "building" ? raster::Facing::any : raster::Facing::front;
+    options.mirrored = seen->view.mirrored;
+    stage.run(jobs, seen->mesh, raster::ScreenTransform(seen->view, kWidth, kHeight), options);
+    raster::VisibilityTile tile;
+    for (auto _ : state) {
+        for (int i = 0; i < stage.tiles(); ++i) {
+            if (stage.is_empty(i)) continue;
+            tile.reset(stage.tile_area(i), 1);
+            stage.draw(i, tile);
+        }
+        benchmark::ClobberMemory();
+    }
+    count(state, "triangles", stage.triangles_drawn());
+}
+BENCHMARK_CAPTURE(tiles, bunny, "bunny")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(tiles, building, "building")->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(tiles, knot_100k, "knot:100000")->Unit(benchmark::kMicrosecond);
+
 // Triangles with three like sides, turned and placed at random with their middles in one tile. A
 // flat one has nearly one depth; a steep one falls away from the eye, which takes the other path.
 enum class Depth { flat, steep };

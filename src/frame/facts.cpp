@@ -102,13 +102,13 @@ Ground ground(const geom::Mesh& mesh) {
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0)) return {};
     // Of a vertex a bit for every side that it lies in: few lie in any.
-    std::vector<std::uint8_t> in(mesh.position.size(), 0);
-    for (std::size_t v = 0; v < in.size(); ++v)
+    std::vector<std::uint8_t> lies(mesh.position.size(), 0);
+    for (std::size_t v = 0; v < lies.size(); ++v)
         for (std::size_t k = 0; k < 6; ++k)
-            if (lies_in(mesh.position[v], sides[k])) in[v] |= 1U << k;
+            if (lies_in(mesh.position[v], sides[k])) lies[v] |= 1U << k;
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
         const std::uint32_t* v = &mesh.index[i * 3];
-        for (unsigned rest = in [v[0]] & in [v[1]] & in [v[2]]; rest != 0; rest &= rest - 1) {
+        for (unsigned rest = lies[v[0]] & lies[v[1]] & lies[v[2]]; rest != 0; rest &= rest - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(rest));
             const DVec3 a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]);
             const double share =

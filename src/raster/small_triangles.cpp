@@ -16,9 +16,10 @@ bool draw_all_parts(const TilePlanes& tile, const TilePartList& list) {
 
 constexpr int kMostOrdered = 512; // at a time
 
+// By counting.
 SIMD_INLINE void order_some(TilePart* parts, int count) {
     constexpr int kSide = BlockWalk::kSide;
-    constexpr int kHeights = 8, kLeast = 3; // rows: from so many and fewer to as many more, or more
+    constexpr int kHeights = 8, kLeast = 3; // up to 3 rows, 4, 5, ..., 9, and 10 or more
     std::uint32_t sort[kMostOrdered + kLanes], next[kHeights * kSide] = {};
     TilePart ordered[kMostOrdered];
     for (int i = 0; i < count; i += kLanes) {

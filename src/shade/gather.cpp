@@ -462,9 +462,8 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
         take_lanes(triangle + i, ids, static_cast<int>(count), t, b.count);
         // The next block's: the file may have them far from each other.
         if (own_source_.place != nullptr) {
-            const std::int32_t next = triangle[i + count - 1] + 1,
-                               last = triangle[part.end - 1] + 1,
-                               end = std::min(2 * next - triangle[i], last);
+            const std::int32_t next = triangle[i + count - 1] + 1, as_many = next - triangle[i],
+                               end = std::min(next + as_many, triangle[part.end - 1] + 1);
             for (std::int32_t k = next; k < end; ++k)
                 prefetch_place(own_source_, ids[k]);
         }

@@ -33,7 +33,7 @@ struct LaneTriangles {
     // Set up, of lanes. weight: opposite areas times 1/w, none is negative.
     alignas(64) float weight[3][kRoom];
     alignas(64) float slope[4][kRoom];       // u_x, v_x, u_y, v_y of the block
-    alignas(64) std::int32_t area[3][kRoom]; // opposite the vertices, where all are whole
+    alignas(64) std::int32_t area[3][kRoom]; // opposite the vertices, for slopes of whole ones
 
     // Of triangles. x, y: vertex 0, 1/256 pixel. How the areas opposite vertices 1 and 2 change in
     // 1/256 pixel to the right and down; both are 0 at vertex 0, and with the third they add up to
