@@ -6,6 +6,7 @@
 #include "frame/plan.h"
 #include "frame/renderer.h"
 #include "scene/view.h"
+#include "shade/mip_chain.h"
 #include "shade/output.h"
 #include "shade/resolve.h"
 #include "tests/support/random.h"
@@ -341,6 +342,22 @@ void resolve(benchmark::State& state) {
     count_pixels(state, kPixels);
 }
 BENCHMARK(resolve);
+
+// All levels of a texture of 1024 x 1024 texels, in memory that is written already.
+void mip_chain(benchmark::State& state) {
+    constexpr int kSide = 1024;
+    image::Image image(kSide, kSide);
+    for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < kSide; ++x)
+            image.row(y)[static_cast<std::size_t>(x)] = {
+                static_cast<std::uint8_t>(x), static_cast<std::uint8_t>(y),
+                static_cast<std::uint8_t>(x * y / 64), static_cast<std::uint8_t>(255 - x / 8)};
+    Jobs jobs(1);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(shade::make_mip_chain(image, shade::TexelKind::colour, jobs));
+    count_pixels(state, kSide * kSide);
+}
+BENCHMARK(mip_chain)->Unit(benchmark::kMillisecond);
 
 const bool kRegistered = [] {
     const auto add = [](const std::string& mesh, const auto* technique) {

@@ -37,17 +37,20 @@ MipChain make_mip_chain(const image::Image& image, TexelKind kind, Jobs& jobs) {
     std::int32_t texels = 0;
     MipChain chain = mip_levels(image, texels);
     chain.texels = LargeArray<float>(static_cast<std::size_t>(texels) * 4);
+    const auto& codes = scanout::detail::kSrgb;
+    double colour[256], alpha[256];
+    std::copy_n(kind == TexelKind::colour ? codes.decode : codes.linear, 256, colour);
+    std::copy_n(codes.linear, 256, alpha);
     LevelAbove above{
         image.width(), image.height(), reinterpret_cast<const std::int32_t*>(image.pixels().data()),
-        kind == TexelKind::colour ? scanout::detail::kSrgb.decode : scanout::detail::kSrgb.linear,
-        nullptr};
+        colour,        alpha,          nullptr};
     for (int level = 1; level <= chain.last; ++level) {
         const int width = chain.width[level];
         float* const out = chain.texels.data() + static_cast<std::size_t>(chain.begin[level]) * 4;
         jobs.for_each(chain.height[level], [&](int y, int) {
             shrink_row(above, y, width, out + std::ptrdiff_t{4} * y * width);
         });
-        above = {width, chain.height[level], nullptr, nullptr, out};
+        above = {width, chain.height[level], nullptr, nullptr, nullptr, out};
     }
     check_values(chain.texels, "texel", "the mip chain");
     return chain;

@@ -25,29 +25,42 @@ SIMD_INLINE Shares<Number> shares_of(Number i, int size) {
 
 // Four channels of a register of texels.
 struct Texels {
-    F32x8 channel[4];
+    F64x8 channel[4];
 };
-// Those of even and of odd number of two registers' width in a row.
-struct TexelPairs {
-    Texels even, odd;
-};
+SIMD_INLINE void store_texels(const F64x8 (&texel)[4], float* to) {
+    hn::StoreInterleaved4(to_f32(texel[0]).raw, to_f32(texel[1]).raw, to_f32(texel[2]).raw,
+                          to_f32(texel[3]).raw, F32x8::Tag(), to);
+}
 
 // Codes of an image.
 struct Codes {
     const std::int32_t* codes;
-    const float* decode;
+    const double *colour, *alpha;
 
     SIMD_INLINE Texels decoded(I32x8 code) const {
         const I32x8 mask = 255;
-        const auto colour = [&](I32x8 c) SIMD_LAMBDA { return gather(decode, c & mask); };
-        return {{colour(code), colour(shift_right<8>(code)), colour(shift_right<16>(code)),
-                 to_f32(shift_right<24>(code) & mask) / F32x8(255.0F)}};
+        return {{gather(colour, code & mask), gather(colour, shift_right<8>(code) & mask),
+                 gather(colour, shift_right<16>(code) & mask),
+                 gather(alpha, shift_right<24>(code) & mask)}};
     }
     SIMD_INLINE Texels at(I32x8 place) const { return decoded(gather(codes, place)); }
-    SIMD_INLINE TexelPairs pairs_from(std::ptrdiff_t place) const {
-        I32x8 even, odd;
-        hn::LoadInterleaved2(I32x8::Tag(), codes + place, even.raw, odd.raw);
-        return {decoded(even), decoded(odd)};
+    // Means of what the texels cover whose first ones are at `place` and the next places.
+    SIMD_INLINE void means(std::ptrdiff_t place, int width, float* out) const {
+        const auto pairs = [&](std::ptrdiff_t from, F64x8(&sum)[4]) SIMD_LAMBDA {
+            I32x8 even, odd;
+            hn::LoadInterleaved2(I32x8::Tag(), codes + from, even.raw, odd.raw);
+            const Texels left = decoded(even), right = decoded(odd);
+            SIMD_UNROLL
+            for (int c = 0; c < 4; ++c)
+                sum[c] = left.channel[c] + right.channel[c];
+        };
+        F64x8 upper[4], lower[4];
+        pairs(place, upper);
+        pairs(place + width, lower);
+        SIMD_UNROLL
+        for (int c = 0; c < 4; ++c)
+            upper[c] = (upper[c] + lower[c]) * F64x8(0.25);
+        store_texels(upper, out);
     }
 };
 
@@ -57,39 +70,47 @@ struct Floats {
 
     SIMD_INLINE Texels at(I32x8 place) const {
         const I32x8 first = shift_left<2>(place);
-        return {{gather(texels, first), gather(texels + 1, first), gather(texels + 2, first),
-                 gather(texels + 3, first)}};
+        return {{to_f64(gather(texels, first)), to_f64(gather(texels + 1, first)),
+                 to_f64(gather(texels + 2, first)), to_f64(gather(texels + 3, first))}};
     }
-    SIMD_INLINE TexelPairs pairs_from(std::ptrdiff_t place) const {
-        const F32x8::Tag tag;
-        Texels low, high;
-        const auto load = [&](const float* from, F32x8(&to)[4]) SIMD_LAMBDA {
-            hn::LoadInterleaved4(tag, from, to[0].raw, to[1].raw, to[2].raw, to[3].raw);
+    SIMD_INLINE void means(std::ptrdiff_t place, int width, float* out) const {
+        constexpr int kTexels = kLanesX8 / 4; // of a register
+        const auto pairs = [&](const float* from) SIMD_LAMBDA {
+            const F32x8::Tag tag;
+            const auto low = hn::LoadU(tag, from), high = hn::LoadU(tag, from + kLanesX8);
+            if constexpr (kTexels == 1)
+                return to_f64(F32x8(low)) + to_f64(F32x8(high));
+            else
+                return to_f64(F32x8(hn::ConcatLowerLower(tag, high, low))) +
+                       to_f64(F32x8(hn::ConcatUpperUpper(tag, high, low)));
         };
-        load(texels + 4 * place, low.channel);
-        load(texels + 4 * (place + kLanesX8), high.channel);
-        TexelPairs pairs;
+        const float* const upper = texels + 4 * place;
+        const float* const lower = upper + std::ptrdiff_t{4} * width;
         SIMD_UNROLL
-        for (int c = 0; c < 4; ++c) {
-            const auto l = low.channel[c].raw, h = high.channel[c].raw;
-            pairs.even.channel[c] = F32x8(hn::ConcatEven(tag, h, l));
-            pairs.odd.channel[c] = F32x8(hn::ConcatOdd(tag, h, l));
+        for (int i = 0; i < 4; ++i) { // kTexels each
+            const int at = 2 * i * kLanesX8;
+            const F64x8 sum = pairs(upper + at) + pairs(lower + at);
+            store(to_f32(sum * F64x8(0.25)), out + i * kLanesX8);
         }
-        return pairs;
     }
 };
 
 SIMD_INLINE void add(F64x8 (&sum)[4], F64x8 share, const Texels& texels) {
     SIMD_UNROLL
     for (int c = 0; c < 4; ++c)
-        sum[c] = sum[c] + share * to_f64(texels.channel[c]);
+        sum[c] = sum[c] + share * texels.channel[c];
 }
 
 // The sums are in double, so the mean of equal floats is that float.
 template <class Read>
 SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, const Read& read) {
+    int i = 0;
+    if (above.width % 2 == 0 && above.height % 2 == 0) // every share is a quarter
+        for (; i + kLanesX8 <= width; i += kLanesX8)
+            read.means(std::ptrdiff_t{2} * (std::ptrdiff_t{y} * above.width + i), above.width,
+                       row + 4 * i);
     const Shares<double> down = shares_of(static_cast<double>(y), above.height);
-    for (int i = 0; i < width; i += kLanesX8) {
+    for (; i < width; i += kLanesX8) {
         const bool whole = i + kLanesX8 <= width;
         const I32x8 column = minimum(iota<I32x8>(i), I32x8(width - 1));
         const Shares<F64x8> across = shares_of(to_f64(column), above.width);
@@ -97,23 +118,16 @@ SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, c
         for (int k = 0; k < down.count; ++k) {
             const int above_row = (2 * y + k) * above.width;
             F64x8 line[4] = {0.0, 0.0, 0.0, 0.0};
-            if (whole && above.width % 2 == 0) { // what is read lies side by side
-                const TexelPairs pairs = read.pairs_from(above_row + 2 * i);
-                add(line, across.share[0], pairs.even);
-                add(line, across.share[1], pairs.odd);
-            } else {
-                const I32x8 first = I32x8(above_row) + shift_left<1>(column);
-                for (int l = 0; l < across.count; ++l)
-                    add(line, across.share[l], read.at(first + I32x8(l)));
-            }
+            const I32x8 first = I32x8(above_row) + shift_left<1>(column);
+            for (int l = 0; l < across.count; ++l)
+                add(line, across.share[l], read.at(first + I32x8(l)));
             SIMD_UNROLL
             for (int c = 0; c < 4; ++c)
                 sum[c] = sum[c] + F64x8(down.share[k]) * line[c];
         }
         float room[4 * kLanesX8]; // a row ends where the next one begins
         float* const to = whole ? row + 4 * i : room;
-        hn::StoreInterleaved4(to_f32(sum[0]).raw, to_f32(sum[1]).raw, to_f32(sum[2]).raw,
-                              to_f32(sum[3]).raw, F32x8::Tag(), to);
+        store_texels(sum, to);
         if (whole) continue;
         for (int k = 0; k < 4 * (width - i); ++k)
             row[4 * i + k] = room[k];
@@ -122,7 +136,7 @@ SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, c
 
 void shrink_any(const LevelAbove& above, int y, int width, float* row) {
     if (above.codes != nullptr)
-        shrink(above, y, width, row, Codes{above.codes, above.decode});
+        shrink(above, y, width, row, Codes{above.codes, above.colour, above.alpha});
     else
         shrink(above, y, width, row, Floats{above.texels});
 }

@@ -8,9 +8,9 @@ namespace scanout::shade {
 // Rows from the top: codes of an image, or else four floats a texel.
 struct LevelAbove {
     std::int32_t width, height;
-    const std::int32_t* codes; // image::Rgba8, red in the lowest byte; null: floats
-    const float* decode;       // of 256 codes of colour
-    const float* texels;       // red, green, blue, alpha
+    const std::int32_t* codes;    // image::Rgba8, red in the lowest byte; null: floats
+    const double *colour, *alpha; // of 256 codes, each a float's value
+    const float* texels;          // red, green, blue, alpha
 };
 
 // Row y of the level below, four floats a texel: `width` texels, half of those above.
