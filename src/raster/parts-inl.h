@@ -65,6 +65,7 @@ SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D
             }
             const int later = number(first + i + 2 * kWidth);
             __builtin_prefetch(index + std::size_t{parts[later].place} * 3);
+            __builtin_prefetch(list.id.data() + parts[later].place);
         }
     };
     if (first + 3 * kWidth <= last)
