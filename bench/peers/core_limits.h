@@ -18,8 +18,8 @@ struct CoreLimits {
 class CoreMeter {
 public:
     CoreMeter();
-    void measure();          // once; a fiftieth of a second
-    CoreLimits best() const; // of all: other work on the machine only takes from it
+    void measure();             // once; a thirtieth of a second
+    CoreLimits typical() const; // medians of all
 
 private:
     // What is written past the caches is not what is read into them.
