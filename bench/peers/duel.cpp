@@ -1,8 +1,7 @@
 #include "bench/peers/duel.h"
 
-#include "base/large_array.h"
-#include "base/memory.h"
 #include "base/write_file.h"
+#include "bench/peers/first_frame.h"
 #include "bench/peers/floor.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/pictures.h"
@@ -14,8 +13,9 @@
 namespace scanout::bench {
 namespace {
 
-constexpr int kBatch = 5, kWarm = 2, kFirstFrames = 3;
-constexpr int kMostCores = 8; // that are asked which is the quietest
+constexpr int kBatch = 5, kWarm = 2;
+constexpr std::size_t kProcesses = 7; // that draw a first frame
+constexpr int kMostCores = 8;         // that are asked which is the quietest
 
 // The views that are compared, in twelfths of a turn.
 constexpr std::array kCompared = {10, 7, 4, 1};
@@ -30,25 +30,6 @@ Result<void> save(const PicturePair& pair, const Load& load, int twelfth,
         TRY_VOID(write_file(fmt::format("{}/{}.{}.{}.png", folder, name, twelfth * 30, side), png));
     }
     return {};
-}
-
-// Has the system hold free pages that were written before. What a virtual machine writes first it
-// gets from its host, which takes many times what the system takes to clear it.
-void free_written_pages() {
-    constexpr std::size_t kBytes = std::size_t{256} << 20, kPage = 4096;
-    LargeArray<std::byte> written(kBytes);
-    for (std::size_t at = 0; at < kBytes; at += kPage)
-        written[at] = std::byte{1};
-}
-
-// A first frame of a new renderer, with all its buffers to make.
-Result<void> add_first_frame(Times& times, Jobs& jobs, const Load& load, const scene::Scene& scene,
-                             const scene::View& view, const DuelOptions& o) {
-    release_freed(); // as a new process begins: what it writes to is cleared by the system
-    Ours fresh(jobs, scene, load, o.width, o.height);
-    Result<void> drawn;
-    times.add([&] { drawn = fresh.draw(view); });
-    return drawn;
 }
 
 // Stays on the core where both sides together draw fastest at present: a neighbour that shares a
@@ -99,8 +80,7 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     Ours ours(jobs, scene, load, o.width, o.height);
     TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height, o.placed));
     Result<void> drawn;
-    Times first;
-    free_written_pages();
+    std::vector<double> first;
     CoreMeter core;
     TRY_VOID(choose_core(ours, theirs, start));
     for (int begin = 0; begin < o.frames; begin += kBatch) {
@@ -119,20 +99,20 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
             result.ours.add([&] { drawn = ours.draw(view); });
             TRY_VOID(drawn);
         }
-        // In every turn, so that an hour's slow minutes meet them as they meet the frames they
-        // stand beside.
-        for (int i = 0; i < kFirstFrames; ++i) {
-            TRY_VOID(ours.draw(start));
-            TRY_VOID(add_first_frame(first, jobs, load, scene, start, o));
+        // In these turns, so that an hour's slow minutes meet what is measured as they meet the
+        // frames. Neither leaves anything in the caches.
+        if (first.size() < kProcesses) {
+            TRY(const double ratio, first_of_process(o.first_frame));
+            first.push_back(ratio);
         }
-        core.measure(); // leaves nothing in the caches
+        core.measure();
     }
     for (int quarter = 0; quarter < 4; ++quarter) {
         TRY(const scene::View view, view_of(load, scene, quarter, 4, o.width, o.height));
         result.fragments += theirs.fragments(view) / 4;
     }
     TRY(result.difference, compare(ours, theirs, load, scene, o));
-    result.first = first.cpu_median() / result.ours.cpu_median();
+    result.first = measure::median(first);
     result.vertices = scene.mesh.position.size();
     result.triangles = scene.mesh.triangles();
     result.drawn = ours.triangles_drawn();

@@ -7,6 +7,7 @@
 #include "bench/peers/load.h"
 
 #include <string>
+#include <vector>
 
 namespace scanout::bench {
 
@@ -15,16 +16,17 @@ struct DuelOptions {
     int frames = 40;     // a side, spread over a whole turn
     bool placed = false; // the peer gets scanout's order of triangles, not the file's
     std::string save_in; // a folder for the pictures that were compared; empty: none
+    std::vector<std::string> first_frame; // words for first_of_process
 };
 
 struct Duel {
     Times theirs, ours;
-    double first = 0;      // our first frame over our median, of a renderer without buffers
+    double first = 0;      // a process's first frame over its next ones (first_frame.h)
     Difference difference; // between both pictures, where four views differ most
     double fragments = 0;  // that pass the depth test in the file's order, mean of four views
     std::size_t vertices = 0, triangles = 0;
     std::uint64_t drawn = 0; // by us, left after culling
-    CoreLimits core;         // measured before and after
+    CoreLimits core;         // medians of what was measured in all turns
     double floor = 0;        // ms, of that core (floor.h); 0: not known
     // How many times faster we are, by the time that the thread ran: other work on the machine
     // takes wall time from both.

@@ -1,4 +1,5 @@
 // bench_peers: the loads of PEERS.md on both sides, and which gates are met (--help).
+#include "bench/peers/first_frame.h"
 #include "bench/peers/gl_context.h"
 #include "bench/peers/machine.h"
 #include "bench/peers/report.h"
@@ -7,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -19,6 +21,7 @@ struct Arguments {
     std::string only;            // loads whose name holds it
     std::string dragon;          // a file in the place of the generated one
     std::string target = "auto"; // of ours
+    std::string first;           // a load of which the first frame alone is measured
 };
 
 void read_size(const std::string& text, DuelOptions& duel) {
@@ -48,6 +51,9 @@ void describe(CLI::App& app, Arguments& a) {
         ->capture_default_str();
     app.add_option("--dragon", a.dragon, "an OBJ file in the place of the dragon's stand-in")
         ->check(CLI::ExistingFile);
+    app.add_option("--first", a.first,
+                   "our first frame of the load with this name over the next ones, and no more: "
+                   "what every load asks several processes for");
 }
 
 // A load whose model is not there is left out, and not judged.
@@ -69,9 +75,37 @@ Result<void> measure(const Load& load, const Arguments& a, Jobs& two, Report& re
     return {};
 }
 
-Result<Exit> run(const Arguments& a) {
+// With what the arguments say in the place of what is generated.
+std::vector<Load> asked_loads(const Arguments& a) {
+    std::vector<Load> asked(loads().begin(), loads().end());
+    for (Load& load : asked)
+        if (load.mesh == "dragon" && !a.dragon.empty()) load.mesh = a.dragon;
+    return asked;
+}
+
+Result<Exit> print_first(const Arguments& a) {
+    for (const Load& load : asked_loads(a))
+        if (load.name == a.first) {
+            TRY(const double ratio, first_over_next(load, a.duel.width, a.duel.height));
+            fmt::print("{:.3f}\n", ratio);
+            return Exit::ok;
+        }
+    return fail(Exit::usage, "--first {}: no load has this name", a.first);
+}
+
+// The words for a process that prints it.
+std::vector<std::string> words_for_first(const Load& load, const Arguments& a) {
+    std::vector<std::string> words = {"--first",  std::string(load.name),
+                                      "--size",   fmt::format("{}x{}", a.duel.width, a.duel.height),
+                                      "--target", a.target};
+    if (!a.dragon.empty()) words.insert(words.end(), {"--dragon", a.dragon});
+    return words;
+}
+
+Result<Exit> run(Arguments& a) {
     if (!simd::choose_target(a.target))
         return fail(Exit::usage, "--target {}: no such target, or not of this processor", a.target);
+    if (!a.first.empty()) return print_first(a);
     TRY(const GlContext context, GlContext::create());
     run_anywhere(); // remembers where that is
     Jobs two(2);
@@ -84,9 +118,9 @@ Result<Exit> run(const Arguments& a) {
     report.width = a.duel.width;
     report.height = a.duel.height;
     report.load_before = load_average();
-    for (Load load : loads()) {
+    for (const Load& load : asked_loads(a)) {
         if (load.name.find(a.only) == std::string_view::npos) continue;
-        if (load.mesh == "dragon" && !a.dragon.empty()) load.mesh = a.dragon;
+        a.duel.first_frame = words_for_first(load, a);
         TRY_VOID(measure(load, a, two, report));
     }
     report.load_after = load_average();
