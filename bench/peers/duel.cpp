@@ -14,8 +14,8 @@ namespace scanout::bench {
 namespace {
 
 constexpr int kBatch = 5, kWarm = 2;
-constexpr std::size_t kProcesses = 7; // that draw a first frame
-constexpr int kMostCores = 8;         // that are asked which is the quietest
+constexpr int kProcesses = 7; // that draw a first frame
+constexpr int kMostCores = 8; // that are asked which is the quietest
 
 // The views that are compared, in twelfths of a turn.
 constexpr std::array kCompared = {10, 7, 4, 1};
@@ -81,6 +81,16 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
     TRY(Theirs theirs, Theirs::create(scene, load, o.width, o.height, o.placed));
     Result<void> drawn;
     std::vector<double> first;
+    int processes = o.first_frame.empty() ? kProcesses : 0;
+    const auto draw_first = [&] {
+        if (processes == kProcesses) return;
+        ++processes;
+        const Result<double> ratio = first_of_process(o.first_frame);
+        if (ratio)
+            first.push_back(*ratio);
+        else
+            fmt::print(stderr, "{}: {}\n", load.name, ratio.error().what);
+    };
     CoreMeter core;
     TRY_VOID(choose_core(ours, theirs, start));
     for (int begin = 0; begin < o.frames; begin += kBatch) {
@@ -101,12 +111,11 @@ Result<Duel> duel(const Load& load, const scene::Scene& scene, const DuelOptions
         }
         // In these turns, so that an hour's slow minutes meet what is measured as they meet the
         // frames. Neither leaves anything in the caches.
-        if (first.size() < kProcesses) {
-            TRY(const double ratio, first_of_process(o.first_frame));
-            first.push_back(ratio);
-        }
+        draw_first();
         core.measure();
     }
+    for (int i = 0; i < kProcesses; ++i) // of which there were fewer turns
+        draw_first();
     for (int quarter = 0; quarter < 4; ++quarter) {
         TRY(const scene::View view, view_of(load, scene, quarter, 4, o.width, o.height));
         result.fragments += theirs.fragments(view) / 4;

@@ -16,12 +16,12 @@ struct DuelOptions {
     int frames = 40;     // a side, spread over a whole turn
     bool placed = false; // the peer gets scanout's order of triangles, not the file's
     std::string save_in; // a folder for the pictures that were compared; empty: none
-    std::vector<std::string> first_frame; // words for first_of_process
+    std::vector<std::string> first_frame; // words for first_of_process; empty: none is drawn
 };
 
 struct Duel {
     Times theirs, ours;
-    double first = 0;      // a process's first frame over its next ones (first_frame.h)
+    double first = 0;      // a process's first frame over its next ones (first_frame.h); 0: none
     Difference difference; // between both pictures, where four views differ most
     double fragments = 0;  // that pass the depth test in the file's order, mean of four views
     std::size_t vertices = 0, triangles = 0;

@@ -1,6 +1,7 @@
 #include "bench/peers/first_frame.h"
 
 #include "base/large_array.h"
+#include "base/memory.h"
 #include "bench/peers/clock.h"
 #include "bench/peers/ours.h"
 
@@ -30,6 +31,7 @@ Result<double> first_over_next(const Load& load, int width, int height) {
     TRY(const scene::Scene scene, scene_of(load));
     TRY(const scene::View view, view_of(load, scene, 0, 1, width, height));
     free_written_pages();
+    release_freed(); // what the scene took, too: no page is made but by the first frame
     Jobs jobs(1);
     Ours ours(jobs, scene, load, width, height);
     Times first, next;
@@ -61,13 +63,19 @@ Result<double> first_of_process(std::vector<std::string> words) {
     ::close(ends[1]);
     std::string printed;
     std::array<char, 64> some{};
-    for (ssize_t n = 0; child > 0 && (n = ::read(ends[0], some.data(), some.size())) > 0;)
-        printed.append(some.data(), static_cast<std::size_t>(n));
+    for (ssize_t n = 1; child > 0 && n != 0;) {
+        n = ::read(ends[0], some.data(), some.size());
+        if (n < 0 && errno != EINTR) break;
+        if (n > 0) printed.append(some.data(), static_cast<std::size_t>(n));
+    }
     ::close(ends[0]);
-    while (child > 0 && ::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+    int status = -1;
+    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     const double ratio = std::strtod(printed.c_str(), nullptr);
-    if (!(ratio > 0)) return fail(Exit::unreadable, "a process of its own draws no first frame");
+    if (status != 0 || !(ratio > 0))
+        return fail(Exit::unreadable, "a process of its own drew no first frame: status {:#x}",
+                    status);
     return ratio;
 }
 

@@ -10,7 +10,8 @@
 namespace scanout::bench {
 
 // Our first frame as a multiple of the next ones of the same view (their median), on one thread, by
-// what it ran. The process has drawn nothing before.
+// what it ran. The process has drawn nothing before; the scene's facts are known, as they are to
+// the program when it has loaded a model.
 Result<double> first_over_next(const Load& load, int width, int height);
 
 // The same of a process of its own, this program with these words, which prints it: its renderer

@@ -51,9 +51,12 @@ void describe(CLI::App& app, Arguments& a) {
         ->capture_default_str();
     app.add_option("--dragon", a.dragon, "an OBJ file in the place of the dragon's stand-in")
         ->check(CLI::ExistingFile);
-    app.add_option("--first", a.first,
-                   "our first frame of the load with this name over the next ones, and no more: "
-                   "what every load asks several processes for");
+    CLI::Option* const first =
+        app.add_option("--first", a.first,
+                       "our first frame of the load with this name over the next ones, and no "
+                       "more: what every load asks several processes for");
+    for (const char* other : {"--check", "--json", "--placed", "--frames", "--only", "--save"})
+        first->excludes(other);
 }
 
 // A load whose model is not there is left out, and not judged.
@@ -95,6 +98,7 @@ Result<Exit> print_first(const Arguments& a) {
 
 // The words for a process that prints it.
 std::vector<std::string> words_for_first(const Load& load, const Arguments& a) {
+    if (!has_first_frame(load)) return {};
     std::vector<std::string> words = {"--first",  std::string(load.name),
                                       "--size",   fmt::format("{}x{}", a.duel.width, a.duel.height),
                                       "--target", a.target};
@@ -149,6 +153,10 @@ int main(int count, char** words) {
         return app.exit(error) == 0 ? 0 : static_cast<int>(Exit::usage);
     }
     const Result<Exit> exit = run(arguments);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+        fmt::print(stderr, "bench_peers: what was measured could not be written\n");
+        return static_cast<int>(Exit::unreadable);
+    }
     if (exit) return *exit == Exit::ok ? 0 : 1;
     fmt::print(stderr, "bench_peers: {}\n", exit.error().what);
     return static_cast<int>(exit.error().exit);

@@ -10,10 +10,6 @@ std::string bounds(double gate, double goal) {
     return gate == 0 ? "-" : fmt::format("{}x / {}x", gate, goal);
 }
 
-// Of depth alone it is the benchmark's own frame of floats that is made, not the renderer's.
-bool has_first_frame(const Load& load) {
-    return load.shading != Shading::depth;
-}
 // With PEERS.md's gates of loads, of which it names none for the teapot's depth; its model knows
 // one sample.
 bool has_floor(const Load& load) {
@@ -45,7 +41,9 @@ void judge_load(Judge& judge, const Load& load, const Duel& duel) {
     judge.gate(difference.one_sided <= kMostOneSided,
                "{}: one side alone covers {:.2f} % of the pixels that either does, more than {} %",
                load.name, difference.one_sided * 100, kMostOneSided * 100);
-    if (has_first_frame(load))
+    if (has_first_frame(load) && duel.first == 0)
+        judge.miss("{}: not judged: no process drew its first frame", load.name);
+    else if (has_first_frame(load))
         judge.gate(duel.first <= kFirstGate,
                    "{}: the first frame takes {:.2f} steady ones, the gate is {}", load.name,
                    duel.first, kFirstGate);
@@ -122,6 +120,10 @@ std::string verdict(double value, double gate, double goal, bool less_is_better)
     if (meets(goal)) return "goal met";
     if (meets(gate)) return fmt::format("gate met, goal short by {:.2f}x", to_goal);
     return fmt::format("MISSED by {:.2f}x", short_by);
+}
+
+bool has_first_frame(const Load& load) {
+    return load.shading != Shading::depth;
 }
 
 bool has_threads(const Load& load) {

@@ -34,6 +34,8 @@ std::string verdict(double value, double gate, double goal, bool less_is_better 
 
 // Of which two threads are timed against one, too.
 bool has_threads(const Load& load);
+// Of depth alone it is the benchmark's own frame of floats that is made, not the renderer's.
+bool has_first_frame(const Load& load);
 
 struct Verdicts {
     // Gates that were missed, what could not be judged, and pictures that differ: one line each.
