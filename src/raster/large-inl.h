@@ -175,11 +175,11 @@ SIMD_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i,
     constexpr int kSide = BlockWalk::kSide, kAcross = kSide / kLanesX8;
     const int left = block % BlockList::kRow * kSide, top = block / BlockList::kRow * kSide;
     const double x = (tile.area.x0 + left) * kSubpixel, y = (tile.area.y0 + top) * kSubpixel;
-    F64x8 share[3], least_inside[3], down[3];
+    F64x8 share[3], bias[3], down[3];
     SIMD_UNROLL
     for (int k = 0; k < 3; ++k) {
         share[k] = w.share[k][i];
-        least_inside[k] = -w.bias[k][i];
+        bias[k] = w.bias[k][i];
         down[k] = w.b[k][i] * kSubpixel;
     }
     I32x8 here = 0;
@@ -200,12 +200,13 @@ SIMD_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i,
             SIMD_UNROLL
         for (int r = 0; r < kAcross; ++r) {
             const F32x8 z = to_f32(depth_of(e[r], share));
-            const auto inside =
-                narrow<F32x8::Tag>((e[r][0] >= least_inside[0]) & (e[r][1] >= least_inside[1]) &
-                                   (e[r][2] >= least_inside[2]));
+            // Rounding keeps the sign of a whole number.
+            const F32x8 inmost =
+                to_f32(minimum(minimum(e[r][0] + bias[0], e[r][1] + bias[1]), e[r][2] + bias[2]));
             const std::ptrdiff_t to = first + row * kTileSize + r * kLanesX8;
-            const F32x8 now = show_samples<kShows>(tile.rule, inside, z, w.id[i], tile.depth + to,
-                                                   id_after<kShows>(tile.id, to), here);
+            const F32x8 now =
+                show_samples<kShows>(tile.rule, inmost >= F32x8(0.0F), z, w.id[i], tile.depth + to,
+                                     id_after<kShows>(tile.id, to), here);
             farthest = minimum(farthest, now);
             SIMD_UNROLL
             for (int k = 0; k < 3; ++k)

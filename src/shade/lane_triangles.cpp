@@ -74,7 +74,7 @@ struct Wide {
         return DoubleEntries<D>(t.of_lane + lane, live).of(t.exact_twice);
     }
     static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
-        return simd::HWY_NAMESPACE::narrow<D>(mask);
+        return HWY_NAMESPACE::narrow<D>(mask);
     }
     static SIMD_INLINE void keep(Number, std::int32_t*) {}
 };

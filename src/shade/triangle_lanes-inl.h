@@ -99,6 +99,11 @@ SIMD_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles
     }
 }
 
+template <class D>
+SIMD_INLINE Mask<D> narrow(const typename Double<D>::DoubleMask& mask) {
+    return to_f32(select(mask, Double<D>(1.0), Double<D>(0.0))) > Float<D>(0.5F);
+}
+
 // No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
 template <class D>
 SIMD_INLINE bool are_small(const Vertices<D> (&v)[3]) {

@@ -245,19 +245,6 @@ SIMD_INLINE typename Double<D>::DoubleMask to_f64(Mask<D> m) {
     return Of{half(hn::LowerHalf(of_half, lanes)), half(hn::UpperHalf(of_half, lanes))};
 #endif
 }
-// And back.
-template <class D>
-SIMD_INLINE Mask<D> narrow(const typename Double<D>::DoubleMask& m) {
-#if HWY_TARGET <= HWY_AVX3 && HWY_ARCH_X86
-    using Bits = decltype(hn::Mask<D>::raw);
-    if constexpr (hn::MaxLanes(typename Double<D>::Tag()) == hn::MaxLanes(D()))
-        return {{m.raw.raw}};
-    else
-        return {{static_cast<Bits>(m.low.raw | m.high.raw << 8)}};
-#else
-    return to_f32(select(m, Double<D>(1.0), Double<D>(0.0))) > Float<D>(0.5F);
-#endif
-}
 // Exact.
 template <class D>
 SIMD_INLINE Double<D> to_f64(Float<D> a) {
