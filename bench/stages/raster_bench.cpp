@@ -97,17 +97,23 @@ void cull(benchmark::State& state, const std::string& name) {
 BENCHMARK_CAPTURE(cull, knot_100k, "knot:100000")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(cull, building, "building")->Unit(benchmark::kMicrosecond);
 
+// From inside a building its walls have backs.
+raster::GeometryOptions options_of(const std::string& name, const scene::View& view) {
+    raster::GeometryOptions options;
+    options.width = kWidth;
+    options.height = kHeight;
+    options.keep = name == "building" ? raster::Facing::any : raster::Facing::front;
+    options.mirrored = view.mirrored;
+    return options;
+}
+
 // Transform, set-up, culling, cutting and binning.
 void geometry(benchmark::State& state, const std::string& name) {
     const auto seen = see(name);
     if (!seen) return state.SkipWithError(seen.error().what.c_str());
     Jobs jobs(1);
     raster::Geometry stage;
-    raster::GeometryOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
-    options.keep = name == "building" ? raster::Facing::any : raster::Facing::front;
-    options.mirrored = seen->view.mirrored;
+    const raster::GeometryOptions options = options_of(name, seen->view);
     const raster::ScreenTransform to_screen(seen->view, kWidth, kHeight);
     for (auto _ : state) {
         stage.run(jobs, seen->mesh, to_screen, options);
@@ -125,12 +131,8 @@ void tiles(benchmark::State& state, const std::string& name) {
     if (!seen) return state.SkipWithError(seen.error().what.c_str());
     Jobs jobs(1);
     raster::Geometry stage;
-    raster::GeometryOptions options;
-    options.width = kWidth;
-    options.height = kHeight;
-    options.keep = name == "building" ? raster::Facing::any : raster::Facing::front;
-    options.mirrored = seen->view.mirrored;
-    stage.run(jobs, seen->mesh, raster::ScreenTransform(seen->view, kWidth, kHeight), options);
+    stage.run(jobs, seen->mesh, raster::ScreenTransform(seen->view, kWidth, kHeight),
+              options_of(name, seen->view));
     raster::VisibilityTile tile;
     for (auto _ : state) {
         for (int i = 0; i < stage.tiles(); ++i) {

@@ -47,13 +47,14 @@ struct PartCorners {
     std::uint32_t at[3][Int<D>::kLanes];
 };
 // Parts of a tile lie far apart in memory. So before a register of them is needed its vertices are
-// asked for, and the indices of those that are two registers further on.
+// asked for, and the indices and names of those that are two registers further on.
 template <class D>
 SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D>& out) {
     constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
     const TilePart* const parts = list.parts.data();
     const std::uint32_t* const index = list.index.data();
     const ScreenVertex* const vertices = list.vertices.data();
+    const std::uint32_t* const id = list.id.data(); // null: parts are named by their place
     const auto last = static_cast<int>(list.parts.size()) - 1;
     const auto read = [&](const auto& number) SIMD_LAMBDA {
         for (int i = 0; i < kWidth; ++i) {
@@ -65,7 +66,7 @@ SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D
             }
             const int later = number(first + i + 2 * kWidth);
             __builtin_prefetch(index + std::size_t{parts[later].place} * 3);
-            __builtin_prefetch(list.id.data() + parts[later].place);
+            if (id != nullptr) __builtin_prefetch(id + parts[later].place);
         }
     };
     if (first + 3 * kWidth <= last)
