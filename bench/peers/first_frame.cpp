@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "bench/peers/clock.h"
 #include "bench/peers/ours.h"
+#include "frame/facts.h"
 
 #include <array>
 #include <cerrno>
@@ -26,15 +27,17 @@ void free_written_pages() {
 
 } // namespace
 
-Result<double> first_over_next(const Load& load, int width, int height) {
+Result<FirstFrame> first_frame(const Load& load, int width, int height) {
     constexpr int kNext = 9;
     TRY(const scene::Scene scene, scene_of(load));
     TRY(const scene::View view, view_of(load, scene, 0, 1, width, height));
     free_written_pages();
     release_freed(); // what the scene took, too: no page is made but by the first frame
     Jobs jobs(1);
+    Times facts, first, next;
+    facts.add([&] { frame::facts(scene); });
+    release_freed();
     Ours ours(jobs, scene, load, width, height);
-    Times first, next;
     Result<void> drawn;
     first.add([&] { drawn = ours.draw(view); });
     TRY_VOID(drawn);
@@ -42,7 +45,7 @@ Result<double> first_over_next(const Load& load, int width, int height) {
         next.add([&] { drawn = ours.draw(view); });
         TRY_VOID(drawn);
     }
-    return first.cpu_median() / next.cpu_median();
+    return FirstFrame{first.cpu_median() / next.cpu_median(), facts.cpu_median()};
 }
 
 Result<double> first_of_process(std::vector<std::string> words) {

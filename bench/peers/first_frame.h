@@ -9,13 +9,17 @@
 
 namespace scanout::bench {
 
-// Our first frame as a multiple of the next ones of the same view (their median), on one thread, by
-// what it ran. The process has drawn nothing before; the scene's facts are known, as they are to
-// the program when it has loaded a model.
-Result<double> first_over_next(const Load& load, int width, int height);
+// On one thread, by what it ran.
+struct FirstFrame {
+    double over_next; // as a multiple of the next ones of the same view (their median)
+    double facts_ms;  // of the scene, which are known before it, as part of loading a model
+};
+// The process has drawn nothing before.
+Result<FirstFrame> first_frame(const Load& load, int width, int height);
 
-// The same of a process of its own, this program with these words, which prints it: its renderer
-// has all buffers to make, what it writes to is cleared by the system, and its code is read first.
+// FirstFrame::over_next of a process of its own, this program with these words, which prints it
+// first: its renderer has all buffers to make, what it writes to is cleared by the system, and its
+// code is read first.
 Result<double> first_of_process(std::vector<std::string> words);
 
 } // namespace scanout::bench

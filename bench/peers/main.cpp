@@ -89,8 +89,9 @@ std::vector<Load> asked_loads(const Arguments& a) {
 Result<Exit> print_first(const Arguments& a) {
     for (const Load& load : asked_loads(a))
         if (load.name == a.first) {
-            TRY(const double ratio, first_over_next(load, a.duel.width, a.duel.height));
-            fmt::print("{:.3f}\n", ratio);
+            TRY(const FirstFrame first, first_frame(load, a.duel.width, a.duel.height));
+            fmt::print("{:.3f} (facts of the scene, known before: {:.2f} ms)\n", first.over_next,
+                       first.facts_ms);
             return Exit::ok;
         }
     return fail(Exit::usage, "--first {}: no load has this name", a.first);

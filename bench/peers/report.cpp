@@ -98,13 +98,13 @@ void print_lesser(std::string& text, const Report& r) {
         const auto cells = [](bool known, auto... parts) {
             return known ? fmt::format("{:.2f} | {}", parts...) : std::string("- | -");
         };
-        fmt::format_to(
-            out, "| {} | {} | {} |\n", load.name,
-            cells(has_first_frame(load), d.first, verdict(d.first, kFirstGate, kFirstGoal, true)),
-            has_floor(load) && d.floor > 0
-                ? fmt::format("{:.2f} | {:.2f} | {}", d.floor, d.above_floor(),
-                              verdict(d.above_floor(), kFloorGate, kFloorGoal, true))
-                : "- | - | -");
+        fmt::format_to(out, "| {} | {} | {} |\n", load.name,
+                       cells(has_first_frame(load) && d.first > 0, d.first,
+                             verdict(d.first, kFirstGate, kFirstGoal, true)),
+                       has_floor(load) && d.floor > 0
+                           ? fmt::format("{:.2f} | {:.2f} | {}", d.floor, d.above_floor(),
+                                         verdict(d.above_floor(), kFloorGate, kFloorGoal, true))
+                           : "- | - | -");
     }
 }
 

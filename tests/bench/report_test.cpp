@@ -57,6 +57,24 @@ TEST(Report, ARatioBelowItsGateIsMissed) {
     EXPECT_THAT(missed(kFree, of_ratio(0.5)), IsEmpty());
 }
 
+TEST(Report, AFirstFrameIsMissedWhereItIsLateOrNoProcessDrewIt) {
+    Duel late = of_ratio(4), none = of_ratio(4);
+    late.first = 2.01;
+    none.first = 0;
+    EXPECT_THAT(missed(kLit, late), ElementsAre(HasSubstr("lit: the first frame takes 2.01")));
+    EXPECT_THAT(missed(kLit, none), ElementsAre(HasSubstr("lit: not judged")));
+    EXPECT_THAT(missed(kDepth,
+                       [&] {
+                           Duel depth = of_ratio(5);
+                           depth.first = 0;
+                           return depth;
+                       }()),
+                IsEmpty());
+    Report r;
+    r.duels.emplace_back(kLit, none);
+    EXPECT_THAT(to_markdown(r), HasSubstr("| lit | - | - |"));
+}
+
 TEST(Report, PicturesThatDifferAreMissedWithoutAGate) {
     Duel d = of_ratio(9);
     d.difference.flip = 0.06;
