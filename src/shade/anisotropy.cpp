@@ -1,7 +1,6 @@
-// A pixel seen through a slanted surface is an ellipse on the texture: Heckbert, "Fundamentals of
-// Texture Mapping", 1989. Probes as wide as its minor axis are laid in a line along the major one:
-// McCormack et al., "Feline: Fast Elliptical Lines for Anisotropic Texture Mapping", 1999. Where
-// the ellipse is longer than the probes reach, they grow until they do.
+// A pixel seen through a slanted surface is an ellipse on the texture: Heckbert 1989. Probes as
+// wide as its minor axis are laid in a line along the major one: McCormack et al. 1999. Where the
+// ellipse is longer than the probes reach, they grow until they do.
 #include "shade/anisotropy.h"
 
 #define SIMD_FILE "shade/anisotropy.cpp"

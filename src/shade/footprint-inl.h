@@ -1,8 +1,7 @@
 // How many texels a pixel covers. The derivatives of u and v are those of the triangle's plane at
 // the sample: there are no quads of pixels, so neither a triangle's edge nor its size changes
 // anything (HARD-CASES 38, 39). From them follows the level of detail of a texture,
-// log2(max(|d/dx|, |d/dy|)) in texels (D3D 11.3 functional specification 7.18.11; Heckbert 1989;
-// HARD-CASES R24).
+// log2(max(|d/dx|, |d/dy|)) in texels (Microsoft 2015, 7.18.11; Heckbert 1989; HARD-CASES R24).
 #if defined(SCANOUT_SHADE_FOOTPRINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_FOOTPRINT_INL_H
 #undef SCANOUT_SHADE_FOOTPRINT_INL_H

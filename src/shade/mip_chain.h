@@ -1,7 +1,6 @@
-// A texture at half, a quarter, ... of its size, for filters that read it minified: Williams,
-// "Pyramidal Parametrics", 1983; [A 3.3]. Linear light, so that a minified texture is as bright as
-// the whole; floats, so that no level adds an error of rounding to 8 bits. A chain exists while a
-// plan needs it.
+// A texture at half, a quarter, ... of its size, for filters that read it minified: Williams 1983.
+// Linear light, so that a minified texture is as bright as the whole; floats, so that no level adds
+// an error of rounding to 8 bits. A chain exists while a plan needs it.
 #pragma once
 
 #include "base/jobs.h"

@@ -7,8 +7,7 @@ SIMD_BEGIN(scanout::shade)
 
 // The texels of a line that one of half as many covers, from 2i on, and their shares. Of an odd
 // number 2m + 1 each of the m covers 2 + 1/m: the middle ones' shares shift from the first to the
-// third (Guthe and Heckbert, "Non-power-of-two mipmapping", 2005). Shares add up to 1, and over the
-// line every texel counts alike.
+// third (Guthe and Heckbert 2005). Shares add up to 1, and over the line every texel counts alike.
 template <class Number>
 struct Shares {
     int count;

@@ -1,5 +1,5 @@
 // Texel addressing that the texture filters share: texel centres lie at half-integers, v runs up
-// and rows run down (TOPICS T15), repeat, mirror or clamp, the options -o and -s of the map.
+// and rows run down (HARD-CASES T15), repeat, mirror or clamp, the options -o and -s of the map.
 #if defined(SCANOUT_SHADE_TEXEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_TEXEL_INL_H
 #undef SCANOUT_SHADE_TEXEL_INL_H

@@ -1,7 +1,6 @@
 // Weighted area sampling: a pixel is a weighted mean over the samples of 3 x 3 pixels. Every pixel
 // is shaded once, by its own tile; what it gives to each of its neighbours waits in a WidePicture
-// until all tiles are done. [C 6]; E. A. Feibush, M. Levoy, R. L. Cook, "Synthetic texturing using
-// digital filters", 1980.
+// until all tiles are done. Feibush, Levoy and Cook 1980, [Primer 6].
 #pragma once
 
 #include "raster/sample_pattern.h"

@@ -8,7 +8,7 @@ extern const Blend add;
 constinit const Blend add{{.axis = "blend",
                            .name = "add",
                            .blurb = "its light is added, nothing is taken: flames, sparks",
-                           .source = "[C 1.6]",
+                           .source = "Porter and Duff 1984",
                            .kind = Kind::model},
                           [](float alpha, float through) -> Blend::Shares {
                               return {through * alpha, through};

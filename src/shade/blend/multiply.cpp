@@ -1,7 +1,7 @@
 // Multiply: a surface is a filter. Its colour says which part of each channel of what lies behind
 // it lets pass: white all, black none. Never brighter than what lies behind; the order of surfaces
-// does not matter but for rounding. W3C, "Compositing and Blending Level 1", 2015, section 10.1.2:
-// alpha mixes the product with what was there; where nothing is, the surface itself shows.
+// does not matter but for rounding. Cabanier and Andronikos 2015, 10.1.2: alpha mixes the product
+// with what was there; where nothing is, the surface itself shows.
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {
@@ -11,7 +11,7 @@ constinit const Blend multiply{
     {.axis = "blend",
      .name = "multiply",
      .blurb = "what lies behind times its colour: stained glass, shadows painted on",
-     .source = "W3C Compositing and Blending Level 1; [C 1.6]",
+     .source = "Cabanier and Andronikos 2015",
      .kind = Kind::model},
     nullptr,
     [](float behind, float behind_alpha, float colour, float alpha) {

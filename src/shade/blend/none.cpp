@@ -7,7 +7,7 @@ extern const Blend none;
 constinit const Blend none{{.axis = "blend",
                             .name = "none",
                             .blurb = "nothing is mixed: the nearest surface is shown whole",
-                            .source = "[C 1.6]",
+                            .source = "Segal and Akeley 1992",
                             .kind = Kind::model},
                            [](float /*alpha*/, float through) -> Blend::Shares {
                                return {through, 0};

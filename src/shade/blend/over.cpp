@@ -1,5 +1,5 @@
-// Over: a surface shows by its alpha, what lies behind it by the rest. Porter and Duff,
-// "Compositing Digital Images", 1984.
+// Over: a surface shows by its alpha, what lies behind it by the rest. Porter and Duff 1984,
+// [Primer 1.6].
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {
@@ -8,7 +8,7 @@ extern const Blend over;
 constinit const Blend over{{.axis = "blend",
                             .name = "over",
                             .blurb = "alpha of the surface, the rest of what lies behind",
-                            .source = "Porter and Duff 1984, [C 1.6]",
+                            .source = "Porter and Duff 1984",
                             .kind = Kind::model},
                            [](float alpha, float through) -> Blend::Shares {
                                return {through * alpha, through * (1 - alpha)};

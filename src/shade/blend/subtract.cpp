@@ -8,7 +8,7 @@ extern const Blend subtract;
 constinit const Blend subtract{{.axis = "blend",
                                 .name = "subtract",
                                 .blurb = "its light is taken away, not below black",
-                                .source = "[C 1.6]",
+                                .source = "Microsoft 2015, 17",
                                 .kind = Kind::model},
                                [](float alpha, float through) -> Blend::Shares {
                                    return {through * -alpha, through};

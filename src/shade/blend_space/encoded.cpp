@@ -49,7 +49,7 @@ extern const BlendSpace encoded;
 constinit const BlendSpace encoded{{.axis = "blend_space",
                                     .name = "encoded",
                                     .blurb = "samples are mixed as codes, up to 73 codes too dark",
-                                    .source = "what blending without sRGB does; HARD-CASES 46, 70",
+                                    .source = "Gritz and d'Eon 2007, what they warn of",
                                     .kind = Kind::rung},
                                    [](Block& block, const std::uint32_t* code) {
                                        SIMD_CALL(enter_codes)(block, code);

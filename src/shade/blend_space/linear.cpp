@@ -7,7 +7,7 @@ extern const BlendSpace linear;
 constinit const BlendSpace linear{{.axis = "blend_space",
                                    .name = "linear",
                                    .blurb = "samples are mixed in linear light, then encoded",
-                                   .source = "Porter and Duff 1984; HARD-CASES 70",
+                                   .source = "Porter and Duff 1984; Gritz and d'Eon 2007",
                                    .kind = Kind::rung},
                                   nullptr,
                                   nullptr};

@@ -1,5 +1,5 @@
-// "Gamma 2.2": a plain power instead of sRGB's curve, up to 9 codes off, in the darks (HARD-CASES
-// 47).
+// "Gamma 2.2": a plain power instead of sRGB's curve, up to 9 codes off, in the darks
+// (HARD-CASES 47).
 #include "math/transcendental.h"
 #include "shade/output.h"
 
@@ -34,7 +34,7 @@ constinit const Encoding power_2_2{
     {.axis = "encode",
      .name = "power_2_2",
      .blurb = "light to the power 1/2.2, up to 9 codes beside sRGB",
-     .source = "the power law of display tubes; HARD-CASES 47",
+     .source = "Poynton 1993",
      .kind = Kind::rung},
     [](std::uint8_t code) { return static_cast<float>(pow(code / 255.0, 2.2)); },
     [](const Light& light, int count, std::uint32_t* out) {

@@ -29,7 +29,7 @@ extern const Encoding square_root;
 constinit const Encoding square_root{{.axis = "encode",
                                       .name = "square_root",
                                       .blurb = "the root of light, up to 10 codes beside sRGB",
-                                      .source = "gamma 2, a shortcut of games; HARD-CASES 47",
+                                      .source = "Poynton 1993, with a gamma of 2",
                                       .kind = Kind::rung},
                                      [](std::uint8_t code) {
                                          const float root = static_cast<float>(code) / 255;

@@ -1,4 +1,4 @@
-// sRGB, exactly: the nearest code of the piecewise curve of IEC 61966-2-1 (D3D 11.3 3.2.3.8 allows
+// sRGB, exactly: the nearest code of the piecewise curve (IEC 1999; Microsoft 2015, 3.2.3.8, allows
 // 0.6 code; this is 0.5).
 #include "shade/output.h"
 
@@ -36,7 +36,7 @@ extern const Encoding srgb;
 constinit const Encoding srgb{{.axis = "encode",
                                .name = "srgb",
                                .blurb = "the nearest code of the sRGB curve, exactly",
-                               .source = "IEC 61966-2-1; D3D 11.3 3.2.3.8",
+                               .source = "IEC 1999; Microsoft 2015, 3.2.3.8",
                                .kind = Kind::rung},
                               srgb_decode,
                               [](const Light& light, int count, std::uint32_t* out) {

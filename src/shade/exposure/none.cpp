@@ -7,7 +7,7 @@ extern const Stage none;
 constinit const Stage none{{.axis = "exposure",
                             .name = "none",
                             .blurb = "light is shown as bright as it is",
-                            .source = "MTL's illum models",
+                            .source = "Wavefront 1995",
                             .kind = Kind::effect},
                            {},
                            [](Block& /*block*/, const FrameState& /*frame*/) {}};

@@ -25,7 +25,7 @@ extern const Stage stops;
 constinit const Stage stops{{.axis = "exposure",
                              .name = "stops",
                              .blurb = "light times 2^stops, before it is cut off or bent",
-                             .source = "photography; Reinhard et al. 2002",
+                             .source = "Reinhard et al. 2002",
                              .kind = Kind::effect},
                             {},
                             [](Block& block, const FrameState& frame) {

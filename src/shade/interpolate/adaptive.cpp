@@ -1,5 +1,5 @@
 // For every triangle the cheapest of affine, every 16 and every 8 pixels and perspective whose
-// error is bounded by 1/256 texel and half a code (shade/interpolation_step.h).
+// error is bounded by 1/256 texel and half a code (shade/interpolation_step.h; HARD-CASES L3).
 #include "shade/interpolation_step.h"
 #include "shade/stage.h"
 
@@ -44,7 +44,7 @@ constinit const Stage adaptive{
     {.axis = "interpolate",
      .name = "adaptive",
      .blurb = "per triangle the cheapest within 1/256 texel and half a code",
-     .source = "HARD-CASES (c), by the ratio of distances",
+     .source = "Hecker 1995, by the ratio of distances",
      .kind = Kind::rung},
     {.primitive = true},
     [](Block& block, const FrameState& frame) {

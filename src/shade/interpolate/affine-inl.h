@@ -1,8 +1,7 @@
 // Interpolation that divides seldom: exact at some places of a triangle's row, straight between
 // them. The places are the multiples of `step` pixels on the screen's x axis, and the ends of the
 // row inside the triangle, so that nothing depends on tiles or runs and no weight is ever negative.
-// Half-way it was the trick of 1990s' renderers (HARD-CASES 33; C. Hecker, "Perspective texture
-// mapping", 1995).
+// Half-way it was the trick of 1990s' renderers (Hecker 1995; HARD-CASES 33).
 //
 // Where distances along a step have the ratio r, the error is (sqrt(r) - 1) / (sqrt(r) + 1) of what
 // the attribute changes along it.

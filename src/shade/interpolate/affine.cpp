@@ -1,5 +1,5 @@
 // Straight on the screen, as if all vertices were equally far: textures bend at the edges between
-// triangles (TOPICS T4). [A ch.3, ch.5].
+// triangles (HARD-CASES T4). [Compendium 3, 5].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/affine.cpp"
@@ -31,7 +31,7 @@ constinit const Stage affine{
     {.axis = "interpolate",
      .name = "affine",
      .blurb = "straight on the screen: 1/6 of the range wrong where distances double",
-     .source = "[A ch.3], [A ch.5]; HARD-CASES 33",
+     .source = "Heckbert 1989",
      .kind = Kind::rung},
     {.primitive = true},
     [](Block& block, const FrameState& frame) {

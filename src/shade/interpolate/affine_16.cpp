@@ -30,7 +30,7 @@ constinit const Stage affine_16{
     {.axis = "interpolate",
      .name = "affine_16",
      .blurb = "exact every 16 pixels, straight between: 1/2000 of the range where distances double",
-     .source = "Hecker 1995; HARD-CASES 33",
+     .source = "Hecker 1995",
      .kind = Kind::rung},
     {.primitive = true},
     [](Block& block, const FrameState& frame) {

@@ -30,7 +30,7 @@ constinit const Stage affine_8{
     {.axis = "interpolate",
      .name = "affine_8",
      .blurb = "exact every 8 pixels, straight between: 1/8000 of the range where distances double",
-     .source = "Hecker 1995; HARD-CASES 33",
+     .source = "Hecker 1995",
      .kind = Kind::rung},
     {.primitive = true},
     [](Block& block, const FrameState& frame) {

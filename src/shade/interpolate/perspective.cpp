@@ -1,6 +1,6 @@
 // Perspective-correct interpolation: f = sum(b_i f_i / w_i) / sum(b_i / w_i) with the screen's
-// areas b_i [A ch.5], Heckbert and Moreton 1991. The areas come from the exact edge functions, all
-// terms are positive, and so nothing cancels at any ratio of distances.
+// areas b_i: Heckbert and Moreton 1991, [Compendium 5]. The areas come from the exact edge
+// functions, all terms are positive, and so nothing cancels at any ratio of distances.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/perspective.cpp"
@@ -34,7 +34,7 @@ constinit const Stage perspective{
     {.axis = "interpolate",
      .name = "perspective",
      .blurb = "weights divided by w at every pixel: straight lines stay straight",
-     .source = "[A ch.5], Heckbert and Moreton 1991",
+     .source = "Heckbert and Moreton 1991",
      .kind = Kind::rung},
     {},
     [](Block& block, const FrameState& frame) {

@@ -1,5 +1,5 @@
 // Ambient light: the same from everywhere, on every surface: it stands for all light that came
-// there by other surfaces. [A 11.1], [C 7].
+// there by other surfaces. [Compendium 11.1], [Primer 7].
 #include "shade/stage.h"
 
 namespace scanout::shade::light {
@@ -9,7 +9,7 @@ constinit const Stage ambient{
     {.axis = "light",
      .name = "ambient",
      .blurb = "the same from everywhere",
-     .source = "[A 11.1], [C 7]",
+     .source = "Foley et al. 1990, ch. 16",
      .kind = Kind::effect},
     {},
     [](Block& block, const FrameState& frame) { block.ambient = frame.ambient; }};

@@ -1,5 +1,6 @@
 // A light so far away that its rays are parallel: the same direction and colour everywhere. It is
-// written to the lanes only where something else, a shadow, makes it vary. [A 11.1], [C 7].
+// written to the lanes only where something else, a shadow, makes it vary. [Compendium 11.1],
+// [Primer 7].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/light/directional.cpp"
@@ -30,7 +31,7 @@ extern const Stage directional;
 constinit const Stage directional{{.axis = "light",
                                    .name = "directional",
                                    .blurb = "parallel rays, from the world or the camera",
-                                   .source = "[A 11.1], [C 7]",
+                                   .source = "Foley et al. 1990, ch. 16",
                                    .kind = Kind::effect},
                                   {},
                                   [](Block& block, const FrameState& frame) {

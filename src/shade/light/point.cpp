@@ -1,4 +1,5 @@
-// A light at a place: what arrives falls off with the square of the distance. [A 11.1], [C 7].
+// A light at a place: what arrives falls off with the square of the distance. Lambert 1760,
+// [Primer 7].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/light/point.cpp"
@@ -25,7 +26,7 @@ extern const Stage point;
 constinit const Stage point{{.axis = "light",
                              .name = "point",
                              .blurb = "a place that shines by the inverse square of the distance",
-                             .source = "[A 11.1], [C 7]",
+                             .source = "Lambert 1760; Foley et al. 1990, ch. 16",
                              .kind = Kind::effect},
                             {.position = true},
                             [](Block& block, const FrameState& frame) {

@@ -1,8 +1,7 @@
 // map_bump: a texture gives heights, white above black, and the surface leans as if it had them:
-// Blinn, "Simulation of Wrinkled Surfaces", 1978; [A 11.2]. The file says no unit: a height of 1 is
-// as high as -bm texels are wide, so that the picture does not depend on the model's size. The
-// slope is the difference of the heights half a texel to both sides; half a pixel where pixels are
-// larger.
+// Blinn 1978, [Compendium 11.2]. The file says no unit: a height of 1 is as high as -bm texels are
+// wide, so that the picture does not depend on the model's size. The slope is the difference of the
+// heights half a texel to both sides; half a pixel where pixels are larger.
 #include "shade/map/bump_lanes.h"
 #include "shade/map/scalar.h"
 
@@ -98,7 +97,7 @@ constinit const Stage bump{
     {.axis = "map",
      .name = "bump",
      .blurb = "map_bump: the surface leans as if a texture's heights stood on it",
-     .source = "Blinn 1978, [A 11.2]",
+     .source = "Blinn 1978",
      .kind = Kind::effect},
     {.normal = true,
      .uv = true,

@@ -1,5 +1,5 @@
 // map_Kd: the material's diffuse colour times the texture's, or times what a source of the user's
-// choice computes in its place. [A 11.2], [C 9].
+// choice computes in its place. Catmull 1974, [Compendium 11.2], [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/diffuse.cpp"
@@ -26,7 +26,7 @@ extern const Stage diffuse;
 constinit const Stage diffuse{{.axis = "map",
                                .name = "diffuse",
                                .blurb = "map_Kd: the diffuse colour times a texture",
-                               .source = "[A 11.2], [C 9]",
+                               .source = "Catmull 1974",
                                .kind = Kind::effect},
                               {.uv = true, .maps = bit_of(kDiffuseMap)},
                               [](Block& block, const FrameState& frame) {

@@ -1,5 +1,5 @@
-// Ke, times map_Ke: light that the surface gives off by itself. It lights nothing else. MTL's
-// common addition; [A 11.1].
+// Ke, times map_Ke: light that the surface gives off by itself. It lights nothing else. A common
+// addition to MTL.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/emission.cpp"
@@ -30,7 +30,7 @@ extern const Stage emission;
 constinit const Stage emission{{.axis = "map",
                                 .name = "emission",
                                 .blurb = "Ke and map_Ke: light of the surface's own",
-                                .source = "MTL, [A 11.1]",
+                                .source = "Segal and Akeley 1992",
                                 .kind = Kind::effect},
                                {},
                                [](Block& block, const FrameState& frame) {

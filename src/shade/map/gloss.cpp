@@ -1,5 +1,5 @@
 // map_Ns: the highlight's exponent times a texture, so that parts of a surface shine sharper than
-// others. MTL; [A 11.2].
+// others. Wavefront 1995, [Compendium 11.2].
 #include "shade/map/scalar.h"
 
 #define SIMD_FILE "shade/map/gloss.cpp"
@@ -27,7 +27,7 @@ constinit const Stage gloss{
     {.axis = "map",
      .name = "gloss",
      .blurb = "map_Ns: the highlight's exponent times a texture; black is dull",
-     .source = "MTL, [A 11.2]",
+     .source = "Wavefront 1995",
      .kind = Kind::effect},
     {.uv = true, .maps = bit_of(kShininessMap)},
     [](Block& block, const FrameState& frame) {

@@ -1,5 +1,5 @@
 // map_Pm: how much of a physical material is metal, times a texture: paint that flakes
-// off. MTL's physical additions; Burley, "Physically Based Shading at Disney", 2012.
+// off. MTL's physical additions; Burley 2012.
 #include "shade/map/scalar.h"
 
 #define SIMD_FILE "shade/map/metalness.cpp"
@@ -26,7 +26,7 @@ extern const Stage metalness;
 constinit const Stage metalness{{.axis = "map",
                                  .name = "metalness",
                                  .blurb = "map_Pm: the share of metal times a texture",
-                                 .source = "MTL's physical additions; Burley 2012",
+                                 .source = "Burley 2012",
                                  .kind = Kind::effect},
                                 {.uv = true, .maps = bit_of(kMetalnessMap)},
                                 [](Block& block, const FrameState& frame) {

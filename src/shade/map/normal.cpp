@@ -1,6 +1,5 @@
 // norm, map_Kn: a texture gives the normal, red along growing u, green along growing v, blue away
-// from the surface; code 128 is 0. Cohen, Olano and Manocha, "Appearance-Preserving
-// Simplification", 1998; [A 11.2].
+// from the surface; code 128 is 0. Cohen, Olano and Manocha 1998, [Compendium 11.2].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/normal.cpp"
@@ -35,7 +34,7 @@ extern const Stage normal;
 constinit const Stage normal{{.axis = "map",
                               .name = "normal",
                               .blurb = "norm: a texture gives the surface's normal",
-                              .source = "Cohen, Olano and Manocha 1998, [A 11.2]",
+                              .source = "Cohen, Olano and Manocha 1998",
                               .kind = Kind::effect},
                              {.normal = true,
                               .uv = true,

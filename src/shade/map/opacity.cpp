@@ -1,4 +1,5 @@
-// Alpha: d of the material, times map_d, times the alpha channel of map_Kd. [C 1.6], and MTL's d.
+// Alpha: d of the material, times map_d, times the alpha channel of map_Kd. Wavefront 1995,
+// [Primer 1.6].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/opacity.cpp"
@@ -61,7 +62,7 @@ extern const Stage opacity;
 constinit const Stage opacity{{.axis = "map",
                                .name = "opacity",
                                .blurb = "d, times map_d, times the alpha channel of map_Kd",
-                               .source = "MTL, [C 1.6]",
+                               .source = "Wavefront 1995",
                                .kind = Kind::effect},
                               {.uv = true, .maps = bit_of(kDiffuseMap) | bit_of(kOpacityMap)},
                               run};

@@ -1,6 +1,5 @@
 // map_Pr: the roughness of a physical material times a texture: scratches, wear and
-// fingerprints are seen by how they spread the light. MTL's physical additions; Burley, "Physically
-// Based Shading at Disney", 2012.
+// fingerprints are seen by how they spread the light. MTL's physical additions; Burley 2012.
 #include "shade/map/scalar.h"
 
 #define SIMD_FILE "shade/map/roughness.cpp"
@@ -27,7 +26,7 @@ extern const Stage roughness;
 constinit const Stage roughness{{.axis = "map",
                                  .name = "roughness",
                                  .blurb = "map_Pr: the roughness times a texture",
-                                 .source = "MTL's physical additions; Burley 2012",
+                                 .source = "Burley 2012",
                                  .kind = Kind::effect},
                                 {.uv = true, .maps = bit_of(kRoughnessMap)},
                                 [](Block& block, const FrameState& frame) {

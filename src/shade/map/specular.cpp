@@ -1,4 +1,4 @@
-// map_Ks: the highlight's colour times a texture. [A 11.2].
+// map_Ks: the highlight's colour times a texture. Wavefront 1995, [Compendium 11.2].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/specular.cpp"
@@ -27,7 +27,7 @@ extern const Stage specular;
 constinit const Stage specular{{.axis = "map",
                                 .name = "specular",
                                 .blurb = "map_Ks: the highlight's colour times a texture",
-                                .source = "[A 11.2]",
+                                .source = "Wavefront 1995",
                                 .kind = Kind::effect},
                                {.uv = true, .maps = bit_of(kSpecularMap)},
                                [](Block& block, const FrameState& frame) {

@@ -1,8 +1,8 @@
 // The directions in which u and v grow on the surface: what normal and bump maps are relative to.
 // They follow from how u, v and the surface itself change from pixel to pixel, so that no vertex
-// has to keep them, and any mapping has them: Mikkelsen, "Bump Mapping Unparametrized Surfaces on
-// the GPU", 2010. Where u and v do not tell (HARD-CASES 31), any directions will do: Duff et al.,
-// "Building an Orthonormal Basis, Revisited", 2017, which holds for every normal (HARD-CASES 30).
+// has to keep them, and any mapping has them: Mikkelsen 2010. Where u and v do not tell
+// (HARD-CASES 31), any directions will do: Duff et al. 2017, which holds for every normal
+// (HARD-CASES 30).
 #if defined(SCANOUT_SHADE_TANGENT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_TANGENT_INL_H
 #undef SCANOUT_SHADE_TANGENT_INL_H

@@ -1,6 +1,5 @@
 // As paper lies on a box: each triangle takes the side that it faces most, so that nothing is
-// stretched by more than the root of three. Bier and Sloan, "Two-Part Texture Mappings", 1986;
-// [C 9.4].
+// stretched by more than the root of three. Bier and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/box.cpp"
@@ -44,7 +43,7 @@ extern const Stage box;
 constinit const Stage box{{.axis = "mapping",
                            .name = "box",
                            .blurb = "from the side of a box that a triangle faces most",
-                           .source = "Bier and Sloan 1986, [C 9.4]",
+                           .source = "Bier and Sloan 1986",
                            .kind = Kind::model},
                           {.uv = true, .facing = true, .object = true},
                           [](Block& block, const FrameState& frame) {

@@ -1,5 +1,5 @@
 // As a label lies around a tin: u around the y axis, v along it, over the height of the model's
-// sphere. Bier and Sloan, "Two-Part Texture Mappings", 1986; [C 9.4].
+// sphere. Bier and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/cylinder.cpp"
@@ -28,7 +28,7 @@ extern const Stage cylinder;
 constinit const Stage cylinder{{.axis = "mapping",
                                 .name = "cylinder",
                                 .blurb = "around the y axis, and along it",
-                                .source = "Bier and Sloan 1986, [C 9.4]",
+                                .source = "Bier and Sloan 1986",
                                 .kind = Kind::model},
                                {.uv = true, .object = true},
                                [](Block& block, const FrameState& frame) {

@@ -1,4 +1,5 @@
-// As a slide is thrown onto the model from the front: u along x, v along y. [C 9.4].
+// As a slide is thrown onto the model from the front: u along x, v along y. Bier and Sloan 1986,
+// [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/plane.cpp"
@@ -27,7 +28,7 @@ extern const Stage plane;
 constinit const Stage plane{{.axis = "mapping",
                              .name = "plane",
                              .blurb = "thrown on from the front",
-                             .source = "[C 9.4]",
+                             .source = "Bier and Sloan 1986",
                              .kind = Kind::model},
                             {.uv = true, .object = true},
                             [](Block& block, const FrameState& frame) {

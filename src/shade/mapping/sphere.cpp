@@ -1,5 +1,5 @@
-// As a map of the world lies on a globe: u around the y axis, v from pole to pole. Bier and Sloan,
-// "Two-Part Texture Mappings", 1986; [C 9.4].
+// As a map of the world lies on a globe: u around the y axis, v from pole to pole. Bier and
+// Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/sphere.cpp"
@@ -33,7 +33,7 @@ extern const Stage sphere;
 constinit const Stage sphere{{.axis = "mapping",
                               .name = "sphere",
                               .blurb = "longitude and latitude about the model's middle",
-                              .source = "Bier and Sloan 1986, [C 9.4]",
+                              .source = "Bier and Sloan 1986",
                               .kind = Kind::model},
                              {.uv = true, .object = true},
                              [](Block& block, const FrameState& frame) {

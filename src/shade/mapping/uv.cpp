@@ -7,7 +7,7 @@ extern const Stage uv;
 constinit const Stage uv{{.axis = "mapping",
                           .name = "uv",
                           .blurb = "the coordinates that the model gives",
-                          .source = "[A 3.3], [C 9.4]",
+                          .source = "Catmull 1974",
                           .kind = Kind::model},
                          {},
                          nullptr};

@@ -1,6 +1,6 @@
 // Blinn-Phong as MTL's illum 2 means it: Lambert plus Ks max(n.h, 0)^Ns for every light, h halfway
 // between light and eye, not normalised for energy; Ns below 1 counts as 1, with Ks Ns for Ks.
-// Blinn 1977, [A 11.1], [C 7].
+// Blinn 1977, [Primer 7].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/blinn_phong.cpp"
@@ -34,7 +34,7 @@ constinit const Stage blinn_phong{
      .name = "blinn_phong",
      .blurb = "Lambert plus a highlight where the half vector meets the normal; Ns below 1 fades "
               "it, to none at 0",
-     .source = "Blinn 1977, [A 11.1]",
+     .source = "Blinn 1977",
      .kind = Kind::model},
     {.normal = true, .ray = true},
     [](Block& block, const FrameState& frame) {

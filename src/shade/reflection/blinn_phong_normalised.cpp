@@ -1,9 +1,9 @@
 // Blinn-Phong with its energy: a surface of Ks 1 reflects all light that falls on it straight and
 // never more, whatever Ns, so a sharper highlight is a brighter one. MTL leaves the 1/pi of the
-// diffuse part out (DESIGN 1), so a light of colour 1 is one of irradiance pi, and the highlight is
-// pi f n.l with f = Ks (Ns + 2) (Ns + 4) / (8 pi (2^(-Ns/2) + Ns)) max(n.h, 0)^Ns. The usual
-// (Ns + 8) / (8 pi) comes close to it, but reflects up to 7 % more than arrives (at Ns 10). Blinn
-// 1977; Giesen, "Phong and Blinn-Phong normalization factors", 2009.
+// diffuse part out, so a light of colour 1 is one of irradiance pi, and the highlight is pi f n.l
+// with f = Ks (Ns + 2) (Ns + 4) / (8 pi (2^(-Ns/2) + Ns)) max(n.h, 0)^Ns. The usual (Ns + 8) / (8
+// pi) comes close to it, but reflects up to 7 % more than arrives (at Ns 10). Blinn 1977;
+// Giesen 2009.
 #include "math/transcendental.h"
 #include "shade/stage.h"
 

@@ -1,5 +1,5 @@
-// Lambert's cosine law: colour = ambient Kd + sum over lights of light * Kd * max(n.l, 0). Lambert
-// 1760, [A 11.1], [B ch.6], [C 7]. No 1/pi, as MTL means it (DESIGN 1).
+// Lambert's cosine law: colour = ambient Kd + sum over lights of light * Kd * max(n.l, 0).
+// Lambert 1760, [Compendium 11.1], [Course 6], [Primer 7]. No 1/pi, as MTL means it.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/lambert.cpp"
@@ -24,7 +24,7 @@ extern const Stage lambert;
 constinit const Stage lambert{{.axis = "reflection",
                                .name = "lambert",
                                .blurb = "matt: light by the cosine of its angle",
-                               .source = "Lambert 1760, [A 11.1]",
+                               .source = "Lambert 1760",
                                .kind = Kind::model},
                               {.normal = true},
                               [](Block& block, const FrameState& frame) {

@@ -1,7 +1,7 @@
 // Phong: Lambert plus Ks max(r.e, 0)^Ns for every light before the surface, r the light's mirror
 // image in it. Where light, normal and eye lie in one plane, the angle from r to the eye is twice
 // that from the normal to the half vector: the same Ns makes a highlight half as wide as
-// Blinn-Phong's. Phong 1975, [A 11.1], [C 7].
+// Blinn-Phong's. Phong 1975, [Primer 7].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/phong.cpp"
@@ -36,7 +36,7 @@ constinit const Stage phong{
     {.axis = "reflection",
      .name = "phong",
      .blurb = "Lambert plus a highlight where the light's mirror image meets the eye",
-     .source = "Phong 1975, [A 11.1]",
+     .source = "Phong 1975",
      .kind = Kind::model},
     {.normal = true, .ray = true},
     [](Block& block, const FrameState& frame) {

@@ -1,4 +1,4 @@
-// Light once a face, in its middle, with its own normal. Bouknight 1970, [C 7.3].
+// Light once a face, in its middle, with its own normal. Bouknight 1970, [Primer 7.3].
 #include "shade/corner_light.h"
 #include "shade/stage.h"
 
@@ -32,7 +32,7 @@ extern const Stage flat;
 constinit const Stage flat{{.axis = "shading",
                             .name = "flat",
                             .blurb = "light once a face",
-                            .source = "Bouknight 1970, [C 7.3]",
+                            .source = "Bouknight 1970",
                             .kind = Kind::rung},
                            {.corners = true},
                            [](Block& block, const FrameState& frame) {

@@ -1,5 +1,5 @@
-// Light at the vertices, interpolated in between: a highlight inside a triangle is lost. Gouraud
-// 1971, [A 11.1], [C 7.3]. The parts with and without albedo are interpolated apart, so textures
+// Light at the vertices, interpolated in between: a highlight inside a triangle is lost.
+// Gouraud 1971, [Primer 7.3]. The parts with and without albedo are interpolated apart, so textures
 // stay sharp.
 #include "shade/corner_light.h"
 #include "shade/stage.h"
@@ -40,7 +40,7 @@ extern const Stage gouraud;
 constinit const Stage gouraud{{.axis = "shading",
                                .name = "gouraud",
                                .blurb = "light at the vertices, interpolated in between",
-                               .source = "Gouraud 1971, [C 7.3]",
+                               .source = "Gouraud 1971",
                                .kind = Kind::rung},
                               {.corners = true},
                               [](Block& block, const FrameState& frame) {

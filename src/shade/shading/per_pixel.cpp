@@ -1,6 +1,6 @@
 // Light at every pixel, with the normal that lies there: interpolated between the vertices' and
 // brought back to length 1, which every rung of interpolation does for a whole block at once.
-// Phong 1975, [A 11.1], [C 7.3].
+// Phong 1975, [Primer 7.3].
 #include "shade/stage.h"
 
 namespace scanout::shade::shading {
@@ -10,7 +10,7 @@ constinit const Stage per_pixel{
     {.axis = "shading",
      .name = "per_pixel",
      .blurb = "light at every pixel, with unit normals",
-     .source = "Phong 1975, [A 11.1], [C 7.3]",
+     .source = "Phong 1975",
      .kind = Kind::rung},
     {.normal = true},
     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};

@@ -1,6 +1,6 @@
 // Light at every pixel, with normals as they come out of the interpolation: between two vertices
 // they are shorter than 1, so a highlight in the middle of a triangle is as dim as Gouraud's.
-// [C 7.3]; what it loses: HARD-CASES (d), shading frequency.
+// Phong 1975, [Primer 7.3]; what it loses: HARD-CASES L5.
 #include "shade/stage.h"
 
 namespace scanout::shade::shading {
@@ -10,7 +10,7 @@ constinit const Stage per_pixel_raw{
     {.axis = "shading",
      .name = "per_pixel_raw",
      .blurb = "light at every pixel, with normals that are too short between vertices",
-     .source = "[C 7.3]",
+     .source = "Phong 1975, with normals as they come",
      .kind = Kind::rung},
     {.normal = true},
     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};

@@ -1,5 +1,5 @@
 // The shadow that a surface throws on itself by facing away: n.l < 0. The reflection has it without
-// any pass; here is nothing to run, and nothing throws a shadow on anything else. [C 10].
+// any pass; here is nothing to run, and nothing throws a shadow on anything else. [Primer 10].
 #include "shade/stage.h"
 
 namespace scanout::shade::shadow {
@@ -8,7 +8,7 @@ extern const Stage attached;
 constinit const Stage attached{{.axis = "shadow",
                                 .name = "attached",
                                 .blurb = "what faces away from the light is dark: no pass at all",
-                                .source = "[C 10]",
+                                .source = "Foley et al. 1990, ch. 16",
                                 .kind = Kind::rung},
                                {},
                                [](Block&, const FrameState&) {}};

@@ -1,5 +1,5 @@
 // What the techniques with a shadow map share: from lanes to texels, and the one question to a
-// texel. Williams, "Casting Curved Shadows on Curved Surfaces", 1978.
+// texel. Williams 1978.
 //
 // No bias is guessed. A texel knows the depth at its centre, up to half a texel from the receiver;
 // there the receiver's own plane is deeper or nearer by at most half a texel times

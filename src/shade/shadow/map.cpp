@@ -1,6 +1,5 @@
-// A shadow map, hard: the one texel that the receiver falls into. Williams, "Casting Curved Shadows
-// on Curved Surfaces", 1978, [C 10]. Its parts: this kernel, and the pass that draws the map
-// (frame/shadow_maps.h).
+// A shadow map, hard: the one texel that the receiver falls into. Williams 1978, [Primer 10]. Its
+// parts: this kernel, and the pass that draws the map (frame/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map.cpp"
@@ -27,7 +26,7 @@ extern const Stage map;
 constinit const Stage map{{.axis = "shadow",
                            .name = "map",
                            .blurb = "the depth that the light sees, one texel: hard, with steps",
-                           .source = "Williams 1978, [C 10]",
+                           .source = "Williams 1978",
                            .kind = Kind::rung},
                           {.position = true, .facing = true},
                           [](Block& block, const FrameState& frame) {

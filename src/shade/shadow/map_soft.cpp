@@ -1,10 +1,10 @@
 // Soft shadows from one map: the mean depth of what may hide the receiver tells how wide the
-// penumbra is, and a disc (a square light: a square) of that width is asked. Fernando,
-// "Percentage-Closer Soft Shadows", 2005. Other than there, only what stands between the receiver
-// and some point of the light counts in the mean: a wall that leans away from the receiver would
-// else widen the penumbra by its far end, and let light through beside its near one. A light
-// without size, and penumbrae narrower than the filter of map_pcf, are those of map_pcf to the bit.
-// Its parts: this kernel, and the pass that draws the map (frame/shadow_maps.h).
+// penumbra is, and a disc (a square light: a square) of that width is asked. Fernando 2005. Other
+// than there, only what stands between the receiver and some point of the light counts in the mean:
+// a wall that leans away from the receiver would else widen the penumbra by its far end, and let
+// light through beside its near one. A light without size, and penumbrae narrower than the filter
+// of map_pcf, are those of map_pcf to the bit. Its parts: this kernel, and the pass that draws the
+// map (frame/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map_soft.cpp"
@@ -15,8 +15,8 @@
 SIMD_BEGIN(scanout::shade::shadow)
 
 // A Fibonacci lattice on the square from -1 to 1: whichever way a shadow's edge runs, the points
-// lie at distances from it that are all different and nearly even, so no bands show. Niederreiter,
-// "Random Number Generation and Quasi-Monte Carlo Methods", 1992, ch. 5.
+// lie at distances from it that are all different and nearly even, so no bands show.
+// Niederreiter 1992, ch. 5.
 struct Lattice {
     static constexpr int kPoints = 89, kStep = 55;
     float x[kPoints]{}, y[kPoints]{};

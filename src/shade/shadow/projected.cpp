@@ -1,7 +1,7 @@
 // Shadows projected onto a plane: every triangle is thrown along the light onto the floor, and what
-// lies in the floor under one of them is dark. Exact there, and nothing else receives any. Blinn,
-// "Me and My (Fake) Shadow", 1988, [C 10]. Its parts: this stage, the projection
-// (frame/shadow_polygons.h) and the count of what covers a sample (raster/count.h).
+// lies in the floor under one of them is dark. Exact there, and nothing else receives any.
+// Blinn 1988, [Primer 10]. Its parts: this stage, the projection (frame/shadow_polygons.h) and the
+// count of what covers a sample (raster/count.h).
 #include "shade/shadow_count.h"
 #include "shade/stage.h"
 
@@ -13,7 +13,7 @@ constinit const Stage projected{
      .name = "projected",
      .blurb = "triangles thrown onto the floor: right on it, none "
               "elsewhere",
-     .source = "Blinn 1988, [C 10]",
+     .source = "Blinn 1988",
      .kind = Kind::rung},
     {.primitive = true, .facing = true}, // positions come with lights that have one
     shadow_by_counts};

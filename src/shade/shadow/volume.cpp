@@ -1,8 +1,8 @@
 // Shadow volumes: a sample is dark where it lies inside the space that a triangle hides from the
 // light. The borders of that space are counted behind the sample, so that neither the near plane
-// nor an eye inside of it matters. Crow, "Shadow Algorithms for Computer Graphics", 1977; Everitt
-// and Kilgard 2002; [C 10]. Its parts: this stage, the volumes (frame/shadow_polygons.h) and the
-// count after visibility (raster/count.h).
+// nor an eye inside of it matters. Crow 1977, Everitt and Kilgard 2002, [Primer 10]. Its parts:
+// this stage, the volumes (frame/shadow_polygons.h) and the count after visibility
+// (raster/count.h).
 #include "shade/shadow_count.h"
 #include "shade/stage.h"
 
@@ -14,7 +14,7 @@ constinit const Stage volume{
      .name = "volume",
      .blurb = "the space behind each caster, counted at every sample: "
               "exact and hard",
-     .source = "Crow 1977, Everitt and Kilgard 2002, [C 10]",
+     .source = "Crow 1977, Everitt and Kilgard 2002",
      .kind = Kind::rung},
     {.primitive = true, .facing = true}, // positions come with lights that have one
     shadow_by_counts};

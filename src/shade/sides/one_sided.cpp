@@ -7,7 +7,7 @@ namespace scanout::shade::sides {
 constinit const LitSides one_sided{{.axis = "sides",
                                     .name = "one_sided",
                                     .blurb = "the side that the file's normals point to is lit",
-                                    .source = "[A 9.3], [D]",
+                                    .source = "Segal and Akeley 1992",
                                     .kind = Kind::effect},
                                    Sides::file,
                                    Sides::file};

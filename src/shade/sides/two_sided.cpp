@@ -9,7 +9,7 @@ namespace scanout::shade::sides {
 constinit const LitSides two_sided{{.axis = "sides",
                                     .name = "two_sided",
                                     .blurb = "the side that the eye sees is lit",
-                                    .source = "[A 9.3], [D]; GL's two-sided lighting",
+                                    .source = "Segal and Akeley 1992",
                                     .kind = Kind::effect},
                                    Sides::eye,
                                    Sides::face};

@@ -1,6 +1,6 @@
 // Eight by eight squares a turn, light and dark. A pixel shows the mean over its span, exactly: the
-// integral of a square wave is a triangle wave, so no square flickers however small it is. Peachey,
-// "Building Procedural Textures", in Texturing and Modeling, 1994; [A 11.2].
+// integral of a square wave is a triangle wave, so no square flickers however small it is.
+// Peachey 1994, [Compendium 11.2].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/source/checker.cpp"
@@ -47,7 +47,7 @@ extern const Source checker;
 constinit const Source checker{{.axis = "source",
                                 .name = "checker",
                                 .blurb = "squares, exactly filtered at any distance",
-                                .source = "Peachey 1994, [A 11.2]",
+                                .source = "Peachey 1994",
                                 .kind = Kind::model},
                                {.uv = true, .footprint = true},
                                [](Block& block) {

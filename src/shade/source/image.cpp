@@ -1,4 +1,4 @@
-// The texture that the material names, read from its file.
+// The texture that the material names, read from its file. [Compendium 11.2], [Primer 9.3].
 #include "shade/stage.h"
 
 namespace scanout::shade::source {
@@ -7,7 +7,7 @@ extern const Source image;
 constinit const Source image{{.axis = "source",
                               .name = "image",
                               .blurb = "the picture that the material names",
-                              .source = "[A 11.2], [C 9.3]",
+                              .source = "Catmull 1974",
                               .kind = Kind::model},
                              {},
                              nullptr};

@@ -32,7 +32,7 @@ SIMD_INLINE I32 shifted_down(I32 a) { // zeros come in
     return shift_right<kCount>(a) & I32((1 << (32 - kCount)) - 1);
 }
 
-// lowbias32: Wellons, "Prospecting for Hash Functions", 2018.
+// lowbias32: Wellons 2018.
 SIMD_INLINE I32 hash(I32 x) {
     x = exclusive_or(x, shifted_down<16>(x)) * I32(0x7feb352d);
     x = exclusive_or(x, shifted_down<15>(x)) * I32(static_cast<std::int32_t>(0x846ca68bU));

@@ -1,7 +1,7 @@
-// Improved noise: smooth, of one size of lumps, the same everywhere: Perlin, "Improving Noise",
-// 2002, in the plane z = 0. Four octaves, each with lumps half as large and half as strong, from
-// eight lumps a turn on; it repeats with the turn. An octave whose lumps are smaller than two
-// pixels fades out: no more than a pixel can show is computed to be shown. [A 11.2], [C 9.3].
+// Improved noise: smooth, of one size of lumps, the same everywhere: Perlin 2002, in the plane z =
+// 0. Four octaves, each with lumps half as large and half as strong, from eight lumps a turn on; it
+// repeats with the turn. An octave whose lumps are smaller than two pixels fades out: no more than
+// a pixel can show is computed to be shown. [Compendium 11.2], [Primer 9.3].
 #include "shade/source/permutation.h"
 #include "shade/stage.h"
 
@@ -73,7 +73,7 @@ extern const Source perlin_noise;
 constinit const Source perlin_noise{{.axis = "source",
                                      .name = "perlin_noise",
                                      .blurb = "four octaves of smooth lumps",
-                                     .source = "Perlin 2002, [A 11.2]",
+                                     .source = "Perlin 1985, Perlin 2002",
                                      .kind = Kind::model},
                                     {.uv = true, .footprint = true},
                                     [](Block& block) {

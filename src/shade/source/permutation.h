@@ -1,4 +1,4 @@
-// Perlin's permutation of 0 to 255, twice over: "Improving Noise", 2002.
+// Perlin's permutation of 0 to 255, twice over: Perlin 2002.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // White noise: 64 by 64 cells a turn, each as bright as the hash of its place says; the same
 // everywhere. Where a pixel spans several cells their mean shows, which is nearer to the middle by
-// the root of their number. [C 9.3].
+// the root of their number. Peachey 1994, [Primer 9.3].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/source/white_noise.cpp"
@@ -37,7 +37,7 @@ extern const Source white_noise;
 constinit const Source white_noise{{.axis = "source",
                                     .name = "white_noise",
                                     .blurb = "cells of random brightness, by hash",
-                                    .source = "[C 9.3]",
+                                    .source = "Peachey 1994",
                                     .kind = Kind::model},
                                    {.uv = true, .footprint = true},
                                    [](Block& block) {

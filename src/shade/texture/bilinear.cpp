@@ -1,6 +1,5 @@
 // Bilinear filtering: the four nearest texels, weighted by the overlap of a texel-sized square
-// around the sample, in linear light. Heckbert, "Fundamentals of Texture Mapping", 1989; [A 3.3],
-// [C 9].
+// around the sample, in linear light. Heckbert 1989, [Compendium 3.3], [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/texture/bilinear.cpp"
@@ -38,7 +37,7 @@ extern const Filter bilinear;
 constinit const Filter bilinear{{.axis = "texture",
                                  .name = "bilinear",
                                  .blurb = "four texels, weighted by overlap, in linear light",
-                                 .source = "Heckbert 1989, [A 3.3]",
+                                 .source = "Heckbert 1989",
                                  .kind = Kind::rung},
                                 {.uv = true},
                                 [](Block& block, const BoundMap& map, TexelKind kind) {

@@ -1,6 +1,6 @@
 // Mipmapping: the level whose texels are about as large as the pixel, and bilinear in it. No more
-// than four texels are read at any distance; where the level changes, a line shows. Williams,
-// "Pyramidal Parametrics", 1983; [A 3.3], [C 9].
+// than four texels are read at any distance; where the level changes, a line shows. Williams 1983,
+// [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/texture/mipmap.cpp"
@@ -42,7 +42,7 @@ constinit const Filter mipmap{
     {.axis = "texture",
      .name = "mipmap",
      .blurb = "bilinear in the level of detail that is nearest to the pixel's size",
-     .source = "Williams 1983, [A 3.3]",
+     .source = "Williams 1983",
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
     [](Block& block, const BoundMap& map, TexelKind kind) {

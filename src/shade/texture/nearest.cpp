@@ -1,4 +1,4 @@
-// Nearest texel: the one that the sample falls into. [A 3.3], [C 9].
+// Nearest texel: the one that the sample falls into. Heckbert 1989, [Compendium 3.3], [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/texture/nearest.cpp"
@@ -36,7 +36,7 @@ extern const Filter nearest;
 constinit const Filter nearest{{.axis = "texture",
                                 .name = "nearest",
                                 .blurb = "the texel that the sample falls into",
-                                .source = "[A 3.3]",
+                                .source = "Heckbert 1989",
                                 .kind = Kind::rung},
                                {.uv = true},
                                [](Block& block, const BoundMap& map, TexelKind kind) {

@@ -1,7 +1,6 @@
 // Trilinear filtering: bilinear in the two levels of detail around the pixel's size, and linear
 // between them, so that no line shows where they change. The pixel's footprint counts as a circle
-// as wide as its longer side: slanted surfaces blur. Williams, "Pyramidal Parametrics", 1983;
-// [A 3.3], [C 9].
+// as wide as its longer side: slanted surfaces blur. Williams 1983, [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/texture/trilinear.cpp"
@@ -110,7 +109,7 @@ constinit const Filter trilinear{
     {.axis = "texture",
      .name = "trilinear",
      .blurb = "bilinear in the two nearest levels of detail, linear between them",
-     .source = "Williams 1983, [A 3.3]",
+     .source = "Williams 1983",
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
     [](Block& block, const BoundMap& map, TexelKind kind) {

@@ -7,7 +7,7 @@ extern const Stage clamp;
 constinit const Stage clamp{{.axis = "tone",
                              .name = "clamp",
                              .blurb = "light above 1 is cut off, all below is exact",
-                             .source = "MTL's illum models; D3D 11.3 3.2.3.6",
+                             .source = "Microsoft 2015, 3.2.3.6",
                              .kind = Kind::model},
                             {},
                             [](Block& /*block*/, const FrameState& /*frame*/) {}};

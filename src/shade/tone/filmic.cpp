@@ -1,6 +1,5 @@
 // A film's response, for scenes brighter than 1: darks keep their contrast, highlights roll off
-// instead of being cut. K. Narkowicz, "ACES Filmic Tone Mapping Curve", 2015: a rational fit of the
-// Academy's reference rendering,
+// instead of being cut. Narkowicz 2015: a rational fit of the Academy's reference rendering,
 //     f(x) = x (2.51 x + 0.03) / (x (2.43 x + 0.59) + 0.14),
 // which reaches 1 at x = 7.24. It is applied to what a primitive shows, before samples are mixed:
 // the background keeps the colour that was asked for, and one bright sample does not drown an edge.

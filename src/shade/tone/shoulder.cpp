@@ -2,9 +2,8 @@
 // to a knee stays as it is, what is above rolls off to 1. A film's shoulder without its toe. With
 // w the most light that there is (FrameState::white) the knee stands at 1 / w, and above it runs
 //     g(t) = t (1 + t / s^2) / (1 + t),    s = w + 1,
-// scaled to go from the knee, with slope 1, to 1 at w: E. Reinhard, M. Stark, P. Shirley and
-// J. Ferwerda, "Photographic Tone Reproduction for Digital Images", 2002, equation 4. As w goes to
-// 1 the curve goes to the clamp: a scene that gets a little brighter looks a little different.
+// scaled to go from the knee, with slope 1, to 1 at w: Reinhard et al. 2002, eq. 4. As w goes to 1
+// the curve goes to the clamp: a scene that gets a little brighter looks a little different.
 // Applied, as all tone curves, to what a primitive shows, before samples are mixed.
 #include "shade/stage.h"
 

@@ -2,7 +2,7 @@
 // is written only then, so that nothing has to be sorted. Exact where alpha is 0 or 1 and nothing
 // between, far away, too: alpha is read from the texture itself, never from a smaller one, so that
 // threads and holes finer than a pixel keep their share on average. Else its error is what it
-// leaves out: up to half of any colour. The alpha test of GL, 1992; [C 1.6].
+// leaves out: up to half of any colour. The alpha test of Segal and Akeley 1992, [Primer 1.6].
 #include "shade/transparency.h"
 
 namespace scanout::shade::transparency {
@@ -12,7 +12,7 @@ constinit const Transparency cut_out{
     {.axis = "transparency",
      .name = "cut_out",
      .blurb = "a sample shows where its alpha reaches --alpha-cut; nothing is blended",
-     .source = "the alpha test of GL, 1992",
+     .source = "Segal and Akeley 1992, the alpha test",
      .kind = Kind::rung},
     nullptr,
     nullptr,

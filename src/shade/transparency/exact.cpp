@@ -1,5 +1,5 @@
 // Exact order: at every sample all fragments are sorted by their depth there, at a tie by their id,
-// however many they are. Carpenter's A-buffer, 1984, with the depth of each sample; [C 1.6].
+// however many they are. The A-buffer (Carpenter 1984) with the depth of each sample; [Primer 1.6].
 #include "shade/transparency.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ constinit const Transparency exact{
     {.axis = "transparency",
      .name = "exact",
      .blurb = "all fragments of a sample in the order of their depth, without limit",
-     .source = "the A-buffer, Carpenter 1984",
+     .source = "Carpenter 1984, the A-buffer",
      .kind = Kind::rung},
     nullptr,
     nearest_first,

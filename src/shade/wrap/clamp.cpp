@@ -1,5 +1,5 @@
-// Beyond an edge the edge's texel goes on: -clamp on of MTL. The arithmetic stands in
-// shade/texel-inl.h, inside every filter.
+// Beyond an edge the edge's texel goes on: -clamp on of MTL (Wavefront 1995). The arithmetic stands
+// in shade/texel-inl.h, inside every filter.
 #include "shade/stage.h"
 
 namespace scanout::shade::wrap {
@@ -8,7 +8,7 @@ extern const Wrapping clamp;
 constinit const Wrapping clamp{{.axis = "wrap",
                                 .name = "clamp",
                                 .blurb = "beyond an edge the edge's texel goes on",
-                                .source = "MTL -clamp on",
+                                .source = "Wavefront 1995, -clamp on",
                                 .kind = Kind::model},
                                Wrap::clamp};
 

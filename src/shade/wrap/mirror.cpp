@@ -8,7 +8,7 @@ extern const Wrapping mirror;
 constinit const Wrapping mirror{{.axis = "wrap",
                                  .name = "mirror",
                                  .blurb = "every second tile is turned round: no seam",
-                                 .source = "D3D 11.3 7.18.9",
+                                 .source = "Microsoft 2015, 7.18.9",
                                  .kind = Kind::model},
                                 Wrap::mirror};
 
