@@ -9,7 +9,7 @@ namespace {
 
 bool printable(char32_t code) {
     const bool control = code < 0x20 || (code >= 0x7f && code < 0xa0);
-    // Line ends, and the marks and isolates of writing direction (Unicode 23.2, 9.1).
+    // Line ends, and the marks and isolates of writing direction (Unicode 2022, 23.2 and 9.1).
     const bool turns = code == 0x61c || code == 0x200e || code == 0x200f ||
                        (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
     return !control && !turns;

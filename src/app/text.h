@@ -13,7 +13,7 @@ constexpr int kGlyphWidth = 9;
 constexpr int kGlyphHeight = 15;
 
 // Takes one code point off the front of a text that is not empty; one byte, and kBroken, where that
-// is no UTF-8 (Unicode 3.9, D92).
+// is no UTF-8 (Unicode 2022, 3.9, D92).
 constexpr char32_t kBroken = 0xfffd;
 char32_t take_code(std::string_view& text);
 

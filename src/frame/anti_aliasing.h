@@ -1,5 +1,5 @@
-// How a pixel's colour is found from what lies in and around its box [C 6]: the techniques of axis
-// `aa`, and what each asks of the frame.
+// How a pixel's colour is found from what lies in and around its box [Primer 6]: the techniques of
+// axis `aa`, and what each asks of the frame. What each errs: HARD-CASES L1.
 #pragma once
 
 #include "base/technique.h"

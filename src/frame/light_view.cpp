@@ -13,8 +13,7 @@ constexpr double kWidestTan = 1.75;       // of half a single view: some 60 degr
 constexpr double kNearShare = 0x1p-14;    // of the distance to the model: nearer throws no shadow
 constexpr double kFarShare = 1 + 0x1p-10; // views are wider by so much than what they hold
 
-// Rows: right, up, back; back is a unit vector. Duff et al., "Building an Orthonormal Basis,
-// Revisited", 2017.
+// Rows: right, up, back; back is a unit vector. Duff et al. 2017.
 DMat3 looking_from(const DVec3& back) {
     const double sign = back.z < 0 ? -1 : 1;
     const double a = -1 / (sign + back.z), b = back.x * back.y * a;

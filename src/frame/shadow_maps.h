@@ -1,5 +1,5 @@
 // The pass that draws shadow maps: the depth of the scene's triangles as each light that casts sees
-// them, by the same geometry and coverage as the picture. Williams 1978, [C 10].
+// them, by the same geometry and coverage as the picture. Williams 1978, [Primer 10].
 #pragma once
 
 #include "base/jobs.h"

@@ -1,7 +1,6 @@
 // Missing normals: the sum of the adjoining faces' unit normals, weighted by the angle at the
-// corner (Thürmer and Wüthrich, "Computing Vertex Normals from Polygonal Facets", 1998), split by
-// smoothing group or crease angle. The sum is taken in 64-bit fixed point, so it does not depend on
-// the order of the faces.
+// corner (Thürmer and Wüthrich 1998), split by smoothing group or crease angle. The sum is taken in
+// 64-bit fixed point, so it does not depend on the order of the faces.
 #pragma once
 
 #include "base/jobs.h"

@@ -1,5 +1,5 @@
 // A polygon into triangles. Ear clipping with an exact orientation test; concave, collinear,
-// self-touching and non-planar polygons; convex ones as a fan. [C 8.2], Meisters 1975.
+// self-touching and non-planar polygons; convex ones as a fan. Meisters 1975, [Primer 8.2].
 #pragma once
 
 #include "math/vec.h"

@@ -1,6 +1,6 @@
-// Colour spaces for overlays and metrics: HSV (A. R. Smith, "Color gamut transform pairs", 1978)
-// and CIELAB (CIE 15:2004) of linear light with sRGB's primaries and its white, D65. In double, by
-// our own transcendentals: the same bits everywhere.
+// Colour spaces for overlays and metrics: HSV (Smith 1978) and CIELAB (CIE 2004) of linear light
+// with sRGB's primaries and its white, D65. In double, by our own transcendentals: the same bits
+// everywhere.
 #pragma once
 
 #include "image/image.h"
@@ -17,7 +17,7 @@ struct Hsv {
 Hsv to_hsv(const DVec3& rgb);
 DVec3 from_hsv(const Hsv& hsv); // any hue: it is taken round the circle
 
-// Linear light <-> XYZ (IEC 61966-2-1). White (1, 1, 1) is kWhite.
+// Linear light <-> XYZ (IEC 1999). White (1, 1, 1) is kWhite.
 DVec3 to_xyz(const DVec3& linear);
 DVec3 from_xyz(const DVec3& xyz);
 extern const DVec3 kWhite;

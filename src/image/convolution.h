@@ -1,5 +1,5 @@
-// Operations on a finished picture: convolutions, the filters of [C 6]. In linear light, weighted
-// by alpha, the edge repeated.
+// Operations on a finished picture: convolutions, the filters of [Primer 6]. In linear light,
+// weighted by alpha, the edge repeated.
 #pragma once
 
 #include "base/technique.h"

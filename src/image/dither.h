@@ -1,6 +1,5 @@
 // Ordered dither: the 8x8 thresholds that every quantisation uses, be it to the 8 bits of the back
-// buffer or to the 4 to 7 of a display. B. E. Bayer, "An Optimum Method for Two-Level Rendition of
-// Continuous-Tone Pictures", 1973.
+// buffer or to the 4 to 7 of a display. Bayer 1973.
 #pragma once
 
 #include "base/technique.h"

@@ -94,7 +94,7 @@ Lab with_hunt(const DVec3& linear) { // colours look paler in the dark
     return {lab.lightness, 0.01 * lab.lightness * lab.a, 0.01 * lab.lightness * lab.b};
 }
 
-// HyAB (Abasi, Tehran, Fairchild 2020): city block in lightness, Euclid in a and b.
+// HyAB (Abasi, Amani Tehran and Fairchild 2020): city block in lightness, Euclid in a and b.
 double distance(const Lab& p, const Lab& q) {
     const double l = p.lightness - q.lightness, a = p.a - q.a, b = p.b - q.b;
     return (l < 0 ? -l : l) + sqrt(a * a + b * b);

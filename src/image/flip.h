@@ -1,7 +1,6 @@
-// FLIP: how different two pictures look to someone who flips between them. P. Andersson, J.
-// Nilsson, T. Akenine-Moeller, M. Oskarsson, K. Astroem, M. D. Fairchild, "FLIP: A Difference
-// Evaluator for Alternating Images", 2020; the LDR metric with the paper's constants, at its 67
-// pixels a degree (a monitor of 3840 pixels, 0.7 m wide, 0.7 m away).
+// FLIP: how different two pictures look to someone who flips between them. Andersson et al. 2020;
+// the LDR metric with the paper's constants, at its 67 pixels a degree (a monitor of 3840 pixels,
+// 0.7 m wide, 0.7 m away).
 //
 // In double, in a fixed order, with our own transcendentals: the same bits everywhere. About a
 // microsecond a pixel, so on demand and never a frame.

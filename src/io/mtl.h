@@ -1,6 +1,6 @@
-// Wavefront MTL: text -> materials. Format: Wavefront, "MTL material format", Alias 1995, with the
-// common additions (Ke, norm, the PBR values). Files that mtllib names may be anything at all, so
-// no message quotes what they hold.
+// Wavefront MTL: text -> materials. Format: Wavefront 1995, with the common additions (Ke, norm,
+// the PBR values). Files that mtllib names may be anything at all, so no message quotes what they
+// hold.
 #pragma once
 
 #include "base/warnings.h"

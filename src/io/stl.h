@@ -1,5 +1,5 @@
-// STL, binary and ASCII ("StereoLithography Interface Specification", 3D Systems 1989). Told apart
-// by size and content: many binary files begin with the word "solid".
+// STL, binary and ASCII (3D Systems 1989). Told apart by size and content: many binary files begin
+// with the word "solid".
 #pragma once
 
 #include "base/result.h"

@@ -1,8 +1,6 @@
 // Double-double arithmetic: an unevaluated sum hi + lo with |lo| <= ulp(hi) / 2, about 106 bits.
-// Dekker, "A floating-point technique for extending the available precision", 1971; Shewchuk,
-// "Adaptive Precision Floating-Point Arithmetic", 1997. Without fused multiply-add: it must give
-// the same bits where the machine has none. Exact while nothing overflows (|x| < 2^995) or
-// underflows.
+// Dekker 1971; Shewchuk 1997. Without fused multiply-add: it must give the same bits where the
+// machine has none. Exact while nothing overflows (|x| < 2^995) or underflows.
 #pragma once
 
 namespace scanout {

@@ -1,8 +1,6 @@
 // log2, exp2 and pow in double-double, so that pow's product y log2 x keeps its bits: all
-// constexpr, which lets tables (sRGB) be computed by the compiler. Method: Tang, "Table-driven
-// implementation of the exponential / logarithm function in IEEE floating-point arithmetic", 1989
-// and 1990, with the logarithm's series in (m - c) / (m + c). The tables are held against MPFR by
-// the tests.
+// constexpr, which lets tables (sRGB) be computed by the compiler. Method: Tang 1989 and Tang 1990,
+// with the logarithm's series in (m - c) / (m + c). The tables are held against MPFR by the tests.
 #pragma once
 
 #include "math/bits.h"

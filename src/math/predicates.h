@@ -1,5 +1,5 @@
-// Robust geometric predicates. Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast
-// Robust Geometric Predicates", 1997: a floating-point filter, then exact expansion arithmetic.
+// Robust geometric predicates. Shewchuk 1997: a floating-point filter, then exact expansion
+// arithmetic.
 #pragma once
 
 #include "math/vec.h"

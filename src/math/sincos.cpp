@@ -1,6 +1,6 @@
 // sin, cos and tan of radians and degrees: exact argument reduction to |r| <= pi/4 in double-double
-// (Cody and Waite, "Software Manual for the Elementary Functions", 1980, with three parts of pi/2),
-// then Taylor series whose first correction is double-double.
+// (Cody and Waite 1980, with three parts of pi/2), then Taylor series whose first correction is
+// double-double.
 #include "math/bits.h"
 #include "math/double_double.h"
 #include "math/transcendental.h"

@@ -1,6 +1,6 @@
-// sRGB (IEC 61966-2-1): linear light <-> 8-bit codes. Decode is the correctly rounded value of the
-// formula; encode is the nearest code, exactly (D3D 3.2.3.7 allows 0.6 code). Both are table
-// look-ups, and the compiler computes the tables with our pow; srgb-inl.h has them in lanes.
+// sRGB (IEC 1999): linear light <-> 8-bit codes. Decode is the correctly rounded value of the
+// formula; encode is the nearest code, exactly (Microsoft 2015, 3.2.3.8, allows 0.6 code). Both are
+// table look-ups, and the compiler computes the tables with our pow; srgb-inl.h has them in lanes.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,6 @@
 // Vectors and matrices: GLM, packed (no SIMD), column vectors, right-handed. Only constructors and
-// + - * / of GLM stand in code that decides a pixel; no glm function that calls libm (DESIGN 4).
+// + - * / of GLM stand in code that decides a pixel; no glm function that calls libm
+// (HARD-CASES D2).
 #pragma once
 
 #include <glm/mat3x3.hpp>

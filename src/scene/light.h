@@ -3,7 +3,7 @@
 //
 // Brightness: a surface that faces the light receives colour * power. A light at a place falls off
 // with the square of the distance and is that bright at the model's centre, or one bounding radius
-// away where it stands nearer than that: [A 11.1], [C 7].
+// away where it stands nearer than that: Lambert 1760, [Primer 7].
 #pragma once
 
 #include "geom/mesh.h"
@@ -48,7 +48,7 @@ struct Light {
 inline constexpr std::size_t kMostLights = 32;
 inline constexpr double kMostRimDegrees = 80; // of a directional light's size
 inline constexpr double kMostPower = 1e4;
-inline constexpr float kAmbient = 0.15F; // of Kd (DESIGN 1)
+inline constexpr float kAmbient = 0.15F; // of Kd
 
 // Nothing arrives from it.
 bool is_black(const Light& light);

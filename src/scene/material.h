@@ -1,4 +1,4 @@
-// Materials and textures as the files name them. Colours are linear; map_Kd is sRGB (DESIGN 1).
+// Materials and textures as the files name them. Colours are linear; map_Kd is sRGB.
 #pragma once
 
 #include "image/image.h"

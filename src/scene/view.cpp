@@ -139,8 +139,7 @@ Result<void> check_size(const View& view, double distance) {
 
 } // namespace
 
-// Turns the file's up axis onto +y; the front then looks along the axis that DESIGN names (+z up:
-// the front is the -y side).
+// Turns the file's up axis onto +y; the front then is the +z side (of +z up: the -y side).
 DMat3 up_rotation(UpAxis up) {
     switch (up) {
     case UpAxis::plus_y:

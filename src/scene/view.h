@@ -1,5 +1,5 @@
 // From options and integer state to the matrices of one frame, in double, computed once a frame.
-// [A ch.8-10], [B ch.2-3], [C ch.3]. No float appears before a vertex is transformed.
+// [Compendium 8, 10], [Course 2, 3], [Primer 3]. No float appears before a vertex is transformed.
 #pragma once
 
 #include "base/result.h"

@@ -9,7 +9,7 @@ constinit const AntiAliasing area{
     .card = {.axis = "aa",
              .name = "area",
              .blurb = "exact areas in the pixel's box: no error of coverage",
-             .source = "[C 6]; Catmull 1978",
+             .source = "Catmull 1978",
              .kind = Kind::rung},
     .exact = true};
 

@@ -10,7 +10,7 @@ constinit const AntiAliasing gaussian{
     .card = {.axis = "aa",
              .name = "gaussian",
              .blurb = "16 samples of 3 x 3 pixels under a Gaussian of half a pixel",
-             .source = "[C 6]; Feibush, Levoy and Cook 1980",
+             .source = "Feibush, Levoy and Cook 1980",
              .kind = Kind::rung},
     .samples = 16,
     .weight = [](double distance) { return exp2(-2 * 1.4426950408889634 * distance * distance); }};

@@ -8,7 +8,7 @@ constinit const AntiAliasing none{
     .card = {.axis = "aa",
              .name = "none",
              .blurb = "one sample a pixel: coverage 0.249 RMSE at an edge",
-             .source = "[C 6]; HARD-CASES (c)",
+             .source = "Crow 1981",
              .kind = Kind::rung},
     .samples = 1};
 

@@ -9,7 +9,7 @@ constinit const AntiAliasing samples_8{
     .card = {.axis = "aa",
              .name = "samples_8",
              .blurb = "8 samples a pixel, shaded once: 0.057 RMSE",
-             .source = "D3D 11.3 19.2, multisampling; HARD-CASES (c)",
+             .source = "Akeley 1993; Microsoft 2015, 19.2",
              .kind = Kind::rung},
     .samples = 8};
 

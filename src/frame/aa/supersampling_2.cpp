@@ -9,7 +9,7 @@ constinit const AntiAliasing supersampling_2{
     .card = {.axis = "aa",
              .name = "supersampling_2",
              .blurb = "2 x 2 shaded pixels for one: 0.086 RMSE, and smooth insides",
-             .source = "[C 6]; HARD-CASES (c)",
+             .source = "Crow 1981",
              .kind = Kind::rung},
     .scale = 2};
 

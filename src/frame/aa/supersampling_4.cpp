@@ -9,7 +9,7 @@ constinit const AntiAliasing supersampling_4{
     .card = {.axis = "aa",
              .name = "supersampling_4",
              .blurb = "4 x 4 shaded pixels for one: 0.030 RMSE, and smooth insides",
-             .source = "[C 6]; HARD-CASES (c)",
+             .source = "Crow 1981",
              .kind = Kind::rung},
     .scale = 4};
 

@@ -9,7 +9,7 @@ constinit const AntiAliasing tent{
     .card = {.axis = "aa",
              .name = "tent",
              .blurb = "16 samples of 3 x 3 pixels under a tent 2 pixels wide",
-             .source = "[C 6]; Feibush, Levoy and Cook 1980",
+             .source = "Feibush, Levoy and Cook 1980",
              .kind = Kind::rung},
     .samples = 16,
     .weight = [](double distance) { return distance < 1 ? 1 - distance : 0.0; }};

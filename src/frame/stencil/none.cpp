@@ -7,7 +7,7 @@ extern const Stencil none;
 constinit const Stencil none{{.axis = "stencil",
                               .name = "none",
                               .blurb = "nothing is marked",
-                              .source = "[C 1.6]",
+                              .source = "Segal and Akeley 1992",
                               .kind = Kind::model}};
 
 } // namespace scanout::frame::stencil

@@ -61,7 +61,7 @@ extern const Stencil outline;
 constinit const Stencil outline{{.axis = "stencil",
                                  .name = "outline",
                                  .blurb = "a line of 2 pixels round all that is shown",
-                                 .source = "[C 1.6], in two passes",
+                                 .source = "McReynolds and Blythe 2005",
                                  .kind = Kind::model},
                                 Stencil::Marks::shown,
                                 show};

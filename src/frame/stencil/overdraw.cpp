@@ -47,7 +47,7 @@ constinit const Stencil overdraw{
      .name = "overdraw",
      .blurb = "how many primitives lie over a pixel, hidden or not, instead of colours: 1 dark "
               "blue, 2 blue, 4 cyan, 8 green, 16 yellow, 32 orange, 64 red, 128 magenta, 255 white",
-     .source = "[C 1.6]",
+     .source = "Segal and Akeley 1992",
      .kind = Kind::model},
     Stencil::Marks::covering,
     show};

@@ -45,7 +45,7 @@ extern const Convolution high_pass;
 constinit const Convolution high_pass{{.axis = "convolution",
                                        .name = "high_pass",
                                        .blurb = "shows what a low-pass takes away: edges",
-                                       .source = "[C 6], identity less the binomial",
+                                       .source = "Burt and Adelson 1983",
                                        .kind = Kind::model},
                                       keep_rest,
                                       3 + 2};

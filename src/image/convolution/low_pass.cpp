@@ -1,5 +1,5 @@
 // A low-pass: what varies within a few pixels is smoothed away. After the fact it cannot undo
-// stairs, it only blurs them [C 6].
+// stairs, it only blurs them [Primer 6].
 #include "image/colour.h"
 #include "image/convolution.h"
 #include "math/srgb.h"
@@ -44,7 +44,7 @@ extern const Convolution low_pass;
 constinit const Convolution low_pass{{.axis = "convolution",
                                       .name = "low_pass",
                                       .blurb = "smooths what varies within 5 x 5 pixels",
-                                      .source = "[C 6], binomial weights",
+                                      .source = "Burt and Adelson 1983",
                                       .kind = Kind::model},
                                      smooth,
                                      4 + 1};

@@ -6,7 +6,7 @@ extern const Dither none;
 constinit const Dither none{{.axis = "dither",
                              .name = "none",
                              .blurb = "the nearest code: half a code wrong, in bands",
-                             .source = "[A ch.2]",
+                             .source = "Roberts 1962, without his noise",
                              .kind = Kind::rung},
                             false};
 
