@@ -1,7 +1,7 @@
-// Unweighted area sampling, exactly: how much of each pixel's box each triangle shows. E. Catmull,
-// "A hidden-surface algorithm with anti-aliasing", 1978, with a z-buffer's rule instead of sorting:
-// a pixel is a set of convex parts, each with the triangle that is nearest there. A new triangle
-// cuts the parts that it touches along its edges and, where two planes cross, along their line.
+// Unweighted area sampling, exactly: how much of each pixel's box each triangle shows.
+// Catmull 1978, with a z-buffer's rule instead of sorting: a pixel is a set of convex parts, each
+// with the triangle that is nearest there. A new triangle cuts the parts that it touches along its
+// edges and, where two planes cross, along their line.
 //
 // Exact but for rounding in double: areas within 2^-30 of a pixel. Limits: a part keeps at most
 // kMostCorners corners and a pixel kMostParts parts; beyond, a part goes to one triangle whole.

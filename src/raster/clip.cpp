@@ -24,7 +24,7 @@ double distance(int plane, const ClipVertex& v, const ClipBox& box) {
 }
 
 // Of the way from the inside to the outside. d_in >= 0 > d_out, so the denominator is positive,
-// rounding included (TOPICS T7).
+// rounding included (HARD-CASES T7).
 double share(double d_in, double d_out) {
     return d_in / (d_in - d_out);
 }

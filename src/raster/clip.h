@@ -1,8 +1,8 @@
 // Clipping in homogeneous coordinates, before the divide: triangles against the near plane
-// (Sutherland-Hodgman), segments against the guard band, too [A ch.7-8], [A'], [D]. Every
-// intersection is computed from the inside vertex to the outside one, so an edge that two triangles
-// share is cut at the same point in both (Ericson, Real-Time Collision Detection, 8.3.5;
-// HARD-CASES 9, 13).
+// (Sutherland and Hodgman 1974), segments against the guard band, too; [Compendium 7, 8],
+// [ClipSpace 6, 7], [SoftwareGraphics]. Every intersection is computed from the inside vertex to
+// the outside one, so an edge that two triangles share is cut at the same point in both
+// (Ericson 2005, 8.3.5; HARD-CASES 9, 13).
 #pragma once
 
 #include "raster/screen.h"

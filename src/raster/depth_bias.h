@@ -1,5 +1,5 @@
 // Depth bias: how far a primitive is moved towards the eye so that it is seen on the surface that
-// it lies on (HARD-CASES R19: Direct3D 11.3 functional specification 15.10, Vulkan "Depth Bias").
+// it lies on (HARD-CASES R19; Microsoft 2015, 15.10; Khronos 2016, "Depth Bias").
 #pragma once
 
 namespace scanout::raster {

@@ -1,6 +1,6 @@
 // Polygons whose corners may stand at infinity, on the screen: the sides of a shadow, which has no
 // far end. Clipped in homogeneous coordinates, where a direction is a point with w = 0. Everitt and
-// Kilgard, "Practical and Robust Stenciled Shadow Volumes", 2002 (HARD-CASES 44).
+// Kilgard 2002 (HARD-CASES 44).
 #pragma once
 
 #include "raster/count.h"

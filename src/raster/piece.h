@@ -4,8 +4,8 @@
 // snapped to, as in triangles that are whole, any other stays where it is in homogeneous
 // coordinates, to 50 bits. From there on every number is a whole one and every sign exact, so an
 // edge is the same line for both its neighbours, and edges that meet in a vertex meet there however
-// far away it is: no gap, no double hit (HARD-CASES P7, rows 3, 8, 12). Edges as homogeneous
-// lines: Olano and Greer, "Triangle Scan Conversion Using 2D Homogeneous Coordinates", 1997.
+// far away it is: no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous lines:
+// Olano and Greer 1997.
 //
 // Why the near plane still cuts: an edge to a vertex behind the eye would turn about it when its
 // other end snaps, and be displaced by up to the ratio of their distances from the eye, not 1/256

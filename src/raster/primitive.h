@@ -70,7 +70,7 @@ CanonicalOrder canonical_order(const std::array<std::int32_t, 3>& x,
                                const std::array<std::int32_t, 3>& y);
 
 // A triangle from three snapped vertices in any order; nothing when it snapped to zero area and so
-// covers no sample (HARD-CASES R6, 4). clockwise: on the screen, in the order given.
+// covers no sample (HARD-CASES 4, R6). clockwise: on the screen, in the order given.
 struct SetUp {
     Triangle triangle;
     CanonicalOrder order;

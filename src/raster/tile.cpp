@@ -205,8 +205,9 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
 }
 
 // One pixel for every pixel centre that the line passes on its longer axis, both ends included; the
-// pixel on the other axis by exact division. [A 2.1], [C 4.1]: Bresenham's pixels in closed form,
-// so that no error adds up and any part of a line can be drawn alone.
+// pixel on the other axis by exact division. The pixels of Bresenham 1965, in closed form
+// ([Compendium 2.1], [Primer 4.1]), so that no error adds up and any part of a line can be drawn
+// alone.
 void VisibilityTile::draw(const Segment& s, const Ground& ground) {
     check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));

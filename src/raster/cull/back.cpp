@@ -1,4 +1,4 @@
-// Culling "back": half the work on closed models, and a look into rooms. [C 1.6].
+// Culling "back": half the work on closed models, and a look into rooms. [Primer 1.6].
 #include "raster/cull.h"
 
 namespace scanout::raster::culling {
@@ -7,7 +7,7 @@ extern const CullRow back;
 constinit const CullRow back{{.axis = "cull",
                               .name = "back",
                               .blurb = "faces wound clockwise on the screen are left out",
-                              .source = "[C 1.6]",
+                              .source = "Roberts 1963; Segal and Akeley 1992",
                               .kind = Kind::model},
                              Facing::front};
 

@@ -1,4 +1,4 @@
-// Culling "front": the insides of closed models alone. [C 1.6].
+// Culling "front": the insides of closed models alone. [Primer 1.6].
 #include "raster/cull.h"
 
 namespace scanout::raster::culling {
@@ -7,7 +7,7 @@ extern const CullRow front;
 constinit const CullRow front{{.axis = "cull",
                                .name = "front",
                                .blurb = "faces wound counter-clockwise on the screen are left out",
-                               .source = "[C 1.6]",
+                               .source = "Segal and Akeley 1992",
                                .kind = Kind::model},
                               Facing::back};
 

@@ -7,7 +7,7 @@ extern const CullRow none;
 constinit const CullRow none{{.axis = "cull",
                               .name = "none",
                               .blurb = "every face, whichever way it is wound",
-                              .source = "[C 1.6]",
+                              .source = "Segal and Akeley 1992",
                               .kind = Kind::model},
                              Facing::any};
 

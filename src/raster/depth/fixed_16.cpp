@@ -12,7 +12,7 @@ constinit const DepthFormatRow fixed_16{
      .name = "fixed_16",
      .blurb = "16 bits, from near to infinitely far: around the target, steps of a quarter of its "
               "distance",
-     .source = "Catmull 1974, HARD-CASES (0) 5",
+     .source = "Catmull 1974",
      .kind = Kind::rung},
     true,
     65535};

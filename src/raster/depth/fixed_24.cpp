@@ -9,7 +9,7 @@ constinit const DepthFormatRow fixed_24{
     {.axis = "depth",
      .name = "fixed_24",
      .blurb = "24 bits: around the target, steps of a thousandth of its distance",
-     .source = "HARD-CASES (0) 5",
+     .source = "Catmull 1974; Lapidous and Jiao 1999",
      .kind = Kind::rung},
     true,
     16777215};

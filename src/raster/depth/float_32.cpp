@@ -9,7 +9,7 @@ constinit const DepthFormatRow float_32{
     {.axis = "depth",
      .name = "float_32",
      .blurb = "a float that grows with the distance: no better than 24 bits, steps of a thousandth",
-     .source = "HARD-CASES (0) 5",
+     .source = "Lapidous and Jiao 1999",
      .kind = Kind::rung},
     true,
     0};

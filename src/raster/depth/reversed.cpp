@@ -1,5 +1,5 @@
 // Reversed depth, near / distance in a float: steps of 2^-24 of the distance, near and far.
-// Lapidous and Jiao, "Optimal Depth Buffer for Low-Cost Graphics Hardware", 1999.
+// Lapidous and Jiao 1999; HARD-CASES L2.
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth {

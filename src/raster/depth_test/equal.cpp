@@ -1,4 +1,4 @@
-// Depth test "equal", of reversed depth, where greater is nearer. [C 1.6].
+// Depth test "equal", of reversed depth, where greater is nearer. [Primer 1.6].
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth_test {
@@ -9,7 +9,7 @@ constinit const DepthTestRow equal{
      .name = "equal",
      .blurb =
          "only what lies as deep as what is kept: the buffer starts empty, so nothing, as never",
-     .source = "[C 1.6]",
+     .source = "Segal and Akeley 1992",
      .kind = Kind::model},
     DepthTest::equal};
 

@@ -1,4 +1,4 @@
-// Depth test "greater", of reversed depth, where greater is nearer. [C 1.6].
+// Depth test "greater", of reversed depth, where greater is nearer. [Primer 1.6].
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth_test {
@@ -7,7 +7,7 @@ extern const DepthTestRow greater;
 constinit const DepthTestRow greater{{.axis = "depth_test",
                                       .name = "greater",
                                       .blurb = "the nearest, at a tie the first in the file",
-                                      .source = "[C 1.6]",
+                                      .source = "Catmull 1974; Segal and Akeley 1992",
                                       .kind = Kind::model},
                                      DepthTest::greater};
 

@@ -1,4 +1,4 @@
-// Depth test "greater_equal", of reversed depth, where greater is nearer. [C 1.6].
+// Depth test "greater_equal", of reversed depth, where greater is nearer. [Primer 1.6].
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth_test {
@@ -7,7 +7,7 @@ extern const DepthTestRow greater_equal;
 constinit const DepthTestRow greater_equal{{.axis = "depth_test",
                                             .name = "greater_equal",
                                             .blurb = "the nearest, at a tie the last in the file",
-                                            .source = "[C 1.6]",
+                                            .source = "Segal and Akeley 1992",
                                             .kind = Kind::model},
                                            DepthTest::greater_equal};
 

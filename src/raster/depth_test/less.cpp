@@ -1,4 +1,4 @@
-// Depth test "less", of reversed depth, where greater is nearer. [C 1.6].
+// Depth test "less", of reversed depth, where greater is nearer. [Primer 1.6].
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth_test {
@@ -7,7 +7,7 @@ extern const DepthTestRow less;
 constinit const DepthTestRow less{{.axis = "depth_test",
                                    .name = "less",
                                    .blurb = "the farthest, at a tie the first in the file",
-                                   .source = "[C 1.6]",
+                                   .source = "Segal and Akeley 1992",
                                    .kind = Kind::model},
                                   DepthTest::less};
 

@@ -1,4 +1,4 @@
-// Depth test "less_equal", of reversed depth, where greater is nearer. [C 1.6].
+// Depth test "less_equal", of reversed depth, where greater is nearer. [Primer 1.6].
 #include "raster/visible_rule.h"
 
 namespace scanout::raster::depth_test {
@@ -7,7 +7,7 @@ extern const DepthTestRow less_equal;
 constinit const DepthTestRow less_equal{{.axis = "depth_test",
                                          .name = "less_equal",
                                          .blurb = "the farthest, at a tie the last in the file",
-                                         .source = "[C 1.6]",
+                                         .source = "Segal and Akeley 1992",
                                          .kind = Kind::model},
                                         DepthTest::less_equal};
 
