@@ -13,7 +13,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
 # Highway holds its lanes in plain C++, EMU128, for broken on g++ before 12.3 and would fall back to
-# one lane; the hash tests show that it is not (DESIGN 2).
+# one lane; the hash tests show that it is not.
 target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
 # EMU128 stands in every build, also where the machine always has better (64-bit Arm): the same bits are
 # compared on it. Arm's scalable vectors have no size, so no lane type can hold one (simd/lanes-inl.h). SSE4 draws

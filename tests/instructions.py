@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """instructions.py PROGRAM: same bits everywhere means no fused multiply-add and no approximate
-reciprocal in the program's own code, on any SIMD target (HARD-CASES rows 65 and 66, recipe 1 and 2).
+reciprocal in the program's own code, on any SIMD target (HARD-CASES 65, 66, D1, D2).
 Exit code 77 where there is no objdump or the program is not for x86."""
 import re
 import subprocess

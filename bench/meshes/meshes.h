@@ -1,5 +1,5 @@
-// The meshes of the benchmarks, by name. They stand for the models that PEERS' figures come from:
-// the same number of triangles, and about as many fragments at 1920x1080.
+// The meshes of the benchmarks, by name. They stand for models that other rasterisers were measured
+// with: the same number of triangles, and about as many fragments at 1920x1080.
 #pragma once
 
 #include "base/result.h"

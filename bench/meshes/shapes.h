@@ -10,7 +10,7 @@
 namespace scanout::bench {
 
 // Newell's teapot: 32 bicubic patches of 10 x 10 squares, without what the poles fold up: 6320
-// triangles. M. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", 1975.
+// triangles. Newell 1975.
 geom::PolygonMesh teapot();
 // A rough tube along a torus knot, of about so many triangles: a long body that winds before and
 // behind itself, as the dragon's does. finest_fold: height of the folds that are two squares long
@@ -19,7 +19,7 @@ geom::PolygonMesh knot(std::size_t triangles, double finest_fold = 0.004);
 // The knot as a scan would hold it, by what was measured of Stanford's dragon, whose neighbours
 // meet at 6.4 degrees rms: its finest folds are lower, and vertices and triangles stand as a volume
 // gives them in which range images were merged, by slices (z), by rows (y), along the row (x).
-// B. Curless, M. Levoy, "A Volumetric Method for Building Complex Models from Range Images", 1996.
+// Curless and Levoy 1996.
 geom::PolygonMesh dragon(std::size_t triangles);
 // The knot in a box, all of it hidden from outside.
 geom::PolygonMesh crate(std::size_t triangles_inside);

@@ -1,6 +1,6 @@
-// The least that one core could take for a load, by the model of PEERS.md (T6): the picture written
-// once past the caches, vertices and indices read once, and the cycles of sixteen lanes for what is
-// done to each vertex, triangle and pixel. How fast this core writes, reads and counts is measured.
+// The least that one core could take for a load, by a model: the picture written once past the
+// caches, vertices and indices read once, and the cycles of sixteen lanes for what is done to each
+// vertex, triangle and pixel. How fast this core writes, reads and counts is measured.
 #pragma once
 
 #include "bench/peers/core_limits.h"

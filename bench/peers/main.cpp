@@ -1,4 +1,4 @@
-// bench_peers: the loads of PEERS.md on both sides, and which gates are met (--help).
+// bench_peers: the loads of bench/README.md on both sides, and which gates are met (--help).
 #include "bench/peers/first_frame.h"
 #include "bench/peers/gl_context.h"
 #include "bench/peers/machine.h"

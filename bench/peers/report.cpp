@@ -10,8 +10,8 @@ std::string bounds(double gate, double goal) {
     return gate == 0 ? "-" : fmt::format("{}x / {}x", gate, goal);
 }
 
-// With PEERS.md's gates of loads, of which it names none for the teapot's depth; its model knows
-// one sample.
+// Floors are judged of loads that have a gate (the teapot's depth has none); the model knows one
+// sample.
 bool has_floor(const Load& load) {
     return load.gate > 0 && load.samples == 1;
 }

@@ -57,8 +57,7 @@ struct Hand {
     }
 };
 
-// The table of DESIGN, as far as what exists goes. It binds: a change here is a change of the
-// design.
+// The keys are a promise to who uses them: a change here is a change of the product.
 TEST(Bindings, TheKeysAreThoseOfTheDesign) {
     const std::map<std::string, std::string> kDesign = {{"Left", "rotate_left"},
                                                         {"Right", "rotate_right"},

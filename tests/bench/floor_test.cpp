@@ -1,5 +1,5 @@
-// The floor is the model of PEERS.md (T6), and the core it stands on is measured, not the loop that
-// measures it.
+// The floor is that of the model in bench/peers/floor.h, and the core it stands on is measured, not
+// the loop that measures it.
 #include "bench/peers/clock.h"
 #include "bench/peers/floor.h"
 
@@ -11,7 +11,7 @@
 namespace scanout::bench {
 namespace {
 
-// The machine of PEERS.md, at 1920x1080; half of the triangles face the eye.
+// The core by which the model was made, at 1920x1080; half of the triangles face the eye.
 double floor_there(Shading shading, std::size_t triangles, double fragments) {
     const CoreLimits core{3.4e9, 25.8e9, 17.5e9};
     const Work work{triangles / 2, triangles, static_cast<double>(triangles) / 2, fragments,

@@ -3,7 +3,7 @@
 no code with scanout; the plan that `scanout explain --json` tells must agree, in what runs and in the triangles that it
 counts. Skipped (77) where the assets are absent.
 
-What a file calls for (HARD-CASES f):
+What a file calls for (HARD-CASES Z6):
 texture   a triangle with coordinates and a material whose map_Kd is there
 highlight a material with Ks not black and Ns above 0
 cut_out   an alpha of 0 in places, and else 1; blending: an alpha between them. Alpha is d, times that of the texels of

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""scene.py NAME ROOT BUILD: only the effects that a scene calls for (HARD-CASES f), for one scene of scenes.txt.
+"""scene.py NAME ROOT BUILD: only the effects that a scene of scenes.txt calls for (HARD-CASES Z1-Z4, Z6-Z8).
 
 Z1  the frame as it is and the one with an unneeded effect switched off by name execute the same instructions (0.05 %)
 Z2  and call no function of a technique that the plan does not name: every counter of theirs is 0      (Z4 as well)

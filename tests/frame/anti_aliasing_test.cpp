@@ -100,7 +100,7 @@ struct HalfPlane {
 };
 
 TEST(AntiAliasing, HasTheDeclaredErrorOfCoverageAtRandomEdges) {
-    // HARD-CASES (c), where it has the pattern: RMSE and greatest error over pixels on an edge.
+    // HARD-CASES L1, where it has the pattern: RMSE and greatest error over pixels on an edge.
     struct Rung {
         double rmse, most;
     };

@@ -80,7 +80,7 @@ struct Sheets {
             c.linear = layer * a + c.linear * (1 - a);
             c.alpha = a + c.alpha * (1 - a);
         } else if (mode == "multiply" || mode == "screen") {
-            // W3C Compositing and Blending, section 5: Cs = (1 - ab) Cs + ab B(Cb, Cs), then over.
+            // Cabanier and Andronikos 2015, 5: Cs = (1 - ab) Cs + ab B(Cb, Cs), then over.
             const DVec3 b = c.alpha > 0 ? c.linear / c.alpha : DVec3(0);
             for (int k = 0; k < 3; ++k) {
                 const double mixed =

@@ -1,6 +1,6 @@
 // Interpolation measured through the whole renderer, by what it shows: the texture coordinate runs
 // through a texture of 16384 texels of different colours, repeated 1024 times, so that a pixel's
-// colour tells u to 2^-24. HARD-CASES P11, rows 32 to 35.
+// colour tells u to 2^-24. HARD-CASES 32-35, P11.
 #include "ruler.h"
 
 namespace scanout::test {
@@ -14,7 +14,7 @@ double exact_u(const Known& t, int x, int y) {
 
 class AtRatio : public testing::TestWithParam<double> {};
 
-// HARD-CASES P11, row 32: 10^5 triangles at four ratios of w, 25 000 each, one a cell of 16x16.
+// HARD-CASES 32, P11: 10^5 triangles at four ratios of w, 25 000 each, one a cell of 16x16.
 TEST_P(AtRatio, InterpolationIsWithinTwoToTheMinus20OfTheRange) {
     constexpr int kSide = 1024, kCell = 16, kCells = kSide / kCell, kFrames = 7;
     Random random(static_cast<std::uint64_t>(GetParam()) + 1);
@@ -95,8 +95,8 @@ TEST(Interpolated, AConstantStaysThatConstant) {
     record("worst_in_2^-24", worst);
 }
 
-// HARD-CASES row 33: at the ratios where affine interpolation is wrong by 0.17 and 0.024 of the
-// range, ours is not; the naive error stands beside it.
+// HARD-CASES 33: at the ratios where affine interpolation is wrong by 0.17 and 0.024 of the range,
+// ours is not; the naive error stands beside it.
 TEST(Interpolated, DoesNotBendWhereAffineInterpolationDoes) {
     for (const auto& [ratio, naive_bound] : {std::pair{2.0, 0.17}, {1.125, 0.024}, {8.0, 0.45}}) {
         Ruler ruler(512);
@@ -122,8 +122,8 @@ TEST(Interpolated, DoesNotBendWhereAffineInterpolationDoes) {
     }
 }
 
-// HARD-CASES row 34: samples on edges and at vertices; u never leaves [min, max] of the vertices,
-// where one step outside would show the texture's other end.
+// HARD-CASES 34: samples on edges and at vertices; u never leaves [min, max] of the vertices, where
+// one step outside would show the texture's other end.
 TEST(Interpolated, NeverLeavesTheRangeOfItsVertices) {
     Random random(3);
     Ruler ruler(256);
@@ -163,8 +163,8 @@ TEST(Interpolated, NeverLeavesTheRangeOfItsVertices) {
     record("samples_on_edges", static_cast<double>(on_edge));
 }
 
-// HARD-CASES row 35: over 3840 pixels nothing adds up. Without perspective, so that only the way
-// across the picture is measured.
+// HARD-CASES 35: over 3840 pixels nothing adds up. Without perspective, so that only the way across
+// the picture is measured.
 TEST(Interpolated, DoesNotDriftOver3840Pixels) {
     Ruler ruler(4096, 64);
     double worst = 0;

@@ -394,7 +394,7 @@ TEST(Plan, NamesEveryTechniqueThatRunsOnce) {
     }
 }
 
-// HARD-CASES f: nothing in view, nothing to do.
+// HARD-CASES Z6: nothing in view, nothing to do.
 TEST(Plan, NothingRunsForAModelThatIsOutOfView) {
     test::Shot s = test::solids("balls");
     s.scene.materials[0].opacity = 0.5F;

@@ -1,5 +1,5 @@
 // The mean of a pixel's samples is taken in linear light, in a fixed order, and encoded once:
-// HARD-CASES row 70, against sums in double over samples that exact arithmetic covers.
+// HARD-CASES 70, against sums in double over samples that exact arithmetic covers.
 #include "oracle/coverage.h"
 #include "raster/sample_pattern.h"
 #include "support/scenes.h"

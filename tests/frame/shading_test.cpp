@@ -1,5 +1,5 @@
-// How often light is evaluated: what each rung loses (HARD-CASES (d), shading frequency), and what
-// all of them agree on.
+// How often light is evaluated: what each rung loses (HARD-CASES L5), and what all of them agree
+// on.
 #include "image/compare.h"
 #include "math/rotation.h"
 #include "support/scenes.h"

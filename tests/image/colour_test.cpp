@@ -71,7 +71,7 @@ TEST(Hsv, HasAHueThatTurnsBySectorsAsSmithsDoes) {
     }
 }
 
-// CIE 15, with the matrix of IEC 61966-2-1 by its chromaticities and pow() of libm.
+// CIE 2004, with the matrix of IEC 1999 by its chromaticities and pow() of libm.
 Lab lab_of_the_standard(const DVec3& c) {
     const double x = 0.4124 * c.x + 0.3576 * c.y + 0.1805 * c.z;
     const double y = 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;

@@ -111,7 +111,8 @@ TEST(Load, CanBeCancelledAtTheLastMoment) {
     EXPECT_THAT(scene.error().what, HasSubstr("loading was cancelled"));
 }
 
-// HARD-CASES: number readers that ask the locale read 2.5 as 2 where the decimal point is a comma.
+// HARD-CASES 60: number readers that ask the locale read 2.5 as 2 where the decimal point is a
+// comma.
 struct CommaForPoint : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }
 };

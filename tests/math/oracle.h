@@ -44,7 +44,7 @@ inline double ulps(double got, Real& exact, int digits = 53, int least_exponent 
     return std::fabs(difference.nearest());
 }
 
-// splitmix64 (Steele, Lea, Flood 2014): the same points on every machine, as std's distributions
+// splitmix64 (Steele, Lea and Flood 2014): the same points on every machine, as std's distributions
 // are not.
 class Points {
 public:

@@ -93,7 +93,7 @@ TEST(Orient2d, HasTheExactSignOnNearlyCollinearPointsOfMixedSizes) {
 }
 
 TEST(Orient2d, HasTheExactSignRoundTheClassicLine) {
-    // Kettner et al., "Classroom examples of robustness problems in geometric computations", 2008
+    // Kettner et al. 2008
     int naive_faults = 0;
     for (int i = 0; i < 256; ++i)
         for (int j = 0; j < 256; ++j) {

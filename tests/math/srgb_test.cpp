@@ -11,7 +11,7 @@
 namespace scanout::test {
 namespace {
 
-// The formulas of IEC 61966-2-1 as D3D 3.2.3.7 writes them; code and the result in codes,
+// The formulas of IEC 1999 as Microsoft 2015, 3.2.3.7, writes them; code and the result in codes,
 // unrounded.
 void exact_decode(Real& linear, double code) {
     Real encoded(code);

@@ -1,6 +1,6 @@
 // Clipping that must fail where ours holds: intersections taken in the order in which the polygon
-// runs, so that neighbours cut their common edge from opposite ends (HARD-CASES row 9, finding 6);
-// and cuts along the guard band that are snapped to the grid.
+// runs, so that neighbours cut their common edge from opposite ends (HARD-CASES 9); and cuts along
+// the guard band that are snapped to the grid.
 #include "raster/clip.h"
 #include "raster/exactly_once.h"
 #include "raster/off_screen_mesh.h"
@@ -82,7 +82,7 @@ TEST(NaiveClip, InPolygonOrderASharedEdgeIsCutAtTwoPointsAndOursIsNot) {
     record("ours_differ", ours.differ);
 }
 
-// Sutherland and Hodgman's way round the near plane and a box of the screen, always from the inside
+// Sutherland and Hodgman 1974, round the near plane and a box of the screen, always from the inside
 // vertex to the outside one; what is left is snapped and cut into a fan.
 using Polygon = std::vector<ClipVertex>;
 Polygon cut_by(const Polygon& in, double x, double y, double w, double constant) {

@@ -1,6 +1,6 @@
 // Edge functions that must fail where ours hold: in float, relative to a vertex or as a x + b y +
-// c, and in int32 (HARD-CASES section 0, findings 2 and 3; TOPICS T8). Both see the same snapped
-// vertices and the same top-left rule.
+// c, and in int32 (HARD-CASES 1, 3, 5, T8). Both see the same snapped vertices and the same
+// top-left rule.
 #include "raster/exactly_once.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Depth and interpolation that must fail where ours holds: a plane equation in float, logarithmic
-// depth a vertex, stepping from pixel to pixel (HARD-CASES rows 15, 16, 35).
+// depth a vertex, stepping from pixel to pixel (HARD-CASES 15, 16, 35).
 #include "oracle/plane.h"
 #include "raster/exact.h"
 
@@ -33,7 +33,7 @@ struct FloatPlane {
     }
 };
 
-// HARD-CASES row 15
+// HARD-CASES 15
 TEST(NaiveDepth, AFloatPlaneLosesTheFarEndAndOursDoesNot) {
     // The far edge stands on the left, through pixel centres: they belong to the triangle.
     const Corners v = {{{60 * 256 + 131, 30 * 256 + 77},
@@ -60,7 +60,7 @@ TEST(NaiveDepth, AFloatPlaneLosesTheFarEndAndOursDoesNot) {
     }
 }
 
-// HARD-CASES row 16: log w is not linear on the screen.
+// HARD-CASES 16: log w is not linear on the screen.
 TEST(NaiveDepth, LogarithmicDepthAVertexBendsAndOursDoesNot) {
     const Corners v = {{{0, 0}, {64 * 256, 0}, {0, 64 * 256}}};
     const Three w = {1, 1000, 1}, depth = {0.5, 0.5 / 1000, 0.5};
@@ -81,8 +81,8 @@ TEST(NaiveDepth, LogarithmicDepthAVertexBendsAndOursDoesNot) {
     record("ours_relative", ours);
 }
 
-// HARD-CASES row 35, TOPICS T3: a float that is stepped 3840 times. (What the renderer shows over
-// 3840 pixels is measured in tests/frame.)
+// HARD-CASES 35, T3: a float that is stepped 3840 times. (What the renderer shows over 3840 pixels
+// is measured in tests/frame.)
 TEST(NaiveDepth, SteppingAFloatAcrossAPictureDriftsAndTakingItAnewDoesNot) {
     double stepped = 0, restarted = 0, direct = 0;
     Random random(1);

@@ -1,8 +1,7 @@
 // The oracle of clipping: it never clips. A triangle's edges as linear functions of the pixel,
-// straight from homogeneous vertices, whatever the sign of their w (Olano and Greer, "Triangle Scan
-// Conversion Using 2D Homogeneous Coordinates", 1997; HARD-CASES 10). In double, or exact on whole
-// numbers. An edge is computed from its lower vertex to its higher one, so two triangles that share
-// it see the same bits: watertight.
+// straight from homogeneous vertices, whatever the sign of their w (Olano and Greer 1997;
+// HARD-CASES 10). In double, or exact on whole numbers. An edge is computed from its lower vertex
+// to its higher one, so two triangles that share it see the same bits: watertight.
 #pragma once
 
 #include "oracle/coverage.h"

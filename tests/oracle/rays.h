@@ -1,5 +1,5 @@
 // Rays against triangles, in double, one by one: the oracle of shadows. Nothing of the renderer.
-// Moeller and Trumbore, "Fast, Minimum Storage Ray-Triangle Intersection", 1997.
+// Möller and Trumbore 1997.
 #pragma once
 
 #include "math/vec.h"

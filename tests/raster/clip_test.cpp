@@ -1,4 +1,4 @@
-// What clip() makes of triangles and edges: HARD-CASES P6, rows 6, 9, 11, 13.
+// What clip() makes of triangles and edges: HARD-CASES 6, 9, 11, 13, P6.
 #include "raster/clip.h"
 #include "raster/exactly_once.h"
 #include "support/targets.h"
@@ -38,7 +38,7 @@ std::vector<ClipVertex> clipped(const ClipVertex& a, const ClipVertex& b, const 
     return {polygon.vertex.begin(), polygon.vertex.begin() + polygon.count};
 }
 
-// HARD-CASES row 9: a million edges, compared bit by bit; TOPICS T7. (The naive way: tests/naive.)
+// HARD-CASES 9, T7: a million edges, compared bit by bit. (The naive way: tests/naive.)
 TEST(Clip, ASharedEdgeIsCutAtTheSameBitsFromBothSides) {
     Random random(1);
     int cuts = 0;
@@ -71,7 +71,7 @@ TEST(Clip, ASharedEdgeIsCutAtTheSameBitsFromBothSides) {
     record("edges_that_differ", 0);
 }
 
-// HARD-CASES row 11: one plane adds one vertex at most, whatever the sizes.
+// HARD-CASES 11: one plane adds one vertex at most, whatever the sizes.
 TEST(Clip, WhatIsLeftLiesBeforeTheNearPlane) {
     Random random(2);
     int of_each[5] = {};
@@ -186,9 +186,9 @@ Pieces half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, i
     return split(point, 0);
 }
 
-// HARD-CASES P6, row 13: plane d and -d over 10^4 random planes. Both halves of every triangle of a
+// HARD-CASES 13, P6: plane d and -d over 10^4 random planes. Both halves of every triangle of a
 // mesh, drawn together, cover every sample once: along the cut and along the mesh's edges, where
-// vertices of one triangle must meet those of its neighbour (row 12).
+// vertices of one triangle must meet those of its neighbour (HARD-CASES 12).
 TEST(Clip, TheTwoSidesOfAPlaneCoverEverySampleOnce) {
     Random random(8);
     Hits hits;
@@ -246,8 +246,7 @@ std::array<Vec3, 3> any_triangle(Random& random) {
     return v;
 }
 
-// HARD-CASES row 6: a million triangles; depth stays a number in [0, 1], ids stay those of the
-// mesh.
+// HARD-CASES 6: a million triangles; depth stays a number in [0, 1], ids stay those of the mesh.
 TEST(Clip, NoCoordinateIsTooBadToDraw) {
     constexpr int kWidth = 24, kHeight = 18;
     Jobs jobs(2);
@@ -276,7 +275,7 @@ TEST(Clip, NoCoordinateIsTooBadToDraw) {
     record("samples_drawn", static_cast<double>(drawn));
 }
 
-// HARD-CASES row 6: vertices that are not finite take their own triangles away, no others.
+// HARD-CASES 6: vertices that are not finite take their own triangles away, no others.
 TEST(Clip, TrianglesThatAreNotFiniteLeaveTheOthersAlone) {
     Jobs jobs(1);
     Random random(9);
@@ -313,7 +312,7 @@ TEST(Clip, TrianglesThatAreNotFiniteLeaveTheOthersAlone) {
     EXPECT_GT(drawn, 300000);
 }
 
-// HARD-CASES rows 67 and 68, R2: to the grid, saturating, nearest with ties to even.
+// HARD-CASES 67, 68, R2: to the grid, saturating, nearest with ties to even.
 TEST(Snap, IsDefinedForEveryNumber) {
     const ScreenTransform transform(pixel_view(64, 64), 64, 64);
     constexpr double inf = std::numeric_limits<double>::infinity(),

@@ -1,4 +1,4 @@
-// Every sample of a mesh's interior is covered exactly once: HARD-CASES P1, rows 1, 2, 3, 7.
+// Every sample of a mesh's interior is covered exactly once: HARD-CASES 1-3, 7, P1.
 #include "raster/coverage.h"
 #include "raster/exactly_once.h"
 #include "support/targets.h"
@@ -199,7 +199,7 @@ TEST(Coverage, ATileThatKeepsDepthAloneIsNotAskedForIds) {
     EXPECT_TRUE(tile.keeps_ids()); // that rule goes by them
 }
 
-// HARD-CASES P1, rows 1 and 7
+// HARD-CASES 1, 7, P1
 TEST(Coverage, AJitteredGridCoversEverySampleOnce) {
     Random random(1);
     std::int64_t once = 0;
@@ -209,7 +209,7 @@ TEST(Coverage, AJitteredGridCoversEverySampleOnce) {
     record("samples_covered_once", static_cast<double>(once));
 }
 
-// HARD-CASES P1, row 1
+// HARD-CASES 1, P1
 TEST(Coverage, ATurnedGridCoversEverySampleOnceAtSixtyFourAngles) {
     std::int64_t once = 0;
     for (int i = 0; i <= 64; ++i) {
@@ -220,7 +220,7 @@ TEST(Coverage, ATurnedGridCoversEverySampleOnceAtSixtyFourAngles) {
     record("samples_covered_once", static_cast<double>(once));
 }
 
-// HARD-CASES P1, row 3: slivers thinner than 1/256 pixel. Hubs on a pixel centre, on a corner of
+// HARD-CASES 3, P1: slivers thinner than 1/256 pixel. Hubs on a pixel centre, on a corner of
 // pixels, and on neither.
 TEST(Coverage, AFanOfTwentyThousandSliversCoversEverySampleOnce) {
     std::int64_t once = 0;
@@ -240,7 +240,7 @@ TEST(Coverage, AFanOfTwentyThousandSliversCoversEverySampleOnce) {
     record("samples_covered_once", static_cast<double>(once + many.once));
 }
 
-// HARD-CASES P1, row 2: n = 3...1024, the shared vertex on a pixel centre.
+// HARD-CASES 2, P1: n = 3...1024, the shared vertex on a pixel centre.
 TEST(Coverage, TrianglesAboutAPixelCentreCoverItOnce) {
     std::int64_t once = 0;
     for (int n = 3; n <= 1024; ++n) {
@@ -270,7 +270,7 @@ TEST(Coverage, RandomlySplitSquaresCoverEverySampleOnce) {
             once_everywhere([&] { return split_at_random(random, 200, step, around(kSide)); });
 }
 
-// HARD-CASES P1, negative offsets: the hub lies up to the guard band's edge away, and the tile sees
+// HARD-CASES P1; negative offsets: the hub lies up to the guard band's edge away, and the tile sees
 // long slivers that reach in from there.
 TEST(Coverage, TrianglesFromFarAwayCoverEverySampleOnce) {
     std::int64_t once = 0;

@@ -1,4 +1,4 @@
-// HARD-CASES R19, R20 and P12: the depth bias of Direct3D, Vulkan and WebGPU.
+// HARD-CASES R19, R20, P12: the depth bias of Direct3D, Vulkan and WebGPU.
 #include "raster/depth_bias.h"
 
 #include <cmath>
@@ -9,8 +9,8 @@
 namespace scanout::raster {
 namespace {
 
-// The float32 vectors of the WebGPU conformance tests (depth_bias.spec.ts). Flat: a square at
-// depth 0.25. Tilted: from 0 to 0.5 across the one pixel of the picture, 0.25 at its centre.
+// The float32 vectors of WebGPU 2021 (depth_bias.spec.ts). Flat: a square at depth 0.25. Tilted:
+// from 0 to 0.5 across the one pixel of the picture, 0.25 at its centre.
 TEST(DepthBias, GivesTheKnownAnswers) {
     constexpr double kQuarter = 8388608; // 0.25 / 2^(-2 - 23)
     constexpr struct {

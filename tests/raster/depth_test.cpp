@@ -1,4 +1,4 @@
-// Reversed float depth keeps its promise in the rasteriser: HARD-CASES rows 14 to 19.
+// Reversed float depth keeps its promise in the rasteriser: HARD-CASES 14-19.
 #include "oracle/plane.h"
 #include "raster/depth_bias.h"
 #include "raster/exact.h"
@@ -97,7 +97,7 @@ Worst worst_error(Shape shape, double ratio, int count, int samples, std::uint64
 
 class DepthAtRatio : public testing::TestWithParam<double> {};
 
-// HARD-CASES row 15: 2^-23 for every triangle, steep ones, tiny ones and huge ones included.
+// HARD-CASES 15: 2^-23 for every triangle, steep ones, tiny ones and huge ones included.
 TEST_P(DepthAtRatio, IsWithinTwoToTheMinus23OfThePlaneOfTheSnappedTriangle) {
     constexpr const char* kName[] = {"middling", "tiny",       "huge",
                                      "sliver",   "many_tiles", "on_samples"};
@@ -153,8 +153,8 @@ TEST(Depth, KeepsItsPrecisionOnTheSteepestTriangles) {
     record("worst_in_2^-23", worst);
 }
 
-// HARD-CASES row 14: near to far as 1 to 10^7. The farther one has the lower id: were the two
-// stored as equal, it would be seen.
+// HARD-CASES 14: near to far as 1 to 10^7. The farther one has the lower id: were the two stored as
+// equal, it would be seen.
 TEST(Depth, TellsSurfacesApartThatAreACentPerMilleApartAtAnyDistance) {
     Jobs jobs(1);
     constexpr double kNear = 0x1p-20;
@@ -193,8 +193,8 @@ TEST(Depth, TellsSurfacesApartThatAreACentPerMilleApartAtAnyDistance) {
     }
 }
 
-// HARD-CASES row 16: distance read back from the buffer against the plane in space, on a triangle
-// from the eye to the horizon. Positions are such that nothing is lost before the rasteriser.
+// HARD-CASES 16: distance read back from the buffer against the plane in space, on a triangle from
+// the eye to the horizon. Positions are such that nothing is lost before the rasteriser.
 TEST(Depth, OfABigTriangleGivesBackTheDistance) {
     Random random(7);
     VisibilityTile tile;
@@ -255,7 +255,7 @@ struct CoplanarQuad {
     }
 };
 
-// HARD-CASES row 18
+// HARD-CASES 18
 TEST(Depth, OfTwoTriangulationsOfAQuadDiffersByTwoUnitsInTheLastPlaceAtMost) {
     Random random(8);
     VisibilityTile one, other;
@@ -325,7 +325,7 @@ struct SteepQuad {
     }
 };
 
-// HARD-CASES row 18, whichever of the two paths computes which of the depths.
+// HARD-CASES 18, whichever of the two paths computes which of the depths.
 TEST(Depth, OfTwoTriangulationsDiffersByTwoUnitsAtMostOnEitherPath) {
     Random random(11);
     VisibilityTile one, other;
@@ -418,8 +418,8 @@ struct TiltedQuad {
     }
 };
 
-// HARD-CASES row 17, R19: two steps of the depth's precision bring a decal in front of the surface
-// that it lies on, however differently the two are cut, however steep they stand.
+// HARD-CASES 17, R19: two steps of the depth's precision bring a decal in front of the surface that
+// it lies on, however differently the two are cut, however steep they stand.
 class DecalAtTilt : public testing::TestWithParam<double> {};
 TEST_P(DecalAtTilt, TwoStepsInFrontIsSeenAtEverySample) {
     Random random(9);
@@ -461,7 +461,7 @@ INSTANTIATE_TEST_SUITE_P(Row17, DecalAtTilt,
                                     std::to_string(static_cast<int>(tilt.param * 10));
                          });
 
-// HARD-CASES row 19: snapping moves depth by at most (|z_x| + |z_y|) / 512.
+// HARD-CASES 19: snapping moves depth by at most (|z_x| + |z_y|) / 512.
 TEST(Depth, MovesBySnappingNoMoreThanItsSlopeAllows) {
     Random random(10);
     VisibilityTile tile;

@@ -1,5 +1,4 @@
-// Coverage against exact arithmetic, and what must not change it: HARD-CASES P2 to P5, rows 4
-// and 5.
+// Coverage against exact arithmetic, and what must not change it: HARD-CASES 4, 5, P2-P5.
 #include "oracle/plane.h"
 #include "raster/exact.h"
 #include "raster/tile.h"
@@ -109,7 +108,7 @@ TEST_P(AMillionTriangles, AgreeWithExactArithmetic) {
 }
 INSTANTIATE_TEST_SUITE_P(P2, AMillionTriangles, testing::Range(0, 10));
 
-// HARD-CASES P2, row 7
+// HARD-CASES 7, P2
 TEST(ExactCoverage, HoldsAtEverySampleOfEveryPattern) {
     Random random(5);
     VisibilityTile tile;
@@ -250,7 +249,7 @@ TEST(ExactCoverage, ASplitTriangleIsTheSameTriangle) {
     record("samples_covered", static_cast<double>(covered));
 }
 
-// HARD-CASES row 4, R6: what snaps to no area is dropped, and nothing else is.
+// HARD-CASES 4, R6: what snaps to no area is dropped, and nothing else is.
 TEST(ExactCoverage, ATriangleIsDroppedWhenItsSnappedAreaIsZeroAndOnlyThen) {
     Random random(9);
     int flat = 0, least = 0;
@@ -272,7 +271,7 @@ TEST(ExactCoverage, ATriangleIsDroppedWhenItsSnappedAreaIsZeroAndOnlyThen) {
     record("area_of_one_unit", least);
 }
 
-// HARD-CASES row 4: vertices that stand in a line, or in one place, only after snapping; by the
+// HARD-CASES 4: vertices that stand in a line, or in one place, only after snapping; by the
 // geometry stage.
 TEST(ExactCoverage, WhatSnapsToNoAreaHasNoFragmentButItsOutlineHas) {
     Random random(10);

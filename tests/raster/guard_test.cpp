@@ -1,5 +1,5 @@
 // Where triangles are clipped, and into which tiles a picture is cut, changes nothing of what is
-// covered: HARD-CASES P7, P8, row 12.
+// covered: HARD-CASES 12, P7, P8.
 #include "oracle/homogeneous.h"
 #include "raster/exactly_once.h"
 #include "raster/off_screen_mesh.h"
@@ -91,8 +91,8 @@ TEST(Guard, ItsWidthChangesNoSampleFurtherThanASnapFromAnEdge) {
     record("samples_that_differ_there", static_cast<double>(differ));
 }
 
-// HARD-CASES P7, rows 1 and 12: never a gap or a double hit, where every triangle at the picture's
-// rim is clipped and its neighbours are not.
+// HARD-CASES 1, 12, P7: never a gap or a double hit, where every triangle at the picture's rim is
+// clipped and its neighbours are not.
 TEST(Guard, MeshesAcrossThePicturesEdgesAreCoveredOnceAtEveryWidth) {
     Jobs jobs(1);
     Random random(2);
@@ -163,7 +163,7 @@ void expect_once(Generator make, int meshes, std::uint64_t seed) {
     }
 }
 
-// HARD-CASES P7, rows 3, 8 and 12: never a gap or a double hit, slivers included.
+// HARD-CASES 3, 8, 12, P7: never a gap or a double hit, slivers included.
 TEST(Guard, ASliverWithAnEndOffTheScreenAndItsNeighboursCoverEverySampleOnce) {
     expect_once(sliver, 2000, 4);
 }

@@ -1,5 +1,5 @@
-// Clipped triangles against an oracle that never clips: HARD-CASES rows 5, 8, 10, 12; and whole
-// scenes against one that looks at every triangle at every sample.
+// Clipped triangles against an oracle that never clips: HARD-CASES 5, 8, 10, 12; and whole scenes
+// against one that looks at every triangle at every sample.
 #include "oracle/visibility.h"
 #include "raster/exact.h"
 
@@ -25,7 +25,7 @@ ClipPoint<double> projected(const scene::View& view, int width, int height, cons
             w};
 }
 
-// HARD-CASES row 8: any vertex before, on, or behind the eye's plane.
+// HARD-CASES 8: any vertex before, on, or behind the eye's plane.
 TEST(Homogeneous, TrianglesThroughTheEyesPlaneCoverWhatTheirEdgesSay) {
     constexpr int kWidth = 60, kHeight = 40;
     const scene::View view = eye_view(0.6, 0.4, 0);
@@ -65,7 +65,7 @@ TEST(Homogeneous, TrianglesThroughTheEyesPlaneCoverWhatTheirEdgesSay) {
     record("samples_closer", static_cast<double>(close));
 }
 
-// HARD-CASES row 6: the finite part, up to a sixteenth of the largest float, beside vertices of
+// HARD-CASES 6: the finite part, up to a sixteenth of the largest float, beside vertices of
 // ordinary size. (Two vertices seen in the same direction to 50 bits are one point to the renderer:
 // random ones never are.)
 TEST(Homogeneous, CoordinatesUpToTheLargestFloatsCoverWhatTheirEdgesSay) {
@@ -107,9 +107,9 @@ TEST(Homogeneous, CoordinatesUpToTheLargestFloatsCoverWhatTheirEdgesSay) {
     record("triangles_above_1e30", static_cast<double>(huge));
 }
 
-// HARD-CASES row 10: external triangles, in whole numbers. View space is a grid of 1/64; the
-// picture has 64 pixels across two units at distance 1, so pixels times w are whole numbers of
-// 1/64, and samples whole numbers of half pixels.
+// HARD-CASES 10: external triangles, in whole numbers. View space is a grid of 1/64; the picture
+// has 64 pixels across two units at distance 1, so pixels times w are whole numbers of 1/64, and
+// samples whole numbers of half pixels.
 TEST(Homogeneous, ExternalTrianglesCoverWhatExactArithmeticSays) {
     constexpr int kSide = 64;
     const scene::View view = eye_view(1, 1, 0, 1.0 / 64);
@@ -177,7 +177,7 @@ Corners far_corners(Random& random, int log_size, int side) {
     return v;
 }
 
-// HARD-CASES row 5: from one pixel to two million, within the guard band and far beyond it.
+// HARD-CASES 5: from one pixel to two million, within the guard band and far beyond it.
 TEST(Homogeneous, TrianglesFarLargerThanTheScreenAreExact) {
     constexpr int kSide = 64;
     Jobs jobs(1);
@@ -258,8 +258,8 @@ struct PlaneOfTriangles {
     }
 };
 
-// HARD-CASES P1, row 12: planes through the eye's neighbourhood, so that the mesh straddles near,
-// the eye's plane and every side of the guard band; triangles are drawn one by one and counted.
+// HARD-CASES 12, P1: planes through the eye's neighbourhood, so that the mesh straddles near, the
+// eye's plane and every side of the guard band; triangles are drawn one by one and counted.
 TEST(Homogeneous, AMeshThatStraddlesEveryPlaneOfTheFrustumIsCoveredOnce) {
     constexpr int kSide = 48;
     const scene::View view = eye_view(0.5, 0.5, 0);

@@ -1,6 +1,6 @@
 // Meshes around a picture whose rim lies off it: beyond the guard band, behind the near plane or
-// behind the eye. Each covers every sample of the picture once (HARD-CASES P7, rows 3, 8, 12).
-// Vertices in the picture stand on the grid of 1/256 pixel, so snapping turns no triangle over.
+// behind the eye. Each covers every sample of the picture once (HARD-CASES 3, 8, 12, P7). Vertices
+// in the picture stand on the grid of 1/256 pixel, so snapping turns no triangle over.
 #pragma once
 
 #include "raster/exact.h"

@@ -150,7 +150,7 @@ Twofold exact_depth(const Piece& piece, std::int64_t x, std::int64_t y) {
     return top / bottom * Twofold(0x1p23);
 }
 
-// HARD-CASES row 15, for pieces: from vertices on the screen to vertices a million pixels away.
+// HARD-CASES 15, for pieces: from vertices on the screen to vertices a million pixels away.
 TEST(Piece, HasDepthWithinTwoToTheMinus23OfItsPlane) {
     Random random(2);
     VisibilityTile tile;

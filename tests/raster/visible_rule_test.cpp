@@ -156,7 +156,7 @@ TEST(VisibleRule, HoldsForPiecesToo) {
 }
 
 // Two squares one behind the other, the farther one first in the file: lost where it is seen. Near
-// 0.1, distances up to 1e6 (HARD-CASES, "% of pairs not distinguished").
+// 0.1, distances up to 1e6 (HARD-CASES L2).
 double lost(const DepthFormatRow& format, double gap) {
     constexpr int kPairs = 4000;
     constexpr double kNear = 0.1, kRatio = 1e7;

@@ -331,7 +331,7 @@ TEST(View, NormalsFollowTheInverseTransposeUnderEveryScale) {
         EXPECT_EQ(v.mirrored, model.scale.x * model.scale.y * model.scale.z < 0);
     }
     EXPECT_LE(worst, 0.01);
-    EXPECT_GE(naive, 60); // TOPICS T11: the model matrix itself bends them
+    EXPECT_GE(naive, 60); // HARD-CASES T11: the model matrix itself bends them
     RecordProperty("worst_degrees", testing::PrintToString(worst));
 }
 

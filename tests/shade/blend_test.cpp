@@ -1,5 +1,5 @@
-// The modes of blending that compose colours, against the formula of the W3C in double; and what
-// they leave as it is, to the bit.
+// The modes of blending that compose colours, against the formula of Cabanier and Andronikos 2015
+// in double; and what they leave as it is, to the bit.
 #include "shade/transparency.h"
 #include "support/random.h"
 

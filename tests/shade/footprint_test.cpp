@@ -1,4 +1,4 @@
-// The level of detail against planes in long double (HARD-CASES P14, rows 38 and 39).
+// The level of detail against planes in long double (HARD-CASES 38, 39, P14).
 #include "raster/clip.h"
 #include "shade/footprint_levels.h"
 #include "support/random.h"

@@ -1,5 +1,5 @@
-// Interpolation that divides seldom, against the exact weights in double: the ladder of HARD-CASES
-// (c), independence of runs, and the bound that adaptive interpolation keeps.
+// Interpolation that divides seldom, against the exact weights in double: the ladder of
+// HARD-CASES L3, independence of runs, and the bound that adaptive interpolation keeps.
 #include "block.h"
 #include "shade/interpolation_step.h"
 

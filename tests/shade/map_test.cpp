@@ -1,5 +1,5 @@
 // The maps of a material: what each changes, and that its neutral element changes no bit. Normals
-// and bumps: HARD-CASES 30 and 31.
+// and bumps: HARD-CASES 30, 31.
 #include "shade/block.h"
 #include "support/lights.h"
 

@@ -10,7 +10,8 @@
 namespace scanout::shade::test {
 namespace {
 
-// DESIGN 1, word for word: 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
+// MTL's illum 2, with ambient light of 0.15:
+// 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
 double formula(const Block& b, int i, int channel, std::span<const scene::ViewLight> lights,
                bool orthographic, bool highlight) {
     const double n[3] = {b.normal[0][i], b.normal[1][i], b.normal[2][i]};

@@ -162,7 +162,7 @@ TEST(WhiteNoise, HasOneValueACellSpreadEvenly) {
     EXPECT_NEAR(squares / 2048 - sum * sum / 2048 / 2048, 1.0 / 12, 0.01);
 }
 
-// As Perlin wrote it down in 2002, at z = 0 on a lattice that repeats.
+// As Perlin 2002 has it, at z = 0 on a lattice that repeats.
 double reference_noise(double x, double y, int period) {
     const auto p = [](int i) {
         return static_cast<int>(source::kPermutation[static_cast<std::size_t>(i & 255)]);

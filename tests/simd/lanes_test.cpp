@@ -159,7 +159,7 @@ constexpr const char* kMaskNames[] = {SCANOUT_MASK_OPERATIONS(NAME)};
 
 // --- operands
 
-// splitmix64 (Steele, Lea, Flood 2014).
+// splitmix64 (Steele, Lea and Flood 2014).
 class Random {
 public:
     std::uint64_t bits() {

@@ -1,5 +1,5 @@
-// splitmix64 (Steele, Lea, Flood 2014): the same numbers on every machine, as the distributions of
-// the standard library are not.
+// splitmix64 (Steele, Lea and Flood 2014): the same numbers on every machine, as the distributions
+// of the standard library are not.
 #pragma once
 
 #include "math/vec.h"

@@ -1,4 +1,4 @@
-// sRGB by the formula of IEC 61966-2-1, in double, and nothing of ours.
+// sRGB by the formula of IEC 1999, in double, and nothing of ours.
 #pragma once
 
 #include <algorithm>
