@@ -81,7 +81,7 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 }
 
 Gatherer::Gatherer()
-    : own_pixels_(std::make_unique<TilePixels>()), primitives_(std::make_unique<Primitives>()),
+    : interior_pixels_(std::make_unique<TilePixels>()), primitives_(std::make_unique<Primitives>()),
       block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
       share_(std::make_unique<Share[]>(kLanes)) {
     block_->triangles = triangles_.get();
@@ -162,8 +162,8 @@ static std::uint64_t columns_of(const image::Rect& part) {
 bool Gatherer::collect_parts(const raster::VisibilityTile& tile, const GatherInput& in) {
     const std::vector<raster::TilePartList>* parts = tile.parts_alone();
     if (parts == nullptr || tile.samples() > 1 || !all_whole_ || !in.looks.only_material ||
-        !own_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
-                                 area_.width() * area_.height()))
+        !interior_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
+                                      area_.width() * area_.height()))
         return false;
     own_source_.place = nullptr; // they are named by their places
     return true;
@@ -184,19 +184,19 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     for (int row = part.y0; row < part.y1; ++row)
         rows[static_cast<std::size_t>(row)].shared |= layered(row);
     const std::uint64_t inside = columns_of(part);
-    OwnPixels own;
-    find_own(rows, part.y0, part.y1, inside, own);
+    InteriorPixels interior;
+    find_interior(rows, part.y0, part.y1, inside, interior);
     const bool scattered =
-        in.looks.only_material && all_whole_ && own.count < kScattered * own.runs;
+        in.looks.only_material && all_whole_ && interior.count < kScattered * interior.runs;
     by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
                sink_.filter == nullptr; // which asks what samples a fragment shows at
-    if (!scattered) own_pixels_->add_rows(tile.ids(0).data(), own, part.y0, part.y1);
+    if (!scattered) interior_pixels_->add_rows(tile.ids(0).data(), interior, part.y0, part.y1);
     for (int y = part.y0; y < part.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
         if (scattered)
-            own_pixels_->add_scattered(*in.looks.only_material,
-                                       tile.ids(0).data() + row * kTileSize, y * kTileSize,
-                                       own.pixels[row]);
+            interior_pixels_->add_scattered(*in.looks.only_material,
+                                            tile.ids(0).data() + row * kTileSize, y * kTileSize,
+                                            interior.pixels[row]);
         const std::uint64_t shared = rows[row].shared & inside;
         if (by_rows_) {
             collect_row(y, shared);
@@ -218,17 +218,18 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
     std::uint32_t id = raster::kNoPrimitive; // of a run of pixels of its own
     int first = 0, count = 0;
     const auto end_run = [&] {
-        if (count > 0) own_pixels_->add(id, first, count);
+        if (count > 0) interior_pixels_->add(id, first, count);
         count = 0;
     };
     for (int y = area_.y0; y < area_.y1; ++y, end_run())
         for (int x = area_.x0; x < area_.x1; ++x) {
             const auto found = tile.fragments(x, y);
-            const bool own = !found.empty() && found[0].share == 1.0F; // then it is the only one
-            if (!own || found[0].id != id) end_run();
+            const bool interior =
+                !found.empty() && found[0].share == 1.0F; // then it is the only one
+            if (!interior || found[0].id != id) end_run();
             if (found.empty()) continue;
             const std::uint16_t pixel = pixel_number(x, y);
-            if (own) {
+            if (interior) {
                 id = found[0].id;
                 if (count++ == 0) first = pixel;
                 continue;
@@ -285,7 +286,7 @@ void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
     }
 }
 
-// The next pixels of pixel_, which are the primitive's own: what covers all samples covers the
+// The next pixels of pixel_, interior ones of the primitive: what covers all samples covers the
 // centre, which lies among them.
 void Gatherer::add_lit(const Primitive& primitive, int count) {
     Block& b = *block_;
@@ -317,15 +318,15 @@ const float* Gatherer::lane_offsets(const GatherInput& in) {
     return offsets_.data();
 }
 
-// Lanes that fill pixels, and those that have triangles of their own, which are set up there.
+// Lanes of interior pixels, and those that have triangles of their own, which are set up there.
 void Gatherer::place_block() {
     Block& b = *block_;
-    triangles_->centred = own_;
-    place_at_centres(b, pixel_, 0, own_, area_.x0, area_.y0);
+    triangles_->centred = interior_count_;
+    place_at_centres(b, pixel_, 0, interior_count_, area_.x0, area_.y0);
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
         if (run.primitive != nullptr) continue;
-        const int others = std::max(run.first, own_), end = run.first + run.count;
+        const int others = std::max(run.first, interior_count_), end = run.first + run.count;
         if (others < end) place_at_centres(b, pixel_, others, end - others, area_.x0, area_.y0);
         set_up_lanes(own_source_, *triangles_, b, run.first, run.count);
     }
@@ -361,18 +362,18 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         put_mixtures();
     else
         put_pixels(code.data(), picture);
-    pixel_ += own_;
-    own_ = b.count = b.runs = triangles_->count = 0;
+    pixel_ += interior_count_;
+    interior_count_ = b.count = b.runs = triangles_->count = 0;
 }
 
 // The pixels that a fragment fills as codes; the others add up.
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
-    put_codes(code, pixel_, own_, &picture.at(area_.x0, area_.y0), picture.width());
+    put_codes(code, pixel_, interior_count_, &picture.at(area_.x0, area_.y0), picture.width());
     const Share* const share = share_.get();
     float *const red = sums_.red.data(), *const green = sums_.green.data(),
                  *const blue = sums_.blue.data();
-    for (int lane = own_, end = b.count; lane < end; ++lane) {
+    for (int lane = interior_count_, end = b.count; lane < end; ++lane) {
         const std::uint16_t shared = share[lane].shared;
         const float weight = share[lane].weight;
         red[shared] += b.colour[0][lane] * weight;
@@ -385,12 +386,12 @@ void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
 void Gatherer::put_mixtures() {
     if (sink_.filter == nullptr) return keep_linear(*sink_.own);
     const Block& b = *block_;
-    for (int lane = 0; lane < own_; ++lane) {
+    for (int lane = 0; lane < interior_count_; ++lane) {
         const int pixel = pixel_[lane];
         sink_.own->at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize) = {
             b.colour[0][lane], b.colour[1][lane], b.colour[2][lane], 1.0F};
     }
-    for (int lane = own_; lane < b.count; ++lane) {
+    for (int lane = interior_count_; lane < b.count; ++lane) {
         const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
         // 1 where it is opaque.
         const float each =
@@ -409,7 +410,8 @@ void Gatherer::put_mixtures() {
 void Gatherer::keep_linear(LinearPicture& linear) const {
     for (int lane = 0; lane < block_->count; ++lane) {
         const int pixel = pixel_[lane];
-        const float weight = lane < own_ ? 1 : share_[static_cast<std::size_t>(lane)].weight;
+        const float weight =
+            lane < interior_count_ ? 1 : share_[static_cast<std::size_t>(lane)].weight;
         std::array<float, 4>& sum =
             linear.at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize);
         for (std::size_t c = 0; c < 3; ++c)
@@ -423,9 +425,9 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
     if (in.frame->own_triangles) own_source_ = source_ = triangle_source(in);
     all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
     set_up_later_ = all_whole_ && in.frame->steps == nullptr;
-    own_pixels_->clear();
+    interior_pixels_->clear();
     area_ = area;
-    pixel_ = own_pixels_->pixels();
+    pixel_ = interior_pixels_->pixels();
     samples_ = samples;
     block_->blended = blended;
     fragments_.clear();
@@ -453,8 +455,8 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
     LaneTriangles& t = *triangles_;
     const Look look = {part.material, true};
     if (look_ != look) begin_look(in, look, picture);
-    const std::int32_t* const triangle = own_pixels_->triangles();
-    const std::uint32_t* const ids = own_pixels_->ids();
+    const std::int32_t* const triangle = interior_pixels_->triangles();
+    const std::uint32_t* const ids = interior_pixels_->ids();
     for (std::size_t i = part.first; i < part.end;) {
         if (b.count == kLanes) finish_block(in, picture);
         const std::size_t count =
@@ -468,7 +470,7 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
                 prefetch_place(own_source_, ids[k]);
         }
         add_lanes(b, nullptr, static_cast<int>(count));
-        own_ = b.count;
+        interior_count_ = b.count;
         i += count;
     }
 }
@@ -485,20 +487,21 @@ void Gatherer::shade_group(const TilePixels::Group& group, const GatherInput& in
             add_lit(*of, count);
         else
             add_unlit(in, group.id, count);
-        own_ = b.count;
+        interior_count_ = b.count;
         left -= count;
     }
 }
 
 // In the order of their list.
-void Gatherer::shade_own_pixels(const GatherInput& in, image::Image& picture) {
+void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& picture) {
     if (all_whole_)
-        own_pixels_->arrange(in.looks, [](std::uint32_t) { return true; });
+        interior_pixels_->arrange(in.looks, [](std::uint32_t) { return true; });
     else
-        own_pixels_->arrange(in.looks, [&](std::uint32_t id) { return has_own_lanes(in, id); });
-    for (const TilePixels::Part& part : own_pixels_->parts())
+        interior_pixels_->arrange(in.looks,
+                                  [&](std::uint32_t id) { return has_own_lanes(in, id); });
+    for (const TilePixels::Part& part : interior_pixels_->parts())
         shade_part(part, in, picture);
-    for (const TilePixels::Group& group : own_pixels_->groups())
+    for (const TilePixels::Group& group : interior_pixels_->groups())
         shade_group(group, in, picture);
 }
 
@@ -520,8 +523,8 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
     check_lights(*in.frame);
     look_.reset();
-    shade_own_pixels(in, picture);
-    std::uint64_t lanes = own_pixels_->size();
+    shade_interior_pixels(in, picture);
+    std::uint64_t lanes = interior_pixels_->size();
     lanes += rows != nullptr ? shade_rows(*rows, in, picture) : shade_fragments(in, picture);
     finish_block(in, picture);
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);

@@ -132,7 +132,7 @@ private:
                const BlendedPixels* blended);
     std::uint64_t shade_collected(const GatherInput& input, image::Image& picture,
                                   const raster::VisibilityTile* rows);
-    void shade_own_pixels(const GatherInput& input, image::Image& picture);
+    void shade_interior_pixels(const GatherInput& input, image::Image& picture);
     void shade_part(const TilePixels::Part& part, const GatherInput& input, image::Image& picture);
     void shade_group(const TilePixels::Group& group, const GatherInput& input,
                      image::Image& picture);
@@ -167,9 +167,9 @@ private:
     MixtureSink sink_;
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
-    std::unique_ptr<TilePixels> own_pixels_;
+    std::unique_ptr<TilePixels> interior_pixels_;
     TriangleSource source_{};     // of triangles by id
-    TriangleSource own_source_{}; // by what own_pixels_ and shared rows name them
+    TriangleSource own_source_{}; // by what interior_pixels_ and shared rows name them
     bool all_whole_ = false;      // every triangle may have lanes of its own
     bool set_up_later_ = false;   // primitives, with their block
     std::vector<Fragment> fragments_;
@@ -185,10 +185,12 @@ private:
     std::unique_ptr<LaneTriangles> triangles_;
     std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
     std::optional<Look> look_;             // of the block
-    // Where its lanes' light goes: the first `own_` fill pixels alone, the others are shares.
+    // Where its lanes' light goes: the first `interior_count_` are interior pixels, the others are
+    // shares.
     struct Share;
-    int own_ = 0;
-    // Pixels of its lanes, in the tile: in the list of own_pixels_, and behind it those of shares.
+    int interior_count_ = 0;
+    // Pixels of its lanes, in the tile: in the list of interior_pixels_, and behind it those of
+    // shares.
     std::int32_t* pixel_ = nullptr;
     std::unique_ptr<Share[]> share_;
     PixelSums sums_;               // of the pixels in shared_

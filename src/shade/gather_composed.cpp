@@ -49,7 +49,7 @@ void Gatherer::collect_composed(const raster::VisibilityTile& tile, const Gather
 
 void Gatherer::keep_layers(ComposedLayers::Of of, float white) {
     const Block& b = *block_;
-    for (int lane = own_; lane < b.count; ++lane) {
+    for (int lane = interior_count_; lane < b.count; ++lane) {
         const std::uint32_t layer = share_[static_cast<std::size_t>(lane)].layer;
         if (layer == kNoLayer) continue;
         LayerColour colour;

@@ -133,8 +133,9 @@ void TilePixels::clear() {
     size_ = triangles_ = 0;
 }
 
-void TilePixels::add_rows(const std::uint32_t* ids, const OwnPixels& own, int first, int end) {
-    SIMD_CALL(find_spans)(ids, own.starts.data(), own.ends.data(), first, end, *table_);
+void TilePixels::add_rows(const std::uint32_t* ids, const InteriorPixels& interior, int first,
+                          int end) {
+    SIMD_CALL(find_spans)(ids, interior.starts.data(), interior.ends.data(), first, end, *table_);
 }
 
 void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, int first,

@@ -1,8 +1,8 @@
-// The pixels of a tile that one primitive fills alone, by primitive: each is set up once, and its
-// pixels fill registers of lanes whatever rows they lie in. Sorted by counting: a pass over the
-// tile finds spans of a row and how many pixels each primitive has, a second one puts the spans'
-// pixels where they belong. Where a tile shows few parts of small triangles and nothing else, each
-// part's pixels are looked for instead.
+// Interior pixels of a tile, which one primitive fills alone, by primitive: each primitive is set
+// up once, and its pixels fill registers of lanes whatever rows they lie in. Sorted by counting: a
+// pass over the tile finds spans of a row and how many pixels each primitive has, a second one puts
+// the spans' pixels where they belong. Where a tile shows few parts of small triangles and nothing
+// else, each part's pixels are looked for instead.
 #pragma once
 
 #include "raster/coverage.h"
@@ -94,7 +94,7 @@ public:
     // Pixels side by side, as in SpanTable.
     void add(std::uint32_t id, int pixel, int count) { table_->add(id, pixel, count); }
     // Those of rows first to end; ids: of the tile's first row.
-    void add_rows(const std::uint32_t* ids, const OwnPixels& own, int first, int end);
+    void add_rows(const std::uint32_t* ids, const InteriorPixels& interior, int first, int end);
     // Those pixels of a row whose bit is set, `first` and those after it, where most show a
     // triangle of their own: a part, as they come. add() may not go with it.
     void add_scattered(std::int32_t material, const std::uint32_t* id, int first,

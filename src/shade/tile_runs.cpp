@@ -59,7 +59,8 @@ void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows&
     (tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first, end, out.data());
 }
 
-void find_own(const TileRows& rows, int first, int end, std::uint64_t columns, OwnPixels& out) {
+void find_interior(const TileRows& rows, int first, int end, std::uint64_t columns,
+                   InteriorPixels& out) {
     int totals[2];
     SIMD_CALL(sort_out)
     (rows.data(), first, end, columns, out.pixels.data(), out.starts.data(), out.ends.data(),

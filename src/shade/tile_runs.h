@@ -19,12 +19,14 @@ struct RowBits {
 using TileRows = std::array<RowBits, raster::kTileSize>;
 void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out);
 
-// The pixels of a part of a tile that one primitive fills alone, as bits of its rows.
-struct OwnPixels {
+// Interior pixels of a part of a tile: those that one primitive fills alone, as bits of the tile's
+// rows.
+struct InteriorPixels {
     std::array<std::uint64_t, raster::kTileSize> pixels, starts, ends; // ends: of runs
     int count, runs;
 };
 // Of rows first to end, and the columns whose bits are set, which stand side by side.
-void find_own(const TileRows& rows, int first, int end, std::uint64_t columns, OwnPixels& out);
+void find_interior(const TileRows& rows, int first, int end, std::uint64_t columns,
+                   InteriorPixels& out);
 
 } // namespace scanout::shade

@@ -191,10 +191,10 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
                 if (shows && ((columns & ~of.shared) >> x & 1) != 0) expected[pixel] = 1;
             }
         }
-        OwnPixels own;
-        find_own(rows, first, end, columns, own);
+        InteriorPixels interior;
+        find_interior(rows, first, end, columns, interior);
         pixels.clear();
-        pixels.add_rows(name_of.data(), own, first, end);
+        pixels.add_rows(name_of.data(), interior, first, end);
         pixels.arrange(looks, own_lanes);
         expect_names();
         EXPECT_EQ(seen, expected);

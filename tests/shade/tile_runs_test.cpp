@@ -38,8 +38,8 @@ TEST(TileRuns, ArePixelsOfOnePrimitiveSideBySideInsideTheColumns) {
         for (int x = left; x < right; ++x)
             columns |= std::uint64_t{1} << x;
         on_every_target([&](const std::string& target) {
-            OwnPixels own{};
-            find_own(rows, first, end, columns, own);
+            InteriorPixels interior{};
+            find_interior(rows, first, end, columns, interior);
             int count = 0, runs = 0;
             for (int y = first; y < end; ++y) {
                 const auto row = static_cast<std::size_t>(y);
@@ -50,15 +50,15 @@ TEST(TileRuns, ArePixelsOfOnePrimitiveSideBySideInsideTheColumns) {
                     const bool starts = is_own && !continues;
                     count += is_own ? 1 : 0;
                     runs += starts ? 1 : 0;
-                    ASSERT_EQ(bit(own.pixels[row], x), is_own) << target;
-                    ASSERT_EQ(bit(own.starts[row], x), starts) << target;
+                    ASSERT_EQ(bit(interior.pixels[row], x), is_own) << target;
+                    ASSERT_EQ(bit(interior.starts[row], x), starts) << target;
                     continues = is_own && !bit(rows[row].ends, x) && x + 1 < right &&
                                 !bit(rows[row].shared, x + 1);
-                    ASSERT_TRUE(!is_own || bit(own.ends[row], x) == !continues) << target;
+                    ASSERT_TRUE(!is_own || bit(interior.ends[row], x) == !continues) << target;
                 }
             }
-            EXPECT_EQ(own.count, count) << target;
-            EXPECT_EQ(own.runs, runs) << target;
+            EXPECT_EQ(interior.count, count) << target;
+            EXPECT_EQ(interior.runs, runs) << target;
         });
     }
 }
