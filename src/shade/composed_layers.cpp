@@ -27,9 +27,9 @@ void ComposedLayers::begin_pixels(std::size_t fragments) {
     layers_ = static_cast<std::uint32_t>(fragments);
 }
 
-void ComposedLayers::add_pixel(std::uint16_t number, std::uint16_t shared, std::uint32_t slot,
+void ComposedLayers::add_pixel(std::uint16_t number, std::uint16_t edge_pixel, std::uint32_t slot,
                                std::span<const std::uint32_t> ground) {
-    pixels_.push_back({number, shared, slot, static_cast<std::uint32_t>(ground_.size())});
+    pixels_.push_back({number, edge_pixel, slot, static_cast<std::uint32_t>(ground_.size())});
     ground_.insert(ground_.end(), ground.begin(), ground.end());
 }
 

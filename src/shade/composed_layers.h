@@ -21,10 +21,10 @@ public:
     static constexpr std::uint32_t kNothing = 0xffffffff; // the background
 
     struct Pixel {
-        std::uint16_t number; // in the tile
-        std::uint16_t shared; // the gatherer's place for it
-        std::uint32_t slot;   // place of its first sample among those that were added
-        std::uint32_t ground; // place of what is opaque at its first sample
+        std::uint16_t number;     // in the tile
+        std::uint16_t edge_pixel; // index in the gatherer's list of edge pixels
+        std::uint32_t slot;       // place of its first sample among those that were added
+        std::uint32_t ground;     // place of what is opaque at its first sample
     };
     // What a sample shows, less the background's share of it; and that share.
     struct Sample {
@@ -45,7 +45,7 @@ public:
     // All samples have been added. Fragments are the first layers, by their place in the list.
     void begin_pixels(std::size_t fragments);
     // Layers of the samples of a pixel that are opaque; kNothing where none is.
-    void add_pixel(std::uint16_t number, std::uint16_t shared, std::uint32_t slot,
+    void add_pixel(std::uint16_t number, std::uint16_t edge_pixel, std::uint32_t slot,
                    std::span<const std::uint32_t> ground);
     std::uint32_t add_opaque_layer() { return layers_++; }
 

@@ -83,7 +83,7 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 Gatherer::Gatherer()
     : interior_pixels_(std::make_unique<TilePixels>()), primitives_(std::make_unique<Primitives>()),
       block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
-      share_(std::make_unique<Share[]>(kLanes)) {
+      contributions_(std::make_unique<Contribution[]>(kLanes)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -117,7 +117,7 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(sample)];
         seen.push_back({depth,
                         {id, in.looks.of(id), pixel, static_cast<std::uint8_t>(sample), 0,
-                         static_cast<std::uint16_t>(shared_.size()), weight,
+                         static_cast<std::uint16_t>(edge_pixels_.size()), weight,
                          static_cast<std::uint16_t>(mask), byte_of(at.x), byte_of(at.y)}});
     };
     for (int s = 0; s < tile.samples(); ++s) {
@@ -148,7 +148,7 @@ void Gatherer::collect_blended(const raster::VisibilityTile& tile, const GatherI
         seen[i].fragment.rank = static_cast<std::uint8_t>(std::min<std::size_t>(i, 255));
         fragments_.push_back(seen[i].fragment);
     }
-    shared_.push_back(pixel);
+    edge_pixels_.push_back(pixel);
     through_.push_back(background);
 }
 
@@ -182,7 +182,7 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
         return blended != nullptr ? blended->rows[static_cast<std::size_t>(row)] : 0;
     };
     for (int row = part.y0; row < part.y1; ++row)
-        rows[static_cast<std::size_t>(row)].shared |= layered(row);
+        rows[static_cast<std::size_t>(row)].edge |= layered(row);
     const std::uint64_t inside = columns_of(part);
     InteriorPixels interior;
     find_interior(rows, part.y0, part.y1, inside, interior);
@@ -197,15 +197,15 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
             interior_pixels_->add_scattered(*in.looks.only_material,
                                             tile.ids(0).data() + row * kTileSize, y * kTileSize,
                                             interior.pixels[row]);
-        const std::uint64_t shared = rows[row].shared & inside;
+        const std::uint64_t edges = rows[row].edge & inside;
         if (by_rows_) {
-            collect_row(y, shared);
+            collect_edge_row(y, edges);
             continue;
         }
-        for (std::uint64_t rest = shared; rest != 0; rest &= rest - 1) {
+        for (std::uint64_t rest = edges; rest != 0; rest &= rest - 1) {
             const int x = std::countr_zero(rest);
             if ((layered(y) >> x & 1) == 0)
-                collect_shared(tile, in, area_.x0 + x, area_.y0 + y);
+                collect_edge_pixel(tile, in, area_.x0 + x, area_.y0 + y);
             else if (blended->composed != nullptr)
                 collect_composed(tile, in, *blended, area_.x0 + x, area_.y0 + y);
             else
@@ -237,11 +237,11 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
             float shown = 0;
             for (const raster::AreaFragment& f : found) {
                 fragments_.push_back({f.id, in.looks.of(f.id), pixel, 0, 0,
-                                      static_cast<std::uint16_t>(shared_.size()), f.share, 0,
+                                      static_cast<std::uint16_t>(edge_pixels_.size()), f.share, 0,
                                       byte_of(f.x), byte_of(f.y)});
                 shown += f.share;
             }
-            shared_.push_back(pixel);
+            edge_pixels_.push_back(pixel);
             through_.push_back(shown > 1 - 0x1p-20F ? 0.0F : 1 - shown);
         }
 }
@@ -370,15 +370,15 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
 void Gatherer::put_pixels(const std::uint32_t* code, image::Image& picture) {
     const Block& b = *block_;
     put_codes(code, pixel_, interior_count_, &picture.at(area_.x0, area_.y0), picture.width());
-    const Share* const share = share_.get();
+    const Contribution* const contribution = contributions_.get();
     float *const red = sums_.red.data(), *const green = sums_.green.data(),
                  *const blue = sums_.blue.data();
     for (int lane = interior_count_, end = b.count; lane < end; ++lane) {
-        const std::uint16_t shared = share[lane].shared;
-        const float weight = share[lane].weight;
-        red[shared] += b.colour[0][lane] * weight;
-        green[shared] += b.colour[1][lane] * weight;
-        blue[shared] += b.colour[2][lane] * weight;
+        const std::uint16_t edge_pixel = contribution[lane].edge_pixel;
+        const float weight = contribution[lane].weight;
+        red[edge_pixel] += b.colour[0][lane] * weight;
+        green[edge_pixel] += b.colour[1][lane] * weight;
+        blue[edge_pixel] += b.colour[2][lane] * weight;
     }
 }
 
@@ -392,13 +392,14 @@ void Gatherer::put_mixtures() {
             b.colour[0][lane], b.colour[1][lane], b.colour[2][lane], 1.0F};
     }
     for (int lane = interior_count_; lane < b.count; ++lane) {
-        const auto& [shared, samples, weight, layer] = share_[static_cast<std::size_t>(lane)];
+        const auto& [edge_pixel, samples, weight, layer] =
+            contributions_[static_cast<std::size_t>(lane)];
         // 1 where it is opaque.
         const float each =
             weight * static_cast<float>(samples_) / static_cast<float>(std::popcount(samples));
         for (std::size_t cell = 0; cell < kCells; ++cell) {
             const float share = sink_.filter->share(cell, samples) * each;
-            std::array<float, 4>& part = parts_[shared][cell];
+            std::array<float, 4>& part = parts_[edge_pixel][cell];
             for (std::size_t c = 0; c < 3; ++c)
                 part[c] += b.colour[c][lane] * share;
             part[3] += share;
@@ -411,7 +412,7 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
     for (int lane = 0; lane < block_->count; ++lane) {
         const int pixel = pixel_[lane];
         const float weight =
-            lane < interior_count_ ? 1 : share_[static_cast<std::size_t>(lane)].weight;
+            lane < interior_count_ ? 1 : contributions_[static_cast<std::size_t>(lane)].weight;
         std::array<float, 4>& sum =
             linear.at(area_.x0 + pixel % kTileSize, area_.y0 + pixel / kTileSize);
         for (std::size_t c = 0; c < 3; ++c)
@@ -431,7 +432,7 @@ void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples
     samples_ = samples;
     block_->blended = blended;
     fragments_.clear();
-    shared_.clear();
+    edge_pixels_.clear();
     through_.clear();
 }
 
@@ -505,15 +506,15 @@ void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& pictur
         shade_group(group, in, picture);
 }
 
-// rows: of what tile shared pixels are bits of rows; null: they are fragments.
+// rows: the tile whose edge pixels are bits of rows; null: they are fragments.
 std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture,
                                         const raster::VisibilityTile* rows) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
     primitives_->clear();
     if (sink_.filter != nullptr)
-        parts_.assign(shared_.size(), {});
+        parts_.assign(edge_pixels_.size(), {});
     else
-        sums_.reset(shared_.size());
+        sums_.reset(edge_pixels_.size());
     Block& b = *block_;
     b.ambient = Vec3(0);
     if (in.frame->attributes.corners && corners_ == nullptr) {
@@ -530,8 +531,8 @@ std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& pic
     if (b.blended != nullptr && b.blended->composed != nullptr) put_composed(in);
     if (sink_.filter != nullptr)
         keep_parts();
-    else if (!shared_.empty() && sink_.own == nullptr)
-        resolve_shared(in, picture);
+    else if (!edge_pixels_.empty() && sink_.own == nullptr)
+        resolve_edge_pixels(in, picture);
     return lanes;
 }
 

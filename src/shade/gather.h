@@ -10,6 +10,7 @@
 #include "raster/tile.h"
 #include "scene/view.h"
 #include "shade/composed_layers.h"
+#include "shade/edge_row.h"
 #include "shade/lane_triangles.h"
 #include "shade/linear_picture.h"
 #include "shade/looks.h"
@@ -17,7 +18,6 @@
 #include "shade/output.h"
 #include "shade/place_lanes.h"
 #include "shade/resolve.h"
-#include "shade/shared_row.h"
 #include "shade/stage.h"
 #include "shade/tile_pixels.h"
 #include "shade/transparency.h"
@@ -123,8 +123,9 @@ private:
     template <int kSamples>
     void collect_samples(const raster::VisibilityTile& tile, const GatherInput& input,
                          std::uint16_t pixel);
-    void collect_shared(const raster::VisibilityTile& tile, const GatherInput& input, int x, int y);
-    void collect_row(int row, std::uint64_t shared);
+    void collect_edge_pixel(const raster::VisibilityTile& tile, const GatherInput& input, int x,
+                            int y);
+    void collect_edge_row(int row, std::uint64_t edges);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
     bool has_own_lanes(const GatherInput& input, std::uint32_t id) const;
@@ -140,8 +141,8 @@ private:
     void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
     std::uint64_t shade_rows(const raster::VisibilityTile& tile, const GatherInput& input,
                              image::Image& picture);
-    int add_shares(const raster::VisibilityTile& tile, int row, int sample, const SharedRow& found,
-                   const GatherInput& input, image::Image& picture);
+    int add_edge_lanes(const raster::VisibilityTile& tile, int row, int sample,
+                       const EdgeRow& found, const GatherInput& input, image::Image& picture);
     void place_block();
     void begin_look(const GatherInput& input, const Look& look, image::Image& picture);
     const Primitive& primitive(const GatherInput& input, std::uint32_t id, image::Image& picture);
@@ -159,7 +160,7 @@ private:
     std::uint16_t pixel_number(int x, int y) const;
     float offset_at(int pixel) const;
     const float* lane_offsets(const GatherInput& input);
-    void resolve_shared(const GatherInput& input, image::Image& picture);
+    void resolve_edge_pixels(const GatherInput& input, image::Image& picture);
     void keep_parts();
 
     image::Rect area_; // of the tile
@@ -169,36 +170,36 @@ private:
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<TilePixels> interior_pixels_;
     TriangleSource source_{};     // of triangles by id
-    TriangleSource own_source_{}; // by what interior_pixels_ and shared rows name them
+    TriangleSource own_source_{}; // by what interior_pixels_ and edge rows name them
     bool all_whole_ = false;      // every triangle may have lanes of its own
     bool set_up_later_ = false;   // primitives, with their block
     std::vector<Fragment> fragments_;
-    // Where all that is drawn looks alike and every lane may have a triangle of its own, pixels
-    // that are shared are no fragments of a list: bits of the tile's rows.
+    // Where all that is drawn looks alike and every lane may have a triangle of its own, edge
+    // pixels are no fragments of a list: bits of the tile's rows.
     bool by_rows_ = false;
-    std::array<std::uint64_t, raster::kTileSize> shared_bits_{};
-    std::array<std::uint16_t, raster::kTileSize> place_of_{}; // of a row's, in the list of them
-    struct Seen;                                              // a fragment of one pixel
+    std::array<std::uint64_t, raster::kTileSize> edge_bits_{};
+    std::array<std::uint16_t, raster::kTileSize>
+        edge_index_{}; // of a row's pixels, in the list of edge pixels
+    struct Seen;       // a fragment of one pixel
     std::vector<Seen> seen_;
     std::unique_ptr<Primitives> primitives_;
     std::unique_ptr<Block> block_;
     std::unique_ptr<LaneTriangles> triangles_;
     std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
     std::optional<Look> look_;             // of the block
-    // Where its lanes' light goes: the first `interior_count_` are interior pixels, the others are
-    // shares.
-    struct Share;
+    // Where its lanes' light goes: the first `interior_count_` are of interior pixels, the others
+    // contribute to edge pixels.
+    struct Contribution;
     int interior_count_ = 0;
-    // Pixels of its lanes, in the tile: in the list of interior_pixels_, and behind it those of
-    // shares.
+    // Pixels of its lanes, in the tile: in the list of interior_pixels_, and behind it edge pixels.
     std::int32_t* pixel_ = nullptr;
-    std::unique_ptr<Share[]> share_;
-    PixelSums sums_;               // of the pixels in shared_
+    std::unique_ptr<Contribution[]> contributions_;
+    PixelSums sums_;               // of the pixels in edge_pixels_
     std::vector<WideParts> parts_; // of the same
-    std::vector<std::uint16_t> shared_;
+    std::vector<std::uint16_t> edge_pixels_;
     std::vector<float> through_; // the background's share of each
     std::vector<std::uint32_t> codes_;
-    std::vector<float> offsets_; // dither of lanes or of shared pixels; empty without
+    std::vector<float> offsets_; // dither of lanes or of edge pixels; empty without
 };
 
 } // namespace scanout::shade

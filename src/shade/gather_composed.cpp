@@ -13,12 +13,12 @@ void Gatherer::collect_composed(const raster::VisibilityTile& tile, const Gather
                                 const BlendedPixels& blended, int x, int y) {
     ComposedLayers& layers = *blended.composed;
     const std::uint16_t pixel = pixel_number(x, y);
-    const auto shared = static_cast<std::uint16_t>(shared_.size());
+    const auto edge_pixel = static_cast<std::uint16_t>(edge_pixels_.size());
     const auto add = [&](std::uint32_t id, unsigned mask, std::uint32_t layer) {
         const int first = std::countr_zero(mask);
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
         fragments_.push_back({id, in.looks.of(id), pixel, static_cast<std::uint8_t>(first), 0,
-                              shared, 0, static_cast<std::uint16_t>(mask), byte_of(at.x),
+                              edge_pixel, 0, static_cast<std::uint16_t>(mask), byte_of(at.x),
                               byte_of(at.y), layer});
     };
     std::array<std::uint32_t, 16> ground{};
@@ -41,16 +41,16 @@ void Gatherer::collect_composed(const raster::VisibilityTile& tile, const Gather
         const BlendFragment& f = blended.list.fragments[i];
         if (f.shown != 0) add(f.id, f.shown, i);
     }
-    shared_.push_back(pixel);
+    edge_pixels_.push_back(pixel);
     through_.push_back(0); // known when all is shaded
-    layers.add_pixel(pixel, shared, blended.slot[pixel],
+    layers.add_pixel(pixel, edge_pixel, blended.slot[pixel],
                      std::span(ground).first(static_cast<std::size_t>(samples)));
 }
 
 void Gatherer::keep_layers(ComposedLayers::Of of, float white) {
     const Block& b = *block_;
     for (int lane = interior_count_; lane < b.count; ++lane) {
-        const std::uint32_t layer = share_[static_cast<std::size_t>(lane)].layer;
+        const std::uint32_t layer = contributions_[static_cast<std::size_t>(lane)].layer;
         if (layer == kNoLayer) continue;
         LayerColour colour;
         for (std::size_t c = 0; c < 3; ++c)
@@ -93,17 +93,17 @@ void Gatherer::put_composed(const ComposedLayers::Pixel& pixel, ComposedLayers::
         add(mean, sample, each);
         if (mixture && sink_.filter != nullptr)
             for (std::size_t cell = 0; cell < kCells; ++cell)
-                add(parts_[pixel.shared][cell], sample, sink_.filter->share(cell, 1U << s));
+                add(parts_[pixel.edge_pixel][cell], sample, sink_.filter->share(cell, 1U << s));
     }
     if (!mixture || (sink_.own != nullptr && sink_.filter == nullptr)) {
         std::array<float, 4>& sum = mixture ? sink_.own->at(x, y) : in.linear->at(x, y);
         for (std::size_t c = 0; c < 4; ++c)
             sum[c] += mean[c];
     } else if (sink_.filter == nullptr) {
-        sums_.red[pixel.shared] = mean[0];
-        sums_.green[pixel.shared] = mean[1];
-        sums_.blue[pixel.shared] = mean[2];
-        through_[pixel.shared] = 1 - mean[3];
+        sums_.red[pixel.edge_pixel] = mean[0];
+        sums_.green[pixel.edge_pixel] = mean[1];
+        sums_.blue[pixel.edge_pixel] = mean[2];
+        through_[pixel.edge_pixel] = 1 - mean[3];
     }
 }
 

@@ -9,24 +9,24 @@ namespace scanout::shade {
 
 inline constexpr std::uint32_t kNoLayer = 0xffffffff;
 
-// One primitive in a pixel that it shares with others, or that it does not fill.
+// One primitive in an edge pixel.
 struct Gatherer::Fragment {
     std::uint32_t id;
     Look look;
-    std::uint16_t pixel;     // in the tile
-    std::uint8_t sample;     // the first that shows it
-    std::uint8_t rank;       // of a pixel with blended fragments: 0 is shaded first
-    std::uint16_t shared;    // place in the list of shared pixels
-    float weight;            // its share of the pixel; 0 where `layer` says what becomes of it
-    std::uint16_t samples;   // bit s says that it shows at sample s
-    std::uint8_t at_x, at_y; // a place that shows it, from the pixel's corner, 1/256 pixel
+    std::uint16_t pixel;      // in the tile
+    std::uint8_t sample;      // the first that shows it
+    std::uint8_t rank;        // of a pixel with blended fragments: 0 is shaded first
+    std::uint16_t edge_pixel; // index in the list of edge pixels
+    float weight;             // its share of the pixel; 0 where `layer` says what becomes of it
+    std::uint16_t samples;    // bit s says that it shows at sample s
+    std::uint8_t at_x, at_y;  // a place that shows it, from the pixel's corner, 1/256 pixel
     std::uint32_t layer = kNoLayer; // of a composed pixel
 };
 
-// A lane that is a share of a pixel.
-struct Gatherer::Share {
-    std::uint16_t shared;  // place in the list of such pixels
-    std::uint16_t samples; // of the fragment
+// What a lane adds to an edge pixel.
+struct Gatherer::Contribution {
+    std::uint16_t edge_pixel; // index in the list of edge pixels
+    std::uint16_t samples;    // of the fragment
     float weight;
     std::uint32_t layer;
 };

@@ -18,7 +18,7 @@ SIMD_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t
         auto same = here == here;
         for (int s = 1; s < samples; ++s)
             same = same & (load<I32>(ids + static_cast<std::size_t>(s) * plane + x) == here);
-        row.shared |= static_cast<std::uint64_t>(bits(!same)) << x;
+        row.edge |= static_cast<std::uint64_t>(bits(!same)) << x;
     }
     row.ends |= std::uint64_t{1} << (raster::kTileSize - 1);
     return row;
@@ -36,8 +36,8 @@ void sort_out(const RowBits* rows, int first, int end, std::uint64_t columns, st
     int count = 0, runs = 0;
     for (int row = first; row < end; ++row) {
         const RowBits& of = rows[row];
-        pixels[row] = of.shown & ~of.shared & columns;
-        ends[row] = of.ends | of.shared >> 1 | ~(columns >> 1);
+        pixels[row] = of.shown & ~of.edge & columns;
+        ends[row] = of.ends | of.edge >> 1 | ~(columns >> 1);
         starts[row] = pixels[row] & ~((pixels[row] & ~ends[row]) << 1);
         count += __builtin_popcountll(pixels[row]);
         runs += __builtin_popcountll(starts[row]);

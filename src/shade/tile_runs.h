@@ -1,5 +1,5 @@
-// Where runs of one id end in a row of a visibility tile, which pixels several ids share, and which
-// show something.
+// Where runs of one id end in a row of a visibility tile, which are edge pixels, and which show
+// something.
 #pragma once
 
 #include "raster/tile.h"
@@ -11,9 +11,9 @@ namespace scanout::shade {
 
 // Bit x is pixel x of the row, counted from the tile's corner.
 struct RowBits {
-    std::uint64_t ends;   // the next pixel's first sample shows another id
-    std::uint64_t shared; // not all samples show the same
-    std::uint64_t shown;  // the first sample shows something
+    std::uint64_t ends;  // the next pixel's first sample shows another id
+    std::uint64_t edge;  // an edge pixel: not all samples show the same
+    std::uint64_t shown; // the first sample shows something
 };
 // Of rows [first, end) of the tile: out[row].
 using TileRows = std::array<RowBits, raster::kTileSize>;

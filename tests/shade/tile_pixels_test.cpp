@@ -183,12 +183,12 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
         std::vector<int> expected(kPixels);
         for (int row = first; row < end; ++row) {
             RowBits& of = rows[static_cast<std::size_t>(row)];
-            of.shared = random.whole(0, 1) == 0 ? 0 : random.bits() & random.bits();
+            of.edge = random.whole(0, 1) == 0 ? 0 : random.bits() & random.bits();
             for (int x = 0; x < kTileSize; ++x) {
                 const auto pixel = static_cast<std::size_t>(row * kTileSize + x);
                 const bool shows = name_of[pixel] != raster::kNoPrimitive;
                 of.shown |= std::uint64_t{shows} << x;
-                if (shows && ((columns & ~of.shared) >> x & 1) != 0) expected[pixel] = 1;
+                if (shows && ((columns & ~of.edge) >> x & 1) != 0) expected[pixel] = 1;
             }
         }
         InteriorPixels interior;

@@ -46,14 +46,14 @@ TEST(TileRuns, ArePixelsOfOnePrimitiveSideBySideInsideTheColumns) {
                 bool continues = false; // the run of the pixel before
                 for (int x = 0; x < kTileSize; ++x) {
                     const bool is_own = x >= left && x < right && bit(rows[row].shown, x) &&
-                                        !bit(rows[row].shared, x);
+                                        !bit(rows[row].edge, x);
                     const bool starts = is_own && !continues;
                     count += is_own ? 1 : 0;
                     runs += starts ? 1 : 0;
                     ASSERT_EQ(bit(interior.pixels[row], x), is_own) << target;
                     ASSERT_EQ(bit(interior.starts[row], x), starts) << target;
                     continues = is_own && !bit(rows[row].ends, x) && x + 1 < right &&
-                                !bit(rows[row].shared, x + 1);
+                                !bit(rows[row].edge, x + 1);
                     ASSERT_TRUE(!is_own || bit(interior.ends[row], x) == !continues) << target;
                 }
             }

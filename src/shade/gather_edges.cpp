@@ -1,5 +1,5 @@
-// The gatherer's part in pixels that several primitives share, or that the background shows
-// through.
+// The gatherer's part in edge pixels: those in which several primitives are visible, or one and the
+// background.
 #include "base/check.h"
 #include "shade/check_lanes.h"
 #include "shade/gather_types.h"
@@ -40,7 +40,7 @@ void Gatherer::collect_samples(const raster::VisibilityTile& tile, const GatherI
     for (std::size_t s = 0; s < kSamples; ++s)
         id[s] = ids[s * raster::VisibilityTile::kPlane];
     float background = 0;
-    const auto shared = static_cast<std::uint16_t>(shared_.size());
+    const auto edge_pixel = static_cast<std::uint16_t>(edge_pixels_.size());
     // From sample to sample that shows what none before it has shown.
     for (unsigned rest = (1U << kSamples) - 1; rest != 0;) {
         const int first = std::countr_zero(rest);
@@ -54,15 +54,15 @@ void Gatherer::collect_samples(const raster::VisibilityTile& tile, const GatherI
         }
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
         fragments_.push_back({here, in.looks.of(here), pixel, static_cast<std::uint8_t>(first), 0,
-                              shared, weight, static_cast<std::uint16_t>(mask), byte_of(at.x),
+                              edge_pixel, weight, static_cast<std::uint16_t>(mask), byte_of(at.x),
                               byte_of(at.y)});
     }
-    shared_.push_back(pixel);
+    edge_pixels_.push_back(pixel);
     through_.push_back(background);
 }
 
-void Gatherer::collect_shared(const raster::VisibilityTile& tile, const GatherInput& in, int x,
-                              int y) {
+void Gatherer::collect_edge_pixel(const raster::VisibilityTile& tile, const GatherInput& in, int x,
+                                  int y) {
     const std::uint16_t pixel = pixel_number(x, y);
     switch (tile.samples()) {
     case 2:
@@ -95,7 +95,7 @@ void Gatherer::add_fragment(const GatherInput& in, const Fragment& f, image::Ima
     const Primitive* of = b.lit && !own ? &primitive(in, f.id, picture) : nullptr; // may end it
     const auto lane = static_cast<std::size_t>(b.count);
     pixel_[lane] = f.pixel;
-    share_[lane] = {f.shared, f.samples, f.weight, f.layer};
+    contributions_[lane] = {f.edge_pixel, f.samples, f.weight, f.layer};
     if (own) {
         triangles_->of_lane[lane] = triangles_->count;
         triangles_->id[triangles_->count++] = f.id;
@@ -122,30 +122,31 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
     return fragments_.size();
 }
 
-void Gatherer::collect_row(int row, std::uint64_t shared) {
-    shared_bits_[static_cast<std::size_t>(row)] = shared;
-    if (shared == 0) return;
-    std::size_t place = shared_.size();
-    shared_.resize(place + static_cast<std::size_t>(std::popcount(shared)));
-    for (; shared != 0; shared &= shared - 1)
-        shared_[place++] = static_cast<std::uint16_t>(row * kTileSize + std::countr_zero(shared));
+void Gatherer::collect_edge_row(int row, std::uint64_t edges) {
+    edge_bits_[static_cast<std::size_t>(row)] = edges;
+    if (edges == 0) return;
+    std::size_t index = edge_pixels_.size();
+    edge_pixels_.resize(index + static_cast<std::size_t>(std::popcount(edges)));
+    for (; edges != 0; edges &= edges - 1)
+        edge_pixels_[index++] =
+            static_cast<std::uint16_t>(row * kTileSize + std::countr_zero(edges));
 }
 
-// What a row's shared pixels show first at a sample, as lanes. Returns how many.
-int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample,
-                         const SharedRow& found, const GatherInput& in, image::Image& picture) {
+// What a row's edge pixels show first at a sample, as lanes. Returns how many.
+int Gatherer::add_edge_lanes(const raster::VisibilityTile& tile, int row, int sample,
+                             const EdgeRow& found, const GatherInput& in, image::Image& picture) {
     Block& b = *block_;
     const auto s = static_cast<std::size_t>(sample);
     const int count = std::popcount(found.first[s]);
     if (count == 0) return 0;
     if (b.count + count > kLanes) finish_block(in, picture);
     const std::uint32_t* ids = tile.ids(sample).data() + std::ptrdiff_t{row} * kTileSize;
-    const float* shares = found.share[s];
+    const float* coverage = found.coverage[s];
     const raster::SampleOffset at = tile.pattern()[s];
     const std::int32_t right = at.x - raster::kPixelCentre.x, down = at.y - raster::kPixelCentre.y;
     LaneTriangles& t = *triangles_;
     std::int32_t* const pixel = pixel_;
-    Share* const share = share_.get();
+    Contribution* const contribution = contributions_.get();
     int lane = b.count, triangle = t.count;
     std::uint32_t last = ids[std::countr_zero(found.first[s])]; // neighbours may show the same
     for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {
@@ -157,7 +158,7 @@ int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample
         t.sample_x[lane] = right;
         t.sample_y[lane] = down;
         pixel[lane] = row * kTileSize + x;
-        share[lane] = {place_of_[static_cast<std::size_t>(x)], 0, shares[x], kNoLayer};
+        contribution[lane] = {edge_index_[static_cast<std::size_t>(x)], 0, coverage[x], kNoLayer};
     }
     t.count = triangle + 1;
     add_lanes(b, nullptr, count);
@@ -168,52 +169,53 @@ int Gatherer::add_shares(const raster::VisibilityTile& tile, int row, int sample
 // list of fragments.
 std::uint64_t Gatherer::shade_rows(const raster::VisibilityTile& tile, const GatherInput& in,
                                    image::Image& picture) {
-    if (shared_.empty()) return 0;
+    if (edge_pixels_.empty()) return 0;
     const Look look = {*in.looks.only_material, true};
     if (look_ != look) begin_look(in, look, picture);
-    through_.resize(shared_.size());
+    through_.resize(edge_pixels_.size());
     std::uint64_t lanes = 0;
-    std::uint16_t place = 0;
+    std::uint16_t index = 0;
     for (int row = 0; row < area_.height(); ++row) {
-        const std::uint64_t shared = shared_bits_[static_cast<std::size_t>(row)];
-        if (shared == 0) continue;
-        SharedRow found;
-        find_shares(tile, row, shared, found);
-        for (std::uint64_t rest = shared; rest != 0; rest &= rest - 1) {
+        const std::uint64_t edges = edge_bits_[static_cast<std::size_t>(row)];
+        if (edges == 0) continue;
+        EdgeRow found;
+        find_edge_row(tile, row, edges, found);
+        for (std::uint64_t rest = edges; rest != 0; rest &= rest - 1) {
             const int x = std::countr_zero(rest);
-            place_of_[static_cast<std::size_t>(x)] = place;
-            through_[place++] = found.through[x];
+            edge_index_[static_cast<std::size_t>(x)] = index;
+            through_[index++] = found.through[x];
         }
         for (int s = 0; s < tile.samples(); ++s)
-            lanes += static_cast<std::uint64_t>(add_shares(tile, row, s, found, in, picture));
+            lanes += static_cast<std::uint64_t>(add_edge_lanes(tile, row, s, found, in, picture));
     }
     return lanes;
 }
 
-void Gatherer::resolve_shared(const GatherInput& in, image::Image& picture) {
-    check_sums(sums_, shared_.size());
-    codes_.resize(shared_.size() + (kRoom - kLanes));
+void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture) {
+    check_sums(sums_, edge_pixels_.size());
+    codes_.resize(edge_pixels_.size() + (kRoom - kLanes));
     std::copy(through_.begin(), through_.end(), sums_.through.begin());
     if (in.output.dither) {
-        offsets_.resize(shared_.size() + (kRoom - kLanes));
-        for (std::size_t i = 0; i < shared_.size(); ++i)
-            offsets_[i] = offset_at(shared_[i]);
+        offsets_.resize(edge_pixels_.size() + (kRoom - kLanes));
+        for (std::size_t i = 0; i < edge_pixels_.size(); ++i)
+            offsets_[i] = offset_at(edge_pixels_[i]);
     }
     resolve_pixels(sums_, in.output, in.background, in.output.dither ? offsets_.data() : nullptr,
-                   static_cast<int>(shared_.size()), codes_.data());
-    for (std::size_t i = 0; i < shared_.size(); ++i) {
-        const int x = area_.x0 + shared_[i] % kTileSize;
-        const int y = area_.y0 + shared_[i] / kTileSize;
+                   static_cast<int>(edge_pixels_.size()), codes_.data());
+    for (std::size_t i = 0; i < edge_pixels_.size(); ++i) {
+        const int x = area_.x0 + edge_pixels_[i] % kTileSize;
+        const int y = area_.y0 + edge_pixels_[i] / kTileSize;
         std::memcpy(static_cast<void*>(&picture.at(x, y)), &codes_[i], sizeof codes_[i]);
     }
 }
 
-// The shared pixels' parts go where the filter will look for them, behind those of other parts of
-// the tile.
+// The edge pixels' parts go where the filter will look for them, behind those of other parts of the
+// tile.
 void Gatherer::keep_parts() {
     auto& all = sink_.wide->of_tile[sink_.wide->tile_of(area_.x0, area_.y0)];
-    for (std::size_t i = 0; i < shared_.size(); ++i)
-        sink_.wide->part_at(area_.x0 + shared_[i] % kTileSize, area_.y0 + shared_[i] / kTileSize) =
+    for (std::size_t i = 0; i < edge_pixels_.size(); ++i)
+        sink_.wide->part_at(area_.x0 + edge_pixels_[i] % kTileSize,
+                            area_.y0 + edge_pixels_[i] / kTileSize) =
             static_cast<std::int32_t>(all.size() + i);
     all.insert(all.end(), parts_.begin(), parts_.end());
 }
