@@ -7,6 +7,7 @@ FOLDER/README.md lists them; FOLDER/<axis>/<name>.md is a page, <name>.png besid
 """
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +17,16 @@ KINDS = {"rung": "a rung: it has an error against the reference, and its axis is
          "effect": "an effect: where nothing calls for it, running it changes no bit",
          "model": "a model: a choice among others, none of them more right"}
 
+KEY = r"(?:\[[A-Z]\w+(?: [\d., -]+)?\]|HARD-CASES\s[A-Z]?\d+(?:, [A-Z]?\d+)*)"
+
+
+def without_keys(text):
+    """Text without what only those who read the code look up: textbooks' keys, [Primer 9.4], and HARD-CASES 33."""
+    text = re.sub(rf" \((?:{KEY}[;,]? ?)+\)", "", text)
+    text = re.sub(rf"[;,:] {KEY}", "", text)
+    text = re.sub(rf"{KEY}[;,] ", "", text)
+    return re.sub(rf"(?:^|(?<=\. )){KEY}\. ?", "", text).strip()
+
 
 def head(path):
     """The comment that a source file opens with, as one paragraph."""
@@ -24,7 +35,7 @@ def head(path):
         if not line.startswith("//"):
             break
         lines.append(line[2:].strip())
-    return " ".join(lines)
+    return without_keys(" ".join(lines))
 
 
 def source_of(card):

@@ -15,7 +15,7 @@ enum class Kind : std::uint8_t {
 struct Technique {
     std::string_view axis, name;
     std::string_view blurb;  // one line
-    std::string_view source; // whose it is: paper, or chapter of a document
+    std::string_view source; // whose it is: papers, books, standards of docs/REFERENCES.md
     Kind kind = Kind::model;
 };
 

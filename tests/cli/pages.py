@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """pages.py SCANOUT ROOT: scripts/pages.py writes a page for every technique of `scanout list techniques`, with its picture;
-every link on a page leads somewhere."""
+every link on a page leads somewhere, and none shows a key of docs/."""
 import os
 import pathlib
 import re
@@ -28,6 +28,8 @@ def main():
             text = page.read_text()
             if f"]({name}.png)" not in text or f"# {name}" not in text:
                 wrong.append(f"{page.name} does not show its technique")
+            for key in re.findall(r"HARD-CASES|\[[A-Z]\w+[\d., ]*\](?!\()", text):
+                wrong.append(f"{page.name} shows {key}, which only those who read the code look up")
         for page in out.rglob("*.md"):
             for target in re.findall(r"\]\(([^)]+)\)", page.read_text()):
                 if not (page.parent / target).is_file():
