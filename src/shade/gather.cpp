@@ -158,12 +158,12 @@ static std::uint64_t columns_of(const image::Rect& part) {
     return before(part.x1) & ~before(part.x0);
 }
 
-// Where nothing but parts of small triangles shows, each pixel whole.
-bool Gatherer::collect_parts(const raster::VisibilityTile& tile, const GatherInput& in) {
-    const std::vector<raster::TilePartList>* parts = tile.parts_alone();
-    if (parts == nullptr || tile.samples() > 1 || !all_whole_ || !in.looks.only_material ||
-        !interior_pixels_->take_parts(*in.looks.only_material, *parts, tile.ids(0).data(),
-                                      area_.width() * area_.height()))
+// Where nothing but small triangles shows, each pixel whole.
+bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& in) {
+    const std::vector<raster::TilePartList>* lists = tile.parts_alone();
+    if (lists == nullptr || tile.samples() > 1 || !all_whole_ || !in.looks.only_material ||
+        !interior_pixels_->take_small_triangles(*in.looks.only_material, *lists, tile.ids(0).data(),
+                                                area_.width() * area_.height()))
         return false;
     own_source_.place = nullptr; // they are named by their places
     return true;
@@ -172,7 +172,7 @@ bool Gatherer::collect_parts(const raster::VisibilityTile& tile, const GatherInp
 void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in,
                        const BlendedPixels* blended) {
     by_rows_ = false;
-    if (blended == nullptr && collect_parts(tile, in)) return;
+    if (blended == nullptr && collect_small_triangles(tile, in)) return;
     const image::Rect& whole = blended != nullptr ? blended->part : area_;
     const image::Rect part = {whole.x0 - area_.x0, whole.y0 - area_.y0, whole.x1 - area_.x0,
                               whole.y1 - area_.y0};
@@ -450,23 +450,23 @@ std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
     return shade_collected(in, picture, nullptr);
 }
 
-void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
-                          image::Image& picture) {
+void Gatherer::shade_material_batch(const TilePixels::MaterialBatch& batch, const GatherInput& in,
+                                    image::Image& picture) {
     Block& b = *block_;
     LaneTriangles& t = *triangles_;
-    const Look look = {part.material, true};
+    const Look look = {batch.material, true};
     if (look_ != look) begin_look(in, look, picture);
     const std::int32_t* const triangle = interior_pixels_->triangles();
     const std::uint32_t* const ids = interior_pixels_->ids();
-    for (std::size_t i = part.first; i < part.end;) {
+    for (std::size_t i = batch.first; i < batch.end;) {
         if (b.count == kLanes) finish_block(in, picture);
         const std::size_t count =
-            std::min(part.end - i, static_cast<std::size_t>(kLanes - b.count));
+            std::min(batch.end - i, static_cast<std::size_t>(kLanes - b.count));
         take_lanes(triangle + i, ids, static_cast<int>(count), t, b.count);
         // The next block's: the file may have them far from each other.
         if (own_source_.place != nullptr) {
             const std::int32_t next = triangle[i + count - 1] + 1, as_many = next - triangle[i],
-                               end = std::min(next + as_many, triangle[part.end - 1] + 1);
+                               end = std::min(next + as_many, triangle[batch.end - 1] + 1);
             for (std::int32_t k = next; k < end; ++k)
                 prefetch_place(own_source_, ids[k]);
         }
@@ -476,18 +476,18 @@ void Gatherer::shade_part(const TilePixels::Part& part, const GatherInput& in,
     }
 }
 
-void Gatherer::shade_group(const TilePixels::Group& group, const GatherInput& in,
-                           image::Image& picture) {
+void Gatherer::shade_primitive_batch(const TilePixels::PrimitiveBatch& batch, const GatherInput& in,
+                                     image::Image& picture) {
     Block& b = *block_;
-    if (look_ != group.look) begin_look(in, group.look, picture);
-    const Primitive* of = b.lit ? &primitive(in, group.id, picture) : nullptr;
-    for (int left = static_cast<int>(group.count); left > 0;) {
+    if (look_ != batch.look) begin_look(in, batch.look, picture);
+    const Primitive* of = b.lit ? &primitive(in, batch.id, picture) : nullptr;
+    for (int left = static_cast<int>(batch.count); left > 0;) {
         if (b.count == kLanes) finish_block(in, picture);
         const int count = std::min(left, kLanes - b.count);
         if (of != nullptr)
             add_lit(*of, count);
         else
-            add_unlit(in, group.id, count);
+            add_unlit(in, batch.id, count);
         interior_count_ = b.count;
         left -= count;
     }
@@ -500,10 +500,10 @@ void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& pictur
     else
         interior_pixels_->arrange(in.looks,
                                   [&](std::uint32_t id) { return has_own_lanes(in, id); });
-    for (const TilePixels::Part& part : interior_pixels_->parts())
-        shade_part(part, in, picture);
-    for (const TilePixels::Group& group : interior_pixels_->groups())
-        shade_group(group, in, picture);
+    for (const TilePixels::MaterialBatch& batch : interior_pixels_->material_batches())
+        shade_material_batch(batch, in, picture);
+    for (const TilePixels::PrimitiveBatch& batch : interior_pixels_->primitive_batches())
+        shade_primitive_batch(batch, in, picture);
 }
 
 // rows: the tile whose edge pixels are bits of rows; null: they are fragments.

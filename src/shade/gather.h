@@ -115,7 +115,7 @@ private:
     struct Fragment;
     void collect(const raster::VisibilityTile& tile, const GatherInput& input,
                  const BlendedPixels* blended);
-    bool collect_parts(const raster::VisibilityTile& tile, const GatherInput& input);
+    bool collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& input);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
     void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
@@ -134,9 +134,10 @@ private:
     std::uint64_t shade_collected(const GatherInput& input, image::Image& picture,
                                   const raster::VisibilityTile* rows);
     void shade_interior_pixels(const GatherInput& input, image::Image& picture);
-    void shade_part(const TilePixels::Part& part, const GatherInput& input, image::Image& picture);
-    void shade_group(const TilePixels::Group& group, const GatherInput& input,
-                     image::Image& picture);
+    void shade_material_batch(const TilePixels::MaterialBatch& batch, const GatherInput& input,
+                              image::Image& picture);
+    void shade_primitive_batch(const TilePixels::PrimitiveBatch& batch, const GatherInput& input,
+                               image::Image& picture);
     std::uint64_t shade_fragments(const GatherInput& input, image::Image& picture);
     void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
     std::uint64_t shade_rows(const raster::VisibilityTile& tile, const GatherInput& input,

@@ -10,36 +10,36 @@ SIMD_BEGIN(scanout::shade)
 // In a kernel's file because most targets count bits by one instruction.
 void find_spans(const std::uint32_t* ids, const std::uint64_t* starts, const std::uint64_t* ends,
                 int first, int end, SpanTable& table) {
-    std::uint32_t spans = table.spans, groups = table.groups;
+    std::uint32_t spans = table.spans, buckets = table.buckets;
     for (int row = first; row < end; ++row) {
         for (std::uint64_t rest = starts[row]; rest != 0; rest &= rest - 1) {
             const int x = __builtin_ctzll(rest), pixel = row * raster::kTileSize + x;
-            table.add(ids[pixel], pixel, __builtin_ctzll(ends[row] >> x) + 1, spans, groups);
+            table.add(ids[pixel], pixel, __builtin_ctzll(ends[row] >> x) + 1, spans, buckets);
         }
     }
     table.spans = spans;
-    table.groups = groups;
+    table.buckets = buckets;
 }
 
-// place: where a group's pixels go, and afterwards where they end.
-void put_spans(const SpanTable& table, std::uint32_t* place, std::int32_t* pixel) {
+// offset: where a bucket's pixels go, and afterwards where they end.
+void store_spans(const SpanTable& table, std::uint32_t* offset, std::int32_t* pixel) {
     for (const SpanTable::Span *at = table.span, *end = at + table.spans; at != end; ++at) {
         const SpanTable::Span span = *at;
         const auto count = static_cast<int>(span.count());
         const auto first = static_cast<std::int32_t>(span.pixel());
-        std::int32_t* const to = pixel + place[span.group()];
-        place[span.group()] += span.count();
+        std::int32_t* const to = pixel + offset[span.bucket()];
+        offset[span.bucket()] += span.count();
         for (int k = 0; k < count; k += kLanes) // what stands behind it may be there already
             store_first(iota<I32>(first + k), count - k, to + k);
     }
 }
 
-// The pixels of a part, row by row, are those that show its id: all else that is read with them,
-// a row above, columns behind and what a register takes from the next row, shows others. Returns
-// where they end. Parts stand by how many rows they have (raster::order_strips), so that processors
-// foretell where the loops end.
-SIMD_INLINE std::int32_t* put_part(const std::uint32_t* ids, const image::Rect& box,
-                                   std::uint32_t id, std::int32_t* to) {
+// The pixels of a small triangle, row by row, are those that show its id: all else that is read
+// with them, a row above, columns behind and what a register takes from the next row, shows others.
+// Returns where they end. Triangles stand by how many rows they have (raster::order_strips), so
+// that the ends of the loops are predicted.
+SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image::Rect& box,
+                                          std::uint32_t id, std::int32_t* to) {
     using raster::kTileSize;
     constexpr int kHalf = kLanes / 2;
     const I32 wanted = static_cast<std::int32_t>(id);
@@ -66,21 +66,23 @@ SIMD_INLINE std::int32_t* put_part(const std::uint32_t* ids, const image::Rect& 
     return to;
 }
 
-void find_parts(const raster::TilePartList& list, const std::uint32_t* ids, PixelsOfParts& out) {
-    PixelsOfParts o = out; // no store writes to it
+void find_small_triangles(const raster::TilePartList& list, const std::uint32_t* ids,
+                          SmallTrianglePixels& out) {
+    SmallTrianglePixels o = out; // no store writes to it
     for (const raster::TilePart& part : list.parts) {
         const std::uint32_t id = list.id_of(part);
-        const auto count = static_cast<int>(put_part(ids, part.box(), id, o.pixel) - o.pixel);
-        if (count > TilePixels::kMostOfPart) {
+        const auto count =
+            static_cast<int>(store_pixels_of(ids, part.box(), id, o.pixel) - o.pixel);
+        if (count > TilePixels::kMaxPixelsOfSmall) {
             for (int k = 0; k < count; k += kLanes)
-                store(load<I32>(o.pixel + k), o.of_groups + k);
-            o.of_groups += count;
-            *o.group++ = {id, static_cast<std::uint32_t>(count)};
+                store(load<I32>(o.pixel + k), o.large_pixel + k);
+            o.large_pixel += count;
+            *o.large++ = {id, static_cast<std::uint32_t>(count)};
             continue;
         }
         const I32 number = static_cast<std::int32_t>(o.triangles);
-        for (int k = 0; k < TilePixels::kMostOfPart; k += kLanes)
-            store(number, o.triangle + k); // lanes beyond are the next part's
+        for (int k = 0; k < TilePixels::kMaxPixelsOfSmall; k += kLanes)
+            store(number, o.triangle + k); // lanes beyond are the next triangle's
         o.pixel += count;
         o.triangle += count;
         o.place[o.triangles] = part.place;
@@ -107,29 +109,29 @@ SIMD_END
 namespace scanout::shade {
 
 SIMD_REGISTER(find_spans);
-SIMD_REGISTER(put_spans);
-SIMD_REGISTER(find_parts);
+SIMD_REGISTER(store_spans);
+SIMD_REGISTER(find_small_triangles);
 SIMD_REGISTER(packs_lanes);
 
 void SpanTable::clear() {
     std::fill(std::begin(slot), std::end(slot), Slot{raster::kNoPrimitive, 0});
-    spans = groups = 0;
-    group[0].pixels = 0;
+    spans = buckets = 0;
+    bucket[0].pixels = 0;
 }
 
 TilePixels::TilePixels()
-    : table_(std::make_unique<SpanTable>()), place_(SpanTable::kPixels),
+    : table_(std::make_unique<SpanTable>()), offset_(SpanTable::kPixels),
       pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(pixel_.size()) {
     table_->clear();
     order_.reserve(SpanTable::kPixels);
-    groups_.reserve(SpanTable::kPixels);
-    parts_.reserve(SpanTable::kSlots);
+    primitive_batches_.reserve(SpanTable::kPixels);
+    material_batches_.reserve(SpanTable::kSlots);
 }
 
 void TilePixels::clear() {
     if (table_->spans > 0) table_->clear();
-    groups_.clear();
-    parts_.clear();
+    primitive_batches_.clear();
+    material_batches_.clear();
     size_ = triangles_ = 0;
 }
 
@@ -141,7 +143,7 @@ void TilePixels::add_rows(const std::uint32_t* ids, const InteriorPixels& interi
 void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, int first,
                                std::uint64_t pixels) {
     if (pixels == 0) return;
-    begin_part(material);
+    begin_material_batch(material);
     std::size_t triangle = triangles_, size = size_;
     std::uint32_t last = id[std::countr_zero(pixels)];
     for (; pixels != 0; pixels &= pixels - 1, ++size) {
@@ -153,11 +155,11 @@ void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, i
         id_[triangle] = last;
     }
     triangles_ = triangle + 1;
-    parts_.back().end = size_ = size;
+    material_batches_.back().end = size_ = size;
 }
 
-// Looking for a part takes about as long as sorting four pixels that have no more than two or three
-// others of their triangle beside them; specks have fewer.
+// Looking for a triangle's pixels takes about as long as sorting four pixels that have no more than
+// two or three others of their triangle beside them; specks have fewer.
 static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pixels) {
     std::size_t parts = 0, specks = 0;
     for (const raster::TilePartList& list : lists) {
@@ -167,52 +169,53 @@ static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pix
     return parts * 4 <= pixels && specks * 2 <= parts;
 }
 
-bool TilePixels::take_parts(std::int32_t material, std::span<const raster::TilePartList> lists,
-                            const std::uint32_t* ids, int pixels) {
+bool TilePixels::take_small_triangles(std::int32_t material,
+                                      std::span<const raster::TilePartList> lists,
+                                      const std::uint32_t* ids, int pixels) {
     if (!SIMD_CALL(packs_lanes)() || !are_few(lists, static_cast<std::size_t>(pixels)))
         return false;
     CHECK_EQ(size_ + table_->spans, std::size_t{0});
     large_.resize(SpanTable::kPixels);
-    of_large_.resize(pixel_.size());
-    PixelsOfParts found{pixel_.data(),    triangle_.data(), id_.data(), 0,
-                        of_large_.data(), large_.data()};
+    large_pixel_.resize(pixel_.size());
+    SmallTrianglePixels found{pixel_.data(),       triangle_.data(), id_.data(), 0,
+                              large_pixel_.data(), large_.data()};
     for (const raster::TilePartList& list : lists)
-        SIMD_CALL(find_parts)(list, ids, found);
+        SIMD_CALL(find_small_triangles)(list, ids, found);
     triangles_ = found.triangles;
     size_ = static_cast<std::size_t>(found.pixel - pixel_.data());
-    if (size_ > 0) parts_.push_back({material, 0, size_});
-    for (const SpanTable::Group* group = large_.data(); group != found.group; ++group)
-        groups_.push_back({group->id, {material, true}, 0, group->pixels});
-    std::copy(of_large_.data(), found.of_groups, pixel_.data() + size_);
-    size_ += static_cast<std::size_t>(found.of_groups - of_large_.data());
+    if (size_ > 0) material_batches_.push_back({material, 0, size_});
+    for (const SpanTable::Bucket* large = large_.data(); large != found.large; ++large)
+        primitive_batches_.push_back({large->id, {material, true}, 0, large->pixels});
+    std::copy(large_pixel_.data(), found.large_pixel, pixel_.data() + size_);
+    size_ += static_cast<std::size_t>(found.large_pixel - large_pixel_.data());
     CHECK_LE(size_, SpanTable::kPixels); // each pixel once
     return true;
 }
 
-// Groups of the table; those that look alike stand together.
+// Buckets of the table; those that look alike stand together.
 void TilePixels::find_order(const Looks& looks) {
     order_.clear();
     bool sorted = true;
-    for (std::uint32_t group = 0; group < table_->groups; ++group) {
-        const Look look = looks.of(table_->group[group].id);
-        sorted = sorted && (group == 0 || look == order_.back().look);
-        order_.push_back({look, group});
+    for (std::uint32_t bucket = 0; bucket < table_->buckets; ++bucket) {
+        const Look look = looks.of(table_->bucket[bucket].id);
+        sorted = sorted && (bucket == 0 || look == order_.back().look);
+        order_.push_back({look, bucket});
     }
     if (!sorted)
         std::sort(order_.begin(), order_.end(), [](const Order& a, const Order& b) {
-            return std::tuple(a.look.lit, a.look.material, a.group) <
-                   std::tuple(b.look.lit, b.look.material, b.group);
+            return std::tuple(a.look.lit, a.look.material, a.bucket) <
+                   std::tuple(b.look.lit, b.look.material, b.bucket);
         });
 }
 
-void TilePixels::put_pixels() {
-    if (table_->groups == 0) return; // those of take_parts() have their pixels
+void TilePixels::store_pixels() {
+    if (table_->buckets == 0) return; // those of take_small_triangles() have their pixels
     CHECK_LE(table_->spans, std::uint32_t{SpanTable::kPixels}); // each pixel once
-    for (const Group& group : groups_) {
-        place_[group.in_table] = static_cast<std::uint32_t>(size_);
-        size_ += group.count;
+    for (const PrimitiveBatch& batch : primitive_batches_) {
+        offset_[batch.bucket] = static_cast<std::uint32_t>(size_);
+        size_ += batch.count;
     }
-    SIMD_CALL(put_spans)(*table_, place_.data(), pixel_.data());
+    SIMD_CALL(store_spans)(*table_, offset_.data(), pixel_.data());
 }
 
 } // namespace scanout::shade

@@ -55,31 +55,31 @@ protected:
         EXPECT_EQ(name_of[pixel], id) << "pixel " << pixel;
         ++seen[pixel];
     }
-    // Also that each triangle of a part may set itself up.
+    // Also that lanes may set up each triangle of a material's batch.
     void expect_names() {
         std::fill(seen.begin(), seen.end(), 0);
         std::size_t at = 0;
-        for (const TilePixels::Part& part : pixels.parts()) {
-            ASSERT_EQ(part.first, at);
-            for (; at < part.end; ++at) {
+        for (const TilePixels::MaterialBatch& batch : pixels.material_batches()) {
+            ASSERT_EQ(batch.first, at);
+            for (; at < batch.end; ++at) {
                 const auto triangle = static_cast<std::size_t>(pixels.triangles()[at]);
                 const std::uint32_t id = id_of(pixels.ids()[triangle]);
                 expect_pixel(at, id);
                 EXPECT_TRUE(own_lanes(id));
-                EXPECT_EQ(part.material, looks.of(id).material);
+                EXPECT_EQ(batch.material, looks.of(id).material);
                 EXPECT_TRUE(looks.of(id).lit);
-                if (at == part.first) continue;
+                if (at == batch.first) continue;
                 const int step = pixels.triangles()[at] - pixels.triangles()[at - 1];
                 EXPECT_TRUE(step == 0 || step == 1);
             }
         }
-        for (const TilePixels::Group& group : pixels.groups()) {
-            EXPECT_EQ(group.look, looks.of(group.id));
-            if (group.look.lit && own_lanes(group.id)) {
-                EXPECT_GT(group.count, std::uint32_t{TilePixels::kMost});
+        for (const TilePixels::PrimitiveBatch& batch : pixels.primitive_batches()) {
+            EXPECT_EQ(batch.look, looks.of(batch.id));
+            if (batch.look.lit && own_lanes(batch.id)) {
+                EXPECT_GT(batch.count, std::uint32_t{TilePixels::kMaxPixels});
             }
-            for (const std::size_t end = at + group.count; at < end; ++at)
-                expect_pixel(at, group.id);
+            for (const std::size_t end = at + batch.count; at < end; ++at)
+                expect_pixel(at, batch.id);
         }
         EXPECT_EQ(at, pixels.size());
     }
@@ -87,10 +87,11 @@ protected:
         expect_names();
         EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), kPixels);
     }
-    std::size_t part_triangles() const {
-        return pixels.parts().empty()
+    std::size_t batched_triangles() const {
+        return pixels.material_batches().empty()
                    ? 0
-                   : static_cast<std::size_t>(pixels.triangles()[pixels.parts().back().end - 1]) +
+                   : static_cast<std::size_t>(
+                         pixels.triangles()[pixels.material_batches().back().end - 1]) +
                          1;
     }
 };
@@ -98,11 +99,11 @@ protected:
 TEST_F(PixelsOfATile, StandTogetherOncePerPrimitive) {
     fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 40);
     expect_each_pixel_once();
-    std::vector<std::uint32_t> names(pixels.ids(), pixels.ids() + part_triangles());
+    std::vector<std::uint32_t> names(pixels.ids(), pixels.ids() + batched_triangles());
     EXPECT_FALSE(names.empty());
-    EXPECT_FALSE(pixels.groups().empty());
-    for (const TilePixels::Group& group : pixels.groups())
-        names.push_back(group.id);
+    EXPECT_FALSE(pixels.primitive_batches().empty());
+    for (const TilePixels::PrimitiveBatch& batch : pixels.primitive_batches())
+        names.push_back(batch.id);
     std::sort(names.begin(), names.end());
     EXPECT_TRUE(std::adjacent_find(names.begin(), names.end()) == names.end());
 }
@@ -118,27 +119,28 @@ TEST_F(PixelsOfATile, AreAllThereWhenNamesShareASlot) {
 
 TEST_F(PixelsOfATile, MayBeOneOfEveryPrimitive) {
     fill([](int pixel) { return static_cast<std::uint32_t>(pixel) * 1024; }, 1);
-    EXPECT_EQ(part_triangles(), static_cast<std::size_t>(kPixels));
-    EXPECT_TRUE(pixels.groups().empty());
+    EXPECT_EQ(batched_triangles(), static_cast<std::size_t>(kPixels));
+    EXPECT_TRUE(pixels.primitive_batches().empty());
     expect_each_pixel_once();
 }
 
 TEST_F(PixelsOfATile, AreForgottenWithTheTile) {
     fill([](int) { return 7U; }, 64);
     pixels.clear();
-    EXPECT_TRUE(pixels.groups().empty());
+    EXPECT_TRUE(pixels.primitive_batches().empty());
     EXPECT_EQ(pixels.size(), 0U);
     fill([](int) { return 7U; }, 64);
     expect_each_pixel_once();
-    EXPECT_EQ(pixels.groups().size(), 1U);
+    EXPECT_EQ(pixels.primitive_batches().size(), 1U);
 }
 
-TEST_F(PixelsOfATile, HaveGroupsWhereLanesMayNotSetUpTheirTriangles) {
+TEST_F(PixelsOfATile, MakeBatchesOfPrimitivesThatLanesMayNotSetUp) {
     own_lanes = [](std::uint32_t id) { return id % 3 != 0; };
     fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 6);
     expect_each_pixel_once();
-    EXPECT_TRUE(std::any_of(pixels.groups().begin(), pixels.groups().end(),
-                            [](const auto& group) { return group.count <= TilePixels::kMost; }));
+    EXPECT_TRUE(
+        std::any_of(pixels.primitive_batches().begin(), pixels.primitive_batches().end(),
+                    [](const auto& batch) { return batch.count <= TilePixels::kMaxPixels; }));
 }
 
 TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
@@ -155,15 +157,15 @@ TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
     fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 12);
     expect_each_pixel_once();
     std::set<std::int32_t> materials;
-    for (const TilePixels::Part& part : pixels.parts())
-        EXPECT_TRUE(materials.insert(part.material).second) << "two parts of one material";
+    for (const TilePixels::MaterialBatch& batch : pixels.material_batches())
+        EXPECT_TRUE(materials.insert(batch.material).second) << "two batches of one material";
     EXPECT_EQ(materials.size(), 6U);
-    const auto key = [](const TilePixels::Group& group) {
-        return std::pair(group.look.lit, group.look.material);
+    const auto key = [](const TilePixels::PrimitiveBatch& batch) {
+        return std::pair(batch.look.lit, batch.look.material);
     };
-    EXPECT_TRUE(std::is_sorted(pixels.groups().begin(), pixels.groups().end(),
+    EXPECT_TRUE(std::is_sorted(pixels.primitive_batches().begin(), pixels.primitive_batches().end(),
                                [&](const auto& a, const auto& b) { return key(a) < key(b); }));
-    EXPECT_FALSE(pixels.groups().front().look.lit);
+    EXPECT_FALSE(pixels.primitive_batches().front().look.lit);
 }
 
 TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
@@ -201,14 +203,14 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
     }
 }
 
-// Parts of at most kSmallSide pixels from vertex to vertex, anywhere in the tile: each shows any of
-// its pixels, unless one that comes later does.
-class PixelsOfSmallParts : public PixelsOfATile {
+// Triangles of at most kSmallSide pixels from vertex to vertex, anywhere in the tile: each shows
+// any of its pixels, unless one that comes later does.
+class PixelsOfSmallTriangles : public PixelsOfATile {
 protected:
-    std::vector<raster::TilePart> parts;
-    std::vector<std::uint32_t> id; // of the parts' places
+    std::vector<raster::TilePart> triangles;
+    std::vector<std::uint32_t> id; // of the triangles' places
     void draw(int count) {
-        parts.clear();
+        triangles.clear();
         id.clear();
         std::fill(name_of.begin(), name_of.end(), raster::kNoPrimitive);
         for (int i = 0; i < count; ++i) {
@@ -219,8 +221,8 @@ protected:
             const int across = side(), down = side(), density = random.whole(0, 3);
             const int x0 = random.whole(0, kTileSize - across),
                       y0 = random.whole(0, kTileSize - down);
-            parts.push_back(raster::TilePart::of(static_cast<std::uint32_t>(i), x0, y0, x0 + across,
-                                                 y0 + down));
+            triangles.push_back(raster::TilePart::of(static_cast<std::uint32_t>(i), x0, y0,
+                                                     x0 + across, y0 + down));
             for (int y = y0; y < y0 + down; ++y)
                 for (int x = x0; x < x0 + across; ++x)
                     if (random.whole(0, 3) < density)
@@ -233,18 +235,18 @@ protected:
         ids.resize(ids.size() + 16, raster::kNoPrimitive);
         id_of = [&](std::uint32_t place) { return id[place]; };
         pixels.clear();
-        const bool taken = pixels.take_parts(0, lists, ids.data(), tile_pixels);
+        const bool taken = pixels.take_small_triangles(0, lists, ids.data(), tile_pixels);
         pixels.arrange(looks, own_lanes);
         return taken;
     }
 };
 
-TEST_F(PixelsOfSmallParts, AreThoseThatShowTheirIds) {
+TEST_F(PixelsOfSmallTriangles, AreThoseThatShowTheirIds) {
     int taken = 0, large = 0;
     scanout::test::on_every_target([&](const std::string& target) {
         for (int round = 0; round < 200; ++round) {
             draw(random.whole(1, 585));
-            const std::span<const raster::TilePart> all = parts;
+            const std::span<const raster::TilePart> all = triangles;
             const std::size_t first = all.size() / 3;
             const std::array lists = {
                 raster::TilePartList{{}, {}, all.first(first), raster::PartKind::strip, id},
@@ -255,7 +257,7 @@ TEST_F(PixelsOfSmallParts, AreThoseThatShowTheirIds) {
                 continue;
             }
             ++taken;
-            large += static_cast<int>(pixels.groups().size());
+            large += static_cast<int>(pixels.primitive_batches().size());
             expect_names();
             for (std::size_t pixel = 0; pixel < name_of.size(); ++pixel)
                 ASSERT_EQ(seen[pixel], name_of[pixel] == raster::kNoPrimitive ? 0 : 1) << pixel;
@@ -269,15 +271,15 @@ TEST_F(PixelsOfSmallParts, AreThoseThatShowTheirIds) {
     }
 }
 
-TEST_F(PixelsOfSmallParts, AreNotLookedForWherePartsAreManyOrTiny) {
+TEST_F(PixelsOfSmallTriangles, AreNotLookedForWhereTrianglesAreManyOrTiny) {
     draw(500);
     const auto lists = [&](raster::PartKind kind) {
-        return std::array{raster::TilePartList{{}, {}, parts, kind, id}};
+        return std::array{raster::TilePartList{{}, {}, triangles, kind, id}};
     };
     EXPECT_FALSE(take(lists(raster::PartKind::speck_3)));
     EXPECT_FALSE(take(lists(raster::PartKind::strip), kPixels / 4));
     EXPECT_EQ(pixels.size(), 0U);
-    EXPECT_TRUE(pixels.parts().empty());
+    EXPECT_TRUE(pixels.material_batches().empty());
 }
 
 TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
@@ -293,8 +295,8 @@ TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
     }
     pixels.arrange(looks, own_lanes);
     ASSERT_EQ(pixels.size(), count);
-    ASSERT_EQ(pixels.parts().size(), 1U);
-    EXPECT_TRUE(pixels.groups().empty());
+    ASSERT_EQ(pixels.material_batches().size(), 1U);
+    EXPECT_TRUE(pixels.primitive_batches().empty());
     for (std::size_t at = 0; at < count; ++at) {
         expect_pixel(at, pixels.ids()[static_cast<std::size_t>(pixels.triangles()[at])]);
         if (at > 0) {
