@@ -20,8 +20,7 @@ struct WalkLanes {
 template <class Read>
 SIMD_INLINE WalkLanes walk_lanes(const Walks& w, const Read& read) {
     WalkLanes lanes;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         lanes.a[k] = read(w.a[k]);
         lanes.b[k] = read(w.b[k]);
         lanes.c[k] = read(w.c[k]);
@@ -60,32 +59,27 @@ SIMD_INLINE void draw_rows(const VisibleRule& rule, const Blocks& b, int lane, S
     const int begin = b.begin[lane] & -kRows, end = b.end[lane];
     I32 edge[3][kRegisters], down[3];
     F32 across[kRegisters];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const I32 per_y = b.per_y[k][lane];
         const I32 first = I32(b.first[k][lane]) + per_y * (rows() - I32(b.begin[lane] - begin));
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r)
+        SIMD_FOR (int r = 0; r < kRegisters; ++r)
             edge[k][r] = first + I32(b.per_x[k][lane]) * columns(r);
         down[k] = per_y * I32(kRows);
     }
-    SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r)
+    SIMD_FOR (int r = 0; r < kRegisters; ++r)
         across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
     depth += begin * kTileSize;
     id = id_after<kShows>(id, begin * kTileSize);
     F32 row = to_f32(rows() + I32(begin)) + sample_y; // a whole number of 1/256: exact
     for (int y = begin; y < end; y += kRows) {
         const F32 down_here = row * per_pixel_y;
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r) {
+        SIMD_FOR (int r = 0; r < kRegisters; ++r) {
             auto inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32(0);
             if constexpr (kRows > 1) inside = inside & (rows() < I32(end - y));
             const F32 z = base + (rest + (across[r] + down_here));
             show_samples<kShows>(rule, inside, z, primitive, depth + r * kLanes,
                                  id_after<kShows>(id, r * kLanes), drawn);
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
         }
         row = row + F32(kRows);
@@ -115,8 +109,7 @@ SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, const DepthAt& dep
                              const std::uint32_t* name, float* depth, std::uint32_t* id,
                              I32& drawn) {
     I32x8 start[3], right[3], below[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         right[k] = load<I32x8>(b.per_x[k]);
         below[k] = load<I32x8>(b.per_y[k]);
         start[k] = load<I32x8>(b.first[k]) + right[k] * few.column;
@@ -157,12 +150,10 @@ SIMD_INLINE void draw_pixels(const Blocks& b, const Few& few, const DepthAt& dep
             store(depth_at(i, j), depths[steps]);
             offset[steps] = j * kTileSize + i;
             if (++steps == kSteps) draw_waiting();
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k] = edge[k] + right[k];
         }
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             start[k] = start[k] + below[k];
     }
     draw_waiting();
@@ -199,8 +190,7 @@ SIMD_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
                              const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
                              I32x8 begin, Blocks& out) {
     const F64x8 zero = 0.0, x = double(at.x), y = double(at.y);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const F64x8 e = corner[k] + (w.a[k] * x + w.b[k] * y);
         const F64x8 floor = floor_in_pixels(e, w.bias[k]);
         const I32x8 per_y = to_i32(select(whole[k], zero, w.b[k]));
@@ -214,8 +204,7 @@ SIMD_INLINE void set_up_rows(const WalkLanes& w, const F64x8 (&corner)[3],
 SIMD_INLINE void set_up_firsts(const WalkLanes& w, const F64x8 (&corner)[3], SampleOffset at,
                                std::int32_t (&first)[3][kLanesX8]) {
     const F64x8 x = double(at.x), y = double(at.y);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         store(to_i32(floor_in_pixels(corner[k] + (w.a[k] * x + w.b[k] * y), w.bias[k])), first[k]);
 }
 
@@ -232,8 +221,7 @@ SIMD_INLINE AtBlocks at_blocks(const TilePlanes& tile, const WalkLanes& w, I32x8
     at.top = shift_left<kSideBits>(y);
     const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(at.left + I32x8(tile.area.x0)));
     const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(at.top + I32x8(tile.area.y0)));
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
     at.depth = depth_of(at.edge, w.share);
     return at;
@@ -251,8 +239,7 @@ SIMD_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
 template <bool kUsual>
 SIMD_INLINE std::uint32_t seen(const TilePlanes& tile, const WalkLanes& w, const AtBlocks& at,
                                std::uint32_t live) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
     if (!kUsual || live == 0 || tile.farthest == nullptr) return live;
     // Lanes past their triangle's end may be past the tile's.
@@ -266,8 +253,7 @@ SIMD_INLINE void draw_flat(const TilePlanes& tile, const WalkLanes& w, const AtB
                            std::uint32_t live, const std::uint32_t* id, I32& drawn) {
     const F64x8 zero = 0.0;
     Double<F32x8::Tag>::DoubleMask whole[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         whole[k] = block.edge[k] + w.lowest[k] >= zero;
     Blocks b;
     const F32x8 base = to_f32(block.depth);

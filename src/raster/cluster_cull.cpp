@@ -27,8 +27,7 @@ SIMD_INLINE ClusterLanes clusters_at(const geom::Cluster* first, int count) {
     const auto word = [&](std::size_t offset)
                           SIMD_LAMBDA { return gather(words + offset / sizeof(double), at); };
     ClusterLanes c;
-    SIMD_UNROLL
-    for (std::size_t k = 0; k < 3; ++k) {
+    SIMD_FOR (std::size_t k = 0; k < 3; ++k) {
         c.centre[k] = word(offsetof(geom::Cluster, centre) + k * sizeof(double));
         c.axis[k] = word(offsetof(geom::Cluster, axis) + k * sizeof(double));
     }
@@ -65,8 +64,7 @@ SIMD_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 leas
     F64x8 from_eye[3] = {eye[0], eye[1], eye[2]}, distance = t.eye_length, radius = 0.0;
     F64x8 aside = 1.0;
     if (t.perspective) {
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             from_eye[k] = c.centre[k] - eye[k];
         distance = sqrt(dot(from_eye, from_eye));
         radius = c.radius * F64x8(kSlack);

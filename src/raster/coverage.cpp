@@ -56,8 +56,7 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, floa
         const auto read = [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); };
         F64x8 depth = 0.0;
         auto here = read(w.nearest) >= F64x8(double{farthest}) * F64x8(1 - 0x1p-20);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
+        SIMD_FOR (int k = 0; k < 3; ++k) {
             const F64x8 a = read(w.a[k]), b = read(w.b[k]), high = read(w.highest[k]);
             const F64x8 corner = (a * corner_x + b * corner_y) + read(w.c[k]);
             const F64x8 across = a * block, down = b * block;
@@ -86,8 +85,7 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, floa
 SIMD_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i) {
     constexpr int kSide = BlockWalk::kSide;
     BlockBounds b;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         b.edge[k] = lanes.edge[k][i];
         b.across[k] = lanes.across[k][i];
         b.down[k] = lanes.down[k][i];

@@ -25,8 +25,7 @@ struct Corners {
 
 SIMD_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* index) {
     Corners c;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const auto v = vertices_at<F32>(vertices, index + k, 3);
         c.x[k] = v.word(0);
         c.y[k] = v.word(1);
@@ -56,8 +55,7 @@ SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corne
     const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
     const I32 left = shift_left<kSubpixelBits>(box.x0), top = shift_left<kSubpixelBits>(box.y0);
     I32 first[3], a[3], b[3]; // at the first pixel's corner, and a step of a pixel
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const int to = k == 2 ? 0 : k + 1;
         const I32 per_x = y[k] - y[to], per_y = x[to] - x[k];
         first[k] = select(is_top_left(per_x, per_y), I32(0), I32(-1)) + per_x * (left - x[k]) +
@@ -68,26 +66,21 @@ SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corne
     I32 outside = -1; // its sign bit: at every sample so far some edge is negative
     for (const SampleOffset* at = pattern.data(); at != pattern.data() + pattern.size(); ++at) {
         I32 row[3], step[3], down_step[3];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
+        SIMD_FOR (int k = 0; k < 3; ++k) {
             row[k] = first[k] + a[k] * I32(at->x) + b[k] * I32(at->y);
             step[k] = shift_left<kSubpixelBits>(a[k]);
             down_step[k] = shift_left<kSubpixelBits>(b[k]);
         }
-        SIMD_UNROLL
-        for (int j = 0; j < kSide; ++j) {
+        SIMD_FOR (int j = 0; j < kSide; ++j) {
             I32 e[3] = {row[0], row[1], row[2]};
-            SIMD_UNROLL
-            for (int i = 0; i < kSide; ++i) {
+            SIMD_FOR (int i = 0; i < kSide; ++i) {
                 I32 misses = e[0] | e[1] | e[2];
                 if (at_edge) misses = misses | (box.across - I32(i + 1)) | (box.down - I32(j + 1));
                 outside = outside & misses;
-                SIMD_UNROLL
-                for (int k = 0; k < 3; ++k)
+                SIMD_FOR (int k = 0; k < 3; ++k)
                     e[k] = e[k] + step[k];
             }
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 row[k] = row[k] + down_step[k];
         }
     }

@@ -17,10 +17,9 @@ SIMD_INLINE float farthest_in(const TilePlanes& tile, std::ptrdiff_t place) {
     const float* depth = tile.depth + place;
     F32x8 nearest_lane = load<F32x8>(depth);
     for (std::size_t s = 0; s < tile.pattern.size(); ++s, depth += kTileSize * kTileSize)
-        SIMD_UNROLL
-    for (int y = 0; y < BlockWalk::kSide; ++y)
-        for (int x = 0; x < BlockWalk::kSide; x += kLanesX8)
-            nearest_lane = minimum(nearest_lane, load<F32x8>(depth + y * kTileSize + x));
+        SIMD_FOR (int y = 0; y < BlockWalk::kSide; ++y)
+            for (int x = 0; x < BlockWalk::kSide; x += kLanesX8)
+                nearest_lane = minimum(nearest_lane, load<F32x8>(depth + y * kTileSize + x));
     return least(nearest_lane);
 }
 
@@ -40,8 +39,7 @@ SIMD_INLINE bool hides_by_now(const TilePlanes& tile, int x, int y, float neares
 // Nothing seen anywhere in the tile is farther away.
 SIMD_INLINE float farthest_of_all(const TilePlanes& tile) {
     F32 all = load<F32>(tile.farthest);
-    SIMD_UNROLL
-    for (int i = 0; i < BlockList::kBlocks; i += kLanes)
+    SIMD_FOR (int i = 0; i < BlockList::kBlocks; i += kLanes)
         all = minimum(all, load<F32>(tile.farthest + i));
     return least(all);
 }
@@ -60,21 +58,16 @@ SIMD_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds&
     };
     F32 edge[3][kRegisters], down[3], depth[kRegisters];
     const F32 farther = b.depth_down * kRows, most = b.most, zero = 0.0F;
-    SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r) {
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int r = 0; r < kRegisters; ++r) {
+        SIMD_FOR (int k = 0; k < 3; ++k)
             edge[k][r] = lanes(b.edge[k], b.across[k], b.down[k], r);
         depth[r] = lanes(b.depth, b.depth_across, b.depth_down, r);
     }
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         down[k] = b.down[k] * kRows;
     std::uint64_t live = 0;
-    SIMD_UNROLL
-    for (int y = 0; y < kRow; y += kRows) {
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r) {
+    SIMD_FOR (int y = 0; y < kRow; y += kRows) {
+        SIMD_FOR (int r = 0; r < kRegisters; ++r) {
             const int first = y * kRow + r * kLanes;
             auto seen = (edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero);
             const F32 here = minimum(depth[r], most);
@@ -82,8 +75,7 @@ SIMD_INLINE std::uint64_t find_blocks(const TilePlanes& tile, const BlockBounds&
             if (nearest != nullptr) store(here, nearest + first);
             live |= std::uint64_t{bits(seen)} << first;
             depth[r] = depth[r] + farther;
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];
         }
     }

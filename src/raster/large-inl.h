@@ -25,19 +25,16 @@ struct InBlock {
     F32 depth[kSteps];   // at the samples of one place in the pattern
 };
 SIMD_INLINE void set_up_edges(const Walks& w, int i, InBlock& out) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const auto a = static_cast<std::int32_t>(w.a[k][i]),
                    b = static_cast<std::int32_t>(w.b[k][i]);
         const I32 down = b * kRows;
         I32 here[kRegisters];
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r) {
+        SIMD_FOR (int r = 0; r < kRegisters; ++r) {
             here[r] = I32(a) * columns(r);
             if constexpr (kRows > 1) here[r] = here[r] + I32(b) * rows();
         }
-        SIMD_UNROLL
-        for (int step = 0; step < kSteps; ++step) {
+        SIMD_FOR (int step = 0; step < kSteps; ++step) {
             I32& edge = here[step % kRegisters];
             out.edge[k][step] = edge;
             edge = edge + down;
@@ -49,15 +46,12 @@ SIMD_INLINE void set_up_depth(const Walks& w, int i, SampleOffset at, InBlock& o
     const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
     const F32 per_x = static_cast<float>(w.per_x[i]), per_y = static_cast<float>(w.per_y[i]);
     F32 across[kRegisters];
-    SIMD_UNROLL
-    for (int r = 0; r < kRegisters; ++r)
+    SIMD_FOR (int r = 0; r < kRegisters; ++r)
         across[r] = (to_f32(columns(r)) + sample_x) * per_x;
     F32 row = to_f32(rows()) + sample_y; // a whole number of 1/256: exact
-    SIMD_UNROLL
-    for (int step = 0; step < kSteps; step += kRegisters) {
+    SIMD_FOR (int step = 0; step < kSteps; step += kRegisters) {
         const F32 down = row * per_y;
-        SIMD_UNROLL
-        for (int r = 0; r < kRegisters; ++r)
+        SIMD_FOR (int r = 0; r < kRegisters; ++r)
             out.depth[step + r] = across[r] + down;
         row = row + F32(kRows);
     }
@@ -80,8 +74,7 @@ SIMD_INLINE F32 draw_block(const VisibleRule& rule, const InBlock& in, const Lar
     const F32 base = b.base[lane], rest = b.rest[lane];
     const I32 first[3] = {b.first[0][lane], b.first[1][lane], b.first[2][lane]};
     F32 farthest = 0x1p127F;
-    SIMD_UNROLL
-    for (int step = 0; step < kSteps; ++step) {
+    SIMD_FOR (int step = 0; step < kSteps; ++step) {
         const auto inside = kWhole
                                 ? I32(0) == I32(0)
                                 : ((first[0] + in.edge[0][step]) | (first[1] + in.edge[1][step]) |
@@ -97,8 +90,7 @@ SIMD_INLINE F32 draw_block(const VisibleRule& rule, const InBlock& in, const Lar
 // Takes the next of the blocks, a bit each, out of them.
 SIMD_INLINE I32x8 next_blocks(std::uint64_t& blocks) {
     std::uint8_t number[kLanesX8];
-    SIMD_UNROLL
-    for (int lane = 0; lane < kLanesX8; ++lane) {
+    SIMD_FOR (int lane = 0; lane < kLanesX8; ++lane) {
         // Where there are no more, the last of the tile stands for them.
         number[lane] = static_cast<std::uint8_t>(__builtin_ctzll(blocks | std::uint64_t{1} << 63));
         blocks &= blocks - 1;
@@ -130,8 +122,7 @@ SIMD_INLINE void draw_large(const TilePlanes& tile, const Walks& w, int i, std::
         store(to_f32(at.depth - to_f64(base)), b.rest);
         store(to_f32((at.depth + reach) * F64x8(1 - 0x1p-20)), b.farthest);
         std::uint32_t whole = live;
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             whole &= bits(at.edge[k] + lanes.lowest[k] >= zero);
         const std::uint32_t part = live & ~whole;
         float farthest[kLanesX8];
@@ -176,8 +167,7 @@ SIMD_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i,
     const int left = block % BlockList::kRow * kSide, top = block / BlockList::kRow * kSide;
     const double x = (tile.area.x0 + left) * kSubpixel, y = (tile.area.y0 + top) * kSubpixel;
     F64x8 share[3], bias[3], down[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         share[k] = w.share[k][i];
         bias[k] = w.bias[k][i];
         down[k] = w.b[k][i] * kSubpixel;
@@ -188,30 +178,26 @@ SIMD_INLINE void draw_steep_block(const TilePlanes& tile, const Walks& w, int i,
     for (std::size_t s = 0; s < tile.pattern.size(); ++s, first += kTileSize * kTileSize) {
         const SampleOffset at = tile.pattern.data()[s];
         F64x8 e[kAcross][3]; // whole numbers: every step is exact
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
+        SIMD_FOR (int k = 0; k < 3; ++k) {
             const double a = w.a[k][i], b = w.b[k][i];
             const double start = (a * (x + at.x) + b * (y + at.y)) + w.c[k][i];
-            SIMD_UNROLL
-            for (int r = 0; r < kAcross; ++r)
+            SIMD_FOR (int r = 0; r < kAcross; ++r)
                 e[r][k] = F64x8(start) + to_f64(iota<I32x8>(r * kLanesX8)) * F64x8(a * kSubpixel);
         }
         for (int row = 0; row < kSide; ++row)
-            SIMD_UNROLL
-        for (int r = 0; r < kAcross; ++r) {
-            const F32x8 z = to_f32(depth_of(e[r], share));
-            // Rounding keeps the sign of a whole number.
-            const F32x8 inmost =
-                to_f32(minimum(minimum(e[r][0] + bias[0], e[r][1] + bias[1]), e[r][2] + bias[2]));
-            const std::ptrdiff_t to = first + row * kTileSize + r * kLanesX8;
-            const F32x8 now =
-                show_samples<kShows>(tile.rule, inmost >= F32x8(0.0F), z, w.id[i], tile.depth + to,
-                                     id_after<kShows>(tile.id, to), here);
-            farthest = minimum(farthest, now);
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
-                e[r][k] = e[r][k] + down[k];
-        }
+            SIMD_FOR (int r = 0; r < kAcross; ++r) {
+                const F32x8 z = to_f32(depth_of(e[r], share));
+                // Rounding keeps the sign of a whole number.
+                const F32x8 inmost = to_f32(
+                    minimum(minimum(e[r][0] + bias[0], e[r][1] + bias[1]), e[r][2] + bias[2]));
+                const std::ptrdiff_t to = first + row * kTileSize + r * kLanesX8;
+                const F32x8 now =
+                    show_samples<kShows>(tile.rule, inmost >= F32x8(0.0F), z, w.id[i],
+                                         tile.depth + to, id_after<kShows>(tile.id, to), here);
+                farthest = minimum(farthest, now);
+                SIMD_FOR (int k = 0; k < 3; ++k)
+                    e[r][k] = e[r][k] + down[k];
+            }
     }
     if (is_usual(kShows) && tile.farthest != nullptr) tile.farthest[block] = least(farthest);
     if (any(!(here == I32x8(0)))) drawn = I32(-1);

@@ -59,8 +59,7 @@ SIMD_INLINE void read_corners(const TilePartList& list, int first, PartCorners<D
     const auto read = [&](const auto& number) SIMD_LAMBDA {
         for (int i = 0; i < kWidth; ++i) {
             const std::uint32_t* corner = index + std::size_t{parts[number(first + i)].place} * 3;
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k) {
+            SIMD_FOR (int k = 0; k < 3; ++k) {
                 out.at[k][i] = corner[k];
                 __builtin_prefetch(vertices + corner[k]);
             }
@@ -113,8 +112,7 @@ SIMD_INLINE void load_parts(const TilePlanes& tile, const TilePartList& list, co
     out.top = out.y0 & N(-8);
     const N corner_x = shift_left<kSubpixelBits>(out.left + N(tile.area.x0));
     const N corner_y = shift_left<kSubpixelBits>(out.top + N(tile.area.y0));
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const auto v = screen_lanes<D>(list.vertices.data(), corner.at[k]);
         out.vertex[k].place = shift_left<16>(v.y - corner_y) + (v.x - corner_x);
         out.vertex[k].depth = v.last;
@@ -134,8 +132,7 @@ SIMD_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
     using N = Int<D>;
     const N zero = 0;
     N x[3], y[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const N place = part.vertex[k].place;
         y[k] = shift_right<16>(place + N(1 << 15));
         x[k] = place - shift_left<16>(y[k]);
@@ -144,8 +141,7 @@ SIMD_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
     const Mask<D> turned = twice < zero;
     PartEdges<D> e;
     e.area = select(turned, zero - twice, twice);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const int from = k == 2 ? 0 : k + 1, to = k == 0 ? 2 : k - 1;
         const N a = y[from] - y[to], b = x[to] - x[from];
         e.a[k] = select(turned, zero - a, a);
@@ -160,8 +156,7 @@ SIMD_INLINE PartEdges<D> edges_of(const PartLanes<D>& part) {
 template <class D>
 SIMD_INLINE void edges_at_pixel(const PartEdges<D>& e, Int<D> column, Int<D> row,
                                 Int<D> (&out)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         out[k] = e.c[k] + shift_left<kSubpixelBits>(e.a[k] * column + e.b[k] * row);
 }
 
@@ -176,8 +171,7 @@ SIMD_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)
 template <class D>
 SIMD_INLINE void edges_at(const PartEdges<D>& e, const Int<D> (&corner)[3], SampleOffset at,
                           Int<D> (&out)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         out[k] = (corner[k] + e.bias[k]) + (e.a[k] * Int<D>(at.x) + e.b[k] * Int<D>(at.y));
 }
 
@@ -197,8 +191,7 @@ SIMD_INLINE void set_up_parts(const TilePlanes& tile, const TilePartList& list,
     put_in_order(s.part.vertex);
     s.edges = edges_of(s.part);
     Double<D> a[3], b[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         a[k] = to_f64(s.edges.a[k]);
         b[k] = to_f64(s.edges.b[k]);
     }

@@ -78,8 +78,7 @@ int drop_hidden(const TilePlanes& tile, const TilePartList& list, TilePart* out)
         corner = next;
         read_corners(list, begin + kLanesX8, next);
         F64x8 nearest = 0.0;
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             nearest = maximum(nearest, gather(real + 1, shift_left<1>(load<I32x8>(corner.at[k]))));
         const F32x8 farthest = farthest_of(tile, stored_parts<F32x8::Tag>(part, count).where);
         std::uint32_t rest =

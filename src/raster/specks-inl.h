@@ -68,21 +68,18 @@ struct SpeckDepths {
 
     SIMD_INLINE explicit SpeckDepths(const SetUpParts<F32::Tag>& s)
         : per_x(to_f32(s.plane.per_x)), per_y(to_f32(s.plane.per_y)) {
-        SIMD_UNROLL
-        for (int down = 0; down < kBlocks; ++down)
-            SIMD_UNROLL
-        for (int across = 0; across < kBlocks; ++across) {
-            constexpr std::int32_t kBlock = BlockWalk::kSide * kSubpixel;
-            I32 corner[3] = {s.edges.c[0], s.edges.c[1], s.edges.c[2]};
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k) {
-                if (across > 0) corner[k] = corner[k] + s.edges.a[k] * I32(kBlock);
-                if (down > 0) corner[k] = corner[k] + s.edges.b[k] * I32(kBlock);
+        SIMD_FOR (int down = 0; down < kBlocks; ++down)
+            SIMD_FOR (int across = 0; across < kBlocks; ++across) {
+                constexpr std::int32_t kBlock = BlockWalk::kSide * kSubpixel;
+                I32 corner[3] = {s.edges.c[0], s.edges.c[1], s.edges.c[2]};
+                SIMD_FOR (int k = 0; k < 3; ++k) {
+                    if (across > 0) corner[k] = corner[k] + s.edges.a[k] * I32(kBlock);
+                    if (down > 0) corner[k] = corner[k] + s.edges.b[k] * I32(kBlock);
+                }
+                const F64 depth = depth_of(corner, s.plane.share);
+                base[down][across] = to_f32(depth);
+                rest[down][across] = to_f32(depth - to_f64(base[down][across]));
             }
-            const F64 depth = depth_of(corner, s.plane.share);
-            base[down][across] = to_f32(depth);
-            rest[down][across] = to_f32(depth - to_f64(base[down][across]));
-        }
     }
     // x, y: whole pixels from the corner of the first block; sample_x, sample_y: in the pixel.
     SIMD_INLINE F32 at(const I32 (&)[3], I32 x, I32 y, F32 sample_x, F32 sample_y) const {
@@ -130,11 +127,9 @@ SIMD_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
     I32 in_row[3];
     edges_at(s.edges, first, sample, in_row);
     std::uint64_t covered[Specks<kMost>::kWords] = {};
-    SIMD_UNROLL
-    for (int j = 0; j < kMost; ++j) {
+    SIMD_FOR (int j = 0; j < kMost; ++j) {
         I32 edge[3] = {in_row[0], in_row[1], in_row[2]};
-        SIMD_UNROLL
-        for (int i = 0; i < kMost; ++i) {
+        SIMD_FOR (int i = 0; i < kMost; ++i) {
             constexpr int kSteps = Specks<kMost>::kSteps;
             const int pixel = j * kMost + i;
             store(depths.at(edge, column + I32(i), row + I32(j), sample_x, sample_y),
@@ -144,16 +139,13 @@ SIMD_INLINE void cover_specks(const SetUpParts<F32::Tag>& s, std::uint32_t live,
             if (j > 0) outside = outside | (down - I32(j + 1));
             covered[pixel / kSteps] |= std::uint64_t{bits(outside > I32(-1)) & live}
                                        << (pixel % kSteps * kLanes);
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k] = edge[k] + shift_left<kSubpixelBits>(s.edges.a[k]);
         }
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             in_row[k] = in_row[k] + shift_left<kSubpixelBits>(s.edges.b[k]);
     }
-    SIMD_UNROLL
-    for (int word = 0; word < Specks<kMost>::kWords; ++word)
+    SIMD_FOR (int word = 0; word < Specks<kMost>::kWords; ++word)
         out.covered[word] = covered[word];
 }
 

@@ -28,8 +28,7 @@ SIMD_INLINE void set_up_strip_edges(const TilePlanes& tile, const PartEdgesX8& e
     for (std::size_t n = 0; n < tile.pattern.size(); ++n) {
         I32x8 at[3];
         edges_at(edges, corner, tile.pattern.data()[n], at);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             store(at[k], first[n][k]);
     }
 }
@@ -49,8 +48,7 @@ SIMD_INLINE void draw_steep_strips(const TilePlanes& tile, const SteepStrips& s,
                                    std::uint32_t name, I32x8& drawn) {
     F64x8 share[3], down_wide[3];
     I32x8 down[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         share[k] = s.share[k][lane];
         down[k] = s.per_y[k][lane];
         down_wide[k] = static_cast<double>(s.per_y[k][lane]);
@@ -64,8 +62,7 @@ SIMD_INLINE void draw_steep_strips(const TilePlanes& tile, const SteepStrips& s,
             const I32x8 number = iota<I32x8>(column);
             I32x8 edge[3];
             F64x8 exact[3]; // the same without the bias
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k) {
+            SIMD_FOR (int k = 0; k < 3; ++k) {
                 edge[k] = I32x8(s.first[n][k][lane]) + I32x8(s.per_x[k][lane]) * number;
                 exact[k] = to_f64(edge[k] - I32x8(s.bias[k][lane]));
             }
@@ -78,8 +75,7 @@ SIMD_INLINE void draw_steep_strips(const TilePlanes& tile, const SteepStrips& s,
                 const MaskX8 inside = (edge[0] | edge[1] | edge[2]) > I32x8(-1);
                 show_samples<kShows>({}, inside, to_f32(depth_of(exact, share)), name, depth, id,
                                      shows);
-                SIMD_UNROLL
-                for (int k = 0; k < 3; ++k) {
+                SIMD_FOR (int k = 0; k < 3; ++k) {
                     edge[k] = edge[k] + down[k];
                     exact[k] = exact[k] + down_wide[k];
                 }
@@ -97,8 +93,7 @@ HWY_NOINLINE void draw_steep_parts(const TilePlanes& tile, const SetUpPartsX8& s
     store(part.x1 - part.x0, strips.across);
     store(part.y1 - part.y0, strips.down);
     store(part.y0 * I32x8(kTileSize) + part.x0, strips.place);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         store(shift_left<kSubpixelBits>(s.edges.a[k]), strips.per_x[k]);
         store(shift_left<kSubpixelBits>(s.edges.b[k]), strips.per_y[k]);
         store(s.edges.bias[k], strips.bias[k]);
@@ -133,8 +128,7 @@ SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX
     const PartLanesX8& part = s.part;
     const I32x8 left = x0 & I32x8(-kSide), right = left + I32x8(kSide);
     I32x8 edge[3], step[3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         step[k] = shift_left<kSubpixelBits>(s.edges.a[k]);
         edge[k] = s.edges.c[k] + step[k] * (left - part.left);
     }
@@ -144,11 +138,9 @@ SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX
         const std::uint32_t here = live & bits(top < part.y1);
         if (here == 0) break;
         const std::uint32_t in_column[] = {here, here & bits(right < x1)};
-        SIMD_UNROLL
-        for (int across = 0; across < 2; ++across) {
+        SIMD_FOR (int across = 0; across < 2; ++across) {
             I32x8 corner[3];
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 corner[k] = across == 0 ? edge[k] : edge[k] + step[k] * I32x8(kSide);
             const F64x8 depth = depth_of(corner, s.plane.share);
             const F32x8 base = to_f32(depth);
@@ -161,8 +153,7 @@ SIMD_INLINE std::uint32_t set_up_depth(const TilePlanes& tile, const SetUpPartsX
                                              gather(tile.farthest, safe));
         }
         top = top + I32x8(kSide);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             edge[k] = edge[k] + shift_left<kSubpixelBits>(s.edges.b[k]) * I32x8(kSide);
     }
     return seen;
@@ -190,16 +181,13 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Samples& samples, cons
     I32x8 from_first[3][kAcross], down[3];
     F32x8 column[kAcross];
     MaskX8 right[kAcross];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         down[k] = b.per_y[k][lane];
-    SIMD_UNROLL
-    for (int r = 0; r < kAcross; ++r) {
+    SIMD_FOR (int r = 0; r < kAcross; ++r) {
         const I32x8 number = iota<I32x8>(r * kLanesX8), in_block = number + s.column[lane];
         right[r] = in_block >= I32x8(kSide);
         column[r] = to_f32(in_block & I32x8(kSide - 1));
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             from_first[k][r] = I32x8(b.per_x[k][lane]) * number;
         const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
         from_first[0][r] = select(number < I32x8(s.across[lane]), from_first[0][r], outside);
@@ -212,11 +200,9 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Samples& samples, cons
         const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
         I32x8 edge[3][kAcross];
         F32x8 across[kAcross];
-        SIMD_UNROLL
-        for (int r = 0; r < kAcross; ++r) {
+        SIMD_FOR (int r = 0; r < kAcross; ++r) {
             across[r] = (column[r] + sample_x) * per_pixel_x;
-            SIMD_UNROLL
-            for (int k = 0; k < 3; ++k)
+            SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k][r] = I32x8(s.first[n][k][lane]) + from_first[k][r];
         }
         float* depth = tile.depth + first;
@@ -226,8 +212,7 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Samples& samples, cons
         F32x8 y = F32x8(s.first_row[lane]) + F32x8(static_cast<float>(at.y) / kSubpixel);
         for (int block = 0; row < end; ++block) {
             F32x8 base[kAcross], rest[kAcross];
-            SIMD_UNROLL
-            for (int r = 0; r < kAcross; ++r) {
+            SIMD_FOR (int r = 0; r < kAcross; ++r) {
                 base[r] =
                     select(right[r], F32x8(s.base[block][1][lane]), F32x8(s.base[block][0][lane]));
                 rest[r] =
@@ -236,14 +221,12 @@ SIMD_INLINE void draw_strip(const TilePlanes& tile, const Samples& samples, cons
             const int last = (block + 1) * kSide < end ? (block + 1) * kSide : end;
             for (; row < last; ++row, depth += kTileSize, id = id_after<kShows>(id, kTileSize)) {
                 const F32x8 down_here = y * per_pixel_y;
-                SIMD_UNROLL
-                for (int r = 0; r < kAcross; ++r) {
+                SIMD_FOR (int r = 0; r < kAcross; ++r) {
                     const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
                     show_samples<kShows>({}, inside, base[r] + (rest[r] + (across[r] + down_here)),
                                          name, depth + r * kLanesX8,
                                          id_after<kShows>(id, r * kLanesX8), shows);
-                    SIMD_UNROLL
-                    for (int k = 0; k < 3; ++k)
+                    SIMD_FOR (int k = 0; k < 3; ++k)
                         edge[k][r] = edge[k][r] + down[k];
                 }
                 y = y + F32x8(1.0F);
@@ -269,8 +252,7 @@ SIMD_INLINE void draw_strips(const TilePlanes& tile, const SetUpPartsX8& s, I32x
     store(part.y0 - part.top, strips.row);
     store(to_f32(part.y0 - part.top), strips.first_row);
     store(part.y0 * I32x8(kTileSize) + x0, b.place);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         store(shift_left<kSubpixelBits>(s.edges.a[k]), b.per_x[k]);
         store(shift_left<kSubpixelBits>(s.edges.b[k]), b.per_y[k]);
     }

@@ -81,8 +81,7 @@ SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<
     using Wide = Double<D>;
     DepthPlane<D> plane;
     const Wide inverse = Wide(1.0) / area; // quotients take longer than all else here
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         plane.share[k] = depth[k] * inverse;
     plane.per_x = depth_of(a, plane.share) * Wide(kSubpixel);
     plane.per_y = depth_of(b, plane.share) * Wide(kSubpixel);
@@ -92,8 +91,7 @@ SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<
                 (Wide(kBlock) * (abs(plane.per_x) + abs(plane.per_y)) <= least * Wide(1 / 32.0));
     if (cancels) {
         Wide terms = 0.0; // of the sums, across a block
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
         flat = flat & (Wide(kBlock * kSubpixel) * terms <= least * Wide(0x1p20));
     }
@@ -107,8 +105,7 @@ SIMD_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const Co
     const F64x8 left = static_cast<double>(extent.low.x), top = static_cast<double>(extent.low.y);
     const F64x8 right = kAcross + extent.high.x, bottom = kAcross + extent.high.y;
     const F64x8 zero = 0.0;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const int from = k == 2 ? 0 : k + 1;
         const F64x8 bias = select(is_top_left(a[k], b[k]), zero, F64x8(-1.0));
         const auto leans_left = a[k] < zero, leans_up = b[k] < zero;
@@ -131,8 +128,7 @@ SIMD_INLINE void load_corners(const TriangleList& list, int begin, int count, Wa
         const int at = begin + (i < count ? i : count - 1);
         const std::uint32_t* index = list.index.data() + std::size_t{list.which.data()[at]} * 3;
         w.id[i] = list.id.data()[at];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             w.corner[k][i] = index[k];
     }
 }
@@ -153,8 +149,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
     w.live = w.flat = w.small = 0;
     for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
         Corner v[3];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             v[k] = corner_of(vertices, w.corner[k] + i);
         put_in_order(v);
         const F64x8 twice =
@@ -163,8 +158,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         const auto some = abs(twice) > F64x8(0.0); // what has no area covers no sample
         const F64x8 area = select(some, abs(twice), F64x8(1.0));
         F64x8 a[3], b[3];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
+        SIMD_FOR (int k = 0; k < 3; ++k) {
             const Corner &from = v[k == 2 ? 0 : k + 1], &to = v[k == 0 ? 2 : k - 1];
             a[k] = sign * (from.y - to.y);
             b[k] = sign * (to.x - from.x);
@@ -173,8 +167,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         set_up_bounds(v, tile, extent, w, i);
         const F64x8 depth[3] = {v[0].depth, v[1].depth, v[2].depth};
         const auto plane = depth_plane(depth, a, b, area);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             store(plane.share[k], w.share[k] + i);
         store(maximum(maximum(v[0].depth, v[1].depth), v[2].depth), w.nearest + i);
         store(plane.per_x, w.per_x + i);

@@ -16,14 +16,12 @@ SIMD_INLINE void find_register(const std::uint32_t* ids, std::size_t plane, int 
     const F32 one = 1.0F, zero = 0.0F, part = 1.0F / kSamples;
     I32 id[kSamples];
     F32 background = zero;
-    SIMD_UNROLL
-    for (int s = 0; s < kSamples; ++s) {
+    SIMD_FOR (int s = 0; s < kSamples; ++s) {
         id[s] = load<I32>(ids + static_cast<std::size_t>(s) * plane + x);
         background = background + select(id[s] == none, one, zero);
     }
     store(background * part, out.through + x);
-    SIMD_UNROLL
-    for (int s = 0; s < kSamples; ++s) {
+    SIMD_FOR (int s = 0; s < kSamples; ++s) {
         auto seen = id[s] == none;
         for (int before = 0; before < s; ++before)
             seen = seen | (id[s] == id[before]);

@@ -43,20 +43,17 @@ public:
     SIMD_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
                         const Number (&f)[kCount][3]) {
         of_.sum_x = of_.sum_y = Number(0.0);
-        SIMD_UNROLL
-        for (int n = 0; n < kCount; ++n) {
+        SIMD_FOR (int n = 0; n < kCount; ++n) {
             of_.f0[n] = f[n][0];
             of_.f_x[n] = of_.f_y[n] = Number(0.0);
         }
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k) {
+        SIMD_FOR (int k = 0; k < 3; ++k) {
             of_.inverse_w[k] = inverse_w[k];
             const Number right = a[k] * inverse_w[k], down = b[k] * inverse_w[k];
             of_.sum_x = of_.sum_x + right;
             of_.sum_y = of_.sum_y + down;
             if (k == 0) continue; // f is relative to it
-            SIMD_UNROLL
-            for (int n = 0; n < kCount; ++n) {
+            SIMD_FOR (int n = 0; n < kCount; ++n) {
                 of_.f[n][k - 1] = f[n][k] - f[n][0];
                 of_.f_x[n] = of_.f_x[n] + right * of_.f[n][k - 1];
                 of_.f_y[n] = of_.f_y[n] + down * of_.f[n][k - 1];
@@ -80,8 +77,7 @@ public:
             return minimum(maximum(rounded, Float<D>(-0x1p60F)), Float<D>(0x1p60F));
         };
         OnPlane<kCount, D> found;
-        SIMD_UNROLL
-        for (int n = 0; n < kCount; ++n) {
+        SIMD_FOR (int n = 0; n < kCount; ++n) {
             const F64s f = (p1 * F64s(of_.f[n][0]) + p2 * F64s(of_.f[n][1])) * inverse;
             found.value[n] = to_f32(F64s(of_.f0[n]) + f);
             found.right[n] = slope(of_.f_x[n], f, of_.sum_x);
@@ -108,8 +104,7 @@ public:
         using F64s = Double<D>;
         const F64s px = to_f64(x), py = to_f64(y);
         F64s weight[3];
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             weight[k] = (F64s(t_.a[k]) * px + F64s(t_.b[k]) * py) + F64s(t_.c[k]);
         return plane_.at(weight);
     }

@@ -17,8 +17,7 @@ using Plane = texture::HWY_NAMESPACE::PlaneTerms<2, F64x8>;
 // visit(a term of the plane, where it is kept).
 template <class Visit>
 SIMD_INLINE void for_terms(Plane& plane, const Visit& visit) {
-    SIMD_UNROLL
-    for (int n = 0; n < 2; ++n) {
+    SIMD_FOR (int n = 0; n < 2; ++n) {
         visit(plane.f[n][0], 5 * n);
         visit(plane.f[n][1], 5 * n + 1);
         visit(plane.f_x[n], 5 * n + 2);
@@ -31,8 +30,7 @@ SIMD_INLINE void for_terms(Plane& plane, const Visit& visit) {
 // How u and v lie on a register of triangles that are set up.
 SIMD_INLINE void put_plane(LaneTriangles& t, int at) {
     F64x8 a[3], b[3], inverse_w[3], f[2][3];
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         if (k > 0) {
             a[k] = to_f64(load<I32x8>(t.right[k - 1] + at));
             b[k] = to_f64(load<I32x8>(t.down[k - 1] + at));
@@ -142,8 +140,7 @@ SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live, bool 
         found = areas_at(In<D>(), t, entries, x, y);
     }
     const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + lane);
         if (sloped) In<D>::keep(area[k], t.area[k] + lane);
     }
@@ -153,8 +150,7 @@ SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live, bool 
 template <class D>
 SIMD_INLINE void read_areas(Whole<D>, const LaneTriangles& t, const Block&, int lane, int,
                             Double<D> (&area)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         area[k] = to_f64(load<Int<D>>(t.area[k] + lane));
 }
 template <class D>
@@ -177,14 +173,12 @@ SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int 
     F64x8 area[3];
     read_areas(In<D>(), t, block, lane, live, area);
     Plane plane;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         plane.inverse_w[k] = to_f64(entries.of(t.inverse_w[k]));
     for_terms(plane, [&](F64x8& term, int row) SIMD_LAMBDA { term = doubles.of(t.uv_plane[row]); });
     plane.f0[0] = plane.f0[1] = F64x8(0.0); // of the values, which nobody asks
     const auto at = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(plane).at(area);
-    SIMD_UNROLL
-    for (int c = 0; c < 2; ++c) {
+    SIMD_FOR (int c = 0; c < 2; ++c) {
         store(at.right[c], t.slope[c] + lane);
         store(at.down[c], t.slope[2 + c] + lane);
     }

@@ -8,8 +8,7 @@
 SIMD_BEGIN(scanout::shade)
 
 SIMD_INLINE void put_vertices(const float (&from)[3][kRoom], int lane, float (&to)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         to[k] = from[k][lane];
 }
 
@@ -19,8 +18,7 @@ SIMD_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
                                t.right[1][lane]};
     const std::int32_t b[3] = {-(t.down[0][lane] + t.down[1][lane]), t.down[0][lane],
                                t.down[1][lane]};
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         p.a[k] = p.whole_a[k] = a[k];
         p.b[k] = p.whole_b[k] = b[k];
         const std::int64_t at_vertex =
@@ -41,8 +39,7 @@ SIMD_INLINE void put_edges(const LaneTriangles& t, int lane, Primitive& p) {
 SIMD_INLINE void put_primitive(const TriangleSource& s, const LaneTriangles& t, int lane,
                                Primitive& p) {
     put_edges(t, lane, p);
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c) {
+    SIMD_FOR (int c = 0; c < 3; ++c) {
         if (s.wants_facing()) p.facing[c] = t.facing[c][lane];
         if (s.wanted.normal) put_vertices(t.normal[c], lane, p.normal[c]);
         if (s.wanted.colour) put_vertices(t.colour[c], lane, p.colour[c]);

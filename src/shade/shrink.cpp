@@ -49,15 +49,13 @@ struct Codes {
             I32x8 even, odd;
             hn::LoadInterleaved2(I32x8::Tag(), codes + from, even.raw, odd.raw);
             const Texels left = decoded(even), right = decoded(odd);
-            SIMD_UNROLL
-            for (int c = 0; c < 4; ++c)
+            SIMD_FOR (int c = 0; c < 4; ++c)
                 sum[c] = left.channel[c] + right.channel[c];
         };
         F64x8 upper[4], lower[4];
         pairs(place, upper);
         pairs(place + width, lower);
-        SIMD_UNROLL
-        for (int c = 0; c < 4; ++c)
+        SIMD_FOR (int c = 0; c < 4; ++c)
             upper[c] = (upper[c] + lower[c]) * F64x8(0.25);
         store_texels(upper, out);
     }
@@ -85,8 +83,7 @@ struct Floats {
         };
         const float* const upper = texels + 4 * place;
         const float* const lower = upper + std::ptrdiff_t{4} * width;
-        SIMD_UNROLL
-        for (int i = 0; i < 4; ++i) { // kTexels each
+        SIMD_FOR (int i = 0; i < 4; ++i) { // kTexels each
             const int at = 2 * i * kLanesX8;
             const F64x8 sum = pairs(upper + at) + pairs(lower + at);
             store(to_f32(sum * F64x8(0.25)), out + i * kLanesX8);
@@ -95,8 +92,7 @@ struct Floats {
 };
 
 SIMD_INLINE void add(F64x8 (&sum)[4], F64x8 share, const Texels& texels) {
-    SIMD_UNROLL
-    for (int c = 0; c < 4; ++c)
+    SIMD_FOR (int c = 0; c < 4; ++c)
         sum[c] = sum[c] + share * texels.channel[c];
 }
 
@@ -120,8 +116,7 @@ SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, c
             const I32x8 first = I32x8(above_row) + shift_left<1>(column);
             for (int l = 0; l < across.count; ++l)
                 add(line, across.share[l], read.at(first + I32x8(l)));
-            SIMD_UNROLL
-            for (int c = 0; c < 4; ++c)
+            SIMD_FOR (int c = 0; c < 4; ++c)
                 sum[c] = sum[c] + F64x8(down.share[k]) * line[c];
         }
         float room[4 * kLanesX8]; // a row ends where the next one begins

@@ -65,18 +65,16 @@ SIMD_INLINE void put_corners(const TriangleSource& source, LaneTriangles& out, i
     const TriangleSource s = source; // no store writes to it
     for (int lane = at; lane < end; ++lane) {
         const std::uint32_t* index = vertices_of(s, out.id[lane]);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             out.corner[k][lane] = index[k];
     }
     if (!s.wants_position()) return;
     for (int lane = at; lane < end; ++lane)
-        SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
-        const std::size_t place = std::size_t{out.corner[k][lane]} * 3;
-        __builtin_prefetch(s.position + place);
-        if (s.wanted.normal) __builtin_prefetch(s.normal + place);
-    }
+        SIMD_FOR (int k = 0; k < 3; ++k) {
+            const std::size_t place = std::size_t{out.corner[k][lane]} * 3;
+            __builtin_prefetch(s.position + place);
+            if (s.wanted.normal) __builtin_prefetch(s.normal + place);
+        }
 }
 // Into the order that their vertices have been put in: cheaper than to turn all that they carry.
 template <class D>
@@ -84,16 +82,14 @@ SIMD_INLINE void turn_corners(const Turns<D>& turns, LaneTriangles& out, int at)
     Int<D> corner[3] = {load<Int<D>>(out.corner[0] + at), load<Int<D>>(out.corner[1] + at),
                         load<Int<D>>(out.corner[2] + at)};
     turn(turns, corner);
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         store(corner[k], out.corner[k] + at);
 }
 
 template <class D>
 SIMD_INLINE void load_vertices(const TriangleSource& source, const LaneTriangles& of, int at,
                                Vertices<D> (&v)[3]) {
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         const auto found = screen_lanes<D>(source.vertex, of.corner[k] + at);
         v[k] = {found.x, found.y, source.perspective ? to_f32(found.last) : Float<D>(1.0F)};
     }
@@ -143,8 +139,7 @@ SIMD_INLINE Doubled<D> doubled(const Vertices<D> (&v)[3], double* exact) {
     Mask<D> whole = narrow<D>(abs(twice) < Double<D>(0x1p30));
     const Int<D> side = 1 << 20;
     const Int<D> steps[6] = {right_1, down_1, right_2, down_2, right_2 - right_1, down_2 - down_1};
-    SIMD_UNROLL
-    for (const Int<D>& step : steps)
+    SIMD_FOR (const Int<D>& step : steps)
         whole = whole & (zero - side < step) & (step < side);
     return {below_zero, narrow<D>(twice > Double<D>(0.0)), whole,
             select(below_zero, zero - low, low), false};
@@ -160,8 +155,7 @@ SIMD_INLINE void put_areas(const Vertices<D> (&v)[3], const Doubled<D>& twice, L
     store(pair_of(v[0].x, v[0].y), out.place + lane);
     store(twice.low, out.twice + lane);
     store(select(twice.whole, Int<D>(1), zero), out.whole + lane);
-    SIMD_UNROLL
-    for (int k = 1; k < 3; ++k) { // the edge from vertex 2 to 0, or 0 to 1
+    SIMD_FOR (int k = 1; k < 3; ++k) { // the edge from vertex 2 to 0, or 0 to 1
         const Vertices<D>&from = v[k == 1 ? 2 : 0], &to = v[k == 1 ? 0 : 1];
         const Int<D> up = from.y - to.y, right = to.x - from.x;
         const Int<D> across = select(twice.below_zero, zero - up, up),
@@ -170,8 +164,7 @@ SIMD_INLINE void put_areas(const Vertices<D> (&v)[3], const Doubled<D>& twice, L
         store(down, out.down[k - 1] + lane);
         store(pair_of(across, down), out.step[k - 1] + lane);
     }
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         store(v[k].inverse_w, out.inverse_w[k] + lane);
 }
 
@@ -191,26 +184,22 @@ SIMD_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int
         blocks = load_two<D>(at);
     else
         blocks = load_three<D>(at);
-    SIMD_UNROLL
-    for (int c = 0; c < kComponents; ++c)
+    SIMD_FOR (int c = 0; c < kComponents; ++c)
         to.of[c][vertex] = from_bits(blocks.word(c == 2 ? kThird : c));
 }
 template <class D, int kComponents>
 SIMD_INLINE Attribute<D, kComponents> fetch(const float* from, const LaneTriangles& of, int at) {
     Attribute<D, kComponents> fetched;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
+    SIMD_FOR (int k = 0; k < 3; ++k)
         fetch_vertex(from, of.corner[k] + at, k, fetched);
     return fetched;
 }
 template <class D, int kComponents>
 SIMD_INLINE void put(const Attribute<D, kComponents>& attribute, float (&to)[kComponents][3][kRoom],
                      int lane) {
-    SIMD_UNROLL
-    for (int c = 0; c < kComponents; ++c)
-        SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        store(attribute.of[c][k], to[c][k] + lane);
+    SIMD_FOR (int c = 0; c < kComponents; ++c)
+        SIMD_FOR (int k = 0; k < 3; ++k)
+            store(attribute.of[c][k], to[c][k] + lane);
 }
 
 // Where vertices stand in the mesh.
@@ -237,11 +226,9 @@ SIMD_INLINE void put_normals(const TriangleSource& s, Attribute<D, 3> normal, La
                              int lane) {
     if (s.sides != Sides::face) return put(normal, out.normal, lane); // all sides are 1
     const Float<D> side = load<Float<D>>(out.side + lane);
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
-        SIMD_UNROLL
-    for (int k = 0; k < 3; ++k)
-        normal.of[c][k] = normal.of[c][k] * side;
+    SIMD_FOR (int c = 0; c < 3; ++c)
+        SIMD_FOR (int k = 0; k < 3; ++k)
+            normal.of[c][k] = normal.of[c][k] * side;
     put(normal, out.normal, lane);
 }
 
@@ -250,8 +237,7 @@ template <class D>
 SIMD_INLINE void put_facing(const MeshPlaces<D>& place, Mask<D> turned, LaneTriangles& out,
                             int lane) {
     Double<D> one[3], two[3], n[3];
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c) {
+    SIMD_FOR (int c = 0; c < 3; ++c) {
         const Double<D> from = to_f64(place.of[c][0]);
         one[c] = to_f64(place.of[c][1]) - from;
         two[c] = to_f64(place.of[c][2]) - from;
@@ -263,8 +249,7 @@ SIMD_INLINE void put_facing(const MeshPlaces<D>& place, Mask<D> turned, LaneTria
     const Double<D> sign = to_f64(select(turned, Float<D>(-1.0F), Float<D>(1.0F)));
     const Double<D> scale =
         Double<D>(1.0) / select(largest > Double<D>(0.0), largest * sign, Double<D>(1.0));
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
+    SIMD_FOR (int c = 0; c < 3; ++c)
         store(to_f32(n[c] * scale), out.facing[c] + lane);
 }
 

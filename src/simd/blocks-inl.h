@@ -73,8 +73,7 @@ SIMD_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Block& block) {
 template <class D, class Block>
 SIMD_INLINE WordBlocks<D> load_rows(const Block& block) {
     WordBlocks<D> blocks;
-    SIMD_UNROLL
-    for (int i = 0; i < 4; ++i)
+    SIMD_FOR (int i = 0; i < 4; ++i)
         blocks.row[i] = load_row(typename Int<D>::Tag(), i, block);
     return blocks;
 }

@@ -61,8 +61,7 @@ private:
         }
         static SIMD_INLINE auto indices(const std::int32_t* number, int live) {
             std::int64_t apart[kHalf];
-            SIMD_UNROLL
-            for (int i = 0; i < kHalf; ++i)
+            SIMD_FOR (int i = 0; i < kHalf; ++i)
                 apart[i] = i < live ? number[i] - number[0] : 0;
             return hn::SetTableIndices(Tag(), apart);
         }

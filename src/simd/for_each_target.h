@@ -45,11 +45,12 @@
     }                                                                                              \
     }                                                                                              \
     HWY_AFTER_NAMESPACE();
-// Before a loop of a few rounds over vertices or registers: its arrays become registers.
+// SIMD_FOR (int k = 0; k < 3; ++k): a loop of a few rounds over vertices or registers, unrolled, so
+// that its arrays become registers. clang-format knows it (ForEachMacros).
 #ifdef __clang__
-#define SIMD_UNROLL _Pragma("clang loop unroll(full)")
+#define SIMD_FOR(...) _Pragma("clang loop unroll(full)") for (__VA_ARGS__)
 #else
-#define SIMD_UNROLL _Pragma("GCC unroll 8")
+#define SIMD_FOR(...) _Pragma("GCC unroll 8") for (__VA_ARGS__)
 #endif
 #define SIMD_ONCE HWY_ONCE
 #define SIMD_REGISTER(kernel) HWY_EXPORT(kernel)

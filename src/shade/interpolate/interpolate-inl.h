@@ -51,14 +51,12 @@ enum class Normals { none, turned, unit, raw };
 // the file wound it or its normals.
 template <class Of>
 SIMD_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 (&n)[3]) {
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
+    SIMD_FOR (int c = 0; c < 3; ++c)
         n[c] = of.normal(w, c);
     if (wanted == Normals::turned) {
         const F32 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
         const F32 sign = select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
-        SIMD_UNROLL
-        for (F32& component : n)
+        SIMD_FOR (F32& component : n)
             component = component * sign;
     }
 }
@@ -85,8 +83,7 @@ SIMD_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int
         F32 n[3] = {load<F32>(b.normal[0] + i), load<F32>(b.normal[1] + i),
                     load<F32>(b.normal[2] + i)};
         to_view(frame, n);
-        SIMD_UNROLL
-        for (int c = 0; c < 3; ++c)
+        SIMD_FOR (int c = 0; c < 3; ++c)
             store(n[c], b.normal[c] + i);
     }
 }
@@ -115,20 +112,19 @@ SIMD_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& 
     if (want.normal != Normals::none) {
         F32 n[3];
         mix_normals(want.normal, of, w, n);
-        SIMD_UNROLL
-        for (int c = 0; c < 3; ++c)
+        SIMD_FOR (int c = 0; c < 3; ++c)
             store(n[c], b.normal[c] + i);
     }
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
         store(of.uv(w, 1), b.v + i);
     }
-    if (want.position) SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
-        store(of.position(w, c), b.position[c] + i);
-    if (want.colour) SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
-        store(F32(want.kd[c]) * of.colour(w, c), b.albedo[c] + i);
+    if (want.position)
+        SIMD_FOR (int c = 0; c < 3; ++c)
+            store(of.position(w, c), b.position[c] + i);
+    if (want.colour)
+        SIMD_FOR (int c = 0; c < 3; ++c)
+            store(F32(want.kd[c]) * of.colour(w, c), b.albedo[c] + i);
 }
 
 // Do all vertices have the same normal, to the bit? Then so has every lane: no weight of any rung
@@ -148,9 +144,8 @@ SIMD_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& w
                 n);
     if (want.normal != Normals::raw) to_view(frame, n);
     for (int i = run.first; i < run.first + run.count; i += kLanes)
-        SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
-        store(n[c], b.normal[c] + i);
+        SIMD_FOR (int c = 0; c < 3; ++c)
+            store(n[c], b.normal[c] + i);
 }
 
 // The material's own.

@@ -45,15 +45,13 @@ struct MapPlane {
 
 SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     F64 n[3], p[3], extent = 0.0;
-    SIMD_UNROLL
-    for (int r = 0; r < 3; ++r) {
+    SIMD_FOR (int r = 0; r < 3; ++r) {
         const F64 row[3] = {double{m.turn[r][0]}, double{m.turn[r][1]}, double{m.turn[r][2]}};
         const F64 move = double{m.move[r]};
         n[r] = dot(row, facing.normal);
         p[r] = dot(row, facing.corner[0]) + move;
         extent = maximum(extent, abs(move));
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             extent = maximum(extent, abs(facing.corner[k][r]));
     }
     // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
@@ -69,11 +67,9 @@ SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
         to_depth = -scale / maximum(n[2], length * F64(1 / kSteepest));
     }
     F64 nearest = 0.0;
-    SIMD_UNROLL
-    for (int k = 0; k < 3; ++k) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
         F64 depth = 0.0;
-        SIMD_UNROLL
-        for (int c = 0; c < 3; ++c)
+        SIMD_FOR (int c = 0; c < 3; ++c)
             depth = depth + F64(double{m.turn[2][c]}) * facing.corner[k][c];
         depth = depth + F64(double{m.move[2]});
         if (m.perspective) // else beside the light, or behind it
@@ -240,8 +236,7 @@ SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line&
     const auto* words = reinterpret_cast<const std::int32_t*>(m.depth);
     const auto four =
         load_four<F32::Tag>([&](int lane) SIMD_LAMBDA { return words + place[lane]; });
-    SIMD_UNROLL
-    for (int i = 0; i < 4; ++i)
+    SIMD_FOR (int i = 0; i < 4; ++i)
         out[i] = from_bits(four.word(i));
 }
 
@@ -249,8 +244,7 @@ SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line&
 template <int kCount, class F>
 SIMD_INLINE void times(int count, const F& f) {
     if constexpr (kCount > 0) {
-        SIMD_UNROLL
-        for (int i = 0; i < kCount; ++i)
+        SIMD_FOR (int i = 0; i < kCount; ++i)
             f(i);
     } else {
         for (int i = 0; i < count; ++i)

@@ -43,23 +43,19 @@ template <class Of>
 SIMD_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
     Facing f;
     F64 own[3];
-    SIMD_UNROLL
-    for (int c = 0; c < 3; ++c)
+    SIMD_FOR (int c = 0; c < 3; ++c)
         own[c] = to_f64(of.facing(c));
-    SIMD_UNROLL
-    for (int r = 0; r < 3; ++r) {
+    SIMD_FOR (int r = 0; r < 3; ++r) {
         const float* row = frame.normal_matrix[r];
         f.normal[r] = dot({double{row[0]}, double{row[1]}, double{row[2]}}, own);
-        SIMD_UNROLL
-        for (int k = 0; k < 3; ++k)
+        SIMD_FOR (int k = 0; k < 3; ++k)
             f.corner[k][r] = to_f64(of.position(r, k));
     }
     const bool everywhere = light.kind == scene::LightKind::directional;
     const Vec3& from = everywhere ? light.towards : light.position;
     F64 way[3] = {double{from.x}, double{from.y}, double{from.z}};
     if (!everywhere) {
-        SIMD_UNROLL
-        for (int c = 0; c < 3; ++c)
+        SIMD_FOR (int c = 0; c < 3; ++c)
             way[c] = way[c] - f.corner[0][c];
     }
     f.lit = dot(f.normal, way) > F64(0.0);
