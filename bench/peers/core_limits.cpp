@@ -70,9 +70,9 @@ void CoreMeter::measure() {
         twice.add(work);
         to.cpu.push_back(twice.cpu_least());
     };
-    add(write_, [&] { SIMD_CALL(write)(written_.get(), kFloats); });
+    add(write_, [&] { SIMD_CALL(write, written_.get(), kFloats); });
     volatile float kept = 0;
-    add(read_, [&] { kept = SIMD_CALL(sum)(read_from_.get(), kFloats); });
+    add(read_, [&] { kept = SIMD_CALL(sum, read_from_.get(), kFloats); });
     static_cast<void>(kept);
 }
 

@@ -167,8 +167,8 @@ ClusterCull::ClusterCull(const ScreenTransform& t, Facing keep) : transform_(t),
 }
 
 void ClusterCull::find_hidden(std::span<const geom::Cluster> clusters, std::uint8_t* hidden) const {
-    SIMD_CALL(find_hidden_clusters)
-    (terms_, clusters.data(), static_cast<int>(clusters.size()), hidden);
+    SIMD_CALL(find_hidden_clusters, terms_, clusters.data(), static_cast<int>(clusters.size()),
+              hidden);
 }
 
 std::optional<ClusterBounds> ClusterCull::bounds(const geom::Cluster& c) const {

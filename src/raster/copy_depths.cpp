@@ -30,7 +30,7 @@ void copy_depths(const VisibilityTile& tile, float* to, std::size_t stride) {
     const auto address = reinterpret_cast<std::uintptr_t>(to);
     const bool lines = address % (kFloats * sizeof(float)) == 0 && stride % kFloats == 0 &&
                        area.width() % kFloatsOfLine == 0;
-    if (lines) return SIMD_CALL(copy_lines)(from, area.width(), area.height(), to, stride);
+    if (lines) return SIMD_CALL(copy_lines, from, area.width(), area.height(), to, stride);
     for (int y = 0; y < area.height(); ++y, from += kTileSize, to += stride)
         std::copy_n(from, area.width(), to);
 }

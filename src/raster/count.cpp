@@ -77,9 +77,8 @@ void count_triangle(const CountPlanes& tile, const CountedTriangle& counted, Cou
     }
     for (std::size_t i = 0; i < tile.pattern.size(); ++i) {
         const std::size_t plane = i * kTileSize * kTileSize;
-        SIMD_CALL(count_covered)
-        (s, tile.pattern[i], tile.depth + plane, tile.id + plane, tile.count + plane,
-         where == CountWhere::behind);
+        SIMD_CALL(count_covered, s, tile.pattern[i], tile.depth + plane, tile.id + plane,
+                  tile.count + plane, where == CountWhere::behind);
     }
 }
 

@@ -171,13 +171,13 @@ SIMD_REGISTER(flat_alone);
 
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles) {
     const SampleExtent extent = extent_of(tile.pattern);
-    if (!tile.rule.usual()) return SIMD_CALL(draw_by_rule)(tile, extent, triangles);
-    return tile.id == nullptr ? SIMD_CALL(draw_depth)(tile, extent, triangles)
-                              : SIMD_CALL(draw_usual)(tile, extent, triangles);
+    if (!tile.rule.usual()) return SIMD_CALL(draw_by_rule, tile, extent, triangles);
+    return tile.id == nullptr ? SIMD_CALL(draw_depth, tile, extent, triangles)
+                              : SIMD_CALL(draw_usual, tile, extent, triangles);
 }
 
 bool near_to_flat(const SnappedTriangle& triangle) {
-    return SIMD_CALL(flat_alone)(triangle.corner.data());
+    return SIMD_CALL(flat_alone, triangle.corner.data());
 }
 
 } // namespace scanout::raster

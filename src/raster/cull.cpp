@@ -243,8 +243,8 @@ void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
         result.cut.resize(room);
     }
     if (index.empty()) return;
-    SIMD_CALL(cull_all)
-    (options, vertices.data(), index.data(), static_cast<int>(index.size() / 3), first, result);
+    SIMD_CALL(cull_all, options, vertices.data(), index.data(), static_cast<int>(index.size() / 3),
+              first, result);
 }
 
 } // namespace scanout::raster

@@ -41,7 +41,7 @@ void put_nearest_first(std::vector<DepthAndId>& triangles) {
     if (triangles.size() > kMostRanked)
         return std::sort(triangles.begin(), triangles.end(), std::greater<>());
     std::array<DepthAndId, kMostRanked> ranked;
-    SIMD_CALL(rank_all)(triangles.data(), static_cast<int>(triangles.size()), ranked.data());
+    SIMD_CALL(rank_all, triangles.data(), static_cast<int>(triangles.size()), ranked.data());
     std::copy_n(ranked.begin(), triangles.size(), triangles.begin());
 }
 

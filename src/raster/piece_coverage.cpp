@@ -116,7 +116,7 @@ public:
                                   std::min(box.x1, tile_.area.x1), std::min(box.y1, tile_.area.y1)};
         if (here.empty() || !reaches_tile()) return false; // most tiles that its box touches
         BlockList blocks;
-        SIMD_CALL(blocks_of_piece)(tile_, bounds_of(here), blocks);
+        SIMD_CALL(blocks_of_piece, tile_, bounds_of(here), blocks);
         bool drawn = false;
         for (int i = 0; i < blocks.count; ++i)
             drawn |= draw_block_at(blocks.x[i], blocks.y[i]);
@@ -207,10 +207,10 @@ private:
     // first: of the block's pixels, in the planes.
     bool show(const PieceBlock& b, std::size_t first) const {
         float* const depth = tile_.depth + first;
-        if (tile_.id == nullptr) return SIMD_CALL(draw_block_depth)(b, depth);
+        if (tile_.id == nullptr) return SIMD_CALL(draw_block_depth, b, depth);
         std::uint32_t* const id = tile_.id + first;
-        return tile_.rule.usual() ? SIMD_CALL(draw_block)(b, depth, id)
-                                  : SIMD_CALL(draw_block_by_rule)(tile_.rule, b, depth, id);
+        return tile_.rule.usual() ? SIMD_CALL(draw_block, b, depth, id)
+                                  : SIMD_CALL(draw_block_by_rule, tile_.rule, b, depth, id);
     }
 
     // e: at the first pixel's sample. Bit 8 y + x.
@@ -227,7 +227,7 @@ private:
                               kSide * (std::abs(edges.per_x[k]) + std::abs(edges.per_y[k]))) *
                              0x1p-48;
         }
-        auto [inside, unsure] = SIMD_CALL(block_signs)(edges);
+        auto [inside, unsure] = SIMD_CALL(block_signs, edges);
         for (; unsure != 0; unsure &= unsure - 1) {
             const int pixel = std::countr_zero(unsure);
             const int x = pixel % kSide * kSubpixel, y = pixel / kSide * kSubpixel;

@@ -168,22 +168,21 @@ void place_parts(const TileGrid& grid, std::span<const KeptTriangle> triangles, 
         out.where.resize(triangles.size() + kRegisterRoom);
         out.kind.resize(triangles.size() + kRegisterRoom);
     }
-    SIMD_CALL(place_all)
-    (grid, &triangles.data()->place, static_cast<int>(triangles.size()), out.tile.data(),
-     out.where.data(), out.kind.data());
+    SIMD_CALL(place_all, grid, &triangles.data()->place, static_cast<int>(triangles.size()),
+              out.tile.data(), out.where.data(), out.kind.data());
 }
 
 void order_strips(std::span<TilePart> parts) {
     constexpr std::size_t kFew = 32; // are not worth it
-    if (parts.size() >= kFew) SIMD_CALL(order_all)(parts.data(), static_cast<int>(parts.size()));
+    if (parts.size() >= kFew) SIMD_CALL(order_all, parts.data(), static_cast<int>(parts.size()));
 }
 
 bool draw_parts(const TilePlanes& tile, const TilePartList& list) {
-    return SIMD_CALL(draw_all_parts)(tile, list);
+    return SIMD_CALL(draw_all_parts, tile, list);
 }
 
 void find_farthest(const TilePlanes& tile) {
-    SIMD_CALL(find_farthest_of_all)(tile);
+    SIMD_CALL(find_farthest_of_all, tile);
 }
 
 bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
@@ -191,15 +190,15 @@ bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
     const auto first = [](int at, int begin) { return std::max(at - begin, 0) / kSide; };
     const auto end = [](int at, int begin) { return (at - begin + kSide - 1) / kSide; };
     const image::Rect& a = tile.area;
-    return SIMD_CALL(hidden_in_blocks)(tile, first(pixels.x0, a.x0), first(pixels.y0, a.y0),
-                                       end(std::min(pixels.x1, a.x1), a.x0),
-                                       end(std::min(pixels.y1, a.y1), a.y0), nearest);
+    return SIMD_CALL(hidden_in_blocks, tile, first(pixels.x0, a.x0), first(pixels.y0, a.y0),
+                     end(std::min(pixels.x1, a.x1), a.x0), end(std::min(pixels.y1, a.y1), a.y0),
+                     nearest);
 }
 
 bool draw_parts_behind(const TilePlanes& tile, const TilePartList& list,
                        std::vector<TilePart>& room) {
     if (room.size() < list.parts.size()) room.resize(list.parts.size());
-    const int left = SIMD_CALL(drop_hidden)(tile, list, room.data());
+    const int left = SIMD_CALL(drop_hidden, tile, list, room.data());
     const auto seen = std::span<const TilePart>(room).first(static_cast<std::size_t>(left));
     return draw_parts(tile, {list.vertices, list.index, seen, PartKind::strip, list.id});
 }

@@ -157,8 +157,8 @@ void transform_vertices(const ScreenTransform& transform, std::span<const Vec3> 
                         std::span<ScreenVertex> out) {
     static_assert(sizeof(Vec3) == 3 * sizeof(float));
     if (positions.empty()) return;
-    SIMD_CALL(transform_all)
-    (transform, &positions.front().x, out.data(), static_cast<int>(positions.size()));
+    SIMD_CALL(transform_all, transform, &positions.front().x, out.data(),
+              static_cast<int>(positions.size()));
 }
 
 } // namespace scanout::raster

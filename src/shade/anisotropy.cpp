@@ -101,7 +101,7 @@ namespace scanout::shade {
 namespace texture {
 SIMD_REGISTER(anisotropic);
 static void run(Block& block, const BoundMap& map, TexelKind kind, int probes) {
-    SIMD_CALL(anisotropic)(block, map, kind, probes);
+    SIMD_CALL(anisotropic, block, map, kind, probes);
 }
 } // namespace texture
 

@@ -69,9 +69,8 @@ SIMD_REGISTER(find);
 void find_edge_row(const raster::VisibilityTile& tile, int row, std::uint64_t edges, EdgeRow& out) {
     const int samples = tile.samples();
     CHECK(samples == 2 || samples == 4 || samples == 8 || samples == 16);
-    SIMD_CALL(find)
-    (tile.ids(0).data() + std::ptrdiff_t{row} * raster::kTileSize, samples,
-     raster::VisibilityTile::kPlane, edges, out);
+    SIMD_CALL(find, tile.ids(0).data() + std::ptrdiff_t{row} * raster::kTileSize, samples,
+              raster::VisibilityTile::kPlane, edges, out);
 }
 
 } // namespace scanout::shade

@@ -271,12 +271,12 @@ TriangleSource triangle_source(const GatherInput& in) {
 
 void take_lanes(const std::int32_t* number, const std::uint32_t* ids, int count,
                 LaneTriangles& triangles, int lane) {
-    SIMD_CALL(take)(number, ids, count, triangles, lane);
+    SIMD_CALL(take, number, ids, count, triangles, lane);
 }
 
 void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,
                   int count) {
-    SIMD_CALL(set_up_triangles)(source, triangles, block, first, count);
+    SIMD_CALL(set_up_triangles, source, triangles, block, first, count);
     check_triangles(triangles, source.wanted, first, count);
 }
 

@@ -59,16 +59,16 @@ SIMD_REGISTER(put);
 
 void place_at_centres(Block& block, const std::int32_t* pixel, int first, int count, int x0,
                       int y0) {
-    SIMD_CALL(place)(block, pixel, first, count, x0, y0);
+    SIMD_CALL(place, block, pixel, first, count, x0, y0);
 }
 
 void set_rays(Block& block, const Rays& rays) {
-    SIMD_CALL(cast)(block, rays);
+    SIMD_CALL(cast, block, rays);
 }
 
 void put_codes(const std::uint32_t* code, const std::int32_t* pixel, int count,
                image::Rgba8* corner, int width) {
-    SIMD_CALL(put)(code, pixel, count, corner, width);
+    SIMD_CALL(put, code, pixel, count, corner, width);
 }
 
 } // namespace scanout::shade

@@ -71,7 +71,7 @@ SIMD_REGISTER(set_up_all);
 
 void set_up_primitives(const TriangleSource& source, LaneTriangles& room, Primitive* first,
                        int count) {
-    SIMD_CALL(set_up_all)(source, room, first, count);
+    SIMD_CALL(set_up_all, source, room, first, count);
 }
 
 } // namespace scanout::shade

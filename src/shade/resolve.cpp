@@ -45,8 +45,8 @@ void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& b
     float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
     const float back[3] = {encoding.decode(background.r), encoding.decode(background.g),
                            encoding.decode(background.b)};
-    SIMD_CALL(mean)
-    (sum, sums.through.data(), back, static_cast<float>(background.a), count, sums.alpha.data());
+    SIMD_CALL(mean, sum, sums.through.data(), back, static_cast<float>(background.a), count,
+              sums.alpha.data());
     for (const float* channel : sum)
         check_values({channel, static_cast<std::size_t>(count)}, "mean", "resolve");
     encoding.encode({sum[0], sum[1], sum[2], sums.alpha.data(), offsets}, count, out);

@@ -143,7 +143,7 @@ namespace scanout::shade {
 SIMD_REGISTER(shrink_any);
 
 void shrink_row(const LevelAbove& above, int y, int width, float* row) {
-    SIMD_CALL(shrink_any)(above, y, width, row);
+    SIMD_CALL(shrink_any, above, y, width, row);
 }
 
 } // namespace scanout::shade

@@ -137,7 +137,7 @@ void TilePixels::clear() {
 
 void TilePixels::add_rows(const std::uint32_t* ids, const InteriorPixels& interior, int first,
                           int end) {
-    SIMD_CALL(find_spans)(ids, interior.starts.data(), interior.ends.data(), first, end, *table_);
+    SIMD_CALL(find_spans, ids, interior.starts.data(), interior.ends.data(), first, end, *table_);
 }
 
 void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, int first,
@@ -172,15 +172,14 @@ static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pix
 bool TilePixels::take_small_triangles(std::int32_t material,
                                       std::span<const raster::TilePartList> lists,
                                       const std::uint32_t* ids, int pixels) {
-    if (!SIMD_CALL(packs_lanes)() || !are_few(lists, static_cast<std::size_t>(pixels)))
-        return false;
+    if (!SIMD_CALL(packs_lanes) || !are_few(lists, static_cast<std::size_t>(pixels))) return false;
     CHECK_EQ(size_ + table_->spans, std::size_t{0});
     large_.resize(SpanTable::kPixels);
     large_pixel_.resize(pixel_.size());
     SmallTrianglePixels found{pixel_.data(),       triangle_.data(), id_.data(), 0,
                               large_pixel_.data(), large_.data()};
     for (const raster::TilePartList& list : lists)
-        SIMD_CALL(find_small_triangles)(list, ids, found);
+        SIMD_CALL(find_small_triangles, list, ids, found);
     triangles_ = found.triangles;
     size_ = static_cast<std::size_t>(found.pixel - pixel_.data());
     if (size_ > 0) material_batches_.push_back({material, 0, size_});
@@ -215,7 +214,7 @@ void TilePixels::store_pixels() {
         offset_[batch.bucket] = static_cast<std::uint32_t>(size_);
         size_ += batch.count;
     }
-    SIMD_CALL(store_spans)(*table_, offset_.data(), pixel_.data());
+    SIMD_CALL(store_spans, *table_, offset_.data(), pixel_.data());
 }
 
 } // namespace scanout::shade

@@ -55,16 +55,15 @@ SIMD_REGISTER(find_all);
 SIMD_REGISTER(sort_out);
 
 void find_runs(const raster::VisibilityTile& tile, int first, int end, TileRows& out) {
-    SIMD_CALL(find_all)
-    (tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first, end, out.data());
+    SIMD_CALL(find_all, tile.ids(0).data(), tile.samples(), raster::VisibilityTile::kPlane, first,
+              end, out.data());
 }
 
 void find_interior(const TileRows& rows, int first, int end, std::uint64_t columns,
                    InteriorPixels& out) {
     int totals[2];
-    SIMD_CALL(sort_out)
-    (rows.data(), first, end, columns, out.pixels.data(), out.starts.data(), out.ends.data(),
-     totals);
+    SIMD_CALL(sort_out, rows.data(), first, end, columns, out.pixels.data(), out.starts.data(),
+              out.ends.data(), totals);
     out.count = totals[0];
     out.runs = totals[1];
 }

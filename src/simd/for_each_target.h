@@ -13,7 +13,7 @@
 //     #if SIMD_ONCE
 //     namespace scanout::shade::texture {
 //     SIMD_REGISTER(run);
-//     ... SIMD_CALL(run)(block, frame) ...            // the best target that is allowed
+//     ... SIMD_CALL(run, block, frame) ...            // on the best target that is allowed
 //     }
 //     #endif
 //
@@ -54,6 +54,7 @@
 #endif
 #define SIMD_ONCE HWY_ONCE
 #define SIMD_REGISTER(kernel) HWY_EXPORT(kernel)
-#define SIMD_CALL(kernel) HWY_DYNAMIC_DISPATCH(kernel)
+#define SIMD_KERNEL(kernel) HWY_DYNAMIC_DISPATCH(kernel) // the pointer to it
+#define SIMD_CALL(kernel, ...) SIMD_KERNEL(kernel)(__VA_ARGS__)
 
 #endif

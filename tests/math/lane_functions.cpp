@@ -71,25 +71,25 @@ std::vector<Out> apply(Kernel kernel, In... input) {
 } // namespace
 
 Floats log2_lanes(const Floats& x) {
-    return apply<float>(SIMD_CALL(run_log2), x);
+    return apply<float>(SIMD_KERNEL(run_log2), x);
 }
 Floats exp2_lanes(const Floats& x) {
-    return apply<float>(SIMD_CALL(run_exp2), x);
+    return apply<float>(SIMD_KERNEL(run_exp2), x);
 }
 Floats pow_lanes(const Floats& x, const Floats& y) {
-    return apply<float>(SIMD_CALL(run_pow), x, y);
+    return apply<float>(SIMD_KERNEL(run_pow), x, y);
 }
 Floats pow_of_share_lanes(const Floats& x, const Floats& y) {
-    return apply<float>(SIMD_CALL(run_pow_of_share), x, y);
+    return apply<float>(SIMD_KERNEL(run_pow_of_share), x, y);
 }
 Floats atan2_lanes(const Floats& y, const Floats& x) {
-    return apply<float>(SIMD_CALL(run_atan2), y, x);
+    return apply<float>(SIMD_KERNEL(run_atan2), y, x);
 }
 std::vector<std::int32_t> srgb_encode_lanes(const Floats& linear) {
-    return apply<std::int32_t>(SIMD_CALL(run_encode), linear);
+    return apply<std::int32_t>(SIMD_KERNEL(run_encode), linear);
 }
 Floats srgb_decode_lanes(const std::vector<std::int32_t>& codes) {
-    return apply<float>(SIMD_CALL(run_decode), codes);
+    return apply<float>(SIMD_KERNEL(run_decode), codes);
 }
 
 } // namespace scanout::test

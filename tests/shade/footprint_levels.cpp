@@ -37,7 +37,7 @@ SIMD_REGISTER(levels_narrow);
 
 static void run(bool narrow, const Primitive& t, float width, float height, const std::int32_t* x,
                 const std::int32_t* y, int count, float* out) {
-    const auto kernel = narrow ? SIMD_CALL(levels_narrow) : SIMD_CALL(levels_wide);
+    const auto kernel = narrow ? SIMD_KERNEL(levels_narrow) : SIMD_KERNEL(levels_wide);
     kernel(t, width, height, x, y, count, out);
 }
 } // namespace scanout::shade::texture

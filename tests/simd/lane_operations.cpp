@@ -87,11 +87,11 @@ SIMD_REGISTER(memory_wide);
 SIMD_REGISTER(memory_narrow);
 
 void run_operations(bool narrow, const Operands& in, Results& out) {
-    narrow ? SIMD_CALL(run_narrow)(in, out) : SIMD_CALL(run_wide)(in, out);
+    narrow ? SIMD_CALL(run_narrow, in, out) : SIMD_CALL(run_wide, in, out);
 }
 void run_memory(bool narrow, const float* numbers, const std::int32_t* index, MemoryResults& out) {
-    narrow ? SIMD_CALL(memory_narrow)(numbers, index, out)
-           : SIMD_CALL(memory_wide)(numbers, index, out);
+    narrow ? SIMD_CALL(memory_narrow, numbers, index, out)
+           : SIMD_CALL(memory_wide, numbers, index, out);
 }
 
 } // namespace scanout::test

@@ -42,20 +42,19 @@ static constinit const Encoding kMeanOfCodes{
     {},
     [](std::uint8_t code) { return static_cast<float>(code); },
     [](const Light& light, int count, std::uint32_t* out) {
-        SIMD_CALL(code_rows)(light, count, out);
+        SIMD_CALL(code_rows, light, count, out);
     }};
 
 extern const BlendSpace encoded;
-constinit const BlendSpace encoded{{.axis = "blend_space",
-                                    .name = "encoded",
-                                    .blurb = "samples are mixed as codes, up to 73 codes too dark",
-                                    .source = "Gritz and d'Eon 2007, what they warn of",
-                                    .kind = Kind::rung},
-                                   [](Block& block, const std::uint32_t* code) {
-                                       SIMD_CALL(enter_codes)(block, code);
-                                   },
-                                   &kMeanOfCodes,
-                                   255};
+constinit const BlendSpace encoded{
+    {.axis = "blend_space",
+     .name = "encoded",
+     .blurb = "samples are mixed as codes, up to 73 codes too dark",
+     .source = "Gritz and d'Eon 2007, what they warn of",
+     .kind = Kind::rung},
+    [](Block& block, const std::uint32_t* code) { SIMD_CALL(enter_codes, block, code); },
+    &kMeanOfCodes,
+    255};
 
 } // namespace scanout::shade::blend_space
 #endif

@@ -38,7 +38,7 @@ constinit const Encoding power_2_2{
      .kind = Kind::rung},
     [](std::uint8_t code) { return static_cast<float>(pow(code / 255.0, 2.2)); },
     [](const Light& light, int count, std::uint32_t* out) {
-        SIMD_CALL(power_2_2_rows)(light, count, out);
+        SIMD_CALL(power_2_2_rows, light, count, out);
     }};
 
 } // namespace scanout::shade::encode

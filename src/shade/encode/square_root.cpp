@@ -36,7 +36,7 @@ constinit const Encoding square_root{{.axis = "encode",
                                          return root * root;
                                      },
                                      [](const Light& light, int count, std::uint32_t* out) {
-                                         SIMD_CALL(square_root_rows)(light, count, out);
+                                         SIMD_CALL(square_root_rows, light, count, out);
                                      }};
 
 } // namespace scanout::shade::encode

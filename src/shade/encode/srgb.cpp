@@ -40,7 +40,7 @@ constinit const Encoding srgb{{.axis = "encode",
                                .kind = Kind::rung},
                               srgb_decode,
                               [](const Light& light, int count, std::uint32_t* out) {
-                                  SIMD_CALL(srgb_rows)(light, count, out);
+                                  SIMD_CALL(srgb_rows, light, count, out);
                               }};
 
 } // namespace scanout::shade::encode

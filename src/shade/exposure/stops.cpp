@@ -22,15 +22,14 @@ namespace scanout::shade::exposure {
 SIMD_REGISTER(stops_run);
 
 extern const Stage stops;
-constinit const Stage stops{{.axis = "exposure",
-                             .name = "stops",
-                             .blurb = "light times 2^stops, before it is cut off or bent",
-                             .source = "Reinhard et al. 2002",
-                             .kind = Kind::effect},
-                            {},
-                            [](Block& block, const FrameState& frame) {
-                                SIMD_CALL(stops_run)(block, frame);
-                            }};
+constinit const Stage stops{
+    {.axis = "exposure",
+     .name = "stops",
+     .blurb = "light times 2^stops, before it is cut off or bent",
+     .source = "Reinhard et al. 2002",
+     .kind = Kind::effect},
+    {},
+    [](Block& block, const FrameState& frame) { SIMD_CALL(stops_run, block, frame); }};
 
 } // namespace scanout::shade::exposure
 #endif

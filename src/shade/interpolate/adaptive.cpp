@@ -47,10 +47,7 @@ constinit const Stage adaptive{
      .source = "Hecker 1995, by the ratio of distances",
      .kind = Kind::rung},
     {.primitive = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(adaptive_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(adaptive_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

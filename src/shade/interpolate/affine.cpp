@@ -34,10 +34,7 @@ constinit const Stage affine{
      .source = "Heckbert 1989",
      .kind = Kind::rung},
     {.primitive = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(affine_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(affine_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -33,10 +33,7 @@ constinit const Stage affine_16{
      .source = "Hecker 1995",
      .kind = Kind::rung},
     {.primitive = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(affine_16_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(affine_16_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -33,10 +33,7 @@ constinit const Stage affine_8{
      .source = "Hecker 1995",
      .kind = Kind::rung},
     {.primitive = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(affine_8_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(affine_8_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -37,10 +37,7 @@ constinit const Stage perspective{
      .source = "Heckbert and Moreton 1991",
      .kind = Kind::rung},
     {},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(perspective_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(perspective_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -81,15 +81,15 @@ static void run(Block& block, const FrameState& frame) {
     const BoundMap& map = block.map[kBumpMap];
     if (map.texture == nullptr) return;
     BumpLanes lanes;
-    SIMD_CALL(bump_begin)(block, lanes);
+    SIMD_CALL(bump_begin, block, lanes);
     constexpr float kShare[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     for (int k = 0; k < 4; ++k) {
-        SIMD_CALL(bump_move)(block, lanes, kShare[k][0], kShare[k][1]);
+        SIMD_CALL(bump_move, block, lanes, kShare[k][0], kShare[k][1]);
         frame.filter->sample(block, map, scalar_kind(map));
-        SIMD_CALL(bump_keep)(block, lanes.height[k]);
+        SIMD_CALL(bump_keep, block, lanes.height[k]);
     }
-    SIMD_CALL(bump_move)(block, lanes, 0, 0);
-    SIMD_CALL(bump_run)(block, frame, lanes);
+    SIMD_CALL(bump_move, block, lanes, 0, 0);
+    SIMD_CALL(bump_run, block, frame, lanes);
 }
 
 extern const Stage bump;

@@ -37,7 +37,7 @@ constinit const Stage diffuse{{.axis = "map",
                                       frame.filter->sample(block, map, TexelKind::colour);
                                   else
                                       return;
-                                  SIMD_CALL(diffuse_run)(block);
+                                  SIMD_CALL(diffuse_run, block);
                               }};
 
 } // namespace scanout::shade::map

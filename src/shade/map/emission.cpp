@@ -38,7 +38,7 @@ constinit const Stage emission{{.axis = "map",
                                    const BoundMap& map = block.map[kEmissionMap];
                                    const bool mapped = map.texture != nullptr;
                                    if (mapped) frame.filter->sample(block, map, TexelKind::colour);
-                                   SIMD_CALL(emission_run)(block, mapped);
+                                   SIMD_CALL(emission_run, block, mapped);
                                }};
 
 } // namespace scanout::shade::map

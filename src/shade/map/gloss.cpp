@@ -34,7 +34,7 @@ constinit const Stage gloss{
         const BoundMap& map = block.map[kShininessMap];
         if (map.texture == nullptr) return;
         frame.filter->sample(block, map, scalar_kind(map));
-        SIMD_CALL(gloss_run)(block);
+        SIMD_CALL(gloss_run, block);
     }};
 
 } // namespace scanout::shade::map

@@ -33,7 +33,7 @@ constinit const Stage metalness{{.axis = "map",
                                     const BoundMap& map = block.map[kMetalnessMap];
                                     if (map.texture == nullptr) return;
                                     frame.filter->sample(block, map, scalar_kind(map));
-                                    SIMD_CALL(metalness_run)(block);
+                                    SIMD_CALL(metalness_run, block);
                                 }};
 
 } // namespace scanout::shade::map

@@ -46,7 +46,7 @@ constinit const Stage normal{{.axis = "map",
                                  const BoundMap& map = block.map[kNormalMap];
                                  if (map.texture == nullptr) return;
                                  frame.filter->sample(block, map, TexelKind::data);
-                                 SIMD_CALL(normal_run)(block, frame);
+                                 SIMD_CALL(normal_run, block, frame);
                              }};
 
 } // namespace scanout::shade::map

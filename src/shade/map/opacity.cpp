@@ -40,19 +40,19 @@ SIMD_REGISTER(opacity_multiply);
 namespace {
 
 void run(Block& block, const FrameState& frame) {
-    SIMD_CALL(opacity_set)(block, block.material->opacity);
+    SIMD_CALL(opacity_set, block, block.material->opacity);
     const BoundMap& opacity = block.map[kOpacityMap];
     if (opacity.texture != nullptr) {
         const char given = opacity.map->channel;
         const char channel =
             given == 'r' || given == 'g' || given == 'b' || given == 'm' ? given : 'l';
         frame.filter->sample(block, opacity, channel == 'm' ? TexelKind::alpha : TexelKind::data);
-        SIMD_CALL(opacity_multiply)(block, channel);
+        SIMD_CALL(opacity_multiply, block, channel);
     }
     const BoundMap& diffuse = block.map[kDiffuseMap];
     if (diffuse.texture != nullptr) {
         frame.filter->sample(block, diffuse, TexelKind::alpha);
-        SIMD_CALL(opacity_multiply)(block, 'm');
+        SIMD_CALL(opacity_multiply, block, 'm');
     }
 }
 

@@ -33,7 +33,7 @@ constinit const Stage roughness{{.axis = "map",
                                     const BoundMap& map = block.map[kRoughnessMap];
                                     if (map.texture == nullptr) return;
                                     frame.filter->sample(block, map, scalar_kind(map));
-                                    SIMD_CALL(roughness_run)(block);
+                                    SIMD_CALL(roughness_run, block);
                                 }};
 
 } // namespace scanout::shade::map

@@ -34,7 +34,7 @@ constinit const Stage specular{{.axis = "map",
                                    const BoundMap& map = block.map[kSpecularMap];
                                    if (map.texture == nullptr) return;
                                    frame.filter->sample(block, map, TexelKind::data);
-                                   SIMD_CALL(specular_run)(block);
+                                   SIMD_CALL(specular_run, block);
                                }};
 
 } // namespace scanout::shade::map

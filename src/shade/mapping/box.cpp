@@ -47,7 +47,7 @@ constinit const Stage box{{.axis = "mapping",
                            .kind = Kind::model},
                           {.uv = true, .facing = true, .object = true},
                           [](Block& block, const FrameState& frame) {
-                              if (wants_uv(block, frame)) SIMD_CALL(box_run)(block, frame);
+                              if (wants_uv(block, frame)) SIMD_CALL(box_run, block, frame);
                           }};
 
 } // namespace scanout::shade::mapping

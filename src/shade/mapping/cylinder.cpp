@@ -33,7 +33,7 @@ constinit const Stage cylinder{{.axis = "mapping",
                                {.uv = true, .object = true},
                                [](Block& block, const FrameState& frame) {
                                    if (wants_uv(block, frame))
-                                       SIMD_CALL(cylinder_run)(block, frame);
+                                       SIMD_CALL(cylinder_run, block, frame);
                                }};
 
 } // namespace scanout::shade::mapping

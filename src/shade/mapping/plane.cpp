@@ -32,7 +32,7 @@ constinit const Stage plane{{.axis = "mapping",
                              .kind = Kind::model},
                             {.uv = true, .object = true},
                             [](Block& block, const FrameState& frame) {
-                                if (wants_uv(block, frame)) SIMD_CALL(plane_run)(block, frame);
+                                if (wants_uv(block, frame)) SIMD_CALL(plane_run, block, frame);
                             }};
 
 } // namespace scanout::shade::mapping

@@ -37,7 +37,7 @@ constinit const Stage sphere{{.axis = "mapping",
                               .kind = Kind::model},
                              {.uv = true, .object = true},
                              [](Block& block, const FrameState& frame) {
-                                 if (wants_uv(block, frame)) SIMD_CALL(sphere_run)(block, frame);
+                                 if (wants_uv(block, frame)) SIMD_CALL(sphere_run, block, frame);
                              }};
 
 } // namespace scanout::shade::mapping

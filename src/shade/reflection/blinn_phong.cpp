@@ -37,10 +37,7 @@ constinit const Stage blinn_phong{
      .source = "Blinn 1977",
      .kind = Kind::model},
     {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(blinn_phong_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(blinn_phong_run, block, frame); }};
 
 } // namespace scanout::shade::reflection
 #endif

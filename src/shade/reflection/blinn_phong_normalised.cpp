@@ -50,8 +50,7 @@ constinit const Stage blinn_phong_normalised{
      .kind = Kind::model},
     {.normal = true, .ray = true},
     [](Block& block, const FrameState& frame) {
-        SIMD_CALL(blinn_phong_normalised_run)
-        (block, frame);
+        SIMD_CALL(blinn_phong_normalised_run, block, frame);
     }};
 
 } // namespace scanout::shade::reflection

@@ -39,10 +39,7 @@ constinit const Stage phong{
      .source = "Phong 1975",
      .kind = Kind::model},
     {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(phong_run)
-        (block, frame);
-    }};
+    [](Block& block, const FrameState& frame) { SIMD_CALL(phong_run, block, frame); }};
 
 } // namespace scanout::shade::reflection
 #endif

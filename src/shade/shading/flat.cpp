@@ -38,7 +38,7 @@ constinit const Stage flat{{.axis = "shading",
                            [](Block& block, const FrameState& frame) {
                                if (!block.lit) return block.model->run(block, frame);
                                light_faces(block, frame);
-                               SIMD_CALL(flat_run)(block);
+                               SIMD_CALL(flat_run, block);
                            }};
 
 } // namespace scanout::shade::shading

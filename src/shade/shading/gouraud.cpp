@@ -46,7 +46,7 @@ constinit const Stage gouraud{{.axis = "shading",
                               [](Block& block, const FrameState& frame) {
                                   if (!block.lit) return block.model->run(block, frame);
                                   light_corners(block, frame);
-                                  SIMD_CALL(gouraud_run)(block);
+                                  SIMD_CALL(gouraud_run, block);
                               }};
 
 } // namespace scanout::shade::shading

@@ -50,10 +50,7 @@ constinit const Source checker{{.axis = "source",
                                 .source = "Peachey 1994",
                                 .kind = Kind::model},
                                {.uv = true, .footprint = true},
-                               [](Block& block) {
-                                   SIMD_CALL(checker_sample)
-                                   (block);
-                               }};
+                               [](Block& block) { SIMD_CALL(checker_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

@@ -76,10 +76,7 @@ constinit const Source perlin_noise{{.axis = "source",
                                      .source = "Perlin 1985, Perlin 2002",
                                      .kind = Kind::model},
                                     {.uv = true, .footprint = true},
-                                    [](Block& block) {
-                                        SIMD_CALL(perlin_noise_sample)
-                                        (block);
-                                    }};
+                                    [](Block& block) { SIMD_CALL(perlin_noise_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

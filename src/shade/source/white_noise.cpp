@@ -40,10 +40,7 @@ constinit const Source white_noise{{.axis = "source",
                                     .source = "Peachey 1994",
                                     .kind = Kind::model},
                                    {.uv = true, .footprint = true},
-                                   [](Block& block) {
-                                       SIMD_CALL(white_noise_sample)
-                                       (block);
-                                   }};
+                                   [](Block& block) { SIMD_CALL(white_noise_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

@@ -41,7 +41,7 @@ constinit const Filter bilinear{{.axis = "texture",
                                  .kind = Kind::rung},
                                 {.uv = true},
                                 [](Block& block, const BoundMap& map, TexelKind kind) {
-                                    SIMD_CALL(bilinear_sample)(block, map, kind);
+                                    SIMD_CALL(bilinear_sample, block, map, kind);
                                 }};
 
 } // namespace scanout::shade::texture

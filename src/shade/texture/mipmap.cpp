@@ -46,7 +46,7 @@ constinit const Filter mipmap{
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
     [](Block& block, const BoundMap& map, TexelKind kind) {
-        SIMD_CALL(mipmap_sample)(block, map, kind);
+        SIMD_CALL(mipmap_sample, block, map, kind);
     }};
 
 } // namespace scanout::shade::texture

@@ -40,7 +40,7 @@ constinit const Filter nearest{{.axis = "texture",
                                 .kind = Kind::rung},
                                {.uv = true},
                                [](Block& block, const BoundMap& map, TexelKind kind) {
-                                   SIMD_CALL(nearest_sample)(block, map, kind);
+                                   SIMD_CALL(nearest_sample, block, map, kind);
                                }};
 
 } // namespace scanout::shade::texture

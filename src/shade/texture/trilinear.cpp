@@ -113,7 +113,7 @@ constinit const Filter trilinear{
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
     [](Block& block, const BoundMap& map, TexelKind kind) {
-        SIMD_CALL(trilinear_sample)(block, map, kind);
+        SIMD_CALL(trilinear_sample, block, map, kind);
     }};
 
 } // namespace scanout::shade::texture
