@@ -24,7 +24,7 @@ namespace {
 
 using namespace scanout;
 using shade::Block;
-using shade::kLanes;
+using shade::kBlockSize;
 
 constexpr int kWidth = 960, kHeight = 540, kTexels = 256;
 
@@ -45,17 +45,17 @@ public:
     bool same(const Block& b) const {
         bool equal = b.ambient == ambient_;
         each(b, *this, [&](const float* of_block, const float* kept) {
-            equal = equal && std::memcmp(of_block, kept, kLanes * sizeof(float)) == 0;
+            equal = equal && std::memcmp(of_block, kept, kBlockSize * sizeof(float)) == 0;
         });
         for (std::size_t i = 0; i < light_.size(); ++i)
             for (int c = 0; c < 3; ++c)
                 equal = equal && std::memcmp(b.light[i].colour[c], light_[i].colour[c],
-                                             kLanes * sizeof(float)) == 0;
+                                             kBlockSize * sizeof(float)) == 0;
         return equal;
     }
 
 private:
-    using Row = float[shade::kRoom];
+    using Row = float[shade::kPaddedBlock];
     template <class B, class K, class F>
     static void each(B& b, K& kept, F&& f) {
         for (int c = 0; c < 3; ++c) {
@@ -84,7 +84,7 @@ struct Watched {
 // it reads would soon work on zeros: it gets its input back each time, and the label says so.
 template <class F>
 void watch(Block& b, F&& run) {
-    if (b.count < kLanes || watched.blocks++ < watched.chosen || watched.state == nullptr)
+    if (b.count < kBlockSize || watched.blocks++ < watched.chosen || watched.state == nullptr)
         return run();
     const Kept before(b);
     run();
@@ -102,7 +102,7 @@ void watch(Block& b, F&& run) {
     run();
     state.SetLabel(repeatable ? "" : "its input put back each time");
     state.counters["lanes"] =
-        benchmark::Counter(kLanes, benchmark::Counter::kIsIterationInvariantRate);
+        benchmark::Counter(kBlockSize, benchmark::Counter::kIsIterationInvariantRate);
     state.counters["runs"] = b.runs;
 }
 
@@ -297,7 +297,7 @@ struct Pixels {
     explicit Pixels(std::size_t count) {
         test::Random random(3);
         for (auto* channel : {&red, &green, &blue})
-            for (std::size_t i = 0; i < count + shade::kRoom; ++i)
+            for (std::size_t i = 0; i < count + shade::kPaddedBlock; ++i)
                 channel->push_back(static_cast<float>(random.in(0, 1.1)));
     }
 };
@@ -308,15 +308,15 @@ void count_pixels(benchmark::State& state, int pixels) {
 }
 
 void encode(benchmark::State& state, const shade::Encoding* encoding) {
-    const Pixels light(kLanes);
-    std::vector<std::uint32_t> out(shade::kRoom);
+    const Pixels light(kBlockSize);
+    std::vector<std::uint32_t> out(shade::kPaddedBlock);
     for (auto _ : state) {
-        encoding->encode({light.red.data(), light.green.data(), light.blue.data()}, kLanes,
+        encoding->encode({light.red.data(), light.green.data(), light.blue.data()}, kBlockSize,
                          out.data());
         benchmark::DoNotOptimize(out.data());
         benchmark::ClobberMemory();
     }
-    count_pixels(state, kLanes);
+    count_pixels(state, kBlockSize);
 }
 
 // A tile's pixels that triangles share. Its sums are used up, so putting them back is in the time.
@@ -331,7 +331,7 @@ void resolve(benchmark::State& state) {
     std::fill_n(full.alpha.begin(), kPixels, 255);
     for (int i = 0; i < kPixels; i += 4) // at the rim
         full.through[static_cast<std::size_t>(i)] = 0.25F;
-    std::vector<std::uint32_t> out(kPixels + shade::kRoom);
+    std::vector<std::uint32_t> out(kPixels + shade::kPaddedBlock);
     shade::PixelSums sums = full;
     for (auto _ : state) {
         sums = full;

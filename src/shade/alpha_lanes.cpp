@@ -45,7 +45,7 @@ void AlphaLanes::add(std::uint32_t triangle, int x, int y, raster::SampleOffset 
 
 void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
     Block& b = *block_;
-    if (b.count == kLanes) run_block();
+    if (b.count == kBlockSize) run_block();
     if (primitives_->full()) {
         run_block();
         primitives_->clear();

@@ -37,7 +37,7 @@ private:
     bool constant_ = true;       // no map matters
     std::unique_ptr<Block> block_;
     std::unique_ptr<Gatherer::Primitives> primitives_;
-    std::size_t place_[kLanes] = {}; // of each lane's value
+    std::size_t place_[kBlockSize] = {}; // of each lane's value
 };
 
 } // namespace scanout::shade

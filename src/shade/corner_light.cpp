@@ -52,7 +52,7 @@ public:
     void run() {
         find_triangles();
         for (std::size_t i = 0; i < triangles_; ++i) {
-            if (light_.lanes.count + corners_ > kLanes) flush(i);
+            if (light_.lanes.count + corners_ > kBlockSize) flush(i);
             for (int k = 0; k < corners_; ++k)
                 add(corners_ == 1 ? face_of(*seen_[i], frame_) : corner_of(*seen_[i], k));
         }
@@ -62,7 +62,7 @@ public:
 private:
     // Each triangle once, in the order in which runs show them.
     void find_triangles() {
-        constexpr std::size_t kSlots = 2 * kLanes;
+        constexpr std::size_t kSlots = 2 * kBlockSize;
         std::array<std::uint8_t, kSlots> place;
         std::array<bool, kSlots> used{};
         for (int r = 0; r < block_.runs; ++r) {
@@ -124,7 +124,7 @@ private:
     void reflect(float albedo, float (CornerLight::Triangle::*to)[3][3]) {
         Block& b = light_.lanes;
         for (auto& channel : b.albedo)
-            std::fill_n(channel, kRoom, albedo);
+            std::fill_n(channel, kPaddedBlock, albedo);
         b.model->run(b, frame_);
         for (const float* channel : b.colour)
             check_values({channel, static_cast<std::size_t>(b.count)}, "colour",
@@ -141,7 +141,7 @@ private:
     CornerLight& light_;
     FrameState frame_;
     int corners_; // a triangle
-    std::array<const Primitive*, kLanes> seen_{};
+    std::array<const Primitive*, kBlockSize> seen_{};
     std::size_t triangles_ = 0, lit_ = 0;
 };
 

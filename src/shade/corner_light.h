@@ -15,12 +15,12 @@ struct CornerLight {
     struct Triangle {
         float plain[3][3], tinted[3][3];
     };
-    Triangle triangle[kLanes];
-    std::uint8_t of_run[kLanes]; // place in `triangle`
+    Triangle triangle[kBlockSize];
+    std::uint8_t of_run[kBlockSize]; // place in `triangle`
 
     // Lanes that are vertices or faces.
     Block lanes;
-    alignas(64) float eye[3][kRoom];
+    alignas(64) float eye[3][kPaddedBlock];
 };
 
 // Lights every triangle of the block once and notes which run shows which.

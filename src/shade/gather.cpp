@@ -83,7 +83,7 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
 Gatherer::Gatherer()
     : interior_pixels_(std::make_unique<TilePixels>()), primitives_(std::make_unique<Primitives>()),
       block_(std::make_unique<Block>()), triangles_(std::make_unique<LaneTriangles>()),
-      contributions_(std::make_unique<Contribution[]>(kLanes)) {
+      contributions_(std::make_unique<Contribution[]>(kBlockSize)) {
     block_->triangles = triangles_.get();
 }
 Gatherer::~Gatherer() = default;
@@ -292,7 +292,7 @@ void Gatherer::add_lit(const Primitive& primitive, int count) {
     Block& b = *block_;
     if (primitive.across < 0) return add_lanes(b, &primitive, count); // finish_block places them
     // Of its two pieces each has one run in the block.
-    std::array<std::int32_t, kLanes> of_second;
+    std::array<std::int32_t, kBlockSize> of_second;
     std::int32_t* const of_first = pixel_ + b.count;
     int first = 0, second = 0;
     for (int k = 0; k < count; ++k) {
@@ -312,7 +312,7 @@ void Gatherer::add_lit(const Primitive& primitive, int count) {
 // Of the block's lanes; null where nothing is dithered.
 const float* Gatherer::lane_offsets(const GatherInput& in) {
     if (!in.output.dither) return nullptr;
-    offsets_.resize(kRoom);
+    offsets_.resize(kPaddedBlock);
     for (std::size_t lane = 0; lane < static_cast<std::size_t>(block_->count); ++lane)
         offsets_[lane] = offset_at(pixel_[lane]);
     return offsets_.data();
@@ -350,7 +350,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
         keep_linear(*in.linear);
         if (composes) keep_layers(ComposedLayers::Of::linear, 1);
     }
-    std::array<std::uint32_t, kRoom> code;
+    std::array<std::uint32_t, kPaddedBlock> code;
     const bool mixtures = sink_.own != nullptr;
     if (!mixtures || in.output.blend_space->enter != nullptr)
         in.output.encoding->encode(
@@ -459,9 +459,9 @@ void Gatherer::shade_material_batch(const TilePixels::MaterialBatch& batch, cons
     const std::int32_t* const triangle = interior_pixels_->triangles();
     const std::uint32_t* const ids = interior_pixels_->ids();
     for (std::size_t i = batch.first; i < batch.end;) {
-        if (b.count == kLanes) finish_block(in, picture);
+        if (b.count == kBlockSize) finish_block(in, picture);
         const std::size_t count =
-            std::min(batch.end - i, static_cast<std::size_t>(kLanes - b.count));
+            std::min(batch.end - i, static_cast<std::size_t>(kBlockSize - b.count));
         take_lanes(triangle + i, ids, static_cast<int>(count), t, b.count);
         // The next block's: the file may have them far from each other.
         if (own_source_.place != nullptr) {
@@ -482,8 +482,8 @@ void Gatherer::shade_primitive_batch(const TilePixels::PrimitiveBatch& batch, co
     if (look_ != batch.look) begin_look(in, batch.look, picture);
     const Primitive* of = b.lit ? &primitive(in, batch.id, picture) : nullptr;
     for (int left = static_cast<int>(batch.count); left > 0;) {
-        if (b.count == kLanes) finish_block(in, picture);
-        const int count = std::min(left, kLanes - b.count);
+        if (b.count == kBlockSize) finish_block(in, picture);
+        const int count = std::min(left, kBlockSize - b.count);
         if (of != nullptr)
             add_lit(*of, count);
         else

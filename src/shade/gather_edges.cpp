@@ -116,7 +116,7 @@ std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& pic
     if (!in.looks.only_material || b.blended != nullptr) sort_fragments();
     for (const Fragment& f : fragments_) {
         if (look_ != f.look) begin_look(in, f.look, picture);
-        if (b.count == kLanes) finish_block(in, picture);
+        if (b.count == kBlockSize) finish_block(in, picture);
         add_fragment(in, f, picture);
     }
     return fragments_.size();
@@ -139,7 +139,7 @@ int Gatherer::add_edge_lanes(const raster::VisibilityTile& tile, int row, int sa
     const auto s = static_cast<std::size_t>(sample);
     const int count = std::popcount(found.first[s]);
     if (count == 0) return 0;
-    if (b.count + count > kLanes) finish_block(in, picture);
+    if (b.count + count > kBlockSize) finish_block(in, picture);
     const std::uint32_t* ids = tile.ids(sample).data() + std::ptrdiff_t{row} * kTileSize;
     const float* coverage = found.coverage[s];
     const raster::SampleOffset at = tile.pattern()[s];
@@ -193,10 +193,10 @@ std::uint64_t Gatherer::shade_rows(const raster::VisibilityTile& tile, const Gat
 
 void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture) {
     check_sums(sums_, edge_pixels_.size());
-    codes_.resize(edge_pixels_.size() + (kRoom - kLanes));
+    codes_.resize(edge_pixels_.size() + (kPaddedBlock - kBlockSize));
     std::copy(through_.begin(), through_.end(), sums_.through.begin());
     if (in.output.dither) {
-        offsets_.resize(edge_pixels_.size() + (kRoom - kLanes));
+        offsets_.resize(edge_pixels_.size() + (kPaddedBlock - kBlockSize));
         for (std::size_t i = 0; i < edge_pixels_.size(); ++i)
             offsets_[i] = offset_at(edge_pixels_[i]);
     }

@@ -21,38 +21,41 @@ struct LaneTriangles {
     // others, from there to a sample that shows them (1/256 pixel), where they are shaded if they
     // do not cover the centre.
     int count = 0;
-    std::uint32_t id[kRoom];
-    std::int32_t of_lane[kRoom];
+    std::uint32_t id[kPaddedBlock];
+    std::int32_t of_lane[kPaddedBlock];
     int centred = 0;
-    std::int32_t sample_x[kRoom], sample_y[kRoom];
+    std::int32_t sample_x[kPaddedBlock], sample_y[kPaddedBlock];
 
     // Set up on the way: their vertices, and which face the other way than those are wound.
-    alignas(64) std::uint32_t corner[3][kRoom];
-    alignas(64) std::int32_t turned[kRoom];
+    alignas(64) std::uint32_t corner[3][kPaddedBlock];
+    alignas(64) std::int32_t turned[kPaddedBlock];
 
     // Set up, of lanes. weight: opposite areas times 1/w, none is negative.
-    alignas(64) float weight[3][kRoom];
-    alignas(64) float slope[4][kRoom];       // u_x, v_x, u_y, v_y of the block
-    alignas(64) std::int32_t area[3][kRoom]; // opposite the vertices, for slopes of whole ones
+    alignas(64) float weight[3][kPaddedBlock];
+    alignas(64) float slope[4][kPaddedBlock]; // u_x, v_x, u_y, v_y of the block
+    // Opposite the vertices, for slopes of whole ones.
+    alignas(64) std::int32_t area[3][kPaddedBlock];
 
     // Of triangles. x, y: vertex 0, 1/256 pixel. How the areas opposite vertices 1 and 2 change in
     // 1/256 pixel to the right and down; both are 0 at vertex 0, and with the third they add up to
     // twice the triangle. `twice` is that modulo 2^32, which is exact for those that are `whole`
     // (Primitive); exact_twice is set where some of a register are not.
-    alignas(64) std::int32_t x[kRoom], y[kRoom], right[2][kRoom], down[2][kRoom], twice[kRoom];
-    alignas(64) std::int32_t whole[kRoom];
+    alignas(64) std::int32_t x[kPaddedBlock], y[kPaddedBlock];
+    alignas(64) std::int32_t right[2][kPaddedBlock], down[2][kPaddedBlock], twice[kPaddedBlock];
+    alignas(64) std::int32_t whole[kPaddedBlock];
     // x and y, right and down, modulo 2^16, in the halves of a number.
-    alignas(64) std::int32_t place[kRoom], step[2][kRoom];
-    alignas(64) double exact_twice[kRoom];
-    alignas(64) float inverse_w[3][kRoom];
+    alignas(64) std::int32_t place[kPaddedBlock], step[2][kPaddedBlock];
+    alignas(64) double exact_twice[kPaddedBlock];
+    alignas(64) float inverse_w[3][kPaddedBlock];
     // side: what normals are multiplied by (Sides), and have been. The rest as in Primitive,
     // [component][vertex].
-    alignas(64) float side[kRoom];
-    alignas(64) float facing[3][kRoom];
-    alignas(64) float normal[3][3][kRoom], uv[2][3][kRoom], colour[3][3][kRoom];
-    alignas(64) float position[3][3][kRoom];
+    alignas(64) float side[kPaddedBlock];
+    alignas(64) float facing[3][kPaddedBlock];
+    alignas(64) float normal[3][3][kPaddedBlock], uv[2][3][kPaddedBlock];
+    alignas(64) float colour[3][3][kPaddedBlock];
+    alignas(64) float position[3][3][kPaddedBlock];
     // How u and v lie on it (footprint-inl.h).
-    alignas(64) double uv_plane[10][kRoom];
+    alignas(64) double uv_plane[10][kPaddedBlock];
 };
 
 // What the frame's triangles are made of.

@@ -12,7 +12,7 @@
 namespace scanout::shade {
 
 // Pixels side by side. Arrays may be read and written up to a register beyond count (stage.h,
-// kRoom).
+// kPaddedBlock).
 struct Light {
     const float *red, *green, *blue;
     const std::int32_t* alpha = nullptr; // codes; null: all 255

@@ -36,7 +36,7 @@ void cast(Block& b, const Rays& rays) {
 
 void put(const std::uint32_t* code, const std::int32_t* pixel, int count, image::Rgba8* corner,
          int width) {
-    alignas(64) std::uint32_t place[kRoom];
+    alignas(64) std::uint32_t place[kPaddedBlock];
     const I32 down = width - raster::kTileSize; // besides a row of the tile
     for (int i = 0; i < count; i += kLanes) {
         const I32 at = load<I32>(pixel + i);

@@ -19,8 +19,8 @@ void place_at_centres(Block& block, const std::int32_t* pixel, int first, int co
 // The rays, of x and y.
 void set_rays(Block& block, const Rays& rays);
 
-// The codes of `count` lanes, at most kLanes, to their pixels of the tile with this corner; in the
-// picture the pixels of a column lie `width` apart.
+// The codes of `count` lanes, at most kBlockSize, to their pixels of the tile with this corner; in
+// the picture the pixels of a column lie `width` apart.
 void put_codes(const std::uint32_t* code, const std::int32_t* pixel, int count,
                image::Rgba8* corner, int width);
 

@@ -7,7 +7,7 @@
 
 SIMD_BEGIN(scanout::shade)
 
-SIMD_INLINE void put_vertices(const float (&from)[3][kRoom], int lane, float (&to)[3]) {
+SIMD_INLINE void put_vertices(const float (&from)[3][kPaddedBlock], int lane, float (&to)[3]) {
     SIMD_FOR (int k = 0; k < 3; ++k)
         to[k] = from[k][lane];
 }

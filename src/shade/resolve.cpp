@@ -35,8 +35,8 @@ SIMD_REGISTER(mean);
 
 void PixelSums::reset(std::size_t count) {
     for (auto* channel : {&red, &green, &blue, &through})
-        channel->assign(count + (kRoom - kLanes), 0.0F);
-    alpha.resize(count + (kRoom - kLanes));
+        channel->assign(count + (kPaddedBlock - kBlockSize), 0.0F);
+    alpha.resize(count + (kPaddedBlock - kBlockSize));
 }
 
 void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& background,
@@ -56,7 +56,7 @@ void resolve_area(PixelSums& sums, const Output& output, const image::Rgba8& bac
                   const image::Rect& area, image::Image& picture) {
     const auto width = static_cast<std::size_t>(area.width());
     const std::size_t count = width * static_cast<std::size_t>(area.height());
-    sums.codes.resize(count + (kRoom - kLanes));
+    sums.codes.resize(count + (kPaddedBlock - kBlockSize));
     if (output.dither) {
         sums.offsets.resize(sums.codes.size());
         std::size_t i = 0;

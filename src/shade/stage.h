@@ -17,11 +17,11 @@
 
 namespace scanout::shade {
 
-inline constexpr int kLanes = 128;
+inline constexpr int kBlockSize = 128; // lanes of a shading block
 
 // Kernels work on whole registers and may read and write this many lanes beyond the live ones; what
 // stands there is finite.
-inline constexpr int kRoom = kLanes + 16;
+inline constexpr int kPaddedBlock = kBlockSize + 16;
 
 // What a map's texels mean: sRGB colours, linear numbers, or that only their alpha counts.
 enum class TexelKind : std::uint8_t { colour, data, alpha };
@@ -137,8 +137,8 @@ struct BoundMap {
 
 // A light as the lanes of a block see it.
 struct LightLanes {
-    alignas(64) float towards[3][kRoom]; // unit, view space
-    alignas(64) float colour[3][kRoom];  // what arrives: linear
+    alignas(64) float towards[3][kPaddedBlock]; // unit, view space
+    alignas(64) float colour[3][kPaddedBlock];  // what arrives: linear
 };
 
 struct Stage;
@@ -158,29 +158,30 @@ struct Block {
     // Set by the gatherer. x, y: the sample that stands for the lane's pixel, 1/256 pixel: at the
     // centre if the triangle covers it, else where it shows.
     int runs = 0;
-    Run run[kLanes];
+    Run run[kBlockSize];
     LaneTriangles* triangles = nullptr; // of lanes whose runs have no primitive
-    alignas(64) std::int32_t x[kRoom], y[kRoom];
-    alignas(64) float ray_x[kRoom], ray_y[kRoom]; // its direction in view space: (x, y, -1)
+    alignas(64) std::int32_t x[kPaddedBlock], y[kPaddedBlock];
+    // Its direction in view space: (x, y, -1).
+    alignas(64) float ray_x[kPaddedBlock], ray_y[kPaddedBlock];
     // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
-    const float (*eye)[kRoom] = nullptr;
+    const float (*eye)[kPaddedBlock] = nullptr;
     CornerLight* corners = nullptr; // room for the stages that light vertices or faces
 
     // Written by the interpolation stage.
-    alignas(64) float normal[3][kRoom]; // unit, view space, on the side that the eye sees
-    alignas(64) float u[kRoom], v[kRoom];
-    alignas(64) float position[3][kRoom]; // view space, times scene::to_floats
+    alignas(64) float normal[3][kPaddedBlock]; // unit, view space, on the side that the eye sees
+    alignas(64) float u[kPaddedBlock], v[kPaddedBlock];
+    alignas(64) float position[3][kPaddedBlock]; // view space, times scene::to_floats
     // Change of u and v a pixel, to the right and downwards; where the frame asks for a footprint.
-    alignas(64) float u_x[kRoom], v_x[kRoom], u_y[kRoom], v_y[kRoom];
+    alignas(64) float u_x[kPaddedBlock], v_x[kPaddedBlock], u_y[kPaddedBlock], v_y[kPaddedBlock];
 
     // Written by the maps of normals and bumps: directions of u and v on the surface (map/tangent).
-    alignas(64) float tangent[2][3][kRoom];
+    alignas(64) float tangent[2][3][kPaddedBlock];
 
     // Of the map that was sampled last: red, green, blue, or alpha; linear.
-    alignas(64) float sampled[4][kRoom];
+    alignas(64) float sampled[4][kPaddedBlock];
 
     // Written by map/opacity: how much of what lies behind the lane does not show.
-    alignas(64) float alpha[kRoom];
+    alignas(64) float alpha[kPaddedBlock];
 
     // Written by the light stages: what comes from everywhere (linear), and one entry a light of
     // the frame for those that FrameState::varies names.
@@ -191,12 +192,13 @@ struct Block {
 
     // Ks, Ns, Pr and Pm times their maps, where the block has these maps; else the material's own
     // count.
-    alignas(64) float specular[3][kRoom], shininess[kRoom], roughness[kRoom], metalness[kRoom];
+    alignas(64) float specular[3][kPaddedBlock], shininess[kPaddedBlock];
+    alignas(64) float roughness[kPaddedBlock], metalness[kPaddedBlock];
 
     // Kd, times vertex colour, times map_Kd; and the result, linear light. Where the block is not
     // lit, the gatherer writes the albedo.
-    alignas(64) float albedo[3][kRoom];
-    alignas(64) float colour[3][kRoom];
+    alignas(64) float albedo[3][kPaddedBlock];
+    alignas(64) float colour[3][kPaddedBlock];
 };
 
 // The next `count` lanes are of a primitive; whoever adds them sets their x and y.

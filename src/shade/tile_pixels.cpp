@@ -121,7 +121,7 @@ void SpanTable::clear() {
 
 TilePixels::TilePixels()
     : table_(std::make_unique<SpanTable>()), offset_(SpanTable::kPixels),
-      pixel_(SpanTable::kPixels + kRoom), triangle_(pixel_.size()), id_(pixel_.size()) {
+      pixel_(SpanTable::kPixels + kPaddedBlock), triangle_(pixel_.size()), id_(pixel_.size()) {
     table_->clear();
     order_.reserve(SpanTable::kPixels);
     primitive_batches_.reserve(SpanTable::kPixels);

@@ -195,8 +195,8 @@ SIMD_INLINE Attribute<D, kComponents> fetch(const float* from, const LaneTriangl
     return fetched;
 }
 template <class D, int kComponents>
-SIMD_INLINE void put(const Attribute<D, kComponents>& attribute, float (&to)[kComponents][3][kRoom],
-                     int lane) {
+SIMD_INLINE void put(const Attribute<D, kComponents>& attribute,
+                     float (&to)[kComponents][3][kPaddedBlock], int lane) {
     SIMD_FOR (int c = 0; c < kComponents; ++c)
         SIMD_FOR (int k = 0; k < 3; ++k)
             store(attribute.of[c][k], to[c][k] + lane);

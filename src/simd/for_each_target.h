@@ -39,8 +39,7 @@
     HWY_BEFORE_NAMESPACE();                                                                        \
     namespace space::HWY_NAMESPACE {                                                               \
     namespace {                                                                                    \
-    using namespace ::scanout::simd::HWY_NAMESPACE;                                                \
-    using ::scanout::simd::HWY_NAMESPACE::kLanes; /* not that of an outer namespace */
+    using namespace ::scanout::simd::HWY_NAMESPACE;
 #define SIMD_END                                                                                   \
     }                                                                                              \
     }                                                                                              \

@@ -19,10 +19,10 @@ using scanout::test::Random;
 // A block of 128 lanes, every lane the same white pixel facing the eye.
 inline std::unique_ptr<Block> new_block(const scene::Material& material) {
     auto b = std::make_unique<Block>();
-    b->count = kLanes;
+    b->count = kBlockSize;
     b->material = &material;
     b->ambient = Vec3(scene::kAmbient);
-    for (int i = 0; i < kRoom; ++i) {
+    for (int i = 0; i < kPaddedBlock; ++i) {
         for (int k = 0; k < 3; ++k) {
             b->normal[k][i] = k == 2 ? 1.0F : 0.0F;
             b->position[k][i] = k == 2 ? -1.0F : 0.0F;
@@ -70,12 +70,12 @@ inline void run_stage(std::string_view axis, std::string_view name, Block& block
     FrameState state = frame;
     if (axis == "texture") state.filter = find_filter(name);
     const Block before = block;
-    const int touched = std::min((block.count + 15) / 16 * 16, kRoom);
+    const int touched = std::min((block.count + 15) / 16 * 16, kPaddedBlock);
     std::unique_ptr<Block> first;
     scanout::test::on_every_target([&](const std::string&) {
         block = before;
         chosen.run(block, state);
-        EXPECT_TRUE(same_lanes(block, before, touched, kRoom)) << axis << ' ' << name;
+        EXPECT_TRUE(same_lanes(block, before, touched, kPaddedBlock)) << axis << ' ' << name;
         if (first == nullptr) first = std::make_unique<Block>(block);
         EXPECT_TRUE(same_lanes(block, *first, 0, block.count)) << axis << ' ' << name;
     });

@@ -236,8 +236,8 @@ TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
         block->count = 11;
         block->runs = 1;
         block->run[0] = {&p, 0, 11};
-        std::fill(block->x, block->x + kRoom, 0);
-        std::fill(block->y, block->y + kRoom, 0);
+        std::fill(block->x, block->x + kPaddedBlock, 0);
+        std::fill(block->y, block->y + kPaddedBlock, 0);
         perspective.run(*block, frame_);
     };
     Primitive sound{};
@@ -264,7 +264,7 @@ TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
         block->count = count;
         block->runs = 1;
         block->run[0] = {&p, 0, count};
-        for (int i = 0; i < kRoom; ++i)
+        for (int i = 0; i < kPaddedBlock; ++i)
             block->x[i] = i * 256;
         perspective.run(*block, frame_);
     };
@@ -328,7 +328,7 @@ TEST_F(ShadeLanesDeathTest, SumsBeyondTheLastPixelAreDead) {
 // What no block of lanes holds: each place that makes such values looks at them itself.
 TEST_F(ShadeLanesDeathTest, MeansThatAreNotFiniteEndTheProgramBeforeTheyAreEncoded) {
     const Output output{find_encoding("srgb")};
-    std::uint32_t codes[kLanes + kRoom];
+    std::uint32_t codes[kBlockSize + kPaddedBlock];
     const auto resolve = [&](float red) {
         PixelSums sums;
         sums.reset(20);

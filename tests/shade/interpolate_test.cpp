@@ -6,7 +6,7 @@
 namespace scanout::shade::test {
 namespace {
 
-constexpr int kVertices = 3 * kLanes; // three of its own a lane
+constexpr int kVertices = 3 * kBlockSize; // three of its own a lane
 
 struct Attributes3 {
     std::vector<Vec3> normal{kVertices}, colour{kVertices};
@@ -49,9 +49,9 @@ class Interpolation : public testing::Test {
 protected:
     // Every lane a triangle of its own, whose weights are the same everywhere.
     void run(Random& random, double w_ratio, int round) {
-        block->runs = kLanes;
-        for (int i = 0; i < kLanes; ++i) {
-            lane[i] = random_lane(random, w_ratio, round * kLanes + i);
+        block->runs = kBlockSize;
+        for (int i = 0; i < kBlockSize; ++i) {
+            lane[i] = random_lane(random, w_ratio, round * kBlockSize + i);
             Primitive& t = primitive[i];
             for (int k = 0; k < 3; ++k) {
                 t.c[k] = lane[i].area[k];
@@ -76,8 +76,8 @@ protected:
     std::unique_ptr<Block> block = new_block(material);
     FrameState frame = identity_frame();
     Attributes3 data;
-    ExactLane lane[kLanes];
-    Primitive primitive[kLanes] = {};
+    ExactLane lane[kBlockSize];
+    Primitive primitive[kBlockSize] = {};
 };
 
 TEST_F(Interpolation, IsWithinTwoToTheMinusTwentyOfTheRangeAtEveryRatioOfDistances) {
@@ -90,7 +90,7 @@ TEST_F(Interpolation, IsWithinTwoToTheMinusTwentyOfTheRangeAtEveryRatioOfDistanc
             for (Vec3& c : data.colour)
                 c = {random.in(0, 1), random.in(0, 1e-3), random.in(0, 1e6)};
             run(random, ratio, round);
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 const auto check = [&](float got, float f0, float f1, float f2) {
                     const double range = std::max({f0, f1, f2}) - std::min({f0, f1, f2});
                     const double error = std::abs(got - exact(lane[i], f0, f1, f2));
@@ -120,7 +120,7 @@ TEST_F(Interpolation, NeverLeavesTheRangeOfItsVertices) {
             if (random.bits() % 8 == 0) uv.x = static_cast<float>(random.in(-1, 1) * 1e30);
         }
         run(random, round % 2 == 0 ? 1 : 1e6, round);
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const Vec2* uv = &data.uv[static_cast<std::size_t>(3 * i)];
             ASSERT_LE(block->u[i], std::max({uv[0].x, uv[1].x, uv[2].x}));
             ASSERT_GE(block->u[i], std::min({uv[0].x, uv[1].x, uv[2].x}));
@@ -137,7 +137,7 @@ TEST_F(Interpolation, KeepsWhatIsConstantAndTheValueAtAVertex) {
         for (Vec2& uv : data.uv)
             uv = {value, static_cast<float>(random.in(-1, 1))};
         run(random, 1e4, round);
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             ASSERT_EQ(block->u[i], value);
             const ExactLane& l = lane[i];
             for (int k = 0; k < 3; ++k) {
@@ -153,7 +153,7 @@ TEST_F(Interpolation, NormalsAreUnitAndOnTheSideThatTheEyeSees) {
     Random random(4);
     double worst = 0;
     for (int round = 0; round < 200; ++round) {
-        for (std::size_t i = 0; i < kLanes; ++i) {
+        for (std::size_t i = 0; i < kBlockSize; ++i) {
             const DVec3 towards = random.in_cube(1);
             for (int k = 0; k < 3; ++k)
                 primitive[i].facing[k] = static_cast<float>(towards[k]);
@@ -171,7 +171,7 @@ TEST_F(Interpolation, NormalsAreUnitAndOnTheSideThatTheEyeSees) {
                                   {static_cast<float>(-s), 0, static_cast<float>(c)}};
         std::copy(&turn[0][0], &turn[0][0] + 9, &frame.normal_matrix[0][0]);
         run(random, 1, round);
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const double x = block->normal[0][i], y = block->normal[1][i], z = block->normal[2][i];
             worst = std::max(worst, std::abs(std::sqrt(x * x + y * y + z * z) - 1));
             double sum[3] = {};
@@ -200,7 +200,7 @@ TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
     for (std::size_t i = 0; i < data.normal.size(); ++i)
         data.normal[i] = bad[i / 3 % 4];
     run(random, 10, 0);
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         const double x = block->normal[0][i], y = block->normal[1][i], z = block->normal[2][i];
         if (i % 4 == 2) continue; // 1e30 squared is beyond float: the loader's normals are unit
         EXPECT_NEAR(x * x + y * y + z * z, 1, 1e-6) << i;
@@ -243,7 +243,7 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
         Block& b = *block;
         b.runs = b.count = 0;
         const auto is_flat = [&](int run) { return run % 2 == round % 2; };
-        const int count = round / 2 % 2 == 0 ? kLanes : random.whole(1, kLanes);
+        const int count = round / 2 % 2 == 0 ? kBlockSize : random.whole(1, kBlockSize);
         while (b.count < count) {
             Primitive& t = primitive[b.runs];
             for (int k = 0; k < 3; ++k) {

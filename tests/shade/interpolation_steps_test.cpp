@@ -52,17 +52,17 @@ public:
         frame_.attributes = {.uv = true, .maps = bit_of(kDiffuseMap)};
     }
     std::vector<float> u(const std::string& name, const Primitive& t, int x, int y, int count,
-                         int piece = kLanes) {
+                         int piece = kBlockSize) {
         std::vector<float> result;
-        for (int done = 0; done < count; done += kLanes) {
+        for (int done = 0; done < count; done += kBlockSize) {
             Block& b = *block_;
-            b.count = std::min(kLanes, count - done);
+            b.count = std::min(kBlockSize, count - done);
             b.lit = true;
             b.map[kDiffuseMap].texture = &texture_;
             b.runs = 0;
             for (int first = 0; first < b.count; first += piece)
                 b.run[b.runs++] = {&t, first, std::min(piece, b.count - first)};
-            for (int i = 0; i < kRoom; ++i) {
+            for (int i = 0; i < kPaddedBlock; ++i) {
                 b.x[i] = (x + done + i) * 256 + 128;
                 b.y[i] = y * 256 + 128;
             }
@@ -77,7 +77,7 @@ private:
     void run(const std::string& name) {
         std::vector<float> first;
         scanout::test::on_every_target([&](const std::string&) {
-            std::fill_n(block_->u, kRoom, 77.0F);
+            std::fill_n(block_->u, kPaddedBlock, 77.0F);
             stage("interpolate", name).run(*block_, frame_);
             const std::vector<float> u(block_->u, block_->u + block_->count);
             if (first.empty()) first = u;

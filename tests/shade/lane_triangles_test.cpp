@@ -258,11 +258,11 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(triangles); ++id) {
             if (!is_whole(source, id) || area(vertices, id) == 0) continue;
             // Some show in more lanes than a register has.
-            const int most = kLanes - lanes.block->count;
+            const int most = kBlockSize - lanes.block->count;
             for (int left = std::min(most, random.whole(0, 9) == 0 ? 20 : random.whole(1, 3));
                  left > 0; --left)
                 lanes.add(random, id, vertices[id * 3 + id % 3]);
-            if (lanes.block->count < kLanes) continue;
+            if (lanes.block->count < kBlockSize) continue;
             check(in, lanes, counts);
             if (HasFatalFailure()) FAIL() << "round " << round;
             lanes.block->count = lanes.triangles->count = 0;

@@ -37,14 +37,14 @@ struct Lit {
     explicit Lit(std::vector<ViewLight> shining, std::uint64_t seed = 1)
         : lights(std::move(shining)) {
         Random random(seed);
-        for (int i = 0; i < kRoom; ++i)
+        for (int i = 0; i < kPaddedBlock; ++i)
             for (int c = 0; c < 3; ++c)
                 block->position[c][i] = static_cast<float>(random.in(-1, 1)) - (c == 2 ? 3 : 0);
         block->light.resize(lights.size());
         for (LightLanes& lanes : block->light) {
             for (int c = 0; c < 3; ++c) {
-                std::fill_n(lanes.towards[c], kRoom, -7.0F);
-                std::fill_n(lanes.colour[c], kRoom, -7.0F);
+                std::fill_n(lanes.towards[c], kPaddedBlock, -7.0F);
+                std::fill_n(lanes.colour[c], kPaddedBlock, -7.0F);
             }
         }
         varies.fill(true);
@@ -68,7 +68,7 @@ TEST(Light, OfAPointFallsOffWithTheSquareOfTheDistance) {
     for (std::uint64_t seed = 1; seed < 50; ++seed) {
         Lit lit({light_at(LightKind::point, {0.3F, 0.7F, -2.0F})}, seed);
         lit.run("point");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 way = DVec3(lit.lights[0].position) - lit.position(i);
             const double square = dot3(way, way);
             for (int c = 0; c < 3; ++c) {
@@ -83,14 +83,15 @@ TEST(Light, OfAPointFallsOffWithTheSquareOfTheDistance) {
 TEST(Light, OfAPointGetsNoBrighterThanAtItsOwnSurface) {
     Lit lit({light_at(LightKind::point, {0, 0, -3})});
     lit.lights[0].nearest = 0.5F;
-    for (int i = 0; i < kLanes; ++i) {
-        const float near = static_cast<float>(i) / kLanes * 0.4F; // the first lane is on the light
+    for (int i = 0; i < kBlockSize; ++i) {
+        const float near =
+            static_cast<float>(i) / kBlockSize * 0.4F; // the first lane is on the light
         lit.block->position[0][i] = near;
         lit.block->position[1][i] = 0;
         lit.block->position[2][i] = -3;
     }
     lit.run("point");
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         EXPECT_FLOAT_EQ(lit.block->light[0].colour[0][i], 0.9F * 1.5F * 1.5F / 0.25F);
         EXPECT_FLOAT_EQ(lit.block->light[0].towards[0][i], i == 0 ? 0 : -1) << i;
     }
@@ -103,7 +104,7 @@ TEST(Light, OfASpotIsThatOfAPointInsideTheConeAndNothingOutside) {
                 seed);
         lit.run("spot");
         lit.run("point");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 at = lit.position(i);
             const double angle = std::acos(-at.z / std::sqrt(dot3(at, at))) / kDegree;
             const double share = lit.colour(i, 1) / lit.colour(i, 1, 1);
@@ -131,7 +132,7 @@ TEST(Light, OfASpotWithoutARimHasAHardEdge) {
     Lit lit({light_at(LightKind::spot, {0, 0, 0})});
     lit.lights[0].cos_outer = lit.lights[0].cos_inner;
     lit.run("spot");
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         const DVec3 at = lit.position(i);
         const double cosine = -at.z / std::sqrt(dot3(at, at));
         if (std::abs(cosine - lit.lights[0].cos_inner) > 1e-6) {
@@ -160,7 +161,7 @@ TEST(Light, ThatIsDirectionalIsTheSameInEveryLane) {
     ViewLight light = scanout::test::key_and_fill()[0];
     Lit lit({light, light_at(LightKind::point, {0, 0, 0})});
     lit.run("directional");
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         EXPECT_EQ(lit.towards(i), DVec3(light.towards));
         EXPECT_EQ(lit.block->light[0].colour[2][i], light.colour.z);
         EXPECT_EQ(lit.block->light[1].colour[0][i], -7.0F) << "the other kind is not its business";
@@ -181,7 +182,7 @@ TEST(Light, WrittenToTheLanesReflectsAsWhenItIsTheSameEverywhere) {
     for (const char* name : {"lambert", "blinn_phong"}) {
         Lit lit(scanout::test::key_and_fill());
         lit.block->material = &material;
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 n = random.in_cube(1);
             for (int c = 0; c < 3; ++c)
                 lit.block->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
@@ -191,7 +192,7 @@ TEST(Light, WrittenToTheLanesReflectsAsWhenItIsTheSameEverywhere) {
         auto same = std::make_unique<Block>(*lit.block);
         lit.frame.varies = {};
         run_stage("reflection", name, *same, lit.frame);
-        EXPECT_TRUE(same_lanes(*same, *lit.block, 0, kLanes)) << name;
+        EXPECT_TRUE(same_lanes(*same, *lit.block, 0, kBlockSize)) << name;
     }
 }
 

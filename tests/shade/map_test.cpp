@@ -23,12 +23,12 @@ struct Mapped {
         frame.filter = find_filter("bilinear");
         frame.orthographic = true;
         face(0, {0, 0, 1}, {0, 0, 1});
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             face(i, {0, 0, 1}, {0, 0, 1});
             block->u_x[i] = block->v_y[i] = 0;
             slopes(i, 0.01F, 0, 0, -0.01F); // u to the right, v up
         }
-        block->runs = kLanes;
+        block->runs = kBlockSize;
     }
     // A triangle of its own a lane: the plane's normal and the shading normal, view space.
     void face(int i, const Vec3& plane, const Vec3& normal) {
@@ -53,7 +53,7 @@ struct Mapped {
     scene::Material material = scanout::test::plain(Vec3(1));
     std::unique_ptr<Block> block = new_block(material);
     FrameState frame = identity_frame();
-    Primitive primitive[kLanes] = {};
+    Primitive primitive[kBlockSize] = {};
 };
 
 image::Image one_texel(std::uint8_t r, std::uint8_t g, std::uint8_t b, std::uint8_t a = 255) {
@@ -67,7 +67,7 @@ TEST(Maps, SpecularAndGlossMultiplyTheMaterialsOwn) {
     specular.run("specular");
     Mapped gloss(kShininessMap, one_texel(51, 51, 51));
     gloss.run("gloss");
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         EXPECT_EQ(specular.block->specular[0][i], 0.9F);
         EXPECT_FLOAT_EQ(specular.block->specular[1][i], 0.1F); // linear: 51 / 255
         EXPECT_EQ(specular.block->specular[2][i], 0);
@@ -112,15 +112,15 @@ TEST(Maps, EveryModelReflectsWhatTheMapsGive) {
             auto by_maps = new_block(mapped), by_material = new_block(plain);
             by_maps->map[kSpecularMap] = {&any, &mapped.map_specular, nullptr, Wrap::repeat};
             by_maps->map[kShininessMap] = {&any, &mapped.map_shininess, nullptr, Wrap::repeat};
-            std::fill_n(by_maps->shininess, kRoom, ns);
+            std::fill_n(by_maps->shininess, kPaddedBlock, ns);
             for (int c = 0; c < 3; ++c)
-                std::fill_n(by_maps->specular[c], kRoom, ks[c]);
+                std::fill_n(by_maps->specular[c], kPaddedBlock, ks[c]);
             FrameState frame = identity_frame();
             frame.lights = lights;
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 const DVec3 n = random.in_cube(1) + DVec3(0, 0, 1.5);
                 for (Block* b : {by_maps.get(), by_material.get()}) {
-                    b->ray_x[i] = static_cast<float>(i) / kLanes - 0.5F;
+                    b->ray_x[i] = static_cast<float>(i) / kBlockSize - 0.5F;
                     for (int c = 0; c < 3; ++c)
                         b->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
                 }
@@ -128,7 +128,7 @@ TEST(Maps, EveryModelReflectsWhatTheMapsGive) {
             run_stage("reflection", model, *by_maps, frame);
             run_stage("reflection", model, *by_material, frame);
             for (int c = 0; c < 3; ++c)
-                for (int i = 0; i < kLanes; ++i)
+                for (int i = 0; i < kBlockSize; ++i)
                     ASSERT_EQ(by_maps->colour[c][i], by_material->colour[c][i]) << model << ns;
         }
     }
@@ -140,7 +140,7 @@ TEST(Maps, RoughnessAndMetalnessMultiplyTheMaterialsOwn) {
         Mapped rough(kRoughnessMap, one_texel(c, c, c)), metal(kMetalnessMap, one_texel(c, c, c));
         rough.run("roughness");
         metal.run("metalness");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             ASSERT_FLOAT_EQ(rough.block->roughness[i], 0.6F * share);
             ASSERT_FLOAT_EQ(metal.block->metalness[i], 0.8F * share);
         }
@@ -173,14 +173,14 @@ TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
             auto by_maps = new_block(mapped), by_material = new_block(plain);
             by_maps->map[kRoughnessMap] = {&any, &mapped.map_roughness, nullptr, Wrap::repeat};
             by_maps->map[kMetalnessMap] = {&any, &mapped.map_metalness, nullptr, Wrap::repeat};
-            std::fill_n(by_maps->roughness, kRoom, pr);
-            std::fill_n(by_maps->metalness, kRoom, pm);
+            std::fill_n(by_maps->roughness, kPaddedBlock, pr);
+            std::fill_n(by_maps->metalness, kPaddedBlock, pm);
             FrameState frame = identity_frame();
             frame.lights = lights;
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 const DVec3 n = random.in_cube(1) + DVec3(0, 0, 1.5);
                 for (Block* b : {by_maps.get(), by_material.get()}) {
-                    b->ray_x[i] = static_cast<float>(i) / kLanes - 0.5F;
+                    b->ray_x[i] = static_cast<float>(i) / kBlockSize - 0.5F;
                     for (int c = 0; c < 3; ++c) {
                         b->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
                         b->albedo[c][i] = 0.25F * static_cast<float>(c + 1);
@@ -190,7 +190,7 @@ TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
             run_stage("reflection", "ggx", *by_maps, frame);
             run_stage("reflection", "ggx", *by_material, frame);
             for (int c = 0; c < 3; ++c)
-                for (int i = 0; i < kLanes; ++i)
+                for (int i = 0; i < kBlockSize; ++i)
                     ASSERT_EQ(by_maps->colour[c][i], by_material->colour[c][i]) << pr << ' ' << pm;
         }
     }
@@ -199,7 +199,7 @@ TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
 TEST(Maps, EmissionIsAddedToWhatTheSurfaceReflects) {
     Mapped lamp(kEmissionMap, one_texel(255, 0, 255));
     for (auto& channel : lamp.block->colour)
-        std::fill_n(channel, kLanes, 0.125F);
+        std::fill_n(channel, kBlockSize, 0.125F);
     lamp.run("emission");
     EXPECT_EQ(lamp.block->colour[0][3], 0.625F);
     EXPECT_EQ(lamp.block->colour[1][3], 0.125F);
@@ -210,7 +210,7 @@ TEST(Maps, EmissionIsAddedToWhatTheSurfaceReflects) {
     lamp.material.emission = Vec3(0);
     const Block before = *lamp.block;
     lamp.run("emission");
-    EXPECT_TRUE(same_lanes(*lamp.block, before, 0, kLanes));
+    EXPECT_TRUE(same_lanes(*lamp.block, before, 0, kBlockSize));
 }
 
 TEST(Maps, NothingIsReadWhereThereIsNoMap) {
@@ -222,7 +222,7 @@ TEST(Maps, NothingIsReadWhereThereIsNoMap) {
         for (const char* stage :
              {"normal", "bump", "specular", "gloss", "roughness", "metalness", "emission"})
             none.run(stage);
-        EXPECT_TRUE(same_lanes(*none.block, before, 0, kLanes));
+        EXPECT_TRUE(same_lanes(*none.block, before, 0, kBlockSize));
     }
 }
 
@@ -232,7 +232,7 @@ TEST(NormalMap, FlatOneChangesNoBit) {
     Random random(1);
     for (const int blue : {129, 200, 255}) {
         Mapped flat(kNormalMap, image::Image(4, 4, {128, 128, static_cast<std::uint8_t>(blue)}));
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 n = random.in_cube(1);
             flat.face(i, Vec3(random.in_cube(1)), Vec3(n / std::sqrt(dot3(n, n))));
             const DVec3 x = random.in_cube(1), y = random.in_cube(1);
@@ -241,7 +241,7 @@ TEST(NormalMap, FlatOneChangesNoBit) {
         const Block before = *flat.block;
         flat.run("normal");
         for (int c = 0; c < 3; ++c)
-            for (int i = 0; i < kLanes; ++i)
+            for (int i = 0; i < kBlockSize; ++i)
                 ASSERT_EQ(flat.block->normal[c][i], before.normal[c][i]);
     }
 }
@@ -262,7 +262,7 @@ TEST(NormalMap, RedLeansAlongUAndGreenAlongV) {
                  {1e-6F, 0, 0, -1e3F, {1, 0, 0}, {0, 1, 0}}};
     for (const auto& c : cases) {
         for (Mapped* m : {&red, &green}) {
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 m->face(i, {0, 0, 1}, {0, 0, 1});
                 m->slopes(i, c.u_x, c.v_x, c.u_y, c.v_y);
             }
@@ -286,8 +286,8 @@ TEST(NormalMap, LeansAlongTheDirectionsOfAnyPlaneInPerspective) {
     red.frame.orthographic = green.frame.orthographic = false;
     double worst = 0;
     for (int round = 0; round < 300; ++round) {
-        std::vector<DVec3> along_u(kLanes), along_v(kLanes);
-        for (int i = 0; i < kLanes; ++i) {
+        std::vector<DVec3> along_u(kBlockSize), along_v(kBlockSize);
+        for (int i = 0; i < kBlockSize; ++i) {
             DVec3 n = random.in_cube(1), e1 = random.in_cube(1);
             const DVec3 ray(random.in(-0.5, 0.5), random.in(-0.5, 0.5), -1);
             n = n / std::sqrt(dot3(n, n));
@@ -318,7 +318,7 @@ TEST(NormalMap, LeansAlongTheDirectionsOfAnyPlaneInPerspective) {
         }
         red.run("normal");
         green.run("normal");
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             for (int c = 0; c < 3; ++c) {
                 const auto lane = static_cast<std::size_t>(i);
                 worst = std::max({worst, std::abs(red.normal(i)[c] - along_u[lane][c]),
@@ -340,7 +340,7 @@ TEST(NormalMap, StaysUnitAndFiniteWhateverTheCoordinatesAre) {
     any.frame.orthographic = false;
     for (int round = 0; round < 3000; ++round) {
         const auto odd = [&] { return kOdd[random.whole(0, 6)]; };
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 n = random.in_cube(1);
             any.face(i, round % 3 == 0 ? Vec3(odd(), odd(), odd()) : Vec3(random.in_cube(1)),
                      Vec3(n / std::sqrt(dot3(n, n))));
@@ -350,7 +350,7 @@ TEST(NormalMap, StaysUnitAndFiniteWhateverTheCoordinatesAre) {
             any.block->ray_x[i] = static_cast<float>(random.in(-2, 2));
         }
         any.run("normal");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 n = any.normal(i);
             ASSERT_NEAR(dot3(n, n), 1, 2e-6);
             for (int k = 0; k < 2; ++k) {
@@ -368,7 +368,7 @@ TEST(NormalMap, WithoutCoordinatesTheFrameIsOrthonormalForEveryNormal) {
     Mapped flat(kNormalMap, one_texel(128, 128, 255));
     double worst = 0;
     for (int round = 0; round < 8000; ++round) { // a million
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             DVec3 n = random.in_cube(1);
             if (round % 4 == 0) n = {n.x * 1e-4, n.y * 1e-4, i % 2 == 0 ? 1 : -1}; // near the poles
             if (round % 16 == 0) n = {0, 0, i % 2 == 0 ? 1 : -1};
@@ -380,8 +380,8 @@ TEST(NormalMap, WithoutCoordinatesTheFrameIsOrthonormalForEveryNormal) {
             flat.run("normal"); // on every target
         else
             stage("map", "normal").run(*flat.block, flat.frame);
-        for (int i = 0; i < kLanes; ++i) {
-            const auto vector = [&](const float(&v)[3][kRoom]) {
+        for (int i = 0; i < kBlockSize; ++i) {
+            const auto vector = [&](const float(&v)[3][kPaddedBlock]) {
                 return DVec3(v[0][i], v[1][i], v[2][i]);
             };
             const DVec3 n = flat.normal(i), t = vector(flat.block->tangent[0]),
@@ -399,14 +399,14 @@ TEST(NormalMap, WithoutCoordinatesTheFrameIsOrthonormalForEveryNormal) {
 TEST(BumpMap, OfOneHeightChangesNoBit) {
     Mapped level(kBumpMap, image::Image(8, 8, {77, 77, 77, 255}));
     Random random(5);
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         const DVec3 n = random.in_cube(1);
         level.face(i, Vec3(n), Vec3(n / std::sqrt(dot3(n, n))));
         level.block->u[i] = static_cast<float>(random.unit());
     }
     const Block before = *level.block;
     level.run("bump");
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         for (int c = 0; c < 3; ++c)
             ASSERT_EQ(level.block->normal[c][i], before.normal[c][i]);
         ASSERT_EQ(level.block->u[i], before.u[i]) << "the lanes are back where they were";
@@ -429,11 +429,11 @@ TEST(BumpMap, ARampLeansTheNormalAgainstItsSlope) {
         Mapped u(kBumpMap, along_u), v(kBumpMap, along_v);
         for (Mapped* m : {&u, &v}) {
             m->material.map_bump.bump_multiplier = strength;
-            for (int i = 0; i < kLanes; ++i)
+            for (int i = 0; i < kBlockSize; ++i)
                 m->block->u[i] = m->block->v[i] = 0.3F + 0.003F * static_cast<float>(i % 100);
             m->run("bump");
         }
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             ASSERT_NEAR(u.normal(i).x, -slope / length, 2e-5 * std::abs(strength));
             ASSERT_NEAR(u.normal(i).y, 0, 1e-6);
             ASSERT_NEAR(v.normal(i).x, 0, 1e-6);

@@ -11,7 +11,7 @@ namespace {
 
 using Real = long double;
 constexpr Real kTurn = 6.283185307179586476925287L;
-constexpr int kUsed = kLanes - 8; // runs of one lane write a register of eight
+constexpr int kUsed = kBlockSize - 8; // runs of one lane write a register of eight
 
 struct Uv {
     Real u, v;
@@ -107,7 +107,7 @@ struct Mapped {
                                                         block->y[i] + dy * 256);
     }
     scene::Material material;
-    std::array<Triangle, kLanes> triangle;
+    std::array<Triangle, kBlockSize> triangle;
     std::unique_ptr<Block> block = new_block(material);
     FrameState frame = identity_frame();
 };

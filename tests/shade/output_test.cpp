@@ -181,7 +181,7 @@ TEST(BlendSpace, OfCodesIsDarkerByUpToItsDeclaredError) {
 
 std::unique_ptr<Block> ramp(const scene::Material& material) {
     auto b = new_block(material);
-    for (int i = 0; i < kRoom; ++i)
+    for (int i = 0; i < kPaddedBlock; ++i)
         for (int c = 0; c < 3; ++c)
             b->colour[c][i] = static_cast<float>(i * (c + 1)) / 16;
     return b;
@@ -245,9 +245,9 @@ std::vector<float> rolled_off(float white, const std::vector<float>& light) {
     FrameState frame = identity_frame();
     frame.white = white;
     std::vector<float> rolled;
-    for (std::size_t first = 0; first < light.size(); first += kLanes) {
+    for (std::size_t first = 0; first < light.size(); first += kBlockSize) {
         auto b = new_block(material);
-        b->count = static_cast<int>(std::min<std::size_t>(kLanes, light.size() - first));
+        b->count = static_cast<int>(std::min<std::size_t>(kBlockSize, light.size() - first));
         for (auto& channel : b->colour)
             std::copy_n(light.data() + first, b->count, channel);
         run_stage("tone", "shoulder", *b, frame);

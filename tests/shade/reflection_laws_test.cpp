@@ -36,7 +36,7 @@ std::unique_ptr<Block> seen_from(const scene::Material& material, const std::vec
 
 void set_albedo(Block& b, float albedo) {
     for (auto& channel : b.albedo)
-        std::fill_n(channel, kRoom, albedo);
+        std::fill_n(channel, kPaddedBlock, albedo);
 }
 
 DVec3 at_angles(double theta, double phi) {
@@ -295,7 +295,7 @@ TEST(ReflectionLaws, WhatIsWildStaysFinite) {
             auto b = new_block(m);
             // Normals that are too short, that vanish, that look away from the eye; the light
             // straight on, grazing, behind, and straight into the eye.
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 b->normal[2][i] = i % 4 == 0 ? 0.0F : (i % 4 == 1 ? 0.01F : (i % 4 == 2 ? -1 : 1));
                 b->ray_x[i] = i % 3 == 0 ? 1e6F : 0.0F;
             }
@@ -305,7 +305,7 @@ TEST(ReflectionLaws, WhatIsWildStaysFinite) {
                 directional({0, 0, -1}, Vec3(1e4F)), directional({0.6F, 0, -0.8F}, Vec3(1e4F))};
             frame.lights = lights;
             run_stage("reflection", model, *b, frame);
-            for (int i = 0; i < kLanes; ++i)
+            for (int i = 0; i < kBlockSize; ++i)
                 for (int c = 0; c < 3; ++c)
                     ASSERT_TRUE(std::isfinite(b->colour[c][i])) << model << ' ' << i;
         }

@@ -37,7 +37,7 @@ double formula(const Block& b, int i, int channel, std::span<const scene::ViewLi
 }
 
 void randomise(Block& b, Random& random) {
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         DVec3 n = random.in_cube(1);
         const double length = std::sqrt(dot3(n, n));
         for (int k = 0; k < 3; ++k) {
@@ -69,7 +69,7 @@ double worst_error(std::string_view name, float shininess, bool orthographic, st
         frame.lights = lights;
         randomise(*b, random);
         run_stage("reflection", name, *b, frame);
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             for (int c = 0; c < 3; ++c)
                 worst = std::max(worst,
                                  std::abs(b->colour[c][i] - formula(*b, i, c, lights, orthographic,
@@ -115,7 +115,7 @@ TEST(Reflection, AHighlightFadesAsNsGoesTo0AndNothingJumps) {
             *b = *base;
             b->material = &material;
             run_stage("reflection", model, *b, frame);
-            std::array<double, std::size_t{3} * kLanes> colours{};
+            std::array<double, std::size_t{3} * kBlockSize> colours{};
             for (std::size_t i = 0; i < colours.size(); ++i)
                 colours[i] = double{b->colour[i % 3][i / 3]};
             return colours;
@@ -143,7 +143,7 @@ TEST(Reflection, WithoutAHighlightBlinnPhongIsLambertToTheBit) {
         *glossy = *matt;
         run_stage("reflection", "lambert", *matt, frame);
         run_stage("reflection", "blinn_phong", *glossy, frame);
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             for (int c = 0; c < 3; ++c)
                 ASSERT_EQ(matt->colour[c][i], glossy->colour[c][i]);
     }
@@ -159,7 +159,7 @@ TEST(Reflection, LinesAndPointsKeepTheirPlainColour) {
         randomise(*b, random);
         b->lit = false;
         run_stage("reflection", name, *b, frame);
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             for (int c = 0; c < 3; ++c)
                 ASSERT_EQ(b->colour[c][i], b->albedo[c][i]);
     }
@@ -175,7 +175,7 @@ TEST(Reflection, ALaneDoesNotDependOnItsPlaceOrOnTheOthers) {
         randomise(*whole, random);
         auto one = new_block(material);
         run_stage("reflection", name, *whole, frame);
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             one->count = 1 + i % 20;
             const int to = i % one->count;
             for (int c = 0; c < 3; ++c) {
@@ -198,7 +198,7 @@ TEST(Reflection, ALightThatShinesIntoTheEyeIsFinite) {
     FrameState frame = identity_frame();
     frame.lights = behind;
     run_stage("reflection", "blinn_phong", *b, frame);
-    for (int i = 0; i < kLanes; ++i)
+    for (int i = 0; i < kBlockSize; ++i)
         EXPECT_EQ(b->colour[0][i], scene::kAmbient);
 }
 

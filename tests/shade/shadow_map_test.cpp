@@ -54,9 +54,9 @@ protected:
     // Each lane's share of the light.
     std::vector<float> shares(int filter) {
         frame.shadow_filter = filter;
-        std::fill_n(block->light[0].colour[0], kRoom, 1.0F);
+        std::fill_n(block->light[0].colour[0], kPaddedBlock, 1.0F);
         stage("shadow", "map_pcf").run(*block, frame);
-        return {block->light[0].colour[0], block->light[0].colour[0] + kLanes};
+        return {block->light[0].colour[0], block->light[0].colour[0] + kBlockSize};
     }
     void SetUp() override {
         for (int k = 0; k < 3; ++k)
@@ -65,7 +65,7 @@ protected:
         light.kind = scene::LightKind::directional;
         light.towards = {0, 0, 1};
         block->count = 0;
-        add_lanes(*block, &triangle, kLanes);
+        add_lanes(*block, &triangle, kBlockSize);
         block->light.resize(1);
         frame.lights = {&light, 1};
         frame.varies = {&varies, 1};
@@ -97,7 +97,7 @@ TEST_F(ShadowMaps, SayTheSameOfALaneWhateverLanesAreBesideIt) {
             const auto any_place = [&](int lane, double most) {
                 place(lane, random.in(-most, most), random.in(-most, most));
             };
-            for (int lane = 0; lane < kRoom; ++lane)
+            for (int lane = 0; lane < kPaddedBlock; ++lane)
                 any_place(lane, inside);
             std::vector<float> first;
             scanout::test::on_every_target([&](const std::string&) {
@@ -105,7 +105,7 @@ TEST_F(ShadowMaps, SayTheSameOfALaneWhateverLanesAreBesideIt) {
                 if (first.empty()) first = alone;
                 EXPECT_EQ(alone, first) << filter;
             });
-            for (int lane = 0; lane < kLanes; lane += 3)
+            for (int lane = 0; lane < kBlockSize; lane += 3)
                 any_place(lane, everywhere);
             std::vector<float> first_beside;
             scanout::test::on_every_target([&](const std::string&) {
@@ -143,16 +143,16 @@ TEST_F(ShadowMaps, SayTheSameOfWhatLiesLowBesideWhatDoesNot) {
                     for (int y = 0; y < 64; ++y)
                         depth[static_cast<std::size_t>(y * 64 + x)] +=
                             random.whole(0, 3) > 0 ? 40 * static_cast<float>(random.in(0, 1)) : 0;
-                for (int lane = 0; lane < kRoom; ++lane)
+                for (int lane = 0; lane < kPaddedBlock; ++lane)
                     place(lane, random.in(-14, 14), random.in(-14, 14));
-                for (int lane = 0; lane < kLanes; lane += 8) { // registers of one place each
+                for (int lane = 0; lane < kBlockSize; lane += 8) { // registers of one place each
                     for (int k = 1; k < 8; ++k)
                         for (auto& axis : block->position)
                             axis[lane + k] = axis[lane];
                 }
                 const std::vector<float> alone = shares(filter);
                 for (const double corner : {27, -27}) {
-                    for (int lane = 3; lane < kLanes; lane += 4)
+                    for (int lane = 3; lane < kBlockSize; lane += 4)
                         place(lane, -27, corner);
                     scanout::test::on_every_target([&](const std::string&) {
                         const std::vector<float> beside = shares(filter);

@@ -25,10 +25,10 @@ struct Sampled {
         std::vector<float> first;
         scanout::test::on_every_target([&](const std::string&) {
             source->sample(*block);
-            const std::vector<float> got(block->sampled[0], block->sampled[0] + kLanes);
+            const std::vector<float> got(block->sampled[0], block->sampled[0] + kBlockSize);
             if (first.empty()) first = got;
             EXPECT_EQ(got, first);
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 EXPECT_EQ(block->sampled[1][i], got[static_cast<std::size_t>(i)]);
                 EXPECT_EQ(block->sampled[2][i], got[static_cast<std::size_t>(i)]);
             }
@@ -62,13 +62,13 @@ TEST(Source, IsFiniteAndWithin0And1WhateverTheCoordinates) {
         for (int round = 0; round < 200; ++round) {
             Sampled s;
             const auto any = [&] { return odd[random.whole(0, 10)]; };
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 s.place(i, any(), any(), any(), any());
                 s.block->u_y[i] = any();
                 s.block->v_x[i] = any();
             }
             s.sample(name.c_str());
-            for (int i = 0; i < kLanes; ++i)
+            for (int i = 0; i < kBlockSize; ++i)
                 ASSERT_TRUE(s.value(i) >= 0 && s.value(i) <= 1) << name << ' ' << s.value(i);
         }
 }
@@ -77,7 +77,7 @@ TEST(Source, RepeatsWithTheTurnSoThatNoSeamShows) {
     Random random(2);
     for (const std::string& name : computed()) {
         Sampled here, there, edge;
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const double u = random.whole(0, 1023) / 1024.0, v = random.whole(0, 1023) / 1024.0;
             here.place(i, u, v, 0.001, 0.002);
             there.place(i, u + random.whole(-5, 5), v + random.whole(-5, 5), 0.001, 0.002);
@@ -85,13 +85,13 @@ TEST(Source, RepeatsWithTheTurnSoThatNoSeamShows) {
         }
         here.sample(name.c_str());
         there.sample(name.c_str());
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             ASSERT_EQ(here.value(i), there.value(i)) << name;
         if (name != "perlin_noise") continue;
-        for (int i = 0; i < kLanes; ++i) // smooth across the edge
+        for (int i = 0; i < kBlockSize; ++i) // smooth across the edge
             edge.place(i, i % 2 == 0 ? 0 : 1 - 0x1p-24, (i / 2) / 64.0);
         edge.sample(name.c_str());
-        for (int i = 0; i < kLanes; i += 2)
+        for (int i = 0; i < kBlockSize; i += 2)
             ASSERT_NEAR(edge.value(i), edge.value(i + 1), 1e-4);
     }
 }
@@ -102,10 +102,10 @@ TEST(Source, GrowsEvenWhereAPixelSpansManyCells) {
                                            {"white_noise", 0.5, 1e-3},
                                            {"perlin_noise", 0.5, 0.0}}) {
         Sampled s;
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             s.place(i, random.unit(), random.unit(), 20.5, 20.5);
         s.sample(name);
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             ASSERT_NEAR(s.value(i), mean, left) << name;
     }
 }
@@ -118,7 +118,7 @@ TEST(Checker, IsTheMeanOverThePixelsSpan) {
             double u, v, wide, high;
         };
         std::vector<Box> boxes;
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const Box b = {random.unit(), random.unit(), std::exp2(random.in(-9, 0)),
                            std::exp2(random.in(-9, 0))};
             boxes.push_back(b);
@@ -126,7 +126,7 @@ TEST(Checker, IsTheMeanOverThePixelsSpan) {
             s.block->u_y[i] = static_cast<float>(-b.wide / 2); // the longer step counts
         }
         s.sample("checker");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const Box& b = boxes[static_cast<std::size_t>(i)];
             const auto wave = [](double from, double to) { // mean of +1 in even squares, -1 in odd
                 const auto integral = [](double x) {
@@ -147,7 +147,7 @@ TEST(WhiteNoise, HasOneValueACellSpreadEvenly) {
     std::set<double> values;
     double sum = 0, squares = 0;
     for (int y = 0; y < 64; y += 2) {
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             s.place(i, (i % 64 + 0.01 + 0.98 * (i / 64)) / 64, (y + 0.5) / 64);
         s.sample("white_noise");
         for (int i = 0; i < 64; ++i) {
@@ -192,10 +192,10 @@ TEST(PerlinNoise, IsTheSumOfFourOctavesOfImprovedNoise) {
     double lowest = 1, highest = 0;
     for (int round = 0; round < 300; ++round) {
         Sampled s;
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             s.place(i, random.unit(), random.unit(), round % 2 == 0 ? 0 : 1 / 48.0);
         s.sample("perlin_noise");
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             double sum = 0.5, strength = 0.5;
             for (int period = 8; period <= 64; period *= 2, strength /= 2) {
                 // Of 48 pixels a turn, 8 and 16 lumps show, 32 fade, 64 do not.

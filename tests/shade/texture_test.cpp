@@ -48,7 +48,7 @@ struct Sampler {
     }
     // Every lane has slopes of its own, of any size.
     void set_random_slopes(Random& random) {
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const double size = std::exp2(random.in(-20, 60));
             const DVec3 x = random.in_cube(size), y = random.in_cube(size);
             set_slopes(i, {Vec2(x.x, x.y), Vec2(y.x, y.y)});
@@ -76,7 +76,7 @@ struct Sampler {
 };
 
 std::vector<Vec2> random_uv(Random& random, double size) {
-    std::vector<Vec2> uv(kLanes);
+    std::vector<Vec2> uv(kBlockSize);
     for (Vec2& t : uv)
         t = {static_cast<float>(random.in(-size, size)),
              static_cast<float>(random.in(-size, size))};
@@ -103,7 +103,7 @@ TEST(Texture, AConstantOneStaysConstantUnderEveryFilter) {
             for (const double size : {0.1, 2.0, 1e5, 1e30}) {
                 sampler.set_random_slopes(random);
                 sampler.sample(filter, random_uv(random, size));
-                for (int i = 0; i < kLanes; ++i)
+                for (int i = 0; i < kBlockSize; ++i)
                     for (int c = 0; c < 3; ++c)
                         ASSERT_EQ(sampler.block->albedo[c][i], first[c]) << filter << ' ' << size;
             }
@@ -119,7 +119,7 @@ TEST(Texture, NearestGivesExactlyTheTexelThatTheSampleFallsInto) {
         for (int round = 0; round < 2000; ++round) {
             const std::vector<Vec2> uv = random_uv(random, round % 2 == 0 ? 1 : 3);
             sampler.sample("nearest", uv);
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 const auto texel = [&](double t, int size) {
                     if (clamp) t = std::min(std::max(t, 0.0), 1.0);
                     t = (t - std::floor(t) == 0 && clamp && t == 1 ? 1 : t - std::floor(t)) * size;
@@ -148,7 +148,7 @@ TEST(Texture, NearestGivesOnlyValuesThatTheTextureHas) {
     Sampler sampler(texture);
     for (int round = 0; round < 4000; ++round) {
         sampler.sample("nearest", random_uv(random, std::exp2(random.in(-10, 100))));
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             ASSERT_TRUE(red.count(sampler.block->albedo[0][i]) == 1);
     }
 }
@@ -162,7 +162,7 @@ TEST(Texture, BilinearIsTheOverlapOfATexelSizedSquare) {
         for (int round = 0; round < 4000; ++round) {
             const std::vector<Vec2> uv = random_uv(random, 1.5);
             sampler.sample("bilinear", uv);
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 const Vec2& at = uv[static_cast<std::size_t>(i)];
                 const double u = clamp ? std::min(std::max<double>(at.x, 0), 1.0) : at.x,
                              v = clamp ? std::min(std::max<double>(at.y, 0), 1.0) : at.y;
@@ -212,7 +212,7 @@ TEST(Texture, BilinearStaysWithinItsTexelsAndIsExactAtTheirCentres) {
     }
     for (int round = 0; round < 8000; ++round) { // a million samples
         sampler.sample("bilinear", random_uv(random, std::exp2(random.in(-10, 60))));
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             ASSERT_GE(sampler.block->albedo[2][i], low * (1 - 0x1p-23F));
             ASSERT_LE(sampler.block->albedo[2][i], high * (1 + 0x1p-23F));
         }
@@ -264,10 +264,10 @@ TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
             sampler.material.map_diffuse.scale = {any(), any(), 1};
             sampler.material.map_diffuse.offset = {any(), any(), 0};
         }
-        std::vector<Vec2> uv(static_cast<std::size_t>(random.whole(1, kLanes)));
+        std::vector<Vec2> uv(static_cast<std::size_t>(random.whole(1, kBlockSize)));
         for (Vec2& t : uv)
             t = {any(), any()};
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             sampler.set_slopes(i, {{any(), any()}, {any(), any()}});
         for (const std::string& filter : filters()) {
             sampler.sample(filter, uv);
@@ -307,7 +307,7 @@ TEST(Texture, OfOneTexelIsReadEverywhere) {
             Sampler sampler(dot, wrap);
             sampler.set_random_slopes(random);
             sampler.sample(filter, random_uv(random, 5));
-            for (int i = 0; i < kLanes; ++i)
+            for (int i = 0; i < kBlockSize; ++i)
                 ASSERT_NEAR(sampler.block->albedo[0][i], scanout::test::decoded(77), 1e-8);
         }
 }
@@ -358,7 +358,7 @@ TEST(Texture, NothingMinifiedIsReadAsBilinearReadsItToTheBit) {
     const scene::Texture texture = noise(16, 8, 11);
     for (const Wrap wrap : kWraps) {
         Sampler sampler(texture, wrap);
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const double angle = random.in(0, 6.28), size = i % 2 == 0 ? 0.999 : 0.01;
             const Vec2 x(std::cos(angle) * size / 16, std::sin(angle) * size / 8);
             sampler.set_slopes(i, {x, {-x.y * 0.25F, x.x}});
@@ -372,7 +372,7 @@ TEST(Texture, NothingMinifiedIsReadAsBilinearReadsItToTheBit) {
                                          static_cast<const MipChain*>(nullptr)}) {
                 sampler.block->map[kDiffuseMap].mips = mips;
                 sampler.sample(filter, uv);
-                EXPECT_TRUE(same_lanes(*sampler.block, expected, 0, kLanes)) << filter;
+                EXPECT_TRUE(same_lanes(*sampler.block, expected, 0, kBlockSize)) << filter;
             }
         }
     }
@@ -383,8 +383,8 @@ TEST(Texture, MipmapReadsTheNearestLevelAndTrilinearBothWithTheirShares) {
     const scene::Texture texture = noise(37, 64, 12);
     Sampler sampler(texture);
     for (int round = 0; round < 500; ++round) {
-        std::vector<double> level(kLanes);
-        for (int i = 0; i < kLanes; ++i) {
+        std::vector<double> level(kBlockSize);
+        for (int i = 0; i < kBlockSize; ++i) {
             double& l = level[static_cast<std::size_t>(i)];
             l = random.in(-1, 7);
             const double size = std::exp2(l), angle = random.in(0, 6.28);
@@ -425,8 +425,8 @@ TEST(Texture, TrilinearReadsTheSameBitsBesideLanesThatAreNotMinified) {
         for (int round = 0; round < 90; ++round) {
             Sampler all(texture, kWraps[round % 3]), half(texture, kWraps[round % 3]);
             const std::vector<Vec2> uv = random_uv(random, 3);
-            all.block->count = half.block->count = random.whole(1, kLanes);
-            for (int i = 0; i < kLanes; ++i) {
+            all.block->count = half.block->count = random.whole(1, kBlockSize);
+            for (int i = 0; i < kBlockSize; ++i) {
                 // The whole block in one level, or each lane in its own, up to beyond the last.
                 const double level = round % 2 == 0 ? random.in(1.01, 9) : 1.5 + round / 10;
                 const float size = static_cast<float>(std::exp2(level) / 37);
@@ -457,7 +457,7 @@ TEST(Texture, AnisotropicIsTheMeanAlongTheFootprint) {
         for (int round = 0; round < 200; ++round) {
             const double angle = random.in(0, 6.28);
             const double x = std::cos(angle), y = std::sin(angle), n = most * 0.9999;
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 // Any conjugate axes of the same ellipse are the same footprint.
                 const double turn = random.in(0, 6.28), c = std::cos(turn), s = std::sin(turn);
                 sampler.set_slopes(i, {Vec2(n * x * c - y * s, n * y * c + x * s) / 64.0F,
@@ -483,7 +483,7 @@ TEST(Texture, AnisotropicOfARoundFootprintIsTrilinear) {
     Random random(13);
     const scene::Texture texture = noise(64, 32, 14);
     Sampler sampler(texture);
-    for (int i = 0; i < kLanes; ++i) {
+    for (int i = 0; i < kBlockSize; ++i) {
         const double size = std::exp2(random.in(0, 6)), angle = random.in(0, 6.28);
         const Vec2 a(size * std::cos(angle), size * std::sin(angle));
         sampler.set_slopes(i, {{a.x / 64, a.y / 32}, {-a.y * 0.9999F / 64, a.x * 0.9999F / 32}});
@@ -493,7 +493,7 @@ TEST(Texture, AnisotropicOfARoundFootprintIsTrilinear) {
     const Block expected = *sampler.block;
     sampler.sample("anisotropic_16", uv);
     double worst = 0;
-    for (int i = 0; i < kLanes; ++i)
+    for (int i = 0; i < kBlockSize; ++i)
         worst =
             std::max<double>(worst, std::abs(sampler.block->albedo[0][i] - expected.albedo[0][i]));
     EXPECT_LT(worst, 1e-3);
@@ -513,7 +513,7 @@ TEST(Texture, MinifiedValuesStayWithinThoseOfTheTexture) {
         const std::vector<Vec2> uv = random_uv(random, std::exp2(random.in(-3, 40)));
         for (const std::string& filter : filters()) {
             sampler.sample(filter, uv);
-            for (int i = 0; i < kLanes; ++i) {
+            for (int i = 0; i < kBlockSize; ++i) {
                 ASSERT_GE(sampler.block->albedo[1][i], low * (1 - 0x1p-22F)) << filter;
                 ASSERT_LE(sampler.block->albedo[1][i], high * (1 + 0x1p-22F)) << filter;
             }
@@ -567,7 +567,7 @@ TEST(Texture, AlphaIsReadAloneByEveryFilter) {
     data.chain = make_mip_chain(grey, TexelKind::data, Sampler::jobs());
     const std::vector<Vec2> uv = random_uv(random, 1);
     for (const Filter* filter : shade::filters()) {
-        for (int i = 0; i < kLanes; ++i) {
+        for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 x = random.in_cube(0.5), y = random.in_cube(0.5);
             const Slopes slopes{{x.x, x.y}, {y.x, y.y}};
             alpha.set_slopes(i, slopes);
@@ -577,7 +577,7 @@ TEST(Texture, AlphaIsReadAloneByEveryFilter) {
         }
         filter->sample(*alpha.block, alpha.block->map[kDiffuseMap], TexelKind::alpha);
         filter->sample(*data.block, data.block->map[kDiffuseMap], TexelKind::data);
-        for (int i = 0; i < kLanes; ++i)
+        for (int i = 0; i < kBlockSize; ++i)
             ASSERT_EQ(alpha.block->sampled[3][i], data.block->sampled[0][i]) << filter->card.name;
     }
 }

@@ -65,12 +65,12 @@ TEST(TileRuns, ArePixelsOfOnePrimitiveSideBySideInsideTheColumns) {
 
 TEST(PlaceLanes, PutsEveryCodeToItsPixelAndTouchesNoOther) {
     Random random(2);
-    std::vector<std::int32_t> pixel(kRoom);
-    std::vector<std::uint32_t> code(kRoom);
+    std::vector<std::int32_t> pixel(kPaddedBlock);
+    std::vector<std::uint32_t> code(kPaddedBlock);
     for (const int width : {1, 10, kTileSize, 100, 1920})
-        for (const int count : {0, 1, 7, 16, 17, 63, 127, kLanes}) {
+        for (const int count : {0, 1, 7, 16, 17, 63, 127, kBlockSize}) {
             if (count > width * kTileSize) continue; // each pixel once
-            for (std::size_t i = 0; i < kRoom; ++i) {
+            for (std::size_t i = 0; i < kPaddedBlock; ++i) {
                 code[i] = static_cast<std::uint32_t>(random.bits());
                 const auto across = static_cast<std::size_t>(std::min(width, kTileSize));
                 const std::size_t place = i * 31 % (across * kTileSize);

@@ -33,7 +33,7 @@ struct OfRun {
 struct OfLanes {
     const LaneTriangles& t;
     Entries<F32::Tag> entries; // of the register's lanes
-    SIMD_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kRoom]) const {
+    SIMD_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kPaddedBlock]) const {
         return mix(w, entries.of(vertex[0]), entries.of(vertex[1]), entries.of(vertex[2]));
     }
     SIMD_INLINE F32 normal(const Weights& w, int c) const { return mixed(w, t.normal[c]); }

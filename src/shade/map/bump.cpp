@@ -57,8 +57,8 @@ void bump_run(Block& b, const FrameState& frame, const BumpLanes& lanes) {
               along_v = map.scale.y < 0 ? -strength : strength;
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 inverse = F32(1.0F) / load<F32>(lanes.reach + i);
-        const auto slope = [&](const float(&beyond)[kRoom], const float(&before)[kRoom],
-                               F32 factor) SIMD_LAMBDA {
+        const auto slope = [&](const float(&beyond)[kPaddedBlock],
+                               const float(&before)[kPaddedBlock], F32 factor) SIMD_LAMBDA {
             return (load<F32>(before + i) - load<F32>(beyond + i)) * inverse * factor;
         };
         lean_normal(b, i,

@@ -46,12 +46,12 @@ using Vector8 = Vector<F32x8::Tag>;
 using VectorN = Vector<F32::Tag>;
 
 template <class V>
-SIMD_INLINE V load_vector(const float (&from)[3][kRoom], int lane) {
+SIMD_INLINE V load_vector(const float (&from)[3][kPaddedBlock], int lane) {
     using F = decltype(V::x);
     return {load<F>(from[0] + lane), load<F>(from[1] + lane), load<F>(from[2] + lane)};
 }
 template <class V>
-SIMD_INLINE void store_vector(const V& v, float (&to)[3][kRoom], int lane) {
+SIMD_INLINE void store_vector(const V& v, float (&to)[3][kPaddedBlock], int lane) {
     store(v.x, to[0] + lane);
     store(v.y, to[1] + lane);
     store(v.z, to[2] + lane);

@@ -15,7 +15,7 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct BlinnPhongNormalised {
-    const float (&factor)[kRoom];
+    const float (&factor)[kPaddedBlock];
     SIMD_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
         return half_vector_cosine(normal, eye, light);
     }
@@ -27,7 +27,7 @@ struct BlinnPhongNormalised {
 
 void blinn_phong_normalised_run(Block& b, const FrameState& frame) {
     if (!has_highlight(b)) return diffuse(b, frame);
-    alignas(64) float factor[kRoom];
+    alignas(64) float factor[kPaddedBlock];
     for_exponents(
         b, [](double ns) { return (ns + 2) * (ns + 4) / (8 * (scanout::exp2(-ns / 2) + ns)); },
         factor);

@@ -19,9 +19,9 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct Mirrors {
-    bool physical;                  // it says roughness or metalness: Ks and Ns do not count
-    float metal;                    // share, where no map says it
-    alignas(64) float alpha[kRoom]; // roughness of the distribution
+    bool physical;                         // it says roughness or metalness: Ks and Ns do not count
+    float metal;                           // share, where no map says it
+    alignas(64) float alpha[kPaddedBlock]; // roughness of the distribution
 };
 
 SIMD_INLINE float clamped(float x, float low, float high) {

@@ -57,7 +57,7 @@ SIMD_INLINE F32 specular_at(const Block& b, int channel, int lane) {
 // of_exponent(exponent) for every lane. In double, one by one: the same for the same Ns wherever it
 // comes from.
 template <class OfExponent>
-SIMD_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kRoom]) {
+SIMD_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kPaddedBlock]) {
     const auto found = [&](float ns) {
         return static_cast<float>(of_exponent(double{ns < 1 ? 1.0F : ns}));
     };
@@ -79,9 +79,9 @@ struct Gloss {
 // third are pow_of_share: exponents are at least 1 (exponent_at).
 template <class Highlight, class LightAt>
 SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const LightAt& light,
-                                const Gloss& gloss, const float (&eyes)[3][kRoom], int first,
+                                const Gloss& gloss, const float (&eyes)[3][kPaddedBlock], int first,
                                 int end) {
-    alignas(64) float cosine[kRoom], log_power[kRoom];
+    alignas(64) float cosine[kPaddedBlock], log_power[kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
         const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
         store(highlight.cosine(normal_at(b, i), eye, towards(light(i))), cosine + i);
@@ -108,7 +108,7 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight
     const std::size_t light_count = frame.lights.size();
     const Gloss gloss = of_lanes; // no store writes to it
     const Colour ambient = ambient_of(b);
-    alignas(64) float eyes[3][kRoom];
+    alignas(64) float eyes[3][kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
         const Vector eye = eye_at(b, frame, i);
         store(eye.x, eyes[0] + i);

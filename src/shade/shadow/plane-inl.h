@@ -68,12 +68,12 @@ SIMD_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene:
 template <class Share>
 SIMD_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
     if (!b.lit || frame.shadows == nullptr) return;
-    alignas(64) float left[kRoom];
+    alignas(64) float left[kPaddedBlock];
     const std::size_t count = frame.lights.size();
     for (std::size_t k = 0; k < count; ++k) {
         if (!frame.shadows[k].casts) continue;
         const scene::ViewLight& light = frame.lights.data()[k];
-        for (int i = b.runs > 0 ? b.run[b.runs - 1].first : 0; i < kRoom; ++i)
+        for (int i = b.runs > 0 ? b.run[b.runs - 1].first : 0; i < kPaddedBlock; ++i)
             left[i] = 0;
         for (const Run* run = b.run; run != b.run + b.runs; ++run) {
             const int end = run->first + run->count;

@@ -44,8 +44,8 @@ private:
     static constexpr int kFirst = kChannels == 1 ? 3 : 0;
     // Four texels around each lane of a block, in one level a lane.
     struct Places {
-        Corners<ChainTexels, kRoom> corners;
-        float x[kRoom], y[kRoom];
+        Corners<ChainTexels, kPaddedBlock> corners;
+        float x[kPaddedBlock], y[kPaddedBlock];
         SIMD_INLINE void put(const Around& at, int lane) {
             corners.put(at, lane);
             store(at.x, x + lane);
@@ -62,15 +62,15 @@ private:
                    far_.template row<kRow>(texels, lane));
     }
     Places near_, far_;
-    float share_[kRoom];
-    int lane_[kRoom / kLanes], count_ = 0;
+    float share_[kPaddedBlock];
+    int lane_[kPaddedBlock / kLanes], count_ = 0;
 };
 
 template <int kChannels>
 SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
     // Levels first: with what follows a register's way would be a chain of some hundred cycles, and
     // registers overlap only as far as the processor looks ahead.
-    alignas(64) float levels[kRoom];
+    alignas(64) float levels[kPaddedBlock];
     const F32 last = reader.last();
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 detail = level_of_detail(reader.slopes(b, i));
