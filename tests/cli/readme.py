@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""readme.py SCANOUT ROOT: runs every command of README.md, as written, in an empty folder that holds the models.
+"""readme.py SCANOUT ROOT: runs every command of README.md and docs/*.md, as written, in an empty folder that holds the models.
 
 `./run ARGUMENTS` becomes SCANOUT ARGUMENTS. `./run` and `./test` alone are what CI does; the stage `cli` runs the first.
 A viewer command plays a recording that quits at once, because a test machine's screen is not ours to take.
 """
+import glob
 import os
 import re
 import shutil
@@ -62,36 +63,49 @@ def check_stages(page):
         fail(f"README.md names the stages {sorted(named)}, ./test has {sorted(stages)}")
 
 
+def run(command, here, folder):
+    """Runs a command of a page; every picture that it names must be there afterwards."""
+    done = subprocess.run(["bash", "-c", here], cwd=folder, capture_output=True, timeout=60)
+    if done.returncode != 0:
+        fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
+    for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
+        if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0"))):
+            fail(f"{command}: wrote no {output}")
+
+
+def run_all(path, folder):
+    """How many commands of the page ran."""
+    ran = 0
+    for command in commands(open(path).read()):
+        here = as_run_here(command)
+        if here is None:
+            continue
+        run(command, here, folder)
+        if "-o spot.png --size" in command:
+            shutil.copy(os.path.join(folder, "spot.png"), os.path.join(folder, "picture.png"))
+        ran += 1
+    print(f"{ran} commands of {os.path.relpath(path, ROOT)} ran")
+    return ran
+
+
 def main():
-    page = open(os.path.join(ROOT, "README.md")).read()
+    readme = os.path.join(ROOT, "README.md")
+    page = open(readme).read()
     check_tables(page)
     check_stages(page)
-    ran = 0
     with tempfile.TemporaryDirectory() as folder:
         for name in ("models", "tests"):
             shutil.copytree(os.path.join(ROOT, name), os.path.join(folder, name))
         open(os.path.join(folder, "quit.actions"), "w").write(QUIT)
-        for command in commands(page):
-            here = as_run_here(command)
-            if here is None:
-                continue
-            done = subprocess.run(["bash", "-c", here], cwd=folder, capture_output=True, timeout=60)
-            if done.returncode != 0:
-                fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
-            for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
-                if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0"))):
-                    fail(f"{command}: wrote no {output}")
-            if "-o spot.png --size" in command:
-                shutil.copy(os.path.join(folder, "spot.png"), os.path.join(folder, "picture.png"))
-            ran += 1
+        ran = run_all(readme, folder)
         drawn = os.path.join(folder, "picture.png")
         shown = os.path.join(ROOT, "models/spot/spot-by-scanout.png")
         done = subprocess.run([SCANOUT, "compare", drawn, shown], capture_output=True, text=True)
         if done.returncode != 0:
             fail("README.md's picture is not what its command draws now:", done.stdout + done.stderr)
-    print(f"{ran} commands of README.md ran")
-    if ran < 20:
-        fail("README.md: too few commands found; has the form of its blocks changed?")
+        others = sum(run_all(path, folder) for path in sorted(glob.glob(os.path.join(ROOT, "docs/*.md"))))
+    if ran < 20 or others == 0:
+        fail("README.md or docs: too few commands found; has the form of their blocks changed?")
 
 
 if __name__ == "__main__":
