@@ -133,7 +133,7 @@ stage_bits() {
     build test scanout
     check nothing_fused test
     check nothing_fused bits
-    check python3 -B tests/weak_functions.py build/bits/libscanout_*.a
+    check python3 -B tests/house/weak_functions.py build/bits/libscanout_*.a
 }
 
 # nothing_fused FOLDER: neither compiler made a*b+c one operation in code that decides a pixel.

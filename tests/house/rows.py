@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """rows.py ROOT - one technique = one file + one name: holds src/<module>/<axis>/<name>.cpp against src/techniques.h.
 
-A row is X(name) or X(name, ...) inside `#define SCANOUT_<AXIS>(X)`; its file is src/*/<axis>/<name>.cpp.
+A row is X(name) or X(name, ...) inside `#define SCANOUT_<AXIS>(X)`; its file is src/*/<axis>/<name>.cpp. A folder is an axis if
+and only if the table names it; other folders of a module hold its stages.
 """
 import pathlib
 import re
@@ -11,17 +12,24 @@ AXIS = re.compile(r"^[ \t]*#[ \t]*define[ \t]+SCANOUT_(\w+)\(X\)(.*)$", re.M)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 
 
+def tables(text):
+    """(axis, its rows in one line) of every axis."""
+    return [(axis.lower(), body) for axis, body in AXIS.findall(COMMENT.sub("", text).replace("\\\n", " "))]
+
+
 def rows(text):
     """(axis, name) of every row, in order."""
-    text = COMMENT.sub("", text).replace("\\\n", " ")
-    return [(axis.lower(), name) for axis, body in AXIS.findall(text) for name in re.findall(r"\bX\(\s*(\w+)", body)]
+    return [(axis, name) for axis, body in tables(text) for name in re.findall(r"\bX\(\s*(\w+)", body)]
 
 
 def faults(root):
     src = pathlib.Path(root) / "src"
     table = src / "techniques.h"
-    named = rows(table.read_text()) if table.is_file() else []
-    files = {(p.parent.name, p.stem): p.relative_to(root) for p in sorted(src.glob("*/*/*.cpp"))}
+    text = table.read_text() if table.is_file() else ""
+    named, axes = rows(text), {axis for axis, _ in tables(text)}
+    files = {(p.parent.name, p.stem): p.relative_to(root) for p in sorted(src.glob("*/*/*.cpp")) if p.parent.name in axes}
+    if not axes:
+        yield "src/techniques.h: names no axis"
     for axis, name in sorted({row for row in named if named.count(row) > 1}):
         yield f"src/techniques.h: {axis}/{name} has more than one row"
     for axis, name in sorted(set(named) - set(files)):
