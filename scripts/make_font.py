@@ -108,14 +108,15 @@ def source(pcf, file_name, variable):
         "",
     ]
     present = [code for code in CHARACTERS if code in glyphs]
-    lines.append(f"static constexpr std::array<Glyph, {len(present)}> kGlyphs{{{{")
+    name = f"k{variable.removeprefix('font_').title()}Glyphs"
+    lines.append(f"static constexpr std::array<Glyph, {len(present)}> {name}{{{{")
     for code in present:
         bits = cell_bits(pcf, glyphs[code], width, height, font_ascent).ljust(256, "0")
         words = ", ".join(f"0x{int(bits[i:i + 64], 2):016x}" for i in range(0, 256, 64))
         # A backslash at the end of a comment would swallow the next line.
         shown = "backslash" if code == 0x5C else chr(code)
         lines.append(f"    {{0x{code:04x}, {{{words}}}}},  // {shown}".rstrip())
-    lines += ["}};", "", f"const Font {variable}{{{width}, {height}, kGlyphs}};", "", "}  // namespace scanout::app", ""]
+    lines += ["}};", "", f"const Font {variable}{{{width}, {height}, {name}}};", "", "}  // namespace scanout::app", ""]
     return "\n".join(lines)
 
 

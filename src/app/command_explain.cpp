@@ -15,7 +15,7 @@
 namespace scanout::app {
 namespace {
 
-Result<void> check(const Settings& s) {
+Result<void> check_explain(const Settings& s) {
     if (s.arguments.size() != 1)
         return s.arguments.empty()
                    ? fail(Exit::usage, "name a model to explain, as in `scanout explain "
@@ -28,7 +28,7 @@ Result<void> check(const Settings& s) {
 } // namespace
 
 Result<Exit> run_explain(const Settings& settings) {
-    TRY_VOID(check(settings));
+    TRY_VOID(check_explain(settings));
     Jobs jobs(settings.threads);
     TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings, jobs));
     TRY(const scene::View view,

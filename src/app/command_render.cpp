@@ -24,7 +24,7 @@ int pictures(const Settings& s) {
 }
 
 // Everything that can be wrong about the command line is said before the model is read.
-Result<PictureFormat> check(const Settings& s) {
+Result<PictureFormat> check_render(const Settings& s) {
     if (s.arguments.size() != 1)
         return s.arguments.empty()
                    ? fail(Exit::usage, "name a model to draw, as in `scanout render "
@@ -133,7 +133,7 @@ private:
 } // namespace
 
 Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
-    TRY(const PictureFormat format, check(settings));
+    TRY(const PictureFormat format, check_render(settings));
     TRY_VOID(check_files(settings));
     Jobs jobs(settings.threads);
     TRY(const LoadedModel model,

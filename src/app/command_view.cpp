@@ -18,7 +18,7 @@ namespace scanout::app {
 namespace {
 
 // What can be refused without touching a display is refused first.
-Result<void> check(const Settings& s) {
+Result<void> check_view(const Settings& s) {
     if (s.arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
     if (s.arguments.size() == 1) TRY_VOID(check_readable(s.arguments.front()));
@@ -131,7 +131,7 @@ Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_
 } // namespace
 
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
-    TRY_VOID(check(settings));
+    TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));
     if (settings.backend == Backend::headless) {
         TRY_VOID(show_headless(settings, std::move(tapes), start_bytes));

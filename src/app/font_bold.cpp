@@ -8,7 +8,7 @@
 // clang-format off
 namespace scanout::app {
 
-static constexpr std::array<Glyph, 216> kGlyphs{{
+static constexpr std::array<Glyph, 216> kBoldGlyphs{{
     {0x0020, {0x0000000000000000, 0x0000000000000000, 0x0000000000000000, 0x0000000000000000}},  //
     {0x0021, {0x000006030180c060, 0x30180c0003000000, 0x0000000000000000, 0x0000000000000000}},  // !
     {0x0022, {0x00000d86c3600000, 0x0000000000000000, 0x0000000000000000, 0x0000000000000000}},  // "
@@ -227,6 +227,6 @@ static constexpr std::array<Glyph, 216> kGlyphs{{
     {0x253c, {0x0c06030180c063ff, 0xff0c06030180c060, 0x3000000000000000, 0x0000000000000000}},  // ┼
 }};
 
-const Font font_bold{9, 15, kGlyphs};
+const Font font_bold{9, 15, kBoldGlyphs};
 
 }  // namespace scanout::app

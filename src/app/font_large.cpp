@@ -8,7 +8,7 @@
 // clang-format off
 namespace scanout::app {
 
-static constexpr std::array<Glyph, 227> kGlyphs{{
+static constexpr std::array<Glyph, 227> kLargeGlyphs{{
     {0x0020, {0x0000000000000000, 0x0000000000000000, 0x0000000000000000, 0x0000000000000000}},  //
     {0x0021, {0x00000000300c0300, 0xc0300c0300c0300c, 0x0000c03000000000, 0x0000000000000000}},  // !
     {0x0022, {0x00000000cc330cc1, 0x2000000000000000, 0x0000000000000000, 0x0000000000000000}},  // "
@@ -238,6 +238,6 @@ static constexpr std::array<Glyph, 227> kGlyphs{{
     {0x25cf, {0x0000000000000000, 0x00783f1fe7f9fe7f, 0x8fc1e00000000000, 0x0000000000000000}},  // ●
 }};
 
-const Font font_large{10, 20, kGlyphs};
+const Font font_large{10, 20, kLargeGlyphs};
 
 }  // namespace scanout::app

@@ -8,7 +8,7 @@
 // clang-format off
 namespace scanout::app {
 
-static constexpr std::array<Glyph, 227> kGlyphs{{
+static constexpr std::array<Glyph, 227> kRegularGlyphs{{
     {0x0020, {0x0000000000000000, 0x0000000000000000, 0x0000000000000000, 0x0000000000000000}},  //
     {0x0021, {0x0004020100804020, 0x1000000201000000, 0x0000000000000000, 0x0000000000000000}},  // !
     {0x0022, {0x0000048241200000, 0x0000000000000000, 0x0000000000000000, 0x0000000000000000}},  // "
@@ -238,6 +238,6 @@ static constexpr std::array<Glyph, 227> kGlyphs{{
     {0x25cf, {0x0000000001c1f1fc, 0xfe7f1f0700000000, 0x0000000000000000, 0x0000000000000000}},  // ●
 }};
 
-const Font font_regular{9, 15, kGlyphs};
+const Font font_regular{9, 15, kRegularGlyphs};
 
 }  // namespace scanout::app

@@ -69,10 +69,10 @@ private:
 
 namespace {
 
-constexpr double kFlat = 0x1p-16; // bounding radii: so far off is still in the plane
+constexpr double kGroundFlat = 0x1p-16; // bounding radii: so far off is still in the plane
 
 bool lies_in(const Vec3& position, const Ground& ground) {
-    return std::abs(dot3(ground.normal, DVec3(position)) - ground.offset) <= kFlat;
+    return std::abs(dot3(ground.normal, DVec3(position)) - ground.offset) <= kGroundFlat;
 }
 bool lies_in(const geom::Mesh& mesh, std::size_t triangle, const Ground& ground) {
     const std::uint32_t* v = &mesh.index[triangle * 3];

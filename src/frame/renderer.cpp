@@ -17,10 +17,8 @@
 #include <vector>
 
 namespace scanout::frame {
-namespace {
-
 // What one worker needs for a tile.
-struct Worker {
+struct TileWorker {
     raster::VisibilityTile visibility;
     shade::Gatherer gatherer;
     std::unique_ptr<shade::Layers> layers; // made when a plan wants it
@@ -32,6 +30,8 @@ struct Worker {
     shade::LinearPicture drawn; // of a tile that is larger than its pixels
     shade::PixelSums sums;
 };
+
+namespace {
 
 Visibility nothing_seen(int width, int height, int samples) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
@@ -95,7 +95,7 @@ struct Frame {
 struct Renderer::State {
     explicit State(Jobs& j) : jobs(j), workers(static_cast<std::size_t>(j.threads())) {}
     Jobs& jobs;
-    std::vector<Worker> workers;
+    std::vector<TileWorker> workers;
     raster::Geometry geometry;
     raster::HiddenClusters hidden; // of the view
     shade::MipChains mips;
@@ -104,8 +104,8 @@ struct Renderer::State {
     shade::WidePicture wide;          // of filters that reach into neighbours
     std::vector<image::Plane> planes; // of a convolution
 
-    void draw_tile(const Frame& frame, int tile, Worker& worker);
-    void draw_marked_tile(const Frame& frame, int tile, Worker& worker);
+    void draw_tile(const Frame& frame, int tile, TileWorker& worker);
+    void draw_marked_tile(const Frame& frame, int tile, TileWorker& worker);
     void draw_frame(const FrameInput& input);
     void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
@@ -212,7 +212,7 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
 
 // By areas: what is seen at the centre decides only where lines and points are.
 static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t triangles,
-                        const shade::GatherInput& in, Worker& worker, image::Image& picture) {
+                        const shade::GatherInput& in, TileWorker& worker, image::Image& picture) {
     const image::Rect& area = worker.visibility.area();
     worker.areas.reset(area);
     geometry.draw(tile, worker.areas);
@@ -227,7 +227,7 @@ static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t 
 
 // By samples, with what blends over them.
 static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
-                          Worker& worker, image::Image& picture) {
+                          TileWorker& worker, image::Image& picture) {
     if (in.layers != nullptr && in.layers->blended != nullptr)
         worker.lanes +=
             worker.layers->shade(geometry, tile, in, worker.visibility, worker.gatherer, picture);
@@ -237,7 +237,7 @@ static void shade_samples(const raster::Geometry& geometry, int tile, const shad
 
 // Every pixel of the area from scale x scale of the tile's.
 static void shade_larger(const raster::Geometry& geometry, int tile, const image::Rect& area,
-                         int scale, const shade::GatherInput& in, Worker& worker,
+                         int scale, const shade::GatherInput& in, TileWorker& worker,
                          image::Image& picture) {
     const image::Rect& larger = worker.visibility.area();
     worker.drawn.reset(larger.width(), larger.height());
@@ -253,7 +253,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
 
 // What a tile shows at its samples, cut-out surfaces and lines included.
 static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
-                         Worker& worker) {
+                         TileWorker& worker) {
     geometry.draw_triangles(tile, worker.visibility);
     const shade::LayerInput* layers = in.layers;
     if (layers != nullptr && layers->cut_out != nullptr)
@@ -265,7 +265,7 @@ static void draw_samples(raster::Geometry& geometry, int tile, const shade::Gath
                             worker.visibility);
 }
 
-void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
+void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     const AntiAliasing& aa = *f.plan.aa;
     const image::Rect samples = geometry.tile_area(tile);
     const image::Rect area = {samples.x0 / aa.scale, samples.y0 / aa.scale, samples.x1 / aa.scale,
@@ -292,7 +292,7 @@ void Renderer::State::draw_tile(const Frame& f, int tile, Worker& worker) {
 }
 
 // The same, and marks what it shows.
-void Renderer::State::draw_marked_tile(const Frame& f, int tile, Worker& worker) {
+void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& worker) {
     shade::Layers::Pixels blended{};
     if (worker.layers != nullptr) worker.layers->note_pixels(&blended);
     draw_tile(f, tile, worker);
@@ -306,7 +306,7 @@ void Renderer::State::draw_marked_tile(const Frame& f, int tile, Worker& worker)
 }
 
 void Renderer::State::count_work() {
-    for (const Worker& worker : workers) {
+    for (const TileWorker& worker : workers) {
         stats.lanes_shaded += worker.lanes;
         if (worker.layers == nullptr) continue;
         stats.fragments_blended += worker.layers->fragments();
@@ -318,7 +318,7 @@ void Renderer::State::count_work() {
 // What the frame's buffers need not hold is let go.
 void Renderer::State::prepare_workers(bool layered, bool areas) {
     for (std::size_t i = 0; i < workers.size(); ++i) {
-        Worker& worker = workers[i];
+        TileWorker& worker = workers[i];
         worker.number = static_cast<int>(i);
         worker.lanes = 0;
         worker.gatherer.set_shadow(nullptr);
@@ -372,7 +372,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     bare.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
                 geometry.tiles(), plan.options.background});
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
-        Worker& worker = workers[static_cast<std::size_t>(number)];
+        TileWorker& worker = workers[static_cast<std::size_t>(number)];
         if (marks == nullptr)
             draw_tile(f, tile, worker);
         else
@@ -391,7 +391,7 @@ void Renderer::State::count_frame(const FrameInput& input) {
     std::fill(back_buffer.pixels().begin(), back_buffer.pixels().end(),
               input.plan.options.background);
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
-        Worker& worker = workers[static_cast<std::size_t>(number)];
+        TileWorker& worker = workers[static_cast<std::size_t>(number)];
         raster::VisibilityTile& visible = worker.visibility;
         if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, worker.by_id, *marks);
         if (input.visibility == nullptr) return;

@@ -15,11 +15,11 @@ namespace scanout::geom {
 namespace {
 
 // Of triangles by place.
-struct Corners {
+struct IndexedPositions {
     std::span<const Vec3> position;
     std::span<const std::uint32_t> index;
 };
-DVec3 position(const Corners& all, std::size_t corner) {
+DVec3 position(const IndexedPositions& all, std::size_t corner) {
     return DVec3(all.position[all.index[corner]]);
 }
 
@@ -27,7 +27,7 @@ struct Facing {
     DVec3 normal{0}; // unit; 0 without area
     double height;   // over the longest side
 };
-Facing facing(const Corners& all, std::size_t triangle) {
+Facing facing(const IndexedPositions& all, std::size_t triangle) {
     const DVec3 a = position(all, triangle * 3), b = position(all, triangle * 3 + 1),
                 c = position(all, triangle * 3 + 2);
     const DVec3 n = cross3(b - a, c - a);
@@ -38,7 +38,7 @@ Facing facing(const Corners& all, std::size_t triangle) {
     return {n / area, area / longest};
 }
 
-Cluster bounds(const Corners& all, std::size_t begin, std::size_t end) {
+Cluster bounds(const IndexedPositions& all, std::size_t begin, std::size_t end) {
     DVec3 least = position(all, begin * 3), most = least, sum(0);
     double thinnest = std::numeric_limits<double>::infinity();
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
@@ -85,7 +85,7 @@ Sphere sphere_of(std::span<const Cluster> clusters) {
 
 // The blocks that the vertices of some triangles are in, ascending; returns how many.
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
-std::size_t blocks_of(const Corners& all, std::size_t begin, std::size_t end,
+std::size_t blocks_of(const IndexedPositions& all, std::size_t begin, std::size_t end,
                       std::array<std::uint32_t, kCorners>& out) {
     std::size_t count = 0;
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner)
@@ -110,7 +110,7 @@ Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> 
             all.place[all.triangle[i]] = static_cast<std::uint32_t>(i);
         }
     });
-    const Corners corners{mesh.position, all.index.empty() ? mesh.index : all.index};
+    const IndexedPositions corners{mesh.position, all.index.empty() ? mesh.index : all.index};
     const std::size_t clusters = (triangles + Clusters::kTriangles - 1) / Clusters::kTriangles;
     if (clusters == 0) return all;
     all.cluster.resize(clusters);

@@ -56,7 +56,7 @@ DVec3 Framing::normalise(const DVec3& file_units) const {
 
 namespace {
 
-constexpr std::size_t kBlock = 16384;
+constexpr std::size_t kFramingBlock = 16384;
 
 // Calls visit(position, result of the block) for the positions that count, block by block.
 template <class T, class Visit>
@@ -64,12 +64,12 @@ std::vector<T> by_blocks(Jobs& jobs, const std::vector<DVec3>& positions,
                          const std::vector<std::uint8_t>& used, const T& empty, Visit&& visit) {
     const bool some =
         std::find_if(used.begin(), used.end(), [](std::uint8_t u) { return u != 0; }) != used.end();
-    std::vector<T> results((positions.size() + kBlock - 1) / kBlock, empty);
-    for_blocks(jobs, positions.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<T> results((positions.size() + kFramingBlock - 1) / kFramingBlock, empty);
+    for_blocks(jobs, positions.size(), kFramingBlock, [&](std::size_t begin, std::size_t end, int) {
         T result = empty;
         for (std::size_t i = begin; i < end; ++i)
             if ((!some || used[i] != 0) && is_finite(positions[i])) visit(positions[i], result);
-        results[begin / kBlock] = result;
+        results[begin / kFramingBlock] = result;
     });
     return results;
 }

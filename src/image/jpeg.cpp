@@ -22,11 +22,11 @@ constexpr int kMaxScans = 100;
 constexpr std::int64_t kWorkBytesPerPixel = 8;
 constexpr std::int64_t kWorkBytes = std::int64_t{16} << 20;
 
-struct Reader {
-    Reader();
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
-    ~Reader() { jpeg_destroy_decompress(&info); }
+struct JpegReader {
+    JpegReader();
+    JpegReader(const JpegReader&) = delete;
+    JpegReader& operator=(const JpegReader&) = delete;
+    ~JpegReader() { jpeg_destroy_decompress(&info); }
 
     jpeg_decompress_struct info{};
     jpeg_error_mgr errors{};
@@ -36,7 +36,7 @@ struct Reader {
 };
 
 [[noreturn]] void leave(j_common_ptr info) {
-    auto* reader = static_cast<Reader*>(info->client_data);
+    auto* reader = static_cast<JpegReader*>(info->client_data);
     info->err->format_message(info, reader->reason);
     std::longjmp(reader->exit, 1);
 }
@@ -48,13 +48,13 @@ void on_message(j_common_ptr info, int level) {
 }
 
 void on_progress(j_common_ptr info) {
-    auto* reader = static_cast<Reader*>(info->client_data);
+    auto* reader = static_cast<JpegReader*>(info->client_data);
     if (reader->info.input_scan_number <= kMaxScans) return;
     std::snprintf(reader->reason, sizeof reader->reason, "more than %d scans", kMaxScans);
     std::longjmp(reader->exit, 1);
 }
 
-Reader::Reader() {
+JpegReader::JpegReader() {
     info.err = jpeg_std_error(&errors);
     errors.error_exit = leave;
     errors.emit_message = on_message;
@@ -63,13 +63,13 @@ Reader::Reader() {
 }
 
 template <class Step>
-bool guarded(Reader& reader, const Step& step) {
+bool guarded(JpegReader& reader, const Step& step) {
     if (setjmp(reader.exit) != 0) return false;
     step();
     return true;
 }
 
-void read_header(Reader& reader, std::span<const std::uint8_t> file) {
+void read_header(JpegReader& reader, std::span<const std::uint8_t> file) {
     jpeg_create_decompress(&reader.info);
     reader.progress.progress_monitor = on_progress;
     reader.info.progress = &reader.progress;
@@ -89,7 +89,7 @@ void cmyk_to_rgba(std::span<Rgba8> row, bool inverted) {
     }
 }
 
-void read_pixels(Reader& reader, Image& image) {
+void read_pixels(JpegReader& reader, Image& image) {
     jpeg_decompress_struct& info = reader.info;
     const bool cmyk = info.jpeg_color_space == JCS_CMYK || info.jpeg_color_space == JCS_YCCK;
     info.out_color_space = cmyk ? JCS_CMYK : JCS_EXT_RGBA;
@@ -109,7 +109,7 @@ void read_pixels(Reader& reader, Image& image) {
 } // namespace
 
 Result<Image> decode_jpeg(const Source& file) {
-    Reader reader;
+    JpegReader reader;
     const auto refused = [&] {
         return fail(Exit::unreadable, "{}: not a readable JPEG: {}", file.name, reader.reason);
     };

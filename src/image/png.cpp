@@ -38,16 +38,16 @@ bool guarded(png_structp png, const Step& step) {
 
 // ---- reading
 
-struct Reader {
-    explicit Reader(std::span<const std::uint8_t> file) : rest(file) {
+struct PngReader {
+    explicit PngReader(std::span<const std::uint8_t> file) : rest(file) {
         png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &failure, on_error, on_warning);
         CHECK(png != nullptr);
         info = png_create_info_struct(png);
         CHECK(info != nullptr);
     }
-    Reader(const Reader&) = delete;
-    Reader& operator=(const Reader&) = delete;
-    ~Reader() { png_destroy_read_struct(&png, &info, nullptr); }
+    PngReader(const PngReader&) = delete;
+    PngReader& operator=(const PngReader&) = delete;
+    ~PngReader() { png_destroy_read_struct(&png, &info, nullptr); }
 
     std::span<const std::uint8_t> rest;
     Failure failure;
@@ -56,14 +56,14 @@ struct Reader {
 };
 
 void read_bytes(png_structp png, png_bytep out, std::size_t count) {
-    auto* reader = static_cast<Reader*>(png_get_io_ptr(png));
+    auto* reader = static_cast<PngReader*>(png_get_io_ptr(png));
     if (count > reader->rest.size()) png_error(png, "the file ends early");
     std::memcpy(out, reader->rest.data(), count);
     reader->rest = reader->rest.subspan(count);
 }
 
 // Asks libpng for 8-bit RGBA whatever the file holds.
-void read_header(Reader& reader, const DecodeLimits& limits) {
+void read_header(PngReader& reader, const DecodeLimits& limits) {
     png_structp png = reader.png;
     png_set_read_fn(png, &reader, read_bytes);
     const auto side = static_cast<png_uint_32>(limits.max_side);
@@ -96,7 +96,7 @@ Result<Image> decode_png(const Source& file) {
     if (std::memcmp(file.bytes.data() + 12, "IHDR", 4) == 0)
         TRY_VOID(check_size(file, width, height));
 
-    Reader reader(file.bytes);
+    PngReader reader(file.bytes);
     const auto refused = [&] {
         return fail(Exit::unreadable, "{}: not a readable PNG: {}", file.name,
                     reader.failure.reason);

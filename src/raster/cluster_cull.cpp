@@ -9,7 +9,7 @@
 SIMD_BEGIN(scanout::raster)
 
 using Terms = ClusterCull::Terms;
-using MaskX8 = F64x8::DoubleMask;
+using MaskF64x8 = F64x8::DoubleMask;
 
 constexpr double kSlack = ClusterCull::kSlack, kBesidePixels = ClusterCull::kBesidePixels;
 constexpr double kAngle = 1e-6; // slack of the sine of an angle
@@ -46,7 +46,7 @@ SIMD_INLINE F64x8 at_centre(const ClusterCull::Plane& p, const ClusterLanes& c) 
 }
 
 // All on one side of an edge of the picture, by more than a sample can reach.
-SIMD_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
+SIMD_INLINE MaskF64x8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
     const F64x8 radius = c.radius * F64x8(kSlack), limit = most_w * F64x8(-kBesidePixels);
     const auto past = [&](const ClusterCull::Plane& edge) SIMD_LAMBDA {
         return at_centre(edge, c) + F64x8(edge.length) * radius < limit;
@@ -58,7 +58,8 @@ SIMD_INLINE MaskX8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w) {
 // smaller on the screen than its snapping could turn over: twice its area there is
 //     scale_x scale_y det n . (p - eye) 2 area / (w0 w1 w2),
 // and moving its vertices changes that by at most 2 side kMove + kMove^2. Both by its longest side.
-SIMD_INLINE MaskX8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least_w, F64x8 most_w) {
+SIMD_INLINE MaskF64x8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least_w,
+                                  F64x8 most_w) {
     const F64x8 zero = 0.0, one = 1.0;
     const F64x8 eye[3] = {t.eye.x, t.eye.y, t.eye.z};
     F64x8 from_eye[3] = {eye[0], eye[1], eye[2]}, distance = t.eye_length, radius = 0.0;

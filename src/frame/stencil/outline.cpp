@@ -50,7 +50,7 @@ void show_part(const StencilBuffer& marks, int y, int x0, int x1, image::Image& 
             pixels[static_cast<std::size_t>(x)] = kColour;
 }
 
-void show(const StencilBuffer& marks, int y, image::Image& picture) {
+void show_outline(const StencilBuffer& marks, int y, image::Image& picture) {
     for (int x = 0; x < marks.width(); x += kPart)
         show_part(marks, y, x, std::min(x + kPart, marks.width()), picture);
 }
@@ -64,6 +64,6 @@ constinit const Stencil outline{{.axis = "stencil",
                                  .source = "McReynolds and Blythe 2005",
                                  .kind = Kind::model},
                                 Stencil::Marks::shown,
-                                show};
+                                show_outline};
 
 } // namespace scanout::frame::stencil

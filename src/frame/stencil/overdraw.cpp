@@ -31,7 +31,7 @@ constexpr std::array<image::Rgba8, 256> colours() {
     return all;
 }
 
-void show(const StencilBuffer& marks, int y, image::Image& picture) {
+void show_overdraw(const StencilBuffer& marks, int y, image::Image& picture) {
     static constexpr auto kColours = colours();
     const auto counts = marks.row(y);
     const auto pixels = picture.row(y);
@@ -50,6 +50,6 @@ constinit const Stencil overdraw{
      .source = "Segal and Akeley 1992",
      .kind = Kind::model},
     Stencil::Marks::covering,
-    show};
+    show_overdraw};
 
 } // namespace scanout::frame::stencil

@@ -29,7 +29,7 @@ void keep_rest(Image& picture, std::vector<Plane>& planes) {
             planes[c].value[i] = light[static_cast<int>(c)];
     }
     for (std::size_t c = 0; c < 3; ++c)
-        high_pass(planes[c], planes[3], planes[4]);
+        image::high_pass(planes[c], planes[3], planes[4]);
     for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const auto code = [&](std::size_t c) {
             const double value = planes[c].value[i];

@@ -28,7 +28,7 @@ void smooth(Image& picture, std::vector<Plane>& planes) {
         planes[3].value[i] = p.a;
     }
     for (std::size_t c = 0; c < 4; ++c)
-        low_pass(planes[c], planes[4]);
+        image::low_pass(planes[c], planes[4]);
     for (std::size_t i = 0; i < picture.pixels().size(); ++i) {
         const double alpha = planes[3].value[i];
         const auto code = [&](std::size_t c) {

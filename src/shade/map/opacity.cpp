@@ -39,7 +39,7 @@ SIMD_REGISTER(opacity_multiply);
 
 namespace {
 
-void run(Block& block, const FrameState& frame) {
+void opacity_run(Block& block, const FrameState& frame) {
     SIMD_CALL(opacity_set, block, block.material->opacity);
     const BoundMap& opacity = block.map[kOpacityMap];
     if (opacity.texture != nullptr) {
@@ -65,7 +65,7 @@ constinit const Stage opacity{{.axis = "map",
                                .source = "Wavefront 1995",
                                .kind = Kind::effect},
                               {.uv = true, .maps = bit_of(kDiffuseMap) | bit_of(kOpacityMap)},
-                              run};
+                              opacity_run};
 
 } // namespace scanout::shade::map
 #endif
