@@ -77,7 +77,7 @@ SIMD_REGISTER(bump_move);
 SIMD_REGISTER(bump_keep);
 SIMD_REGISTER(bump_run);
 
-static void run(Block& block, const FrameState& frame) {
+static void bump_texture(Block& block, const FrameState& frame) {
     const BoundMap& map = block.map[kBumpMap];
     if (map.texture == nullptr) return;
     BumpLanes lanes;
@@ -105,7 +105,7 @@ constinit const Stage bump{
      .facing = true,
      .footprint = true,
      .maps = bit_of(kBumpMap)},
-    run};
+    bump_texture};
 
 } // namespace scanout::shade::map
 #endif

@@ -8,7 +8,8 @@
 namespace scanout::shade::transparency {
 namespace {
 
-void nearest_first(std::span<std::uint32_t> fragments, const BlendList& list, int sample) {
+void fragments_nearest_first(std::span<std::uint32_t> fragments, const BlendList& list,
+                             int sample) {
     struct Keyed {
         float depth;
         std::uint32_t id, fragment;
@@ -53,7 +54,7 @@ constinit const Transparency exact{
      .source = "Carpenter 1984, the A-buffer",
      .kind = Kind::rung},
     nullptr,
-    nearest_first,
+    fragments_nearest_first,
     false};
 
 } // namespace scanout::shade::transparency

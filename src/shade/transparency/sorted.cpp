@@ -22,7 +22,7 @@ double distance(const GatherInput& in, std::uint32_t triangle) {
     return (corner[0] + corner[1]) + corner[2];
 }
 
-void nearest_first(std::span<std::uint32_t> triangles, const GatherInput& in) {
+void triangles_nearest_first(std::span<std::uint32_t> triangles, const GatherInput& in) {
     struct Keyed {
         double distance;
         std::uint32_t triangle;
@@ -47,7 +47,7 @@ constinit const Transparency sorted{
      .blurb = "triangles blended in the order of their centroids: wrong where they intersect",
      .source = "Newell, Newell and Sancha 1972",
      .kind = Kind::rung},
-    nearest_first,
+    triangles_nearest_first,
     nullptr,
     false};
 
