@@ -1,6 +1,6 @@
 #include "frame/alpha_facts.h"
 
-#include "frame/mesh_sides.h"
+#include "frame/back_faces.h"
 
 #include <algorithm>
 
@@ -72,7 +72,7 @@ AlphaFacts alpha_facts(const scene::Scene& scene) {
     AlphaFacts facts;
     std::vector<std::size_t> uses(scene.materials.size() + 1, 0);
     for (std::size_t t = 0; t < scene.mesh.triangles(); ++t)
-        if (!is_collapsed(scene.mesh, t))
+        if (!geom::is_collapsed(scene.mesh, t))
             ++uses[static_cast<std::size_t>(scene.mesh.material[t] + 1)];
     facts.of_material.assign(uses.size(), AlphaClass::opaque);
     facts.maps.resize(uses.size());

@@ -18,7 +18,7 @@ class Census {
 public:
     explicit Census(const scene::Scene& scene) : scene_(scene), uses_(scene.materials.size(), 0) {
         for (std::size_t t = 0; t < scene.mesh.triangles(); ++t) {
-            if (is_collapsed(scene.mesh, t)) continue;
+            if (geom::is_collapsed(scene.mesh, t)) continue;
             const std::int32_t material = scene.mesh.material[t];
             ++(material < 0 ? unnamed_ : uses_[static_cast<std::size_t>(material)]);
         }
@@ -197,7 +197,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
         [](const scene::Material& m) { return surface_of(m) == scene::Surface::physical; });
     facts.only_material = only_material(mesh);
     facts.alpha = alpha_facts(scene);
-    facts.sides = mesh_sides(mesh, lets_through(mesh, facts.alpha));
+    facts.topology = geom::topology(mesh, lets_through(mesh, facts.alpha));
     const auto materials = [&](auto... classes) {
         MaterialSet set(scene.materials.size() + 1, false);
         for (std::size_t i = 0; i < scene.materials.size(); ++i)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frame/alpha_facts.h"
-#include "frame/mesh_sides.h"
+#include "frame/back_faces.h"
 #include "frame/minification.h"
 #include "frame/options.h"
 #include "scene/scene.h"
@@ -44,7 +44,7 @@ struct SceneFacts {
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // of those: it says roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles
-    MeshSides sides;
+    geom::MeshTopology topology;
     bool uv = false;                                    // some face has texture coordinates
     bool vertex_colours = false, white_colours = false; // there are some; all of them are white
     AlphaFacts alpha;

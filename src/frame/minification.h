@@ -2,7 +2,7 @@
 // Told without drawing, from bounds that are gathered once.
 #pragma once
 
-#include "frame/planes.h"
+#include "frame/eye.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 #include "shade/mip_chain.h"
@@ -21,7 +21,7 @@ struct TexturedSurface {
     // At most, in any direction; normalised object units. By the model's uv, and by a mapping.
     double texels_per_unit = 0, texels_per_unit_mapped = 0;
     DVec3 box_min{0}, box_max{0}; // of the triangles
-    PlaneSet planes{};            // in which they lie
+    geom::PlaneSet planes{};      // in which they lie
 };
 // One for each map that a triangle's material has and that could be read.
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene);

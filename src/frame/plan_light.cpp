@@ -112,7 +112,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
 // Why backs may be seen, or why not; of meshes whose normals lean to no back.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
                                    const ViewFacts& view) {
-    const MeshSides& sides = facts.sides;
+    const geom::MeshTopology& topology = facts.topology;
     const Cull cull = options.cull;
     if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
     if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
@@ -126,34 +126,34 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
     if (!usual(options.depth, "reversed"))
         return {true, fmt::format("--depth {} may take backs for as near as what hides them",
                                   options.depth)};
-    if (sides.inward > 0)
+    if (topology.inside_out > 0)
         return {true,
                 fmt::format("{} of {} triangles are of closed parts that are wound inside out",
-                            sides.inward, facts.triangles)};
-    if (sides.back_to_back)
+                            topology.inside_out, facts.triangles)};
+    if (topology.back_to_back)
         return {true, "faces lie back to back: of two at one depth either may be seen"};
     switch (view.backs) {
-    case Backs::of_open_parts:
+    case BackFaces::of_open_components:
         return {true, facts.alpha.see_through_triangles() > 0
                           ? fmt::format("backs show through {} of {} triangles that are not opaque",
                                         facts.alpha.see_through_triangles(), facts.triangles)
                           : "the mesh has open edges: backs can be seen"};
-    case Backs::from_inside:
+    case BackFaces::from_inside:
         return {true, "the eye may be inside of a closed part, and see its backs"};
-    case Backs::none:
+    case BackFaces::none:
         break;
     }
-    return {false, sides.open > 0
+    return {false, topology.open_triangles > 0
                        ? fmt::format("{} of {} triangles have open edges or let light through: all "
                                      "show their fronts",
-                                     sides.open, facts.triangles)
+                                     topology.open_triangles, facts.triangles)
                        : "the mesh is closed and wound outwards: no back can be seen"};
 }
 
 // Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
 // the one that the eye sees.
 void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, const ViewFacts& view) {
-    const std::size_t leaning = facts.sides.leaning;
+    const std::size_t leaning = facts.topology.leaning_normals;
     auto [needed, because] =
         why_unlit(plan, facts) != nullptr ? std::pair(false, std::string(why_unlit(plan, facts)))
         : !has_directed_light(plan)       ? std::pair(false, std::string(kNoDirection))
@@ -171,9 +171,10 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
 // From inside, a convex body's near side stands between the lights and its far side.
 bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFacts& view,
                     const std::vector<LightFacts>& of_lights) {
-    const MeshSides& sides = facts.sides;
-    if (sides.flat) return false;
-    if (sides.bodies.empty() || plan.options.cull == Cull::front || view.inside) return true;
+    const geom::MeshTopology& topology = facts.topology;
+    if (topology.flat) return false;
+    if (topology.convex_components.empty() || plan.options.cull == Cull::front || view.inside)
+        return true;
     return !std::all_of(of_lights.begin(), of_lights.end(),
                         [](const LightFacts& light) { return light.parts_apart; });
 }
@@ -234,10 +235,10 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
         : casting.lights == 0             ? "no light that reaches anything casts shadows"
         : !throws ? "every triangle is blended or clear, and those throw none"
-        : !falls && facts.sides.bodies.size() > 1
+        : !falls && facts.topology.convex_components.size() > 1
             ? fmt::format("its {} parts, flat or convex, stand clear of one another in the light: "
                           "they throw none",
-                          facts.sides.bodies.size())
+                          facts.topology.convex_components.size())
         : !falls     ? "the model is flat or convex: it throws none on itself"
         : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
                                    shading.card.name)

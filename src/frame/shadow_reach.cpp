@@ -1,5 +1,6 @@
 #include "frame/shadow_reach.h"
 
+#include "frame/eye.h"
 #include "frame/light_view.h"
 #include "math/rotation.h"
 
@@ -14,7 +15,7 @@ struct Body {
     DVec3 centre;
     DVec3 half[3];
 
-    Body(const Box& box, const scene::View& view)
+    Body(const geom::Box& box, const scene::View& view)
         : centre(view.linear * ((box.low + box.high) / 2.0) + view.translation) {
         for (int axis = 0; axis < 3; ++axis)
             half[axis] = view.linear[axis] * ((box.high[axis] - box.low[axis]) / 2);
@@ -62,7 +63,7 @@ bool plane_between_from(const DVec3& place, const Body& a, const Body& b, double
 
 } // namespace
 
-bool stand_apart(std::span<const Box> bodies, const scene::ViewLight& light,
+bool stand_apart(std::span<const geom::Box> bodies, const scene::ViewLight& light,
                  const scene::View& view, const ShadowTexels& map) {
     if (bodies.size() < 2) return true;
     if (light.kind == scene::LightKind::ambient) return true;

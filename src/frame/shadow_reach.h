@@ -1,7 +1,7 @@
 // Can the shadow of one body reach another? Told from their boxes and the light's place alone.
 #pragma once
 
-#include "frame/mesh_sides.h"
+#include "frame/back_faces.h"
 #include "scene/light.h"
 
 #include <span>
@@ -16,7 +16,7 @@ struct ShadowTexels {
 // Between any two there is a plane that holds a directional light's direction, or a light's place:
 // neither stands in the other's light. And no filter of a map mixes texels of both. Boxes in mesh
 // coordinates. Never true of a light with a size, nor in a view that is not known.
-bool stand_apart(std::span<const Box> bodies, const scene::ViewLight& light,
+bool stand_apart(std::span<const geom::Box> bodies, const scene::ViewLight& light,
                  const scene::View& view, const ShadowTexels& map);
 
 } // namespace scanout::frame

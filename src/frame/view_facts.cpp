@@ -27,8 +27,8 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
     found.reaches = !may_miss || may_be_lit(seen, view);
     if (!casts || !found.reaches) return found;
     const ShadowTexels map{options.shadow_size, options.shadow_filter};
-    found.parts_apart = stand_apart(facts.sides.bodies, seen, view, map);
-    found.fronts_first = meets_fronts_first(facts.sides, seen, view);
+    found.parts_apart = stand_apart(facts.topology.convex_components, seen, view, map);
+    found.fronts_first = meets_fronts_first(facts.topology, seen, view);
     return found;
 }
 
@@ -40,8 +40,8 @@ ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts,
     found.in_view = may_be_seen(view);
     found.orthographic = view.projection == scene::Projection::orthographic;
     if (!found.in_view) return found;
-    found.inside = may_be_inside(facts.sides, view);
-    found.backs = backs_in_view(facts.sides, view);
+    found.inside = may_be_inside(facts.topology, view);
+    found.backs = back_faces_in_view(facts.topology, view);
     CHECK(options.lights.size() <= found.lights.size());
     for (std::size_t i = 0; i < options.lights.size(); ++i)
         if (!is_black(options.lights[i]))

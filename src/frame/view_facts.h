@@ -3,8 +3,8 @@
 // turns: as long as they are the same, so is the plan.
 #pragma once
 
+#include "frame/back_faces.h"
 #include "frame/facts.h"
-#include "frame/mesh_sides.h"
 #include "frame/options.h"
 #include "scene/view.h"
 
@@ -24,7 +24,7 @@ struct ViewFacts {
     bool in_view = true; // some of the model may be seen; else the others are not found
     bool orthographic = false;
     bool inside = false; // the eye may be inside of a closed part
-    Backs backs = Backs::none;
+    BackFaces backs = BackFaces::none;
     std::array<LightFacts, scene::kMostLights> lights{}; // of the options' lights
     friend bool operator==(const ViewFacts&, const ViewFacts&) = default;
 };

@@ -113,7 +113,7 @@ Result<void> Explainer::count_pixels() {
     const std::size_t none = scene_.materials.size();
     std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
     std::int64_t covered = 0;
-    const std::vector<bool> away = frame::turned_away(scene_.mesh, view_);
+    const std::vector<bool> away = frame::back_facing(scene_.mesh, view_);
     faces_away_ = {static_cast<std::size_t>(std::count(away.begin(), away.end(), true)),
                    away.size(), 0};
     for (const std::uint32_t id : visible.id) {
@@ -137,7 +137,7 @@ Result<void> Explainer::count_pixels() {
 // What a grey triangle under the default lights gets is nothing special.
 Result<int> Explainer::special_rows() const {
     frame::SceneFacts grey;
-    grey.triangles = grey.sides.open = 1; // it may show its back
+    grey.triangles = grey.topology.open_triangles = 1; // it may show its back
     TRY(const frame::FramePlan plain, frame::plan({}, grey));
     int special = 0;
     for (const frame::Decision& decision : plan_.decisions) {

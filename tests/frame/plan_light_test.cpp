@@ -18,7 +18,7 @@ TEST(Plan, WithoutLightFromASideNothingIsDoneAboutNormals) {
     SceneFacts facts;
     facts.triangles = 10;
     facts.vertex_colours = facts.uv = true;
-    facts.sides.leaning = facts.specular_triangles = 5;
+    facts.topology.leaning_normals = facts.specular_triangles = 5;
     facts.mapped_triangles.fill(5);
     facts.readable_maps = ~shade::MapBits{0};
     FrameOptions options;
@@ -161,7 +161,7 @@ TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
 // A lamp that shines past the model is no light, casts nothing and calls for no tone curve.
 TEST(Plan, ASpotThatMissesTheModelIsOff) {
     SceneFacts facts;
-    facts.triangles = facts.sides.open = 5;
+    facts.triangles = facts.topology.open_triangles = 5;
     facts.alpha.of_material = {AlphaClass::opaque};
     scene::View view;
     view.near_distance = 0.01;

@@ -489,8 +489,8 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
 TEST(Plan, AShadowThatIsForcedOnIsDrawnWhereverOneCanBe) {
     SceneFacts facts;
     facts.triangles = 12;
-    facts.sides.closed = true;
-    facts.sides.bodies = {{DVec3(-0.5), DVec3(0.5)}};
+    facts.topology.closed = true;
+    facts.topology.convex_components = {{DVec3(-0.5), DVec3(0.5)}};
     facts.alpha.of_material = {AlphaClass::opaque};
     FrameOptions options;
     options.lights[0].casts = true;

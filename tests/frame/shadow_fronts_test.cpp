@@ -184,8 +184,8 @@ TEST(ShadowFronts, AreNotAllThatALampSeesThatNearlyTouchesOne) {
 TEST(ShadowFronts, AreToldByThePlan) {
     SceneFacts facts;
     facts.triangles = 10;
-    facts.sides.closed = true;
-    facts.sides.closed_boxes = {{DVec3(-0.5), DVec3(0.5)}};
+    facts.topology.closed = true;
+    facts.topology.closed_boxes = {{DVec3(-0.5), DVec3(0.5)}};
     scene::View view;
     view.near_distance = 0.01;
     view.translation = view.world_origin = {0, 0, -5};
@@ -208,9 +208,9 @@ TEST(ShadowFronts, AreToldByThePlan) {
     EXPECT_THAT(because(view), Not(HasSubstr("fronts")));
     options.shadow = "auto";
     for (int fact = 0; fact < 3; ++fact) {
-        facts.sides.closed = fact != 0;
-        facts.sides.inward = fact == 1 ? 4 : 0;
-        facts.sides.back_to_back = fact == 2;
+        facts.topology.closed = fact != 0;
+        facts.topology.inside_out = fact == 1 ? 4 : 0;
+        facts.topology.back_to_back = fact == 2;
         EXPECT_EQ(because(view), "2 lights cast: directional, point") << fact;
     }
 }

@@ -22,7 +22,8 @@ TEST(TwoSided, DecidedOnceAFaceIsTheSameToTheBit) {
     for (const int samples : {1, 4}) {
         for (Shot s : golden_shots()) {
             if (s.options.aa != "auto") continue; // samples are what this varies
-            if (frame::facts(s.scene).sides.leaning > 0 || s.scene.mesh.triangles() == 0) continue;
+            if (frame::facts(s.scene).topology.leaning_normals > 0 || s.scene.mesh.triangles() == 0)
+                continue;
             s.options.width = 157;
             s.options.height = 113;
             s.options.samples = samples;

@@ -65,7 +65,7 @@ std::vector<std::uint8_t> hidden_by(const ClusterCull& cull, const geom::Cluster
 TEST(ClusterCull, ChangesNoBit) {
     Random random(82);
     Jobs jobs(1);
-    std::size_t hidden = 0, turned_away = 0, all = 0;
+    std::size_t hidden = 0, back_facing = 0, all = 0;
     for (int round = 0; round < 400; ++round) {
         geom::Mesh mesh = things(random);
         const scene::View view = any_view(random, round);
@@ -80,13 +80,13 @@ TEST(ClusterCull, ChangesNoBit) {
         const auto beside = hidden_by(ClusterCull(transform, Facing::any), mesh.clusters);
         for (std::size_t c = 0; c < by_all.size(); ++c) {
             hidden += by_all[c];
-            turned_away += by_all[c] != 0 && beside[c] == 0 ? 1 : 0;
+            back_facing += by_all[c] != 0 && beside[c] == 0 ? 1 : 0;
             ++all;
         }
     }
     record("hidden", static_cast<double>(hidden) / static_cast<double>(all));
     EXPECT_GT(hidden, all / 4);
-    EXPECT_GT(turned_away, all / 50);
+    EXPECT_GT(back_facing, all / 50);
 }
 
 // Vertices of a cluster that has bounds stand on the screen, within them.

@@ -1,4 +1,4 @@
-#include "frame/planes.h"
+#include "frame/eye.h"
 
 #include "math/transcendental.h"
 
@@ -6,28 +6,6 @@
 #include <cmath>
 
 namespace scanout::frame {
-
-void PlaneSet::add(const DVec3& a, const DVec3& b, const DVec3& c) {
-    if (too_many_) return;
-    const DVec3 n = cross3(b - a, c - a);
-    const double square = dot3(n, n);
-    if (!(square > 0)) return;
-    const DVec3 unit = n / sqrt(square);
-    const Plane plane{unit, dot3(unit, a)};
-    constexpr double kSame = 0x1p-20;
-    // Neighbours often share it: the last first.
-    if (std::any_of(planes_.rbegin(), planes_.rend(), [&](const Plane& other) {
-            return dot3(other.normal, unit) > 1 - kSame * kSame &&
-                   std::abs(other.offset - plane.offset) < kSame;
-        }))
-        return;
-    if (planes_.size() < kMost) {
-        planes_.push_back(plane);
-        return;
-    }
-    too_many_ = true;
-    planes_ = {};
-}
 
 bool is_known(const scene::View& view) {
     return view.projection == scene::Projection::orthographic || view.near_distance > 0;
@@ -44,11 +22,11 @@ std::optional<DVec4> eye_of(const scene::View& view) {
                  dot3(rows[2], at) / determinant, everywhere ? 0 : 1);
 }
 
-double height(const DVec4& eye, const Plane& plane) {
-    return dot3(plane.normal, DVec3(eye)) - eye.w * plane.offset;
+std::optional<DVec4> known_eye_of(const scene::View& view) {
+    return is_known(view) ? eye_of(view) : std::nullopt;
 }
 
-double slant(const Plane& plane, const scene::View& view, double farthest) {
+double slant(const geom::Plane& plane, const scene::View& view, double farthest) {
     const DVec3 normal = view.normal * plane.normal;
     const double square = dot3(normal, normal);
     if (!(square > 0)) return INFINITY;

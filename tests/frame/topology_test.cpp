@@ -1,5 +1,5 @@
 // Facts about backs: is a mesh closed, wound outwards, and do its normals say the same?
-#include "frame/mesh_sides.h"
+#include "frame/back_faces.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -25,54 +25,54 @@ void turn(geom::Mesh& mesh, bool winding, bool normals) {
             n = -n;
 }
 
-TEST(MeshSides, OfASolidAreClosedAndOutward) {
+TEST(MeshTopology, OfASolidAreClosedAndOutward) {
     geom::Mesh mesh = sphere();
     test::add_cube(mesh, 0.3F); // vertices of its own at every face: joined by place
-    const MeshSides sides = mesh_sides(mesh);
-    EXPECT_TRUE(sides.closed);
-    EXPECT_EQ(sides.inward, 0U);
-    EXPECT_EQ(sides.leaning, 0U);
+    const geom::MeshTopology topology = geom::topology(mesh);
+    EXPECT_TRUE(topology.closed);
+    EXPECT_EQ(topology.inside_out, 0U);
+    EXPECT_EQ(topology.leaning_normals, 0U);
 }
 
-TEST(MeshSides, AHoleOfOneTriangleShows) {
+TEST(MeshTopology, AHoleOfOneTriangleShows) {
     for (const std::size_t hole : {0U, 100U, 400U}) {
         geom::Mesh mesh = sphere();
         mesh.index.erase(mesh.index.begin() + static_cast<std::ptrdiff_t>(3 * hole),
                          mesh.index.begin() + static_cast<std::ptrdiff_t>(3 * hole + 3));
-        EXPECT_FALSE(mesh_sides(mesh).closed);
+        EXPECT_FALSE(geom::topology(mesh).closed);
     }
     geom::Mesh turned = sphere(); // one wound the other way
     std::swap(turned.index[300], turned.index[301]);
-    EXPECT_FALSE(mesh_sides(turned).closed);
-    EXPECT_EQ(mesh_sides(turned).leaning, 1U);
-    EXPECT_FALSE(mesh_sides(empty_mesh()).closed);
+    EXPECT_FALSE(geom::topology(turned).closed);
+    EXPECT_EQ(geom::topology(turned).leaning_normals, 1U);
+    EXPECT_FALSE(geom::topology(empty_mesh()).closed);
     geom::Mesh square = empty_mesh();
     test::add_square(square, 1);
-    EXPECT_FALSE(mesh_sides(square).closed);
-    EXPECT_EQ(mesh_sides(square).leaning, 0U);
+    EXPECT_FALSE(geom::topology(square).closed);
+    EXPECT_EQ(geom::topology(square).leaning_normals, 0U);
     // A sheet with a front and a back closes round itself.
     test::add_quad(square, {{{1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}}, {0, 0, -1});
-    EXPECT_TRUE(mesh_sides(square).closed);
+    EXPECT_TRUE(geom::topology(square).closed);
 }
 
-TEST(MeshSides, InsideOutIsNotOutward) {
+TEST(MeshTopology, InsideOutIsNotOutward) {
     geom::Mesh mesh = sphere();
     const std::size_t all = mesh.triangles();
     turn(mesh, true, true);
-    EXPECT_TRUE(mesh_sides(mesh).closed);
-    EXPECT_EQ(mesh_sides(mesh).inward, all);
-    EXPECT_EQ(mesh_sides(mesh).leaning, 0U);
+    EXPECT_TRUE(geom::topology(mesh).closed);
+    EXPECT_EQ(geom::topology(mesh).inside_out, all);
+    EXPECT_EQ(geom::topology(mesh).leaning_normals, 0U);
     turn(mesh, false, true); // normals outwards, winding not
-    EXPECT_EQ(mesh_sides(mesh).leaning, all);
+    EXPECT_EQ(geom::topology(mesh).leaning_normals, all);
     turn(mesh, true, false);
-    EXPECT_EQ(mesh_sides(mesh).leaning, 0U);
+    EXPECT_EQ(geom::topology(mesh).leaning_normals, 0U);
 }
 
-TEST(MeshSides, EachClosedPartIsInsideOutOrNotByItself) {
+TEST(MeshTopology, EachClosedPartIsInsideOutOrNotByItself) {
     geom::Mesh mesh = sphere();
     const std::size_t large = mesh.index.size();
     test::add_sphere(mesh, {-0.7F, 0.1F, 0}, 0.125F, 12, 6);
-    EXPECT_EQ(mesh_sides(mesh).inward, 0U);
+    EXPECT_EQ(geom::topology(mesh).inside_out, 0U);
     for (std::size_t i = large; i < mesh.index.size(); i += 3) {
         std::swap(mesh.index[i], mesh.index[i + 1]);
         for (std::size_t k = 0; k < 3; ++k) {
@@ -81,10 +81,10 @@ TEST(MeshSides, EachClosedPartIsInsideOutOrNotByItself) {
             n = dot3(DVec3(n), DVec3(out)) > 0 ? -n : n;
         }
     }
-    const MeshSides sides = mesh_sides(mesh);
-    EXPECT_TRUE(sides.closed);
-    EXPECT_EQ(sides.leaning, 0U);
-    EXPECT_EQ(sides.inward, mesh.triangles() - large / 3);
+    const geom::MeshTopology topology = geom::topology(mesh);
+    EXPECT_TRUE(topology.closed);
+    EXPECT_EQ(topology.leaning_normals, 0U);
+    EXPECT_EQ(topology.inside_out, mesh.triangles() - large / 3);
     test::Shot s = test::shot("balls");
     s.scene.mesh = mesh;
     s.scene.materials = {test::plain(Vec3(0.7F))};
@@ -97,7 +97,7 @@ TEST(MeshSides, EachClosedPartIsInsideOutOrNotByItself) {
     EXPECT_NE(test::draw(s), right);
 }
 
-TEST(MeshSides, AFaceOnTheBackOfAnotherIsFound) {
+TEST(MeshTopology, AFaceOnTheBackOfAnotherIsFound) {
     // One sheet as exporters write it: the second time from its last corner on, so that diagonals
     // cross. It holds no volume, and a body that it hangs on does not hide that.
     for (const bool on_a_body : {false, true}) {
@@ -106,20 +106,20 @@ TEST(MeshSides, AFaceOnTheBackOfAnotherIsFound) {
         const Vec3 a(0.25F), b(0.25F, 0.75F, 0.25F), c(0.75F, 0.75F, 0.25F), d(0.75F, 0.25F, 0.25F);
         test::add_quad(mesh, {{a, b, c, d}}, {0, 0, -1});
         test::add_quad(mesh, {{d, c, b, a}}, {0, 0, 1});
-        const MeshSides sides = mesh_sides(mesh);
-        EXPECT_TRUE(sides.closed);
-        EXPECT_EQ(sides.inward, on_a_body ? 0U : 4U);
-        EXPECT_TRUE(sides.back_to_back);
+        const geom::MeshTopology topology = geom::topology(mesh);
+        EXPECT_TRUE(topology.closed);
+        EXPECT_EQ(topology.inside_out, on_a_body ? 0U : 4U);
+        EXPECT_TRUE(topology.back_to_back);
     }
     // Balls that touch at a point do not.
     geom::Mesh touching = empty_mesh();
     test::add_sphere(touching, {-0.5F, 0, 0}, 0.5F, 24, 12);
     test::add_sphere(touching, {0.5F, 0, 0}, 0.5F, 24, 12);
-    EXPECT_FALSE(mesh_sides(touching).back_to_back);
-    EXPECT_FALSE(mesh_sides(sphere()).back_to_back);
+    EXPECT_FALSE(geom::topology(touching).back_to_back);
+    EXPECT_FALSE(geom::topology(sphere()).back_to_back);
 }
 
-TEST(MeshSides, ATriangleWithoutAnAreaHasNoSide) {
+TEST(MeshTopology, ATriangleWithoutAnAreaHasNoSide) {
     geom::Mesh mesh = empty_mesh();
     for (const float y : {0.0F, 1e-12F, 1e-3F}) {
         const std::uint32_t a = test::add_vertex(mesh, {0, 0, 0}),
@@ -127,20 +127,20 @@ TEST(MeshSides, ATriangleWithoutAnAreaHasNoSide) {
                             c = test::add_vertex(mesh, {0.5F, y, 0});
         test::add_triangle(mesh, a, b, c);
     }
-    EXPECT_EQ(mesh_sides(mesh).leaning, 1U); // the first
-    mesh.normal.back() = {1, 0, 0};          // along the face: no clear side
-    EXPECT_EQ(mesh_sides(mesh).leaning, 2U);
+    EXPECT_EQ(geom::topology(mesh).leaning_normals, 1U); // the first
+    mesh.normal.back() = {1, 0, 0};                      // along the face: no clear side
+    EXPECT_EQ(geom::topology(mesh).leaning_normals, 2U);
 }
 
 // Programs that draw parts write 0 for a corner here and 2e-18 there.
-TEST(MeshSides, PlacesARoundingApartAreOne) {
+TEST(MeshTopology, PlacesARoundingApartAreOne) {
     geom::Mesh mesh = empty_mesh();
     test::add_cube(mesh, 0.25F);
     for (std::size_t i = 0; i < mesh.position.size(); i += 3)
         mesh.position[i] += Vec3(2e-18F, -3e-8F, 3e-8F);
-    EXPECT_TRUE(mesh_sides(mesh).closed);
+    EXPECT_TRUE(geom::topology(mesh).closed);
     mesh.position[0].x += 1e-6F;
-    EXPECT_FALSE(mesh_sides(mesh).closed);
+    EXPECT_FALSE(geom::topology(mesh).closed);
 }
 
 scene::View view_of(const geom::Mesh& mesh, double azimuth, double elevation, double distance = 3) {
@@ -153,81 +153,82 @@ scene::View view_of(const geom::Mesh& mesh, double azimuth, double elevation, do
     return *view;
 }
 
-TEST(MeshSides, AFlatPartShowsItsBackFromBehindAlone) {
+TEST(MeshTopology, AFlatPartShowsItsBackFromBehindAlone) {
     geom::Mesh mesh = empty_mesh();
     test::add_square(mesh, 0.5F); // looks to +z
     test::add_cube(mesh, 0.25F);  // closed, and in two places: its backs are never seen
-    const MeshSides sides = mesh_sides(mesh);
-    EXPECT_FALSE(sides.closed);
-    EXPECT_EQ(sides.open, 2U);
-    EXPECT_EQ(sides.open_planes.planes().size(), 1U);
+    const geom::MeshTopology topology = geom::topology(mesh);
+    EXPECT_FALSE(topology.closed);
+    EXPECT_EQ(topology.open_triangles, 2U);
+    EXPECT_EQ(topology.open_planes.planes().size(), 1U);
     for (int azimuth = 0; azimuth < 360; azimuth += 20)
         for (const int elevation : {-60, 0, 45}) {
             const bool front = azimuth < 90 || azimuth > 270;
-            EXPECT_EQ(backs_in_view(sides, view_of(mesh, azimuth, elevation)),
-                      front ? Backs::none : Backs::of_open_parts)
+            EXPECT_EQ(back_faces_in_view(topology, view_of(mesh, azimuth, elevation)),
+                      front ? BackFaces::none : BackFaces::of_open_components)
                 << azimuth << " " << elevation;
         }
-    EXPECT_EQ(backs_in_view(sides, scene::View()), Backs::of_open_parts) << "no view is known";
+    EXPECT_EQ(back_faces_in_view(topology, scene::View()), BackFaces::of_open_components)
+        << "no view is known";
 }
 
-TEST(MeshSides, WhatLetsLightThroughIsNotClosed) {
+TEST(MeshTopology, WhatLetsLightThroughIsNotClosed) {
     const geom::Mesh mesh = sphere();
     std::vector<bool> glass(mesh.triangles(), false);
     glass[7] = true;
-    const MeshSides sides = mesh_sides(mesh, glass);
-    EXPECT_FALSE(sides.closed);
-    EXPECT_EQ(sides.open, mesh.triangles());
-    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 0, 0)), Backs::of_open_parts);
-    EXPECT_EQ(backs_in_view(mesh_sides(mesh), view_of(mesh, 0, 0)), Backs::none);
+    const geom::MeshTopology topology = geom::topology(mesh, glass);
+    EXPECT_FALSE(topology.closed);
+    EXPECT_EQ(topology.open_triangles, mesh.triangles());
+    EXPECT_EQ(back_faces_in_view(topology, view_of(mesh, 0, 0)), BackFaces::of_open_components);
+    EXPECT_EQ(back_faces_in_view(geom::topology(mesh), view_of(mesh, 0, 0)), BackFaces::none);
 }
 
-TEST(MeshSides, FromInsideBacksAreSeen) {
+TEST(MeshTopology, FromInsideBacksAreSeen) {
     geom::Mesh mesh = empty_mesh();
     test::add_cube(mesh, 0.25F);
-    const MeshSides sides = mesh_sides(mesh);
-    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 30, 20, 0.1)), Backs::from_inside);
-    EXPECT_EQ(backs_in_view(sides, view_of(mesh, 30, 20, 2)), Backs::none);
+    const geom::MeshTopology topology = geom::topology(mesh);
+    EXPECT_EQ(back_faces_in_view(topology, view_of(mesh, 30, 20, 0.1)), BackFaces::from_inside);
+    EXPECT_EQ(back_faces_in_view(topology, view_of(mesh, 30, 20, 2)), BackFaces::none);
     // Outside by less than the near plane cuts away.
     scene::View near = view_of(mesh, 0, 0);
     near.translation = {0, 0, -near.linear[2].z * 0.251};
-    EXPECT_EQ(backs_in_view(sides, near), Backs::none);
+    EXPECT_EQ(back_faces_in_view(topology, near), BackFaces::none);
     near.near_distance = 0.01;
-    EXPECT_EQ(backs_in_view(sides, near), Backs::from_inside);
+    EXPECT_EQ(back_faces_in_view(topology, near), BackFaces::from_inside);
 }
 
-TEST(MeshSides, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
+TEST(MeshTopology, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
     geom::Mesh mesh = empty_mesh();
     test::add_square(mesh, 0.5F);
-    EXPECT_TRUE(mesh_sides(mesh).flat);
+    EXPECT_TRUE(geom::topology(mesh).flat);
     test::add_quad(mesh, {{{1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}}, {0, 0, -1});
-    EXPECT_TRUE(mesh_sides(mesh).flat) << "a sheet of two sides";
+    EXPECT_TRUE(geom::topology(mesh).flat) << "a sheet of two sides";
     test::add_square(mesh, 0.25F, 0.1F);
-    EXPECT_FALSE(mesh_sides(mesh).flat);
+    EXPECT_FALSE(geom::topology(mesh).flat);
     geom::Mesh cube = empty_mesh();
     test::add_cube(cube, 0.25F);
-    EXPECT_EQ(mesh_sides(cube).bodies.size(), 1U);
-    EXPECT_FALSE(mesh_sides(cube).flat);
+    EXPECT_EQ(geom::topology(cube).convex_components.size(), 1U);
+    EXPECT_FALSE(geom::topology(cube).flat);
     geom::Mesh open = cube; // its inside is dark
     open.index.resize(open.index.size() - 6);
-    EXPECT_TRUE(mesh_sides(open).bodies.empty());
+    EXPECT_TRUE(geom::topology(open).convex_components.empty());
     test::add_cube(cube, 0.1F);
     for (std::size_t i = 24; i < cube.position.size(); ++i)
         cube.position[i].x += 0.5F;
-    const auto bodies = mesh_sides(cube).bodies;
+    const auto bodies = geom::topology(cube).convex_components;
     ASSERT_EQ(bodies.size(), 2U) << "one may shade the other";
     EXPECT_EQ(bodies[0].low, DVec3(-0.25));
     EXPECT_EQ(bodies[1].high.y, double{0.1F});
-    EXPECT_TRUE(mesh_sides(sphere()).bodies.empty()) << "not known: too many planes";
+    EXPECT_TRUE(geom::topology(sphere()).convex_components.empty()) << "not known: too many planes";
     test::add_square(cube, 0.25F, 0.75F);
-    EXPECT_EQ(mesh_sides(cube).bodies.size(), 3U);
-    for (std::size_t i = 0; i < MeshSides::kMostBodies - 2; ++i)
+    EXPECT_EQ(geom::topology(cube).convex_components.size(), 3U);
+    for (std::size_t i = 0; i < geom::MeshTopology::kMaxConvex - 2; ++i)
         test::add_square(cube, 0.01F, 0.8F + 0.001F * static_cast<float>(i));
-    EXPECT_TRUE(mesh_sides(cube).bodies.empty()) << "too many";
+    EXPECT_TRUE(geom::topology(cube).convex_components.empty()) << "too many";
 }
 
 // And no bit of the picture has one: volumes, which are exact, against none.
-TEST(MeshSides, AConvexModelHasNoShadowsAndNoShadowPass) {
+TEST(MeshTopology, AConvexModelHasNoShadowsAndNoShadowPass) {
     test::Random random(3);
     for (int round = 0; round < 20; ++round) {
         test::Shot s = test::shot("cube");
@@ -254,7 +255,7 @@ TEST(MeshSides, AConvexModelHasNoShadowsAndNoShadowPass) {
 }
 
 // Whatever the plan says shows no back shows none: counted from the ids that are seen.
-TEST(MeshSides, WhereNoBackCanBeSeenNoneIs) {
+TEST(MeshTopology, WhereNoBackCanBeSeenNoneIs) {
     int none = 0, some = 0;
     for (test::Shot s : test::golden_shots()) {
         s.options.aa = "auto";
@@ -269,7 +270,7 @@ TEST(MeshSides, WhereNoBackCanBeSeenNoneIs) {
         ASSERT_TRUE(plan) << plan.error().what;
         Visibility visible;
         test::draw(s, {.visibility = &visible});
-        const std::vector<bool> away = turned_away(s.scene.mesh, *view);
+        const std::vector<bool> away = back_facing(s.scene.mesh, *view);
         const auto seen =
             std::count_if(visible.id.begin(), visible.id.end(),
                           [&](std::uint32_t id) { return id < away.size() && away[id]; });

@@ -1,0 +1,23 @@
+// Where the eye of a view is in mesh coordinates, and what it sees of a plane there.
+#pragma once
+
+#include "geom/planes.h"
+#include "math/vec.h"
+#include "scene/view.h"
+
+#include <optional>
+
+namespace scanout::frame {
+
+// False of a view without a near plane, as a plan that knows none has: its eye may be anywhere.
+bool is_known(const scene::View& view);
+// The eye in mesh coordinates; w is 0 in an orthographic view, whose eye is a direction. Nothing
+// where the model is flattened. geom::height(eye, plane) > 0: the eye sees the plane's front.
+std::optional<DVec4> eye_of(const scene::View& view);
+// The same; nothing in a view that is not known, too.
+std::optional<DVec4> known_eye_of(const scene::View& view);
+// How much more of its plane a pixel spans than where the plane faces the eye: 1 / cos of the angle
+// between ray and normal, at most over points no farther than `farthest` (view space) from the eye.
+double slant(const geom::Plane& plane, const scene::View& view, double farthest);
+
+} // namespace scanout::frame

@@ -1,0 +1,282 @@
+#include "geom/topology.h"
+
+#include "geom/disjoint_sets.h"
+#include "math/rotation.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+
+namespace scanout::geom {
+namespace {
+
+// A number for a place: equal places have equal ones, whatever vertices stand there. Steele, Lea
+// and Flood 2014 (SplitMix64).
+std::uint64_t mixed(std::uint64_t x) {
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
+    return x ^ (x >> 31);
+}
+// What a CAD program writes of one corner is 0 in one triangle and 2e-18 in the next.
+std::uint64_t number_of(const Vec3& p) {
+    const auto whole = [](float x) {
+        return static_cast<std::uint64_t>(
+            static_cast<std::int64_t>(std::floor(double{x} * 0x1p22 + 0.5)));
+    };
+    return mixed(mixed(mixed(whole(p.x)) + whole(p.y)) + whole(p.z));
+}
+
+// Counts for an edge in one direction and against it in the other. A sum of 0 over all edges by
+// chance has the probability 2^-64; no picture depends on it.
+std::uint64_t edge(std::uint64_t from, std::uint64_t to) {
+    if (from == to) return 0;
+    const std::uint64_t both = mixed(from + to) ^ (from ^ to);
+    return from < to ? both : 0 - both;
+}
+
+constexpr double kOpposite = -0.99; // cosine
+
+// Joins vertices at one place: the first there is found again by its number. Returns the places
+// where some have normals that are opposite but for 8 degrees.
+std::vector<std::uint64_t> join_places(DisjointSets& components,
+                                       const std::vector<std::uint64_t>& number,
+                                       const std::vector<Vec3>& normal) {
+    constexpr std::uint32_t kFree = ~std::uint32_t{0};
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * number.size() + 1), kFree);
+    std::vector<std::uint64_t> opposite;
+    for (std::uint32_t v = 0; v < number.size(); ++v) {
+        std::size_t at = number[v] & (table.size() - 1);
+        while (table[at] != kFree && number[table[at]] != number[v])
+            at = (at + 1) & (table.size() - 1);
+        if (table[at] == kFree) {
+            table[at] = v;
+            continue;
+        }
+        components.join(table[at], v);
+        if (dot3(DVec3(normal[v]), DVec3(normal[table[at]])) < kOpposite)
+            opposite.push_back(number[v]);
+    }
+    std::sort(opposite.begin(), opposite.end());
+    return opposite;
+}
+
+constexpr double kFlat = 0x1p-20; // so far off is still in the plane
+
+struct Triangle {
+    const Vec3 &a, &b, &c;
+    DVec3 ab, ac, n; // edges and their product
+
+    Triangle(const Mesh& mesh, const std::uint32_t* v)
+        : a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]),
+          ab(DVec3(b) - DVec3(a)), ac(DVec3(c) - DVec3(a)), n(cross3(ab, ac)) {}
+
+    // Unit normals mixed in any shares lean to no side where none of the three does, with room for
+    // the rounding of floats, and of the face's own normal where it is a sliver.
+    bool leans(const Mesh& mesh, const std::uint32_t* v) const {
+        const double room = dot3(n, n) * 0x1p-24 + dot3(ab, ab) * dot3(ac, ac) * 0x1p-80;
+        for (int k = 0; k < 3; ++k) {
+            const double lean = dot3(DVec3(mesh.normal[v[k]]), n);
+            if (!(lean > 0 && lean * lean > room)) return true;
+        }
+        return false;
+    }
+};
+
+void include(Box& box, const DVec3& low, const DVec3& high) {
+    for (int axis = 0; axis < 3; ++axis) {
+        box.low[axis] = std::min(box.low[axis], low[axis]);
+        box.high[axis] = std::max(box.high[axis], high[axis]);
+    }
+}
+
+// By component: at the vertex that is its root.
+struct Component {
+    static constexpr std::uint32_t kNone = ~std::uint32_t{0};
+    std::uint64_t open = 0; // sum of its edges; 0: closed
+    std::uint32_t solid = kNone;
+};
+
+// A closed component. The volume is six times its own, seen from one of its corners; more than
+// rounding.
+struct Solid {
+    DVec3 corner;
+    double volume = 0, terms = 0;
+    std::size_t triangles = 0;
+    void add(const Triangle& t) {
+        const double term = dot3(DVec3(t.a) - corner, t.n);
+        volume += term;
+        terms += std::abs(term);
+        ++triangles;
+    }
+    bool outward() const { return volume > terms * 0x1p-40; }
+};
+
+// Where the components are: the planes of open ones, the boxes of closed ones. Returns these.
+std::vector<Solid> locate(MeshTopology& result, const Mesh& mesh, DisjointSets& components,
+                          std::vector<Component>& of) {
+    std::vector<Solid> solids;
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        const Triangle t(mesh, v);
+        Component& component = of[components.root(v[0])];
+        if (component.open != 0) {
+            ++result.open_triangles;
+            result.open_planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+            continue;
+        }
+        if (component.solid == Component::kNone) {
+            component.solid = static_cast<std::uint32_t>(solids.size());
+            solids.push_back({DVec3(t.a)});
+            if (result.closed_boxes.size() < MeshTopology::kMaxBoxes)
+                result.closed_boxes.push_back({DVec3(t.a), DVec3(t.a)});
+        }
+        solids[component.solid].add(t);
+        Box& box =
+            result
+                .closed_boxes[std::min<std::size_t>(component.solid, MeshTopology::kMaxBoxes - 1)];
+        for (const Vec3* corner : {&t.a, &t.b, &t.c})
+            include(box, DVec3(*corner), DVec3(*corner));
+    }
+    for (const Solid& solid : solids)
+        result.inside_out += solid.outward() ? 0 : solid.triangles;
+    result.closed = result.open_triangles == 0 && !mesh.index.empty();
+    return solids;
+}
+
+// Does a face lie on the back of another? Then they share an edge that ends at one of the places,
+// run along it in opposite directions, and look in opposite ones.
+bool lie_back_to_back(const Mesh& mesh, const std::vector<std::uint64_t>& number,
+                      const std::vector<std::uint64_t>& places) {
+    struct Edge {
+        std::uint64_t low, high; // ends
+        bool rises;
+        DVec3 normal;
+    };
+    std::vector<Edge> edges;
+    const auto listed = [&](std::uint64_t place) {
+        return std::binary_search(places.begin(), places.end(), place);
+    };
+    for (std::size_t i = 0; i + 2 < mesh.index.size() && !places.empty(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint64_t from = number[v[k]], to = number[v[(k + 1) % 3]];
+            if (from != to && (listed(from) || listed(to)))
+                edges.push_back({std::min(from, to), std::max(from, to), from < to,
+                                 normalized(Triangle(mesh, v).n)});
+        }
+    }
+    const auto before = [](const Edge& a, const Edge& b) {
+        return std::tie(a.low, a.high) < std::tie(b.low, b.high);
+    };
+    std::sort(edges.begin(), edges.end(), before);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+        for (std::size_t k = i + 1; k < edges.size() && !before(edges[i], edges[k]); ++k)
+            if (edges[i].rises != edges[k].rises &&
+                dot3(edges[i].normal, edges[k].normal) < kOpposite)
+                return true;
+    return false;
+}
+
+bool is_flat(const std::vector<Plane>& planes) {
+    return planes.size() == 1 ||
+           (planes.size() == 2 && dot3(planes[0].normal, planes[1].normal) < -1 + kFlat * kFlat &&
+            std::abs(planes[0].offset + planes[1].offset) < kFlat);
+}
+
+// MeshTopology::convex_components.
+std::vector<Box> convex_components(const Mesh& mesh, DisjointSets& components,
+                                   const std::vector<Component>& of,
+                                   const std::vector<Solid>& solids) {
+    struct Convex {
+        std::uint32_t root;
+        PlaneSet planes;
+        Box box;
+    };
+    std::vector<Convex> found;
+    const auto find = [&](std::uint32_t vertex) {
+        const std::uint32_t root = components.root(vertex);
+        return std::find_if(found.begin(), found.end(),
+                            [&](const Convex& convex) { return convex.root == root; });
+    };
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        const Triangle t(mesh, v);
+        if (dot3(t.n, t.n) == 0) continue; // covers nothing
+        auto convex = find(v[0]);
+        if (convex == found.end()) {
+            if (found.size() == MeshTopology::kMaxConvex) return {};
+            convex = found.insert(convex, {components.root(v[0]), {}, {DVec3(t.a), DVec3(t.a)}});
+        }
+        convex->planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+        if (convex->planes.too_many()) return {};
+        for (const Vec3* corner : {&t.a, &t.b, &t.c})
+            include(convex->box, DVec3(*corner), DVec3(*corner));
+    }
+    const auto outward = [&](const Convex& convex) {
+        const Component& component = of[convex.root];
+        return component.open == 0 && solids[component.solid].outward();
+    };
+    if (!std::all_of(found.begin(), found.end(), [&](const Convex& convex) {
+            return is_flat(convex.planes.planes()) || outward(convex);
+        }))
+        return {};
+    const auto rises = [&](std::uint32_t v) {
+        const auto convex = find(v);
+        if (convex == found.end()) return false;
+        const auto& planes = convex->planes.planes();
+        const DVec4 at(DVec3(mesh.position[v]), 1);
+        return !is_flat(planes) &&
+               std::any_of(planes.begin(), planes.end(),
+                           [&](const Plane& plane) { return height(at, plane) > kFlat; });
+    };
+    if (std::any_of(mesh.index.begin(), mesh.index.end(), rises)) return {};
+    std::vector<Box> boxes;
+    for (const Convex& convex : found)
+        boxes.push_back(convex.box);
+    return boxes;
+}
+
+} // namespace
+
+bool is_collapsed(const Mesh& mesh, std::size_t triangle) {
+    const std::uint32_t* v = &mesh.index[triangle * 3];
+    const Vec3 &a = mesh.position[v[0]], &b = mesh.position[v[1]], &c = mesh.position[v[2]];
+    return a == b || b == c || c == a;
+}
+
+MeshTopology topology(const Mesh& mesh, const std::vector<bool>& lets_through) {
+    std::vector<std::uint64_t> number(mesh.position.size());
+    for (std::size_t i = 0; i < number.size(); ++i)
+        number[i] = number_of(mesh.position[i]);
+    DisjointSets components(number.size());
+    MeshTopology result;
+    result.back_to_back =
+        lie_back_to_back(mesh, number, join_places(components, number, mesh.normal));
+    PlaneSet planes;
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        components.join(v[0], v[1]);
+        components.join(v[0], v[2]);
+        const Triangle t(mesh, v);
+        result.leaning_normals += t.leans(mesh, v) && !is_collapsed(mesh, i / 3) ? 1 : 0;
+        planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
+    }
+    std::vector<Component> of(number.size());
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        of[components.root(v[0])].open += edge(number[v[0]], number[v[1]]) +
+                                          edge(number[v[1]], number[v[2]]) +
+                                          edge(number[v[2]], number[v[0]]);
+    }
+    for (std::size_t t = 0; t < lets_through.size(); ++t)
+        if (lets_through[t]) of[components.root(mesh.index[3 * t])].open = 1;
+    const std::vector<Solid> solids = locate(result, mesh, components, of);
+    result.flat = is_flat(planes.planes());
+    result.convex_components = convex_components(mesh, components, of, solids);
+    return result;
+}
+
+} // namespace scanout::geom
