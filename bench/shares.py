@@ -23,7 +23,7 @@ MAKING = r"geom::|bench::|frame::.*(facts|sides)|angle|sincos|scanout::(sqrt|nor
 STAGES = {
     "vertices, clusters": r"transform_|ClusterCull|::find_needed|::transform_needed",
     "culling": r"cull_all",
-    "to the tiles": r"Geometry::(add_|Batch|tile_area|is_empty)|place_all|rank_all|put_nearest_first|__introsort",
+    "to the tiles": r"Geometry::(bin_|Batch|tile_area|is_empty)|::bin_all|rank_all|sort_front_to_back|__introsort",
     "coverage, depth": r"raster::(?!.*copy_(depths|lines))",
     "set-up for shading": r"set_up|Primitives::|Gatherer::primitive",
     "interpolation": r"shade::interpolate",

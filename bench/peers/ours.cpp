@@ -39,7 +39,7 @@ void Ours::draw_depth(const scene::View& view) {
     options.height = options_.height;
     options.keep = options_.cull == frame::Cull::back ? raster::Facing::front : raster::Facing::any;
     options.mirrored = view.mirrored;
-    options.hidden = &hidden_;
+    options.occlusion = &occlusion_;
     geometry_.run(jobs_, scene_.mesh,
                   raster::ScreenTransform(view, options_.width, options_.height), options);
     bare_.begin({options_.width, options_.height, raster::kTileSize, geometry_.tiles(), {}});
@@ -55,7 +55,7 @@ void Ours::draw_depth(const scene::View& view) {
         bare_.set_bare(number, empty);
         if (empty) return;
         raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
-        tile.reset(area, 1, {}, raster::Keeps::depth);
+        tile.reset(area, 1, {}, raster::TileFormat::depth_only);
         geometry_.draw_triangles(number, tile);
         raster::copy_depths(tile, row(area.y0), width);
     });

@@ -41,7 +41,7 @@ private:
     frame::Renderer renderer_;
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;
-    raster::HiddenClusters hidden_;
+    raster::OcclusionHistory occlusion_;
     std::vector<raster::VisibilityTile> tiles_; // one a worker
     LargeArray<float> room_;
     std::span<float> depth_; // in that, from the start of a line of the cache

@@ -22,8 +22,8 @@ struct Buffers {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> index;
 };
-// Triangles as the file has them, or by place (geom/place_order.h); vertices as triangles use them
-// first.
+// Triangles as the file has them, or in spatial order (geom/spatial_order.h); vertices as triangles use
+// them first.
 Buffers buffers_of(const geom::Mesh& mesh, bool placed) {
     std::vector<std::uint32_t> triangles(mesh.triangles());
     std::iota(triangles.begin(), triangles.end(), 0U);

@@ -110,7 +110,7 @@ void read_stl(benchmark::State& state, std::string (*written)(const geom::Polygo
 BENCHMARK_CAPTURE(read_stl, binary, binary_stl)->Apply(one_thread_and_all);
 BENCHMARK_CAPTURE(read_stl, ascii, ascii_stl)->Apply(one_thread_and_all);
 
-// Triangles in an order that no one made: they are put by place (geom/place_order.h).
+// Triangles in no order: the spatial order is found (geom/spatial_order.h).
 geom::PolygonMesh shuffled(geom::PolygonMesh mesh) {
     std::mt19937 random(5);
     for (std::size_t i = mesh.faces(); i-- > 1;) {

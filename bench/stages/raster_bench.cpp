@@ -85,8 +85,8 @@ void cull(benchmark::State& state, const std::string& name) {
             const std::size_t n = std::min(kPart, mesh.triangles() - first);
             raster::cull(options, vertices, std::span(mesh.index).subspan(first * 3, n * 3),
                          static_cast<std::uint32_t>(first), found);
-            left += found.kept_count + found.cut_count;
-            benchmark::DoNotOptimize(found.kept.data());
+            left += found.visible_count + found.to_clip_count;
+            benchmark::DoNotOptimize(found.visible.data());
             benchmark::ClobberMemory();
         }
     }
@@ -158,7 +158,7 @@ SnappedTriangle triangle(test::Random& random, double pixels, Depth depth, std::
     SnappedTriangle t{{}, id};
     for (std::size_t k = 0; k < 3; ++k) {
         const double angle = turn + 120.0 * static_cast<double>(k);
-        ScreenVertex& v = t.corner[k];
+        ScreenVertex& v = t.vertex[k];
         v.x = static_cast<std::int32_t>(
             std::lround((x + radius * cos_degrees(angle)) * raster::kSubpixel));
         v.y = static_cast<std::int32_t>(
@@ -201,7 +201,7 @@ std::size_t covered(const std::vector<SnappedTriangle>& all, int samples) {
 
 // A tile from its clearing to four layers of triangles, in batches as the geometry stage draws.
 void draw(benchmark::State& state, const std::vector<SnappedTriangle>& all, int samples,
-          const raster::VisibleRule& rule) {
+          const raster::DepthRule& rule) {
     raster::VisibilityTile tile;
     constexpr std::size_t kBatch = 64;
     for (auto _ : state) {
@@ -225,17 +225,17 @@ BENCHMARK(coverage)
     ->Unit(benchmark::kMicrosecond);
 
 // Triangles of 30 pixels.
-void depth(benchmark::State& state, const raster::VisibleRule& rule, Depth how) {
+void depth(benchmark::State& state, const raster::DepthRule& rule, Depth how) {
     const auto all = triangles(30, 4, how);
     for (const SnappedTriangle& t : all)
-        if (raster::near_to_flat(t) != (how == Depth::flat))
+        if (raster::has_float_depth(t) != (how == Depth::flat))
             return state.SkipWithError("a triangle is not as steep as it should be");
     draw(state, all, 1, rule);
 }
 
 // Every test with the usual format, and every other format with the usual test.
 const bool kRegistered = [] {
-    const auto add = [](const std::string& name, const raster::VisibleRule& rule, Depth how) {
+    const auto add = [](const std::string& name, const raster::DepthRule& rule, Depth how) {
         benchmark::RegisterBenchmark(("depth/" + name).c_str(), depth, rule, how)
             ->Unit(benchmark::kMicrosecond);
     };

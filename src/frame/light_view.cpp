@@ -47,7 +47,7 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
                  const DVec3& move, Skips&& skips, F&& f) {
     const DMat3 linear = turn * view.linear;
     const DVec3 offset = turn * view.translation + move;
-    const std::span<const std::uint32_t> index = mesh.index_by_place();
+    const std::span<const std::uint32_t> index = mesh.index_in_spatial_order();
     const auto call = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             f(linear * DVec3(mesh.position[index[i]]) + offset);

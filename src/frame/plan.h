@@ -36,7 +36,8 @@ std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 
 
 // What is not drawn as opaque.
 struct TransparencyPlan {
-    std::vector<raster::Layer> layers; // of the default material, then of each; empty: all opaque
+    std::vector<raster::AlphaMode>
+        layers; // of the default material, then of each; empty: all opaque
     std::vector<shade::MaterialAlpha> alpha;      // as many
     const shade::Transparency* cut_out = nullptr; // null where no triangle wants it
     const shade::Transparency* blended = nullptr;
@@ -53,7 +54,7 @@ struct ShadowPlan {
     Ground ground;                       // on which projected shadows fall
     // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
     // Empty: all throw whole shadows.
-    std::vector<raster::Layer> casters;
+    std::vector<raster::AlphaMode> casters;
     // Of each of the plan's lights: what its maps are drawn of.
     std::vector<raster::Facing> in_maps;
 };
@@ -76,7 +77,7 @@ struct FramePlan {
     float white = 1;                                 // the light that a tone curve makes 1
     TransparencyPlan transparency;
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
-    raster::VisibleRule visible;      // which of several surfaces is seen
+    raster::DepthRule visible;        // which of several surfaces is seen
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:

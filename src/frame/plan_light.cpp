@@ -312,17 +312,17 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
 
 void plan_casters(FramePlan& plan, const SceneFacts& facts) {
     if (plan.shadow.stage == nullptr) return;
-    const std::vector<raster::Layer>& layers = plan.transparency.layers;
+    const std::vector<raster::AlphaMode>& layers = plan.transparency.layers;
     bool all = true;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const AlphaClass alpha = facts.alpha.of_material[i];
-        raster::Layer layer = layers[i];
-        if (layer == raster::Layer::blended)
-            layer = alpha == AlphaClass::opaque    ? raster::Layer::opaque
-                    : alpha == AlphaClass::cut_out ? raster::Layer::cut_out
-                                                   : raster::Layer::nothing;
-        all = all && layer == raster::Layer::opaque;
-        plan.shadow.casters.push_back(layer);
+        raster::AlphaMode mode = layers[i];
+        if (mode == raster::AlphaMode::blended)
+            mode = alpha == AlphaClass::opaque    ? raster::AlphaMode::opaque
+                   : alpha == AlphaClass::cut_out ? raster::AlphaMode::cut_out
+                                                  : raster::AlphaMode::nothing;
+        all = all && mode == raster::AlphaMode::opaque;
+        plan.shadow.casters.push_back(mode);
     }
     if (all) plan.shadow.casters.clear();
 }

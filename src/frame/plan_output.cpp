@@ -66,7 +66,7 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
                    blends || whole);
     plan.visible = {compare->test, format->standard, format->steps};
     plan.transparency.blend = mix;
-    if (!plan.visible.usual())
+    if (!plan.visible.is_default())
         for (const Technique* card : {&format->card, &compare->card})
             plan.techniques.push_back(card);
     if (blends) plan.techniques.push_back(&mix->card);
@@ -120,7 +120,7 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
     if (find_anti_aliasing(name)->exact && !plan.transparency.layers.empty()) {
         name = "samples_16";
         because = "areas know no transparency, which this scene has";
-    } else if (find_anti_aliasing(name)->exact && !plan.visible.usual()) {
+    } else if (find_anti_aliasing(name)->exact && !plan.visible.is_default()) {
         name = "samples_16";
         because = "areas know the nearest surface alone, in exact depth";
     } else if (find_anti_aliasing(name)->exact && plan.shadow.stage != nullptr &&

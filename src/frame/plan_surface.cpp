@@ -82,22 +82,24 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     blend = blend && (blends || blend_for_nothing);
     if (facts.triangles == 0 || !(cut || blend)) return {};
     TransparencyPlan& t = plan.transparency;
-    const auto layer_by = [&](const std::string& name) {
+    const auto alpha_mode_by = [&](const std::string& name) {
         const shade::Transparency* found = shade::find_transparency(name);
         CHECK(found != nullptr);
         (found->cuts ? t.cut_out : t.blended) = found;
-        return found->cuts ? raster::Layer::cut_out : raster::Layer::blended;
+        return found->cuts ? raster::AlphaMode::cut_out : raster::AlphaMode::blended;
     };
-    const raster::Layer cut_layer = cut ? layer_by(cut_name) : raster::Layer::opaque;
-    const raster::Layer blend_layer = blend ? layer_by(blend_name) : raster::Layer::opaque;
-    t.opaque_blended = (blend && !blends && blend_layer == raster::Layer::blended) ||
-                       (cut && !cuts && cut_layer == raster::Layer::blended);
-    const raster::Layer opaque_layer =
-        blend && !blends ? blend_layer : (cut && !cuts ? cut_layer : raster::Layer::opaque);
-    const raster::Layer layer_of_class[] = {opaque_layer, cut_layer, blend_layer,
-                                            cut ? raster::Layer::nothing : raster::Layer::opaque};
+    const raster::AlphaMode cut_mode = cut ? alpha_mode_by(cut_name) : raster::AlphaMode::opaque;
+    const raster::AlphaMode blend_mode =
+        blend ? alpha_mode_by(blend_name) : raster::AlphaMode::opaque;
+    t.opaque_blended = (blend && !blends && blend_mode == raster::AlphaMode::blended) ||
+                       (cut && !cuts && cut_mode == raster::AlphaMode::blended);
+    const raster::AlphaMode opaque_mode =
+        blend && !blends ? blend_mode : (cut && !cuts ? cut_mode : raster::AlphaMode::opaque);
+    const raster::AlphaMode alpha_mode_of_class[] = {opaque_mode, cut_mode, blend_mode,
+                                                     cut ? raster::AlphaMode::nothing
+                                                         : raster::AlphaMode::opaque};
     for (const AlphaClass c : a.of_material)
-        t.layers.push_back(layer_of_class[static_cast<std::size_t>(c)]);
+        t.layers.push_back(alpha_mode_of_class[static_cast<std::size_t>(c)]);
     t.alpha = a.maps;
     for (const shade::Transparency* technique : {t.cut_out, t.blended})
         if (technique != nullptr) plan.techniques.push_back(&technique->card);

@@ -97,7 +97,7 @@ struct Renderer::State {
     Jobs& jobs;
     std::vector<TileWorker> workers;
     raster::Geometry geometry;
-    raster::HiddenClusters hidden; // of the view
+    raster::OcclusionHistory occlusion; // of the view
     shade::MipChains mips;
     image::Image back_buffer;
     BareTiles bare;                   // of it
@@ -259,10 +259,10 @@ static void draw_samples(raster::Geometry& geometry, int tile, const shade::Gath
     if (layers != nullptr && layers->cut_out != nullptr)
         worker.layers->cut_out(geometry, tile, in, worker.visibility);
     const bool elsewhere = layers != nullptr && layers->opaque_blended; // what lines lie on
-    geometry.draw_on_ground(tile,
-                            elsewhere ? worker.layers->ground(geometry, tile, worker.visibility)
-                                      : worker.visibility,
-                            worker.visibility);
+    geometry.draw_lines(tile,
+                        elsewhere ? worker.layers->ground(geometry, tile, worker.visibility)
+                                  : worker.visibility,
+                        worker.visibility);
 }
 
 void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
@@ -424,8 +424,8 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                     tile_size,
                                     plan.transparency.layers};
     const bool one_by_one = !plan.transparency.layers.empty() || aa.exact ||
-                            !plan.visible.usual() || plan.stencil != nullptr;
-    if (!one_by_one) options.hidden = &s.hidden;
+                            !plan.visible.is_default() || plan.stencil != nullptr;
+    if (!one_by_one) options.occlusion = &s.occlusion;
     s.geometry.run(s.jobs, scene.mesh, transform, options);
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();

@@ -90,8 +90,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     options.keep = keep;
     options.mirrored = in.view.mirrored;
     options.triangles_only = true;
-    options.layers = in.plan.shadow.casters;
-    if (options.layers.empty()) options.hidden = &out.hidden;
+    options.alpha_modes = in.plan.shadow.casters;
+    if (options.alpha_modes.empty()) options.occlusion = &out.occlusion;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
     out.bare.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
     const shade::LayerInput layers = layer_input(in.plan);
@@ -120,7 +120,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
         Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
         raster::VisibilityTile& tile = worker.tile;
         const bool cut = !in.plan.shadow.casters.empty(); // which asks whose texels they are
-        tile.reset(area, 1, {}, cut ? raster::Keeps::depth_and_id : raster::Keeps::depth);
+        tile.reset(area, 1, {},
+                   cut ? raster::TileFormat::depth_and_id : raster::TileFormat::depth_only);
         geometry_.draw_triangles(number, tile);
         if (cut) {
             if (worker.layers == nullptr) worker.layers = std::make_unique<shade::Layers>();

@@ -43,7 +43,7 @@ private:
     struct Depths {
         LargeArray<float> depth;
         BareTiles bare; // of it
-        raster::HiddenClusters hidden;
+        raster::OcclusionHistory occlusion;
     };
     void draw(const ShadowScene& in, const LightView& from, raster::Facing keep, Depths& out);
 

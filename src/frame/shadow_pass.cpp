@@ -22,10 +22,12 @@ ViewPlane in_view(const Ground& ground, const scene::View& view) {
 }
 
 // By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
-std::vector<std::uint8_t> casting(const geom::Mesh& mesh, std::span<const raster::Layer> layers) {
+std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
+                                  std::span<const raster::AlphaMode> layers) {
     std::vector<std::uint8_t> casts(mesh.triangles(), 1);
     for (std::size_t i = 0; i < casts.size() && !layers.empty(); ++i)
-        casts[i] = layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::Layer::nothing;
+        casts[i] =
+            layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::AlphaMode::nothing;
     return casts;
 }
 

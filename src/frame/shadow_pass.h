@@ -37,7 +37,7 @@ private:
     // the same revision (0: none has) it stays as it is.
     struct Casters {
         std::uint64_t revision = 0;
-        std::vector<raster::Layer> layers;
+        std::vector<raster::AlphaMode> layers;
         std::optional<Ground> ground;              // of projected shadows
         std::vector<std::uint8_t> casts, receives; // by triangle; empty: all receive
         Welded welded;                             // of volumes

@@ -13,7 +13,7 @@ namespace scanout::frame {
 namespace {
 
 using raster::ClipVertex;
-using raster::CountSide;
+using raster::StencilSign;
 
 // Where a parallel view has no place for what is infinitely far: so many times the way from the
 // light, or the model's depth, is beyond all that can be seen.
@@ -83,7 +83,7 @@ struct VolumeBuilder {
     const scene::View& view;
     const raster::ScreenTransform& transform;
     std::vector<ShadowEdge>& edges; // room
-    std::vector<raster::CountedTriangle>& out;
+    std::vector<raster::StencilTriangle>& out;
     DVec3 place = place_of(light, view);
 
     bool parallel() const { return light.kind == scene::LightKind::directional; }
@@ -108,18 +108,18 @@ struct VolumeBuilder {
     }
     void add_caps(const std::array<std::uint32_t, 3>& v, std::size_t triangle) const {
         const std::array<ClipVertex, 3> front = {near(v[0]), near(v[1]), near(v[2])};
-        add_polygon(front, transform, 1, CountSide::facing, static_cast<std::uint32_t>(triangle),
+        add_polygon(front, transform, 1, StencilSign::facing, static_cast<std::uint32_t>(triangle),
                     out);
         if (parallel() && transform.perspective) return; // all ends meet in one point
         const std::array<ClipVertex, 3> back = {far(v[0]), far(v[2]), far(v[1])};
-        add_polygon(back, transform, 1, CountSide::facing, raster::kNoPrimitive, out);
+        add_polygon(back, transform, 1, StencilSign::facing, raster::kNoPrimitive, out);
     }
     void add_side(const ShadowEdge& e) const {
         const std::array<ClipVertex, 4> side = {near(e.high), near(e.low), far(e.low), far(e.high)};
         // With parallel rays in perspective both far corners are the same.
         const std::size_t corners = parallel() && transform.perspective ? 3 : 4;
         add_polygon(std::span(side).first(corners), transform, static_cast<float>(e.net),
-                    CountSide::facing, raster::kNoPrimitive, out);
+                    StencilSign::facing, raster::kNoPrimitive, out);
     }
     // From within a closed part a lamp meets its backs first.
     bool stands_outside() const {
@@ -212,7 +212,7 @@ Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts) {
 }
 
 std::size_t ShadowPolygons::bytes() const {
-    std::size_t bytes = triangles.size() * sizeof(raster::CountedTriangle);
+    std::size_t bytes = triangles.size() * sizeof(raster::StencilTriangle);
     for (const std::vector<std::uint32_t>& tile : tiles)
         bytes += tile.size() * sizeof(std::uint32_t);
     return bytes;
@@ -225,16 +225,16 @@ void ShadowPolygons::clear() {
 }
 
 void ShadowPolygons::count(int tile, const raster::VisibilityTile& seen, float* counts) const {
-    const raster::CountPlanes planes{seen.area(), seen.pattern(), seen.depths(0).data(),
-                                     seen.ids(0).data(), counts};
+    const raster::StencilPlanes planes{seen.area(), seen.pattern(), seen.depths(0).data(),
+                                       seen.ids(0).data(), counts};
     for (const std::uint32_t i : tiles[static_cast<std::size_t>(tile)])
-        count_triangle(planes, triangles[i], where);
+        add_to_stencil(planes, triangles[i], where);
 }
 
 void shadow_volumes(const Thrown& t, const Welded& welded, std::vector<ShadowEdge>& edges,
                     ShadowPolygons& out) {
     out.clear();
-    out.where = raster::CountWhere::behind;
+    out.where = raster::StencilWhere::behind;
     VolumeBuilder{t.mesh, t.casts, welded, t.light, t.view, t.transform, edges, out.triangles}
         .build();
     bin(t.grid, out);
@@ -242,7 +242,7 @@ void shadow_volumes(const Thrown& t, const Welded& welded, std::vector<ShadowEdg
 
 void projected_shadows(const Thrown& t, const ViewPlane& plane, ShadowPolygons& out) {
     out.clear();
-    out.where = raster::CountWhere::everywhere;
+    out.where = raster::StencilWhere::everywhere;
     const bool parallel = t.light.kind == scene::LightKind::directional;
     const DVec3 from = parallel ? DVec3(t.light.towards) : place_of(t.light, t.view);
     // A parallel light has a direction alone: how high it stands, not how far above the plane.
@@ -273,7 +273,7 @@ void projected_shadows(const Thrown& t, const ViewPlane& plane, ShadowPolygons& 
             corner[corners++] = to_clip(t.transform, DVec4((at * above - from * height) / w, 1));
         }
         if (corners >= 3)
-            add_polygon(std::span(corner).first(corners), t.transform, 1, CountSide::same,
+            add_polygon(std::span(corner).first(corners), t.transform, 1, StencilSign::same,
                         raster::kNoPrimitive, out.triangles);
     }
     bin(t.grid, out);

@@ -46,9 +46,9 @@ struct ShadowEdge {
 };
 
 struct ShadowPolygons {
-    std::vector<raster::CountedTriangle> triangles;
+    std::vector<raster::StencilTriangle> triangles;
     std::vector<std::vector<std::uint32_t>> tiles; // what each may hold, by index
-    raster::CountWhere where = raster::CountWhere::behind;
+    raster::StencilWhere where = raster::StencilWhere::behind;
 
     shade::TilePolygons in_tile(int tile) const {
         return {triangles, tiles[static_cast<std::size_t>(tile)], where};

@@ -5,7 +5,7 @@
 #include "image/convolution.h"
 #include "image/dither.h"
 #include "raster/cull.h"
-#include "raster/visible_rule.h"
+#include "raster/depth_rule.h"
 #include "shade/output.h"
 #include "shade/sides.h"
 #include "shade/stage.h"

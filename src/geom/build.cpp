@@ -1,11 +1,11 @@
 #include "geom/build.h"
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 #include "base/memory.h"
 #include "geom/framing.h"
 #include "geom/line_faces.h"
 #include "geom/normals.h"
-#include "geom/place_order.h"
+#include "geom/spatial_order.h"
 #include "geom/triangulate.h"
 #include "geom/usable.h"
 #include "geom/vertices.h"
@@ -112,7 +112,7 @@ private:
                                places_.back().triangle + usable_.blocks[b].triangles});
         corners_.resize(places_.back().corner);
         shifted_.resize(std::max(shifted_.size(), end - begin));
-        for_blocks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int) {
+        for_chunks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int) {
             copy_corners(begin + i, places_[i].corner, shifted_[i]);
         });
         for (std::size_t i = 0; i < end - begin; ++i)
@@ -121,7 +121,7 @@ private:
         mesh_.index.resize(places_.back().triangle * 3);
         mesh_.material.resize(places_.back().triangle);
         mesh_.face.resize(places_.back().triangle);
-        for_blocks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int worker) {
+        for_chunks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int worker) {
             cut_faces(begin + i, places_[i], numbers, scratch_[static_cast<std::size_t>(worker)]);
         });
     }
@@ -148,9 +148,9 @@ private:
     }
 
     void shift_uvs(const std::vector<ShiftedCorner>& shifted) {
-        constexpr std::size_t kMostUvs = std::numeric_limits<std::int32_t>::max();
+        constexpr std::size_t kMaxUvs = std::numeric_limits<std::int32_t>::max();
         for (const ShiftedCorner& s : shifted) {
-            if (m_.uvs.size() >= kMostUvs) return;
+            if (m_.uvs.size() >= kMaxUvs) return;
             corners_[s.corner].uv = static_cast<std::int32_t>(m_.uvs.size());
             m_.uvs.push_back(s.uv);
         }
@@ -242,7 +242,7 @@ void normalise(Jobs& jobs, PolygonMesh& m, const Usable& usable, Mesh& mesh) {
     mesh.radius = framing.radius;
     mesh.box_min = framing.box_min;
     mesh.box_max = framing.box_max;
-    for_blocks(jobs, m.positions.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, m.positions.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             m.positions[i] = framing.normalise(m.positions[i]);
     });
@@ -283,13 +283,13 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     std::vector<std::uint32_t> order;
     const auto to_clusters = part_of(options.progress, kToOrder, kToClusters);
     result.stopped =
-        !to_clusters(0) || !place_order(jobs, result.mesh, order, to_clusters) || !to_clusters(1);
+        !to_clusters(0) || !spatial_order(jobs, result.mesh, order, to_clusters) || !to_clusters(1);
     if (result.stopped) return result;
     if (!order.empty()) order_vertices(jobs, result.mesh, order);
     find_line_faces(result.mesh);
     result.mesh.clusters = find_clusters(jobs, result.mesh, std::move(order));
     use_large_pages(result.mesh.clusters.index);
-    use_large_pages(result.mesh.clusters.place);
+    use_large_pages(result.mesh.clusters.spatial_index);
     use_large_pages(result.mesh.index);
     use_large_pages(result.mesh.position);
     use_large_pages(result.mesh.normal);

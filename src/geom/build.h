@@ -32,7 +32,7 @@ struct BuildResult {
 //
 // Vertices that are equal bit for bit (-0 counts as 0) are one; they are numbered in the order of
 // first use: by the faces' corners, then lines, then points; where triangles lie in no order, by
-// place (geom/place_order.h).
+// place (geom/spatial_order.h).
 BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, const std::string& name,
                        Warnings& warnings);
 

@@ -1,6 +1,6 @@
 #include "geom/clusters.h"
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 #include "geom/mesh.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace scanout::geom {
 
 namespace {
 
-// Of triangles by place.
+// Of triangles in spatial order.
 struct IndexedPositions {
     std::span<const Vec3> position;
     std::span<const std::uint32_t> index;
@@ -83,13 +83,13 @@ Sphere sphere_of(std::span<const Cluster> clusters) {
     return sphere;
 }
 
-// The blocks that the vertices of some triangles are in, ascending; returns how many.
+// The vertex groups that some triangles use, ascending; returns how many.
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
-std::size_t blocks_of(const IndexedPositions& all, std::size_t begin, std::size_t end,
-                      std::array<std::uint32_t, kCorners>& out) {
+std::size_t vertex_groups_of(const IndexedPositions& all, std::size_t begin, std::size_t end,
+                             std::array<std::uint32_t, kCorners>& out) {
     std::size_t count = 0;
     for (std::size_t corner = begin * 3; corner < end * 3; ++corner)
-        out[count++] = all.index[corner] / Clusters::kVertices;
+        out[count++] = all.index[corner] / Clusters::kGroupVertices;
     const auto first = out.begin(), last = first + static_cast<std::ptrdiff_t>(count);
     std::sort(first, last);
     return static_cast<std::size_t>(std::unique(first, last) - first);
@@ -102,40 +102,41 @@ Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> 
     const std::size_t triangles = mesh.triangles();
     all.triangle = std::move(order);
     all.index.resize(all.triangle.size() * 3);
-    all.place.resize(all.triangle.size());
-    for_blocks(jobs, all.triangle.size(), 1 << 15, [&](std::size_t from, std::size_t to, int) {
+    all.spatial_index.resize(all.triangle.size());
+    for_chunks(jobs, all.triangle.size(), 1 << 15, [&](std::size_t from, std::size_t to, int) {
         for (std::size_t i = from; i < to; ++i) {
             std::copy_n(mesh.index.data() + std::size_t{all.triangle[i]} * 3, 3,
                         all.index.data() + i * 3);
-            all.place[all.triangle[i]] = static_cast<std::uint32_t>(i);
+            all.spatial_index[all.triangle[i]] = static_cast<std::uint32_t>(i);
         }
     });
-    const IndexedPositions corners{mesh.position, all.index.empty() ? mesh.index : all.index};
+    const IndexedPositions vertices{mesh.position, all.index.empty() ? mesh.index : all.index};
     const std::size_t clusters = (triangles + Clusters::kTriangles - 1) / Clusters::kTriangles;
     if (clusters == 0) return all;
     all.cluster.resize(clusters);
     all.begin.assign(clusters + 1, 0);
     // work(number, its first triangle, the one after its last, room)
     const auto for_all = [&](auto work) {
-        for_blocks(jobs, clusters, 256, [&](std::size_t from, std::size_t to, int) {
-            std::array<std::uint32_t, kCorners> room;
+        for_chunks(jobs, clusters, 256, [&](std::size_t from, std::size_t to, int) {
+            std::array<std::uint32_t, kCorners> scratch;
             for (std::size_t c = from; c < to; ++c)
                 work(c, c * Clusters::kTriangles,
-                     std::min((c + 1) * Clusters::kTriangles, triangles), room);
+                     std::min((c + 1) * Clusters::kTriangles, triangles), scratch);
         });
     };
-    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
-        all.cluster[c] = bounds(corners, begin, end);
-        all.begin[c + 1] = static_cast<std::uint32_t>(blocks_of(corners, begin, end, room));
+    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& scratch) {
+        all.cluster[c] = bounds(vertices, begin, end);
+        all.begin[c + 1] =
+            static_cast<std::uint32_t>(vertex_groups_of(vertices, begin, end, scratch));
     });
     for (std::size_t c = 0; c < clusters; c += Clusters::kGroup)
         all.group.push_back(
             sphere_of(std::span(all.cluster).subspan(c, std::min(Clusters::kGroup, clusters - c))));
     std::partial_sum(all.begin.begin(), all.begin.end(), all.begin.begin());
-    all.blocks.resize(all.begin.back());
-    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& room) {
-        std::copy_n(room.begin(), blocks_of(corners, begin, end, room),
-                    all.blocks.begin() + all.begin[c]);
+    all.vertex_groups.resize(all.begin.back());
+    for_all([&](std::size_t c, std::size_t begin, std::size_t end, auto& scratch) {
+        std::copy_n(scratch.begin(), vertex_groups_of(vertices, begin, end, scratch),
+                    all.vertex_groups.begin() + all.begin[c]);
     });
     return all;
 }

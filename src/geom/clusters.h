@@ -1,6 +1,6 @@
 // Triangles in groups of neighbours, with what bounds them: a frame passes over whole groups that
-// face away or lie beside the picture, and over the vertices that only they have. A triangle's
-// place says where it stands among them all.
+// face away or lie beside the picture, and over the vertices that only they have (meshlets). A
+// triangle's spatial index is its position in the order of all clusters.
 #pragma once
 
 #include "base/jobs.h"
@@ -31,25 +31,26 @@ struct Sphere {
 };
 
 struct Clusters {
-    static constexpr std::size_t kTriangles = 32; // a cluster, by place; the last may have fewer
-    static constexpr std::size_t kGroup = 64;     // clusters in a row; likewise
-    static constexpr std::size_t kVertices = 16;  // a block of vertices, by number
+    static constexpr std::size_t kTriangles =
+        32; // a cluster, in spatial order; the last may have fewer
+    static constexpr std::size_t kGroup = 64;         // clusters in a row; likewise
+    static constexpr std::size_t kGroupVertices = 16; // a vertex group, by number
 
     std::vector<Cluster> cluster;
     std::vector<Sphere> group; // hold those of their clusters
-    // The blocks of vertices that a cluster has: blocks[begin[c]] up to blocks[begin[c + 1]].
-    std::vector<std::uint32_t> begin, blocks;
-    // By place: triangles' numbers in the mesh, and their vertices, three each; and by number their
-    // places. Empty where places are these numbers.
-    std::vector<std::uint32_t> triangle, index, place;
+    // The vertex groups that a cluster uses: vertex_groups[begin[c]] up to [begin[c + 1]].
+    std::vector<std::uint32_t> begin, vertex_groups;
+    // In spatial order: triangles' numbers in the mesh, and their vertices, three each; and by
+    // number their spatial index. Empty where the spatial order is that of the mesh.
+    std::vector<std::uint32_t> triangle, index, spatial_index;
 
     bool empty() const { return cluster.empty(); }
-    std::span<const std::uint32_t> blocks_of(std::size_t c) const {
-        return std::span(blocks).subspan(begin[c], begin[c + 1] - begin[c]);
+    std::span<const std::uint32_t> vertex_groups_of(std::size_t c) const {
+        return std::span(vertex_groups).subspan(begin[c], begin[c + 1] - begin[c]);
     }
 };
 
-// Those of all triangles of the mesh, in this order (geom/place_order.h); empty: as it has them.
+// Those of all triangles of the mesh, in this order (geom/spatial_order.h); empty: as it has them.
 Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> order = {});
 
 } // namespace scanout::geom

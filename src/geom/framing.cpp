@@ -1,6 +1,6 @@
 #include "geom/framing.h"
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -65,7 +65,7 @@ std::vector<T> by_blocks(Jobs& jobs, const std::vector<DVec3>& positions,
     const bool some =
         std::find_if(used.begin(), used.end(), [](std::uint8_t u) { return u != 0; }) != used.end();
     std::vector<T> results((positions.size() + kFramingBlock - 1) / kFramingBlock, empty);
-    for_blocks(jobs, positions.size(), kFramingBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, positions.size(), kFramingBlock, [&](std::size_t begin, std::size_t end, int) {
         T result = empty;
         for (std::size_t i = begin; i < end; ++i)
             if ((!some || used[i] != 0) && is_finite(positions[i])) visit(positions[i], result);

@@ -3,7 +3,7 @@
 // bytes a slot whatever a row holds.
 #pragma once
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 
 #include <bit>
 #include <cstddef>
@@ -91,7 +91,7 @@ private:
     void sort_into_parts(Items&& items) {
         const std::size_t parts = parts_.size();
         begin_.assign(parts == 1 ? 0 : blocks() * parts, 0);
-        for_blocks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 hashes_[i] = shorter(items.hash(i));
             for (std::size_t i = begin; parts > 1 && i < end; ++i)
@@ -102,7 +102,7 @@ private:
         std::uint32_t sum = 0;
         for (std::uint32_t& begin : begin_)
             sum += std::exchange(begin, sum);
-        for_blocks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
             std::uint32_t next[kParts];
             for (std::size_t p = 0; p < parts; ++p)
                 next[p] = begin_[p * blocks() + begin / kBlock];
@@ -162,7 +162,7 @@ private:
     void number_new_rows(Items&& items) {
         const auto is_first = [&](std::size_t i) { return numbers_[i] == rows_ + i; };
         new_before_.assign(blocks() + 1, 0);
-        for_blocks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
             std::size_t count = 0;
             for (std::size_t i = begin; i < end; ++i)
                 count += is_first(i) ? 1 : 0;
@@ -172,7 +172,7 @@ private:
         for (std::size_t& before : new_before_)
             all += std::exchange(before, all);
         items.make_room(rows_ + all);
-        for_blocks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
             auto row = static_cast<std::uint32_t>(rows_ + new_before_[begin / kBlock]);
             for (std::size_t i = begin; i < end; ++i) {
                 if (!is_first(i)) continue;
@@ -188,7 +188,7 @@ private:
             for (const std::uint32_t slot : p.fresh)
                 p.slots[slot] = row_of(p.slots[slot]);
         });
-        for_blocks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 numbers_[i] = row_of(numbers_[i]);
         });

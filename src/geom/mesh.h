@@ -42,12 +42,12 @@ struct Mesh {
 
     // Of the triangles; empty: none are known, and every triangle is looked at.
     Clusters clusters;
-    // Triangles by place (geom/clusters.h): their vertices, three each, and their numbers.
-    std::span<const std::uint32_t> index_by_place() const {
+    // Triangles in spatial order (geom/clusters.h): their vertices, three each, and their numbers.
+    std::span<const std::uint32_t> index_in_spatial_order() const {
         return clusters.index.empty() ? index : clusters.index;
     }
-    std::uint32_t triangle_at(std::uint32_t place) const {
-        return clusters.triangle.empty() ? place : clusters.triangle[place];
+    std::uint32_t triangle_at(std::uint32_t spatial_index) const {
+        return clusters.triangle.empty() ? spatial_index : clusters.triangle[spatial_index];
     }
 
     std::vector<std::uint32_t> line_index;   // two vertex indices a segment

@@ -1,6 +1,6 @@
 #include "geom/normals.h"
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 #include "geom/triangulate.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
@@ -74,7 +74,7 @@ public:
     Faces(Jobs& jobs, const PolygonMesh& polygons, const std::vector<bool>& usable)
         : m_(polygons), usable_(usable), normals_(polygons.faces()),
           block_face_(polygons.corners.size() / kBlock + 1) {
-        for_blocks(jobs, m_.faces(), kFaces, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs, m_.faces(), kFaces, [&](std::size_t begin, std::size_t end, int) {
             std::vector<DVec3> outline;
             for (std::size_t f = begin; f < end; ++f) {
                 if (usable_[f]) normals_[f] = to_fixed(unit_or_zero(area_normal(f, outline)));
@@ -162,7 +162,7 @@ struct CornersAt {
                     }
         };
         std::vector<std::uint32_t> total(m.positions.size() / range + 2); // of the ranges before
-        for_blocks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
+        for_chunks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
             std::uint32_t count = 0;
             each(first, last, [&](std::size_t, std::size_t position) {
                 ++begin[position];
@@ -173,7 +173,7 @@ struct CornersAt {
         std::partial_sum(total.begin(), total.end(), total.begin());
         corners.resize(total.back());
         begin.back() = total.back();
-        for_blocks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
+        for_chunks(jobs, m.positions.size(), range, [&](std::size_t first, std::size_t last, int) {
             std::uint32_t sum = total[first / range];
             for (std::size_t p = first; p < last; ++p)
                 begin[p] = sum += begin[p]; // the end of each, which filling moves down
@@ -294,7 +294,7 @@ private:
     void make_by_crease(std::span<const Item> group) {
         // Pairs are compared; where there would be too many, directions are first rounded to a grid
         // of a few degrees, which bounds their number.
-        const bool coarse = group.size() > kMostPairwise;
+        const bool coarse = group.size() > kMaxPairwise;
         const auto key = [&](const Item& item) {
             FixedNormal k = item.normal;
             if (coarse) k.x >>= 27, k.y >>= 27, k.z >>= 27;
@@ -343,7 +343,7 @@ private:
         set_.push_back(corner);
     }
 
-    static constexpr std::size_t kMostPairwise = 256;
+    static constexpr std::size_t kMaxPairwise = 256;
 
     PolygonMesh& m_;
     const Surroundings& in_;
@@ -366,7 +366,7 @@ bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size
     for (std::size_t wave = 0; wave < count; wave += kWave) {
         if (go_on && !go_on(static_cast<double>(wave) / static_cast<double>(count))) return false;
         const std::size_t length = std::min(kWave, count - wave);
-        for_blocks(jobs, length, kBlock, [&](std::size_t first, std::size_t last, int) {
+        for_chunks(jobs, length, kBlock, [&](std::size_t first, std::size_t last, int) {
             NormalMaker& maker = makers[first / kBlock];
             maker.clear();
             for (std::size_t i = first; i < last; ++i)
@@ -378,7 +378,7 @@ bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size
         for (std::size_t i = 0; i < used; ++i)
             begin[i + 1] += begin[i];
         m.normals.resize(begin[used]);
-        for_blocks(jobs, used, 1, [&](std::size_t i, std::size_t, int) {
+        for_chunks(jobs, used, 1, [&](std::size_t i, std::size_t, int) {
             const std::span<const Vec3> made = makers[i].made();
             std::copy(made.begin(), made.end(),
                       m.normals.begin() + static_cast<std::ptrdiff_t>(begin[i]));
@@ -392,12 +392,12 @@ bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size
 // nothing, the corner has none.
 bool take_normals_of_file(Jobs& jobs, PolygonMesh& m) {
     constexpr std::size_t kBlock = 16384;
-    for_blocks(jobs, m.normals.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, m.normals.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             m.normals[i] = Vec3(unit_or_zero(DVec3(m.normals[i])));
     });
     std::vector<std::uint8_t> missing(m.corners.size() / kBlock + 1, 0);
-    for_blocks(jobs, m.corners.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, m.corners.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
         bool some = false;
         for (std::size_t c = begin; c < end; ++c) {
             std::int32_t& normal = m.corners[c].normal;

@@ -67,7 +67,7 @@ public:
         // Ears whose cut-off edge passes through a corner come later than all others, so that
         // corners on a straight edge become corners of real triangles; then those without area.
         int stage = kClean;
-        while (left_ > 3 && stage <= kFlat && work_ < kMostWork) {
+        while (left_ > 3 && stage <= kFlat && work_ < kMaxWork) {
             const bool some = clip_all(static_cast<Stage>(stage));
             if (!some)
                 ++stage;
@@ -80,7 +80,7 @@ public:
 
 private:
     enum Stage { kClean, kTouching, kFlat };
-    static constexpr std::uint64_t kMostWork = 400'000'000; // tests of a point: some seconds
+    static constexpr std::uint64_t kMaxWork = 400'000'000; // tests of a point: some seconds
 
     int turn(std::uint32_t b) const { return orient2d(p_[previous_[b]], p_[b], p_[next_[b]]); }
 
@@ -99,7 +99,7 @@ private:
         while (!queue_.empty()) {
             next_queue_.clear();
             for (const std::uint32_t b : queue_) {
-                if (left_ == 3 || work_ >= kMostWork) return true;
+                if (left_ == 3 || work_ >= kMaxWork) return true;
                 ++work_;
                 if (clipped_[b] || waiting_[b] || !may_clip(b, stage)) continue;
                 clip(b);

@@ -1,7 +1,7 @@
 #include "geom/usable.h"
 
-#include "base/blocks.h"
 #include "base/check.h"
+#include "base/chunks.h"
 #include "geom/framing.h"
 
 #include <atomic>
@@ -29,7 +29,7 @@ Usable::Usable(Jobs& jobs, const PolygonMesh& m)
     CHECK_EQ(m.point_material.size(), m.point_vertices.size());
     CHECK(m.face_smoothing.empty() || m.face_smoothing.size() == m.faces());
     CHECK(m.colours.empty() || m.colours.size() == m.positions.size());
-    for_blocks(jobs, m.faces(), kFaceBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, m.faces(), kFaceBlock, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t f = begin; f < end; ++f)
             add_face(m, f, blocks[begin / kFaceBlock]);
     });

@@ -104,7 +104,7 @@ void Vertices::write(Mesh& mesh, bool with_uv, bool with_colour) {
         mesh.normal.resize(wave_end);
         if (with_uv) mesh.uv.resize(wave_end);
         if (with_colour) mesh.colour.resize(wave_end);
-        for_blocks(jobs_, wave_end - wave, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, wave_end - wave, kBlock, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = wave + begin; i < wave + end; ++i) {
                 const Vertex v = vertex_of(m_, m_.corners[i]);
                 mesh.position[i] = v.position;

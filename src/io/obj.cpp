@@ -181,8 +181,8 @@ std::string ObjReader::word_here() const {
 void ObjReader::position() {
     const Numbers<7> n = numbers<7>();
     auto& positions = out_.polygons.positions;
-    constexpr std::size_t kMostVertices = std::size_t{1} << 29; // as many as a frame can index
-    if (positions.size() >= kMostVertices) return stop("has more than 536870912 vertices");
+    constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // as many as a frame can index
+    if (positions.size() >= kMaxVertices) return stop("has more than 536870912 vertices");
     if (n.count < 3) {
         number_fault("vertex", n.fault, 3);
         ++bad_positions_;

@@ -11,7 +11,7 @@ namespace scanout::io {
 namespace {
 
 constexpr std::int64_t kBias = std::int64_t{1} << 30;
-constexpr std::size_t kMostVertices = std::size_t{1} << 29; // as ObjReader::position says
+constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // as ObjReader::position says
 constexpr std::size_t kMostSigned = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kMostUnsigned = std::numeric_limits<std::uint32_t>::max();
 
@@ -123,7 +123,7 @@ bool ObjReader::takes(const ObjReader& part) const {
         holds = holds && seen.ahead <= there && seen.before <= there &&
                 !(seen.from_start && seen.from_end);
     }
-    return holds && m.positions.size() + p.positions.size() < kMostVertices &&
+    return holds && m.positions.size() + p.positions.size() < kMaxVertices &&
            m.uvs.size() + p.uvs.size() < kMostSigned &&
            m.normals.size() + p.normals.size() < kMostSigned &&
            m.corners.size() + p.corners.size() < kMostUnsigned &&

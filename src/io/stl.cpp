@@ -1,6 +1,6 @@
 #include "io/stl.h"
 
-#include "base/blocks.h"
+#include "base/chunks.h"
 #include "geom/framing.h"
 #include "io/stl_reader.h"
 #include "io/text.h"
@@ -106,7 +106,7 @@ Result<StlResult> read_binary(std::string_view file, const std::string& path, Wa
             report(progress, first * kFacet, file.size(), path)); // a facet behind: none is reread
         batch.resize(std::min(kBatch, facets - first));
         bad.assign(batch.size(), 0);
-        for_blocks(jobs, batch.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs, batch.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i) {
                 batch[i] = binary_facet(file, first + i);
                 bad[i] = is_finite(batch[i]) ? 0 : 1;

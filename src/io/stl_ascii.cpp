@@ -177,7 +177,7 @@ public:
 private:
     void read_parts(const std::vector<std::string_view>& texts) {
         readers_.resize(std::max(readers_.size(), texts.size()));
-        for_blocks(parts_.jobs(), texts.size(), 1, [&](std::size_t i, std::size_t, int) {
+        for_chunks(parts_.jobs(), texts.size(), 1, [&](std::size_t i, std::size_t, int) {
             std::vector<StlTriangle> room = std::move(readers_[i].triangles());
             room.clear();
             readers_[i] = FacetReader(texts[i], path_, nullptr);

@@ -48,7 +48,7 @@ void StlCollector::add(std::span<const StlTriangle> triangles) {
     const std::size_t corners = m.corners.size(), faces = m.faces();
     m.corners.resize(corners + numbers.size());
     m.face_begin.resize(faces + triangles.size());
-    for_blocks(jobs_, triangles.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs_, triangles.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             m.face_begin[faces + i] = static_cast<std::uint32_t>(corners + i * 3);
         for (std::size_t i = begin * 3; i < end * 3; ++i)

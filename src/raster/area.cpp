@@ -21,8 +21,8 @@ void AreaTile::reset(const image::Rect& area) {
     sources_.clear();
     constexpr auto kPixels = static_cast<std::size_t>(kTileSize) * kTileSize;
     pixels_.resize(kPixels);
-    for (PixelParts& parts : pixels_)
-        parts.clear();
+    for (PixelCells& cells : pixels_)
+        cells.clear();
     filled_.assign(kPixels, kNoPrimitive);
 }
 
@@ -39,14 +39,14 @@ void AreaTile::add(const Triangle& t) {
     sources_.push_back(source);
 }
 
-void AreaTile::add(const raster::Piece& piece) {
-    const auto& v = piece.vertex;
-    Source source{edges_of(piece),
+void AreaTile::add(const raster::ClippedTriangle& clipped) {
+    const auto& v = clipped.vertex;
+    Source source{edges_of(clipped),
                   {},
-                  piece.id,
-                  pixel_bounds(piece, area_.x1, area_.y1, {}),
+                  clipped.id,
+                  pixel_bounds(clipped, area_.x1, area_.y1, {}),
                   {v[0].y, v[0].x, v[1].y, v[1].x}};
-    const double size = size_of(piece);
+    const double size = size_of(clipped);
     for (std::size_t k = 0; k < 3; ++k)
         source.share[k] = v[k].z / size;
     sources_.push_back(source);
@@ -101,78 +101,78 @@ AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
     return depth;
 }
 
-double AreaTile::area_of(const Part& p) {
-    double twice = 0;
-    for (int i = 2; i < p.corners; ++i) { // a fan from corner 0
-        const Corner &o = p.corner[0], &a = p.corner[static_cast<std::size_t>(i - 1)],
-                     &b = p.corner[static_cast<std::size_t>(i)];
-        twice += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+double AreaTile::area_of(const Cell& p) {
+    double twice_area = 0;
+    for (int i = 2; i < p.vertices; ++i) { // a fan from corner 0
+        const CellVertex &o = p.vertex[0], &a = p.vertex[static_cast<std::size_t>(i - 1)],
+                         &b = p.vertex[static_cast<std::size_t>(i)];
+        twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
     }
-    return 0.5 * (twice < 0 ? -twice : twice);
+    return 0.5 * (twice_area < 0 ? -twice_area : twice_area);
 }
 
 // Along line = 0. Too many corners: the piece goes whole to the side where most of them are.
-void AreaTile::split(const Part& piece, const Linear& line, Part& inside, Part& outside) {
-    inside.corners = outside.corners = 0;
-    inside.source = outside.source = piece.source;
-    const auto add = [](Part& to, const Corner& c) {
-        if (to.corners < kMostCorners) to.corner[static_cast<std::size_t>(to.corners)] = c;
-        ++to.corners;
+void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& outside) {
+    inside.vertices = outside.vertices = 0;
+    inside.source = outside.source = cell.source;
+    const auto add = [](Cell& to, const CellVertex& c) {
+        if (to.vertices < kMaxVertices) to.vertex[static_cast<std::size_t>(to.vertices)] = c;
+        ++to.vertices;
     };
-    for (int i = 0; i < piece.corners; ++i) {
-        const Corner& here = piece.corner[static_cast<std::size_t>(i)];
-        const Corner& next = piece.corner[static_cast<std::size_t>((i + 1) % piece.corners)];
+    for (int i = 0; i < cell.vertices; ++i) {
+        const CellVertex& here = cell.vertex[static_cast<std::size_t>(i)];
+        const CellVertex& next = cell.vertex[static_cast<std::size_t>((i + 1) % cell.vertices)];
         const double at = line(here), then = line(next);
         if (at >= 0) add(inside, here);
         if (at <= 0) add(outside, here);
         if ((at > 0 && then < 0) || (at < 0 && then > 0)) {
             // From the inner end, so that both parts beside an edge get the same corner.
             const double t = at > 0 ? at / (at - then) : then / (then - at);
-            const Corner &from = at > 0 ? here : next, &to = at > 0 ? next : here;
-            const Corner cut{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+            const CellVertex &from = at > 0 ? here : next, &to = at > 0 ? next : here;
+            const CellVertex cut{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
             add(inside, cut);
             add(outside, cut);
         }
     }
-    if (inside.corners > kMostCorners || outside.corners > kMostCorners) {
-        const bool in = inside.corners >= outside.corners;
-        (in ? inside : outside) = piece;
-        (in ? outside : inside).corners = 0;
+    if (inside.vertices > kMaxVertices || outside.vertices > kMaxVertices) {
+        const bool in = inside.vertices >= outside.vertices;
+        (in ? inside : outside) = cell;
+        (in ? outside : inside).vertices = 0;
     }
 }
 
-void AreaTile::insert(PixelParts& parts, std::int32_t source, int x, int y,
+void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
                       const std::array<Linear, 3>& edge, bool whole) {
-    if (parts.empty()) {
+    if (cells.empty()) {
         constexpr double kSide = kSubpixel;
-        Part box;
-        box.corners = 4;
-        box.corner[0] = {0, 0};
-        box.corner[1] = {kSide, 0};
-        box.corner[2] = {kSide, kSide};
-        box.corner[3] = {0, kSide};
-        parts.push_back(box);
+        Cell box;
+        box.vertices = 4;
+        box.vertex[0] = {0, 0};
+        box.vertex[1] = {kSide, 0};
+        box.vertex[2] = {kSide, kSide};
+        box.vertex[3] = {0, kSide};
+        cells.push_back(box);
     }
-    const std::size_t before = parts.size();
+    const std::size_t before = cells.size();
     for (std::size_t i = 0; i < before; ++i)
-        take(parts, i, source, x, y, edge, whole ? 0 : 3);
+        take(cells, i, source, x, y, edge, whole ? 0 : 3);
     // What one triangle holds whole is one piece again.
-    const bool all = whole && std::all_of(parts.begin(), parts.end(),
-                                          [&](const Part& p) { return p.source == source; });
-    if (all && parts.size() > 1) {
-        parts.clear();
-        insert(parts, source, x, y, edge, true);
+    const bool all = whole && std::all_of(cells.begin(), cells.end(),
+                                          [&](const Cell& p) { return p.source == source; });
+    if (all && cells.size() > 1) {
+        cells.clear();
+        insert(cells, source, x, y, edge, true);
     }
 }
 
 // What the source shows of one piece becomes its own; the rest is appended.
-void AreaTile::take(PixelParts& parts, std::size_t index, std::int32_t source, int x, int y,
+void AreaTile::take(PixelCells& cells, std::size_t index, std::int32_t source, int x, int y,
                     const std::array<Linear, 3>& edge, int edges) {
-    Part inside = parts[index], rest;
-    std::array<Part, 4> left; // beyond each edge, and behind the old owner
+    Cell inside = cells[index], rest;
+    std::array<Cell, 4> left; // beyond each edge, and behind the old owner
     std::size_t lefts = 0;
     for (int k = 0; k < edges; ++k) {
-        const Part whole = inside;
+        const Cell whole = inside;
         split(whole, edge[static_cast<std::size_t>(k)], inside, rest);
         if (area_of(inside) <= kNothing) return;
         if (area_of(rest) > kNothing) left[lefts++] = rest;
@@ -182,24 +182,24 @@ void AreaTile::take(PixelParts& parts, std::size_t index, std::int32_t source, i
         const Linear owner = depth_in(sources_[static_cast<std::size_t>(inside.source)], x, y);
         const Linear ahead{mine.at - owner.at, mine.x - owner.x, mine.y - owner.y};
         bool behind = true, before = true;
-        for (int i = 0; i < inside.corners; ++i) {
-            const Corner& c = inside.corner[static_cast<std::size_t>(i)];
+        for (int i = 0; i < inside.vertices; ++i) {
+            const CellVertex& c = inside.vertex[static_cast<std::size_t>(i)];
             const double tolerance = kSameDepth * owner(c), by = ahead(c);
             behind = behind && by <= tolerance;
             before = before && by >= -tolerance;
         }
         if (behind) return;
         if (!before) { // the planes cross here
-            const Part whole = inside;
+            const Cell whole = inside;
             split(whole, ahead, inside, rest);
             if (area_of(inside) <= kNothing) return;
             if (area_of(rest) > kNothing) left[lefts++] = rest;
         }
     }
-    if (lefts > 0 && parts.size() + lefts > kMostParts) return;
+    if (lefts > 0 && cells.size() + lefts > kMaxCells) return;
     inside.source = source;
-    parts[index] = inside;
-    parts.insert(parts.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(lefts));
+    cells[index] = inside;
+    cells.insert(cells.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(lefts));
 }
 
 std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
@@ -210,20 +210,20 @@ std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
         return found_;
     }
     sums_.clear();
-    for (const Part& piece : pixels_[at]) {
-        if (piece.source < 0) continue;
-        const std::uint32_t id = sources_[static_cast<std::size_t>(piece.source)].id;
+    for (const Cell& cell : pixels_[at]) {
+        if (cell.source < 0) continue;
+        const std::uint32_t id = sources_[static_cast<std::size_t>(cell.source)].id;
         auto sum =
             std::find_if(sums_.begin(), sums_.end(), [&](const auto& s) { return s.first == id; });
         if (sum == sums_.end()) sum = sums_.insert(sums_.end(), {id, {}});
-        const double area = area_of(piece);
+        const double area = area_of(cell);
         sum->second.area += area;
         if (area <= sum->second.largest) continue;
         sum->second.largest = area;
-        Corner middle{0, 0};
-        for (int i = 0; i < piece.corners; ++i) {
-            middle.x += piece.corner[static_cast<std::size_t>(i)].x / piece.corners;
-            middle.y += piece.corner[static_cast<std::size_t>(i)].y / piece.corners;
+        CellVertex middle{0, 0};
+        for (int i = 0; i < cell.vertices; ++i) {
+            middle.x += cell.vertex[static_cast<std::size_t>(i)].x / cell.vertices;
+            middle.y += cell.vertex[static_cast<std::size_t>(i)].y / cell.vertices;
         }
         sum->second.middle = middle;
     }

@@ -31,16 +31,16 @@ void check_before_snap(double x, double y, std::size_t vertex) {
 void check_before_rounding(const ClipVertex& v) {
     for (const auto& [name, value] : {std::pair("x", v.x), {"y", v.y}, {"w", v.w}})
         if (!std::isfinite(value))
-            fail(fmt::format("{} of a piece's vertex is {} before rounding", name, value));
+            fail(fmt::format("{} of a clipped's vertex is {} before rounding", name, value));
 }
 
 void check_lanes(std::span<const ScreenVertex> vertices) {
-    constexpr double kMost = kGuardPixels * kSubpixel;
+    constexpr double kMax = kGuardPixels * kSubpixel;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const ScreenVertex& v = vertices[i];
         if (!v.on_screen()) continue;
-        CHECK_LE(std::abs(v.x), kMost);
-        CHECK_LE(std::abs(v.y), kMost);
+        CHECK_LE(std::abs(v.x), kMax);
+        CHECK_LE(std::abs(v.y), kMax);
         check_depth(v.depth, "vertex", i, "transform");
     }
 }
@@ -53,27 +53,27 @@ void check_lanes(const TriangleList& triangles) {
         }
 }
 
-void check_lanes(const TilePartList& list) {
-    const int side = speck_side(list.kind);
-    for (const TilePart& part : list.parts) {
-        const std::uint32_t id = list.id_of(part);
-        check_lanes(TriangleList{list.vertices, list.index, {&part.place, 1}, {&id, 1}});
-        const image::Rect box = part.box();
+void check_lanes(const BinnedList& list) {
+    const int side = micro_side(list.kind);
+    for (const BinnedTriangle& binned : list.triangles) {
+        const std::uint32_t id = list.id_of(binned);
+        check_lanes(TriangleList{list.vertices, list.index, {&binned.spatial_index, 1}, {&id, 1}});
+        const image::Rect box = binned.box();
         CHECK_LE(box.x1, kTileSize);
         CHECK_LE(box.y1, kTileSize);
         if (side == 0) continue;
         CHECK_LE(box.width(), side);
         CHECK_LE(box.height(), side);
-        if (list.kind == PartKind::speck_astride) continue;
-        CHECK_EQ(box.x0 / BlockWalk::kSide, (box.x1 - 1) / BlockWalk::kSide);
-        CHECK_EQ(box.y0 / BlockWalk::kSide, (box.y1 - 1) / BlockWalk::kSide);
+        if (list.kind == SmallKind::micro_straddling) continue;
+        CHECK_EQ(box.x0 / PixelBlock::kSide, (box.x1 - 1) / PixelBlock::kSide);
+        CHECK_EQ(box.y0 / PixelBlock::kSide, (box.y1 - 1) / PixelBlock::kSide);
     }
 }
 
-void check_lanes(const Piece& piece) {
-    for (const ExactPoint& v : piece.vertex) {
-        check_depth(v.z, "triangle", piece.id, "set-up");
-        check_depth(v.depth, "triangle", piece.id, "set-up");
+void check_lanes(const ClippedTriangle& clipped) {
+    for (const ExactPoint& v : clipped.vertex) {
+        check_depth(v.z, "triangle", clipped.id, "set-up");
+        check_depth(v.depth, "triangle", clipped.id, "set-up");
     }
 }
 
@@ -92,7 +92,7 @@ void check_lanes(const VisibilityTile& tile) {
         for (int y = area.y0; y < area.y1; ++y)
             for (int x = area.x0; x < area.x1; ++x)
                 check_depth(tile.depth(x, y, sample), "primitive",
-                            tile.keeps_ids() ? tile.id(x, y, sample) : kNoPrimitive, "coverage");
+                            tile.has_ids() ? tile.id(x, y, sample) : kNoPrimitive, "coverage");
 }
 
 void check_lanes(std::span<const AreaFragment> fragments) {

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "raster/area.h"
-#include "raster/piece.h"
+#include "raster/clipped_triangle.h"
 #include "raster/primitive.h"
 #include "raster/screen.h"
 #include "raster/small_triangles.h"
@@ -23,8 +23,8 @@ inline void check_before_snap(const ClipVertex& v, std::size_t vertex) {
 void check_before_rounding(const ClipVertex& vertex);     // of a piece
 void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
 void check_lanes(const TriangleList& triangles);          // to be set up
-void check_lanes(const TilePartList& parts);              // likewise
-void check_lanes(const Piece& piece);                     // likewise
+void check_lanes(const BinnedList& triangles);            // likewise
+void check_lanes(const ClippedTriangle& clipped);         // likewise
 void check_lanes(const Segment& segment);
 void check_lanes(const Point& point);
 void check_lanes(const VisibilityTile& tile);              // drawn; the pixels of its area
@@ -36,8 +36,8 @@ inline void check_before_snap(const ClipVertex&, std::size_t) {}
 inline void check_before_rounding(const ClipVertex&) {}
 inline void check_lanes(std::span<const ScreenVertex>) {}
 inline void check_lanes(const TriangleList&) {}
-inline void check_lanes(const TilePartList&) {}
-inline void check_lanes(const Piece&) {}
+inline void check_lanes(const BinnedList&) {}
+inline void check_lanes(const ClippedTriangle&) {}
 inline void check_lanes(const Segment&) {}
 inline void check_lanes(const Point&) {}
 inline void check_lanes(const VisibilityTile&) {}

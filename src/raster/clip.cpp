@@ -47,21 +47,21 @@ ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double
 NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w) {
     const ClipBox box{.near_w = near_w};
     NearPolygon out;
-    const auto put = [&](const ClipVertex& v, const EdgePlace& place) {
+    const auto append = [&](const ClipVertex& v, const EdgePoint& edge_point) {
         out.vertex[static_cast<std::size_t>(out.count)] = v;
-        out.place[static_cast<std::size_t>(out.count++)] = place;
+        out.edge_point[static_cast<std::size_t>(out.count++)] = edge_point;
     };
     for (std::uint8_t i = 0; i < 3; ++i) {
         const auto next = static_cast<std::uint8_t>((i + 1) % 3);
         const double di = distance(kNear, triangle[i], box);
         const double dn = distance(kNear, triangle[next], box);
         const bool inside = di >= 0;
-        if (inside) put(triangle[i], {i, i, 0});
+        if (inside) append(triangle[i], {i, i, 0});
         if (inside == (dn >= 0)) continue;
         const std::uint8_t in = inside ? i : next, beyond = inside ? next : i;
         const double d_in = inside ? di : dn, d_out = inside ? dn : di;
-        put(intersect(kNear, box, triangle[in], d_in, triangle[beyond], d_out),
-            {in, beyond, share(d_in, d_out)});
+        append(intersect(kNear, box, triangle[in], d_in, triangle[beyond], d_out),
+               {in, beyond, share(d_in, d_out)});
     }
     return out;
 }

@@ -14,7 +14,7 @@ namespace scanout::raster {
 
 // A place on a triangle's edge: `share` of the way from one vertex to another; or a vertex, and
 // then both are the same.
-struct EdgePlace {
+struct EdgePoint {
     std::uint8_t from = 0, to = 0; // of the triangle's three
     double share = 0;
     bool cut() const { return from != to; }
@@ -24,7 +24,7 @@ struct EdgePlace {
 // does.
 struct NearPolygon {
     std::array<ClipVertex, 4> vertex;
-    std::array<EdgePlace, 4> place; // cuts from the inside vertex
+    std::array<EdgePoint, 4> edge_point; // cuts from the inside vertex
     int count = 0;
 };
 NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w);

@@ -58,8 +58,8 @@ SIMD_INLINE MaskF64x8 beside(const Terms& t, const ClusterLanes& c, F64x8 most_w
 // smaller on the screen than its snapping could turn over: twice its area there is
 //     scale_x scale_y det n . (p - eye) 2 area / (w0 w1 w2),
 // and moving its vertices changes that by at most 2 side kMove + kMove^2. Both by its longest side.
-SIMD_INLINE MaskF64x8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 least_w,
-                                  F64x8 most_w) {
+SIMD_INLINE MaskF64x8 back_facing_clusters(const Terms& t, const ClusterLanes& c, F64x8 least_w,
+                                           F64x8 most_w) {
     const F64x8 zero = 0.0, one = 1.0;
     const F64x8 eye[3] = {t.eye.x, t.eye.y, t.eye.z};
     F64x8 from_eye[3] = {eye[0], eye[1], eye[2]}, distance = t.eye_length, radius = 0.0;
@@ -77,7 +77,7 @@ SIMD_INLINE MaskF64x8 turned_away(const Terms& t, const ClusterLanes& c, F64x8 l
     }
     // Angles whose sines add up to less than one do so to less than a right angle.
     const F64x8 sine =
-        (F64x8(t.turn) * dot(c.axis, from_eye) - radius) / distance - c.spread - F64x8(kAngle);
+        (F64x8(t.winding) * dot(c.axis, from_eye) - radius) / distance - c.spread - F64x8(kAngle);
     const auto uncut = F64x8(t.scale) * aside < F64x8(t.most_aside); // else some may be cut
     const F64x8 area =
         F64x8(t.area) * c.thinnest * sine * (distance - radius) / (most_w * most_w * most_w);
@@ -93,8 +93,9 @@ SIMD_INLINE std::uint32_t hidden_lanes(const Terms& t, const ClusterLanes& c) {
     const F64x8 most_w = maximum(abs(w - reach), abs(w + reach)) * F64x8(kSlack),
                 least_w = (w - reach) * F64x8(1 - 1e-9);
     auto hidden = (w + reach < F64x8(t.near_w * (1 - 1e-9))) | beside(t, c, most_w);
-    if (t.turn != 0)
-        hidden = hidden | ((least_w > F64x8(t.near_w)) & turned_away(t, c, least_w, most_w));
+    if (t.winding != 0)
+        hidden =
+            hidden | ((least_w > F64x8(t.near_w)) & back_facing_clusters(t, c, least_w, most_w));
     return bits(hidden);
 }
 
@@ -135,7 +136,7 @@ ClusterCull::Plane plane(const ScreenTransform& t, const DVec3& axis) {
 
 ClusterCull::ClusterCull(const ScreenTransform& t, Facing keep) : transform_(t), terms_{} {
     Terms& s = terms_;
-    s.turn = keep == Facing::any ? 0 : keep == Facing::front ? 1 : -1;
+    s.winding = keep == Facing::any ? 0 : keep == Facing::front ? 1 : -1;
     s.perspective = t.perspective;
     s.near_w = t.box.near_w;
     s.x = plane(t, {1, 0, 0});

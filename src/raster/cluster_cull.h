@@ -1,6 +1,6 @@
-// Which clusters of triangles no pixel can show: beside the picture, or turned away as a whole.
-// Never one that the triangles' own tests would keep: triangles snap to the grid, and one that is
-// thin there may turn over.
+// Cluster culling against the frustum and by facing: which clusters are outside the picture or
+// back-facing as a whole. Never one that triangle culling would keep: triangles snap to the grid,
+// and a thin one may turn over there.
 #pragma once
 
 #include "geom/clusters.h"
@@ -14,7 +14,7 @@
 
 namespace scanout::raster {
 
-// What a cluster can show in.
+// The screen bounds of a cluster.
 struct ClusterBounds {
     image::Rect pixels; // of the picture
     float nearest;      // no depth of it is nearer
@@ -23,21 +23,21 @@ struct ClusterBounds {
 class ClusterCull {
 public:
     ClusterCull(const ScreenTransform& transform, Facing keep);
-    // hidden[i]: 1 where the cluster is, else 0.
+    // hidden[i]: 1 where the cluster is culled, else 0.
     void find_hidden(std::span<const geom::Cluster> clusters, std::uint8_t* hidden) const;
     // None where some vertex may lie off the screen.
     std::optional<ClusterBounds> bounds(const geom::Cluster& cluster) const;
 
-    static constexpr double kSlack = 1 + 1e-9; // what is known of a cluster is rounded
+    static constexpr double kSlack = 1 + 1e-9; // rounding of the clusters' bounds
     static constexpr double kBesidePixels = 2; // however far samples lie from pixels' centres
 
-    // What is asked of clusters, side by side.
-    struct Plane { // at a place p of the mesh: normal . p + offset
+    // The view's side of the tests, the same for all clusters.
+    struct Plane { // at a position p of the mesh: normal . p + offset
         DVec3 normal;
         double offset, length; // of the normal
     };
     struct Terms {
-        double turn; // 1: what faces away from the eye is not kept; -1: what faces it; 0: all is
+        double winding; // 1: culls back faces; -1: culls front faces; 0: neither
         bool perspective;
         double near_w;
         Plane w, x, y, z;  // view space: the distance along the view axis; to the right, up, back

@@ -3,16 +3,16 @@
 #define SIMD_FILE "raster/coverage.cpp"
 #include "simd/for_each_target.h"
 
-#include "raster/large-inl.h"
+#include "raster/large_blocks-inl.h"
 
 SIMD_BEGIN(scanout::raster)
 
-// Blocks are few: those of all triangles side by side, one after the other.
-template <Shows kShows>
-SIMD_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::uint32_t live,
-                            I32& drawn) {
-    WalkLanes lanes =
-        walk_lanes(w, [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); });
+// Triangles of few blocks: several triangles side by side, block after block.
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_few_blocks(const TilePlanes& tile, const TriangleSetup& w, int i,
+                                 std::uint32_t live, I32& drawn) {
+    SetupLanes lanes =
+        setup_lanes(w, [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); });
     lanes.x0 = load<I32x8>(w.x0 + i);
     lanes.y0 = load<I32x8>(w.y0 + i);
     lanes.x1 = load<I32x8>(w.x1 + i);
@@ -22,8 +22,8 @@ SIMD_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::
     I32x8 x = x0, y = shift_right<3>(lanes.y0);
     while (live != 0) {
         const AtBlocks blocks = at_blocks(tile, lanes, x, y);
-        const std::uint32_t show = seen<is_usual(kShows)>(tile, lanes, blocks, live);
-        if (show != 0) draw_flat<kShows>(tile, lanes, blocks, show, w.id + i, drawn);
+        const std::uint32_t show = seen<is_default(kWrite)>(tile, lanes, blocks, live);
+        if (show != 0) draw_float_depth_blocks<kWrite>(tile, lanes, blocks, show, w.id + i, drawn);
         x = x + 1;
         const MaskX8 next = x >= x1;
         x = select(next, x0, x);
@@ -34,15 +34,18 @@ SIMD_INLINE void draw_small(const TilePlanes& tile, const Walks& w, int i, std::
 
 // BlockBounds of triangles, one a lane.
 struct BoundsLanes {
-    float edge[3][Walks::kRoom], across[3][Walks::kRoom], down[3][Walks::kRoom];
-    float depth[Walks::kRoom], depth_across[Walks::kRoom], depth_down[Walks::kRoom];
-    float most[Walks::kRoom];
+    float edge[3][TriangleSetup::kTriangles], across[3][TriangleSetup::kTriangles],
+        down[3][TriangleSetup::kTriangles];
+    float depth[TriangleSetup::kTriangles], depth_across[TriangleSetup::kTriangles],
+        depth_down[TriangleSetup::kTriangles];
+    float most[TriangleSetup::kTriangles];
 };
 
-// Returns those of which some block may be seen. farthest: nothing in the tile is farther away.
-SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, float farthest,
+// Returns the triangles of which some block may be visible. farthest: nothing in the tile is
+// farther away.
+SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const TriangleSetup& w, float farthest,
                                     BoundsLanes& out) {
-    constexpr int kSide = BlockWalk::kSide;
+    constexpr int kSide = PixelBlock::kSide;
     const F64x8 block = double{kSide * kSubpixel}, margin = BlockBounds::kMargin, zero = 0.0;
     const F64x8 corner_x = static_cast<double>(tile.area.x0 * kSubpixel),
                 corner_y = static_cast<double>(tile.area.y0 * kSubpixel);
@@ -52,7 +55,7 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, floa
                (maximum(across, zero) + maximum(down, zero)) * F64x8(double{BlockList::kRow});
     };
     std::uint32_t seen = 0;
-    for (int i = 0; i < Walks::kRoom; i += kLanesX8) {
+    for (int i = 0; i < TriangleSetup::kTriangles; i += kLanesX8) {
         const auto read = [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); };
         F64x8 depth = 0.0;
         auto here = read(w.nearest) >= F64x8(double{farthest}) * F64x8(1 - 0x1p-20);
@@ -82,8 +85,8 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const Walks& w, floa
     return seen;
 }
 
-SIMD_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int i) {
-    constexpr int kSide = BlockWalk::kSide;
+SIMD_INLINE BlockBounds bounds_at(const TriangleSetup& w, const BoundsLanes& lanes, int i) {
+    constexpr int kSide = PixelBlock::kSide;
     BlockBounds b;
     SIMD_FOR (int k = 0; k < 3; ++k) {
         b.edge[k] = lanes.edge[k][i];
@@ -101,62 +104,63 @@ SIMD_INLINE BlockBounds bounds_at(const Walks& w, const BoundsLanes& lanes, int 
     return b;
 }
 
-// Blocks are many: those of one triangle side by side. large: of the triangles, a bit each.
-template <Shows kShows>
-SIMD_INLINE void draw_each_large(const TilePlanes& tile, const Walks& w, std::uint32_t large,
-                                 I32& drawn) {
-    const bool ask = is_usual(kShows) && tile.farthest != nullptr;
+// Triangles of many blocks: several blocks of one triangle side by side. large: a bit for each.
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_many_blocks(const TilePlanes& tile, const TriangleSetup& w,
+                                  std::uint32_t large, I32& drawn) {
+    const bool ask = is_default(kWrite) && tile.hi_z != nullptr;
     BoundsLanes bounds;
-    for (large &= bounds_of(tile, w, ask ? farthest_of_all(tile) : 0.0F, bounds); large != 0;
+    for (large &= bounds_of(tile, w, ask ? far_depth_of_tile(tile) : 0.0F, bounds); large != 0;
          large &= large - 1) {
         const int i = __builtin_ctz(large);
         std::uint64_t blocks =
-            find_blocks<is_usual(kShows)>(tile, bounds_at(w, bounds, i), nullptr);
-        if ((w.flat >> i & 1) != 0) {
-            draw_large<kShows>(tile, w, i, blocks, drawn);
+            reject_blocks<is_default(kWrite)>(tile, bounds_at(w, bounds, i), nullptr);
+        if ((w.float_depth >> i & 1) != 0) {
+            draw_large<kWrite>(tile, w, i, blocks, drawn);
             continue;
         }
         for (; blocks != 0; blocks &= blocks - 1)
-            draw_steep_block<kShows>(tile, w, i, __builtin_ctzll(blocks), drawn);
+            draw_double_depth_block<kWrite>(tile, w, i, __builtin_ctzll(blocks), drawn);
     }
 }
 
-template <Shows kShows>
+template <DepthWrite kWrite>
 SIMD_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
                           const TriangleList& list) {
     constexpr std::uint32_t kRegister = (1U << kLanesX8) - 1;
     I32 drawn = 0;
-    Walks w;
+    TriangleSetup w;
     const auto all = static_cast<int>(list.which.size());
-    for (int begin = 0; begin < all; begin += Walks::kRoom) {
-        const int count = all - begin < Walks::kRoom ? all - begin : Walks::kRoom;
-        load_corners(list, begin, count, w);
+    for (int begin = 0; begin < all; begin += TriangleSetup::kTriangles) {
+        const int count =
+            all - begin < TriangleSetup::kTriangles ? all - begin : TriangleSetup::kTriangles;
+        load_vertices(list, begin, count, w);
         set_up(tile, extent, list.vertices.data(), count, w);
-        const std::uint32_t small = w.live & w.flat & w.small;
-        for (int i = 0; i < Walks::kRoom; i += kLanesX8)
-            draw_small<kShows>(tile, w, i, small >> i & kRegister, drawn);
-        if (w.live != small) draw_each_large<kShows>(tile, w, w.live & ~small, drawn);
+        const std::uint32_t small = w.live & w.float_depth & w.small;
+        for (int i = 0; i < TriangleSetup::kTriangles; i += kLanesX8)
+            draw_few_blocks<kWrite>(tile, w, i, small >> i & kRegister, drawn);
+        if (w.live != small) draw_many_blocks<kWrite>(tile, w, w.live & ~small, drawn);
     }
     return any(!(drawn == I32(0)));
 }
 
 bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
-    return draw_all<Shows::usual>(tile, extent, list);
+    return draw_all<DepthWrite::nearest>(tile, extent, list);
 }
 bool draw_depth(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
-    return draw_all<Shows::depth>(tile, extent, list);
+    return draw_all<DepthWrite::depth_only>(tile, extent, list);
 }
 bool draw_by_rule(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
-    return draw_all<Shows::by_rule>(tile, extent, list);
+    return draw_all<DepthWrite::by_rule>(tile, extent, list);
 }
 
 bool flat_alone(const ScreenVertex* corners) {
-    Walks w;
-    for (int i = 0; i < Walks::kRoom; ++i)
+    TriangleSetup w;
+    for (int i = 0; i < TriangleSetup::kTriangles; ++i)
         for (int k = 0; k < 3; ++k)
-            w.corner[k][i] = static_cast<std::uint32_t>(k);
+            w.vertex[k][i] = static_cast<std::uint32_t>(k);
     set_up({{0, 0, kTileSize, kTileSize}, {}, nullptr, nullptr}, {}, corners, 1, w);
-    return (w.flat & 1) != 0;
+    return (w.float_depth & 1) != 0;
 }
 
 SIMD_END
@@ -171,13 +175,13 @@ SIMD_REGISTER(flat_alone);
 
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles) {
     const SampleExtent extent = extent_of(tile.pattern);
-    if (!tile.rule.usual()) return SIMD_CALL(draw_by_rule, tile, extent, triangles);
+    if (!tile.rule.is_default()) return SIMD_CALL(draw_by_rule, tile, extent, triangles);
     return tile.id == nullptr ? SIMD_CALL(draw_depth, tile, extent, triangles)
                               : SIMD_CALL(draw_usual, tile, extent, triangles);
 }
 
-bool near_to_flat(const SnappedTriangle& triangle) {
-    return SIMD_CALL(flat_alone, triangle.corner.data());
+bool has_float_depth(const SnappedTriangle& triangle) {
+    return SIMD_CALL(flat_alone, triangle.vertex.data());
 }
 
 } // namespace scanout::raster

@@ -19,12 +19,12 @@ SIMD_INLINE I32 end_pixel(I32 max, std::int32_t low) {
     return shift_right<kSubpixelBits>(max + I32(kSubpixel - low));
 }
 
-struct Corners {
+struct TriangleVertices {
     I32 x[3], y[3];
 };
 
-SIMD_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* index) {
-    Corners c;
+SIMD_INLINE TriangleVertices vertices_of(const ScreenVertex* vertices, const std::uint32_t* index) {
+    TriangleVertices c;
     SIMD_FOR (int k = 0; k < 3; ++k) {
         const auto v = vertices_at<F32>(vertices, index + k, 3);
         c.x[k] = v.word(0);
@@ -33,9 +33,9 @@ SIMD_INLINE Corners corners(const ScreenVertex* vertices, const std::uint32_t* i
     return c;
 }
 
-// Triangles at most this many pixels wide and high are asked at every sample whether they cover it:
-// of those near the size of a pixel half do not, and no tile has to hear of them. Their samples lie
-// in one pixel more, each way, at most.
+// Triangles at most this many pixels wide and high are tested at every sample: half of those near
+// the size of a pixel cover none, and need not be binned. Their samples lie in one pixel more, each
+// way, at most.
 constexpr int kTiny = 3;
 
 // The pixels that a triangle may touch: from (x0, y0) on, `across` by `down` of them.
@@ -44,12 +44,11 @@ struct Box {
 };
 
 // Does the triangle, tiny and not without area, cover no sample of its box? No lane's box is larger
-// than kSide each way. The box cuts the triangle only at the picture's edge: only for lanes that
-// lie there (at_edge: some do) is a sample outside the box told from one within, so that what a
-// lane says does not hang on its neighbours. Edges as in raster/primitive.h, whole numbers below
-// 2^23.
+// than kSide each way. The box cuts the triangle only at the picture's edge: only lanes that lie
+// there (at_edge: some do) test samples for being outside the box, so that no lane's result depends
+// on its neighbours. Edge functions as in raster/primitive.h, integers below 2^23.
 template <int kSide>
-SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c,
+SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const TriangleVertices& c,
                               Mask32 negative, const Box& box, bool at_edge) {
     const I32 x[3] = {c.x[0], select(negative, c.x[2], c.x[1]), select(negative, c.x[1], c.x[2])};
     const I32 y[3] = {c.y[0], select(negative, c.y[2], c.y[1]), select(negative, c.y[1], c.y[2])};
@@ -63,7 +62,7 @@ SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corne
         a[k] = per_x;
         b[k] = per_y;
     }
-    I32 outside = -1; // its sign bit: at every sample so far some edge is negative
+    I32 outside = -1; // sign bit: at every sample so far some edge is negative
     for (const SampleOffset* at = pattern.data(); at != pattern.data() + pattern.size(); ++at) {
         I32 row[3], step[3], down_step[3];
         SIMD_FOR (int k = 0; k < 3; ++k) {
@@ -86,8 +85,8 @@ SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corne
     }
     return outside < I32(0);
 }
-SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corners& c, Mask32 tiny,
-                              Mask32 negative, const Box& box, bool at_edge) {
+SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const TriangleVertices& c,
+                              Mask32 tiny, Mask32 negative, const Box& box, bool at_edge) {
     static_assert(kTiny == 3);
     const I32 side = maximum(box.across, box.down);
     if (!any(tiny & (side > I32(2)))) return misses_all<2>(pattern, c, negative, box, at_edge);
@@ -96,7 +95,7 @@ SIMD_INLINE Mask32 misses_all(std::span<const SampleOffset> pattern, const Corne
 }
 
 // Twice the area's sign, y down. extent: the longer side of the box.
-SIMD_INLINE I32 turn_of(const Corners& c, I32 extent) {
+SIMD_INLINE I32 winding_of(const TriangleVertices& c, I32 extent) {
     const I32 dx1 = c.x[1] - c.x[0], dy1 = c.y[1] - c.y[0];
     const I32 dx2 = c.x[2] - c.x[0], dy2 = c.y[2] - c.y[0];
     constexpr std::int32_t kNarrow = 1 << 14; // products of 28 bits
@@ -107,17 +106,17 @@ SIMD_INLINE I32 turn_of(const Corners& c, I32 extent) {
     return select(area > zero, I32(1), select(area < zero, I32(-1), I32(0)));
 }
 
-// What is found of some registers of triangles before any of it is put into lists. How many of a
-// register are kept is hard to foretell, and known late; a wrong guess would undo what the
-// processor has begun of the next register.
+// Results of several registers of triangles, before any is appended to the lists. How many of a
+// register are visible is known late; a mispredicted branch on it would discard what the processor
+// has begun of the next register.
 struct FoundLanes {
     static constexpr int kRegisters = 16;
-    std::uint32_t from[kRegisters * kLanes], to[kRegisters * kLanes]; // of KeptTriangle
-    std::uint32_t kept[kRegisters], cut[kRegisters];                  // a bit a lane
+    std::uint32_t from[kRegisters * kLanes], to[kRegisters * kLanes]; // of VisibleTriangle
+    std::uint32_t visible[kRegisters], to_clip[kRegisters];           // a bit a lane
 };
 
 // live: how many of the lanes are triangles; r: the register.
-SIMD_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, int r,
+SIMD_INLINE void cull_lanes(const CullOptions& o, const TriangleVertices& c, int live, int r,
                             FoundLanes& found) {
     const I32 off = ScreenVertex::kOffScreen;
     const Mask32 off0 = c.x[0] == off, off1 = c.x[1] == off, off2 = c.x[2] == off;
@@ -128,69 +127,70 @@ SIMD_INLINE void cull_lanes(const CullOptions& o, const Corners& c, int live, in
     const I32 min_y = minimum(minimum(c.y[0], c.y[1]), c.y[2]);
     const I32 max_y = maximum(maximum(c.y[0], c.y[1]), c.y[2]);
     // Off the screen it may be any number.
-    const I32 extent = maximum(max_x - min_x, max_y - min_y), turn = turn_of(c, extent);
+    const I32 extent = maximum(max_x - min_x, max_y - min_y), winding = winding_of(c, extent);
     // Counter-clockwise is front, unless the view mirrors. Area 0 covers nothing (HARD-CASES 4).
     const bool both = o.keep == Facing::any, clockwise = (o.keep == Facing::front) == o.mirrored;
-    Mask32 kept = !any_off;
-    if (both || clockwise) kept = both ? kept & !(turn == I32(0)) : kept & (turn > I32(0));
-    if (!both && !clockwise) kept = kept & (turn < I32(0));
+    Mask32 visible = !any_off;
+    if (both || clockwise)
+        visible = both ? visible & !(winding == I32(0)) : visible & (winding > I32(0));
+    if (!both && !clockwise) visible = visible & (winding < I32(0));
 
     const I32 x0 = maximum(first_pixel(min_x, o.extent.high.x), 0);
     const I32 y0 = maximum(first_pixel(min_y, o.extent.high.y), 0);
     const I32 x1 = minimum(end_pixel(max_x, o.extent.low.x), o.width);
     const I32 y1 = minimum(end_pixel(max_y, o.extent.low.y), o.height);
-    kept = kept & (x0 < x1) & (y0 < y1);
-    const Mask32 tiny = kept & (extent <= I32(kTiny * kSubpixel));
+    visible = visible & (x0 < x1) & (y0 < y1);
+    const Mask32 tiny = visible & (extent <= I32(kTiny * kSubpixel));
     if (!o.pattern.empty() && any(tiny)) {
         const bool at_edge = any(tiny & ((x1 == o.width) | (y1 == o.height)));
-        kept = kept & !(tiny & misses_all(o.pattern, c, tiny, turn < I32(0),
-                                          {x0, y0, x1 - x0, y1 - y0}, at_edge));
+        visible = visible & !(tiny & misses_all(o.pattern, c, tiny, winding < I32(0),
+                                                {x0, y0, x1 - x0, y1 - y0}, at_edge));
     }
 
-    // Off the screen at one side with all corners, or not a number: gone without clipping.
+    // All vertices off the screen at one side, or one that is not finite: culled without clipping.
     const I32 all_flags =
         select(off0, c.y[0], 0) & select(off1, c.y[1], 0) & select(off2, c.y[2], 0);
     const I32 any_flags =
         select(off0, c.y[0], 0) | select(off1, c.y[1], 0) | select(off2, c.y[2], 0);
     const Mask32 inside = (all_flags & I32(kOutsideMask)) == I32(0);
     const Mask32 finite = (any_flags & I32(kNotFinite)) == I32(0);
-    const Mask32 cut = any_off & (inside & finite);
+    const Mask32 to_clip = any_off & (inside & finite);
 
     const std::uint32_t lanes = (2U << (live - 1)) - 1;
     const Mask32 small = extent <= I32(kSmallSide * kSubpixel);
-    const Mask32 away = o.mirrored ? turn < I32(0) : turn > I32(0);
-    const I32 back = both ? select(away, I32(KeptTriangle::kAway), I32(0)) : I32(0);
+    const Mask32 back_facing = o.mirrored ? winding < I32(0) : winding > I32(0);
+    const I32 back = both ? select(back_facing, I32(VisibleTriangle::kBackFacing), I32(0)) : I32(0);
     store(select(small, I32(INT32_MIN), I32(0)) | shift_left<16>(y0) | x0 | back,
           found.from + std::ptrdiff_t{r} * kLanes);
     store(shift_left<16>(y1) | x1, found.to + std::ptrdiff_t{r} * kLanes);
-    found.kept[r] = bits(kept) & lanes;
-    found.cut[r] = bits(cut) & lanes;
+    found.visible[r] = bits(visible) & lanes;
+    found.to_clip[r] = bits(to_clip) & lanes;
 }
 
 SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t first,
                       CullResult& result) {
-    KeptTriangle* kept = result.kept.data() + result.kept_count;
+    VisibleTriangle* visible = result.visible.data() + result.visible_count;
     for (int r = 0; r < registers; ++r) {
         const auto at = static_cast<std::uint32_t>(r * kLanes);
         if constexpr (kPacksLanes) {
-            const I32 place = iota<I32>(static_cast<std::int32_t>(first + at));
-            kept += store_packed(found.kept[r], place, load<I32>(found.from + at),
-                                 load<I32>(found.to + at), &kept->place);
+            const I32 spatial_index = iota<I32>(static_cast<std::int32_t>(first + at));
+            visible += store_packed(found.visible[r], spatial_index, load<I32>(found.from + at),
+                                    load<I32>(found.to + at), &visible->spatial_index);
         } else {
-            for (std::uint32_t rest = found.kept[r]; rest != 0; rest &= rest - 1) {
+            for (std::uint32_t rest = found.visible[r]; rest != 0; rest &= rest - 1) {
                 const std::uint32_t i = at + static_cast<std::uint32_t>(__builtin_ctz(rest));
-                *kept++ = {first + i, found.from[i], found.to[i]};
+                *visible++ = {first + i, found.from[i], found.to[i]};
             }
         }
-        for (std::uint32_t rest = found.cut[r]; rest != 0; rest &= rest - 1)
-            result.cut.data()[result.cut_count++] =
+        for (std::uint32_t rest = found.to_clip[r]; rest != 0; rest &= rest - 1)
+            result.to_clip.data()[result.to_clip_count++] =
                 first + at + static_cast<std::uint32_t>(__builtin_ctz(rest));
     }
-    result.kept_count = static_cast<std::size_t>(kept - result.kept.data());
+    result.visible_count = static_cast<std::size_t>(visible - result.visible.data());
 }
 
-// Vertices lie in the order of the file: those of triangles this many registers on are asked for
-// before they are needed. One of each is enough: neighbours bring the others.
+// Prefetches the vertices of triangles so many registers ahead: one vertex each, as neighbours lie
+// in the same cache lines.
 constexpr int kSoon = 2;
 SIMD_INLINE void prefetch_vertices(const ScreenVertex* vertices, const std::uint32_t* index) {
     for (int lane = 0; lane < kLanes; ++lane)
@@ -205,17 +205,17 @@ void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uin
         const int begin = i;
         int r = 0;
         for (; r < FoundLanes::kRegisters && i + kLanes <= count; ++r, i += kLanes) {
-            // Registers take so long that nothing else would ask for the next indices in time.
+            // A register takes too long for the hardware prefetcher to stay ahead.
             const std::uint32_t* of_lanes = index + std::ptrdiff_t{i} * 3;
             prefetch<kLanes * kIndices>(of_lanes, kAhead * kIndices);
             if (i + (kSoon + 1) * kLanes <= count) prefetch_vertices(vertices, of_lanes);
-            cull_lanes(o, corners(vertices, of_lanes), kLanes, r, found);
+            cull_lanes(o, vertices_of(vertices, of_lanes), kLanes, r, found);
         }
         if (r < FoundLanes::kRegisters && i < count) {
             std::uint32_t rest[kLanes * 3];
             for (int k = 0; k < kLanes * 3; ++k)
                 rest[k] = index[k < (count - i) * 3 ? i * 3 + k : 0];
-            cull_lanes(o, corners(vertices, rest), count - i, r++, found);
+            cull_lanes(o, vertices_of(vertices, rest), count - i, r++, found);
             i = count;
         }
         list(found, r, first + static_cast<std::uint32_t>(begin), result);
@@ -229,18 +229,18 @@ namespace scanout::raster {
 
 SIMD_REGISTER(cull_all);
 
-bool faces_as_wanted(const CullOptions& options, bool clockwise) {
+bool keeps_facing(const CullOptions& options, bool clockwise) {
     const bool front = !clockwise != options.mirrored;
     return options.keep == Facing::any || (options.keep == Facing::front) == front;
 }
 
 void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
           std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
-    result.kept_count = result.cut_count = 0;
-    const std::size_t room = index.size() / 3 + kRegisterRoom;
-    if (result.kept.size() < room) {
-        result.kept.resize(room);
-        result.cut.resize(room);
+    result.visible_count = result.to_clip_count = 0;
+    const std::size_t room = index.size() / 3 + kRegisterPadding;
+    if (result.visible.size() < room) {
+        result.visible.resize(room);
+        result.to_clip.resize(room);
     }
     if (index.empty()) return;
     SIMD_CALL(cull_all, options, vertices.data(), index.data(), static_cast<int>(index.size() / 3),

@@ -1,4 +1,4 @@
-// Which triangles can be seen at all: set-up and culling of whole triangles in lanes, before
+// Triangle culling: back faces, triangles beside the picture or without a sample, in lanes, before
 // anything of them is stored.
 #pragma once
 
@@ -29,34 +29,34 @@ struct CullOptions {
 };
 
 // Is a triangle that winds this way on the screen (y down) kept?
-bool faces_as_wanted(const CullOptions& options, bool clockwise);
+bool keeps_facing(const CullOptions& options, bool clockwise);
 
-// A triangle, and the pixels that may hold its samples: from (x0, y0) up to, but not with, (x1,
-// y1).
-struct KeptTriangle {
-    std::uint32_t place;    // in the order of the index that was culled
-    std::uint32_t from, to; // x in the low half, y in the high one; `from` has two flags, too
+// A triangle that passed culling, and the pixels that may hold its samples: columns [x0, x1), rows
+// [y0, y1).
+struct VisibleTriangle {
+    std::uint32_t spatial_index; // in the order of the index that was culled
+    std::uint32_t from, to;      // x in the low half, y in the high one; `from` has two flags, too
 
-    static constexpr std::uint32_t kSmall = 1U << 31; // at most kSmallSide pixels each way
-    static constexpr std::uint32_t kAway = 1U << 15;  // a back, where fronts are kept as well
+    static constexpr std::uint32_t kSmall = 1U << 31;      // at most kSmallSide pixels each way
+    static constexpr std::uint32_t kBackFacing = 1U << 15; // where both sides are kept
 
     bool small() const { return (from & kSmall) != 0; }
-    bool away() const { return (from & kAway) != 0; }
+    bool back_facing() const { return (from & kBackFacing) != 0; }
     int x0() const { return static_cast<int>(from & 0x7fff); }
     int y0() const { return static_cast<int>((from & ~kSmall) >> 16); }
     int x1() const { return static_cast<int>(to & 0xffff); }
     int y1() const { return static_cast<int>(to >> 16); }
 };
 
-inline constexpr std::size_t kRegisterRoom = 16; // lanes that kernels may touch beyond a list
+inline constexpr std::size_t kRegisterPadding = 16; // elements that kernels may touch beyond a list
 
-// What is left of a list of triangles: `kept` are on the screen, have an area, face as wanted and
-// may cover a sample (those a few pixels wide: do); `cut` have a vertex off the screen and may be
-// seen. The lists grow to have room for all, and for kRegisterRoom more.
+// Result for a list of triangles: `visible` are on the screen, have an area, face as wanted and may
+// cover a sample (those a few pixels wide: do); `to_clip` have a vertex off the screen and may be
+// visible. The lists grow to the number of triangles and kRegisterPadding more.
 struct CullResult {
-    std::vector<KeptTriangle> kept;
-    std::vector<std::uint32_t> cut;
-    std::size_t kept_count = 0, cut_count = 0;
+    std::vector<VisibleTriangle> visible;
+    std::vector<std::uint32_t> to_clip;
+    std::size_t visible_count = 0, to_clip_count = 0;
 };
 
 // index: three vertices each of the triangles first, first + 1, ...

@@ -7,9 +7,9 @@
 namespace scanout::raster {
 
 double depth_step(float depth) {
-    constexpr std::uint32_t kExponent = 0x7f800000, kLeast = 0x00800000; // below: denormal
+    constexpr std::uint32_t kExponent = 0x7f800000, kMin = 0x00800000; // below: denormal
     const std::uint32_t exponent = std::bit_cast<std::uint32_t>(depth) & kExponent;
-    return double{std::bit_cast<float>(std::max(exponent, kLeast))} * 0x1p-23;
+    return double{std::bit_cast<float>(std::max(exponent, kMin))} * 0x1p-23;
 }
 
 double depth_bias(const DepthBias& bias, float max_depth, double max_slope) {

@@ -1,4 +1,4 @@
-// Of raster/geometry.h: what a tile shows of the triangles, lines and points that run() put there.
+// Of raster/geometry.h: drawing of one tile from the bins that run() filled.
 #include "base/check.h"
 #include "raster/check_lanes.h"
 #include "raster/geometry.h"
@@ -9,14 +9,15 @@
 namespace scanout::raster {
 
 namespace {
-constexpr std::size_t kFewBacks = 64; // in a tile: drawn sooner than asked whether they are hidden
+constexpr std::size_t kMinHiZTriangles =
+    64; // in a tile: fewer are drawn sooner than tested against hi_z
 } // namespace
 
 template <class F>
 void Geometry::Batch::Bin::for_small(F&& f) const {
-    for (const auto& all : parts)
-        for (const TilePart& part : all)
-            f(part.place);
+    for (const auto& all : small)
+        for (const BinnedTriangle& binned : all)
+            f(binned.spatial_index);
 }
 
 image::Rect Geometry::tile_area(int tile) const {
@@ -27,38 +28,38 @@ image::Rect Geometry::tile_area(int tile) const {
 bool Geometry::is_empty(int tile) const {
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [](const Batch::Bin& bin) {
-        return bin.triangles.empty() && bin.pieces.empty() && bin.segments.empty() &&
-               bin.points.empty() && bin.waiting.empty() &&
-               std::all_of(bin.parts.begin(), bin.parts.end(),
-                           [](const auto& parts) { return parts.empty(); });
+        return bin.triangles.empty() && bin.clipped.empty() && bin.segments.empty() &&
+               bin.points.empty() && bin.deferred.empty() &&
+               std::all_of(bin.small.begin(), bin.small.end(),
+                           [](const auto& small) { return small.empty(); });
     };
     return std::all_of(batches_.begin(), batches_.end(), [&](const Batch& batch) {
-        return bare(batch.bins[at]) && (batch.layered.empty() || bare(batch.layered[at]));
+        return bare(batch.bins[at]) && (batch.not_opaque.empty() || bare(batch.not_opaque[at]));
     });
 }
 
 void Geometry::draw(int tile, AreaTile& out) const {
-    CHECK(hidden_ == nullptr);
+    CHECK(occlusion_ == nullptr);
     const auto add = [&](std::uint32_t id) {
-        if (const std::optional<SetUp> t = set_up(corners(id), id)) out.add(t->triangle);
+        if (const std::optional<SetUp> t = set_up(vertices_of(id), id)) out.add(t->triangle);
     };
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         std::for_each(bin.triangles.begin(), bin.triangles.end(), add);
-        bin.for_small([&](std::uint32_t place) { add(mesh_->triangle_at(place)); });
-        for (const std::uint32_t i : bin.pieces)
-            out.add(batch.pieces[i].piece);
+        bin.for_small([&](std::uint32_t spatial_index) { add(mesh_->triangle_at(spatial_index)); });
+        for (const std::uint32_t i : bin.clipped)
+            out.add(batch.clipped[i].triangle);
     }
     out.finish();
 }
 
 void Geometry::draw(int tile, VisibilityTile& out) {
     draw_triangles(tile, out);
-    draw_on_ground(tile, out, out);
+    draw_lines(tile, out, out);
 }
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out) {
-    // By another rule than the usual one parts are drawn as the triangles that they are of.
+    // By another depth rule than the default one small triangles are drawn like all others.
     std::array<std::uint32_t, 64> some;
     std::size_t count = 0;
     const auto draw_some = [&] {
@@ -73,68 +74,69 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out) {
         Batch::Bin& bin = batch.bins[static_cast<std::size_t>(tile)];
         if (!bin.triangles.empty())
             out.draw(TriangleList{vertices_, mesh_->index, bin.triangles, bin.triangles});
-        if (out.rule().usual()) {
-            order_strips(bin.parts[static_cast<std::size_t>(PartKind::strip)]);
-            for (const PartKind kind : kFrontKinds)
-                if (!bin.parts_of(kind).empty()) out.draw(list_of(bin.parts_of(kind), kind));
+        if (out.rule().is_default()) {
+            sort_by_rows(bin.small[static_cast<std::size_t>(SmallKind::rows)]);
+            for (const SmallKind kind : kFrontFacingKinds)
+                if (!bin.small_of(kind).empty()) out.draw(list_of(bin.small_of(kind), kind));
         } else {
-            bin.for_small([&](std::uint32_t place) { add_whole(mesh_->triangle_at(place)); });
+            bin.for_small(
+                [&](std::uint32_t spatial_index) { add_whole(mesh_->triangle_at(spatial_index)); });
             draw_some();
         }
-        for (const std::uint32_t i : bin.pieces)
-            out.draw(batch.pieces[i]);
+        for (const std::uint32_t i : bin.clipped)
+            out.draw(batch.clipped[i]);
     }
-    if (out.rule().usual()) draw_backs(tile, out);
-    if (hidden_ != nullptr) draw_waiting(tile, out);
+    if (out.rule().is_default()) draw_back_facing(tile, out);
+    if (occlusion_ != nullptr) draw_deferred(tile, out);
     check_lanes(out);
 }
 
-void Geometry::draw_backs(int tile, VisibilityTile& out) const {
+void Geometry::draw_back_facing(int tile, VisibilityTile& out) const {
     bool found = false;
     for (const Batch& batch : batches_) {
-        const std::span<const TilePart> backs =
-            batch.bins[static_cast<std::size_t>(tile)].parts_of(PartKind::back);
-        const TilePartList list = list_of(backs, PartKind::strip);
-        if (backs.size() < kFewBacks) {
+        const std::span<const BinnedTriangle> backs =
+            batch.bins[static_cast<std::size_t>(tile)].small_of(SmallKind::back_facing);
+        const BinnedList list = list_of(backs, SmallKind::rows);
+        if (backs.size() < kMinHiZTriangles) {
             if (!backs.empty()) out.draw(list);
             continue;
         }
-        if (!std::exchange(found, true)) out.find_farthest();
+        if (!std::exchange(found, true)) out.build_hi_z();
         out.draw_behind(list);
     }
 }
 
-void Geometry::draw_on_ground(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
+void Geometry::draw_lines(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
     if (mesh_->lines() == 0 && mesh_->points() == 0) return;
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [&](const Batch& batch) {
         return batch.bins[at].segments.empty() && batch.bins[at].points.empty();
     };
     if (std::all_of(batches_.begin(), batches_.end(), bare)) return;
-    out.keep_ground(shown);
-    const Ground ground(*mesh_, vertices_, *transform_);
+    out.keep_support(shown);
+    const LineSupport support(*mesh_, vertices_, *transform_);
     for (const Batch& batch : batches_) {
         for (const std::uint32_t i : batch.bins[at].segments)
-            out.draw(batch.segments[i], ground);
+            out.draw(batch.segments[i], support);
         for (const std::uint32_t i : batch.bins[at].points)
-            out.draw(batch.points[i], ground);
+            out.draw(batch.points[i], support);
     }
     check_lanes(out);
 }
 
-void Geometry::layered(int tile, Layer layer, std::vector<std::uint32_t>& out) const {
+void Geometry::of_mode(int tile, AlphaMode mode, std::vector<std::uint32_t>& out) const {
     out.clear();
     for (const Batch& batch : batches_) {
-        if (batch.layered.empty()) continue;
-        const Batch::Bin& bin = batch.layered[static_cast<std::size_t>(tile)];
+        if (batch.not_opaque.empty()) continue;
+        const Batch::Bin& bin = batch.not_opaque[static_cast<std::size_t>(tile)];
         for (const std::uint32_t id : bin.triangles)
-            if (layer_of(id) == layer) out.push_back(id);
-        for (const std::uint32_t i : bin.pieces)
-            if (layer_of(batch.pieces[i].piece.id) == layer)
-                out.push_back(batch.pieces[i].piece.id);
+            if (alpha_mode_of(id) == mode) out.push_back(id);
+        for (const std::uint32_t i : bin.clipped)
+            if (alpha_mode_of(batch.clipped[i].triangle.id) == mode)
+                out.push_back(batch.clipped[i].triangle.id);
     }
     std::sort(out.begin(), out.end());
-    out.erase(std::unique(out.begin(), out.end()), out.end()); // two pieces of one
+    out.erase(std::unique(out.begin(), out.end()), out.end()); // two clipped triangles of one
 }
 
 image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
@@ -145,20 +147,20 @@ image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) cons
                  std::min(drawn.y0, std::max(r.y0, area.y0)), std::max(drawn.x1, r.x1),
                  std::max(drawn.y1, r.y1)};
     };
-    const std::array<ScreenVertex, 3> corner = corners(triangle);
-    if (corner[0].on_screen() && corner[1].on_screen() && corner[2].on_screen()) {
-        const std::optional<SetUp> t = set_up(corner, triangle);
+    const std::array<ScreenVertex, 3> vertex = vertices_of(triangle);
+    if (vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen()) {
+        const std::optional<SetUp> t = set_up(vertex, triangle);
         if (t && out.draw(t->triangle))
             add(pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent));
         return drawn;
     }
-    for (const Piece& piece : pieces(triangle))
-        if (out.draw(piece)) add(pixel_bounds(piece, area.x1, area.y1, cull_.extent));
+    for (const ClippedTriangle& clipped : clipped_of(triangle))
+        if (out.draw(clipped)) add(pixel_bounds(clipped, area.x1, area.y1, cull_.extent));
     return drawn;
 }
 
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
-    CHECK(hidden_ == nullptr);
+    CHECK(occlusion_ == nullptr);
     const auto at = static_cast<std::size_t>(tile);
     std::vector<std::uint32_t>& triangles = order.triangles;
     std::vector<Segment>& segments = order.segments;
@@ -169,9 +171,11 @@ void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn
     for (const Batch& batch : batches_) {
         const Batch::Bin& bin = batch.bins[at];
         triangles.insert(triangles.end(), bin.triangles.begin(), bin.triangles.end());
-        bin.for_small([&](std::uint32_t place) { triangles.push_back(mesh_->triangle_at(place)); });
-        for (const std::uint32_t i : bin.pieces)
-            triangles.push_back(batch.pieces[i].piece.id);
+        bin.for_small([&](std::uint32_t spatial_index) {
+            triangles.push_back(mesh_->triangle_at(spatial_index));
+        });
+        for (const std::uint32_t i : bin.clipped)
+            triangles.push_back(batch.clipped[i].triangle.id);
         for (const std::uint32_t i : bin.segments)
             segments.push_back(batch.segments[i]);
         for (const std::uint32_t i : bin.points)
@@ -180,7 +184,7 @@ void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn
     const auto by_id = [](const auto& a, const auto& b) { return a.id < b.id; };
     std::sort(triangles.begin(), triangles.end());
     triangles.erase(std::unique(triangles.begin(), triangles.end()),
-                    triangles.end()); // two pieces of one
+                    triangles.end()); // two clipped triangles of one
     std::sort(segments.begin(), segments.end(), by_id);
     std::sort(points.begin(), points.end(), by_id);
 

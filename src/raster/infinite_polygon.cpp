@@ -75,33 +75,33 @@ ClipVertex to_clip(const ScreenTransform& t, const DVec4& view) {
             t.perspective ? t.box.near_w * v.w : (v.z - v.w * t.depth_origin) * t.depth_scale, w};
 }
 
-void add_polygon(std::span<const ClipVertex> corners, const ScreenTransform& transform,
-                 float weight, CountSide side, std::uint32_t id,
-                 std::vector<CountedTriangle>& out) {
+void add_polygon(std::span<const ClipVertex> vertices, const ScreenTransform& transform,
+                 float weight, StencilSign side, std::uint32_t id,
+                 std::vector<StencilTriangle>& out) {
     Polygon polygon;
-    CHECK_LE(corners.size(), 8U);
-    for (const ClipVertex& corner : corners)
-        polygon.vertex[polygon.count++] = corner;
+    CHECK_LE(vertices.size(), 8U);
+    for (const ClipVertex& vertex : vertices)
+        polygon.vertex[polygon.count++] = vertex;
     for (int plane = 0; plane < 5 && polygon.count >= 3; ++plane)
         clip_plane(polygon, plane, transform);
     if (polygon.count < 3) return;
-    std::array<ScreenVertex, 24> corner;
+    std::array<ScreenVertex, 24> vertex;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const ClipVertex& v = polygon.vertex[i];
         if (!(v.w > 0)) return; // nothing of a polygon that only touches the eye's plane is seen
-        corner[i] = transform.to_screen(v);
+        vertex[i] = transform.to_screen(v);
     }
     // The fan's hub is the first corner in canonical order, as that of every clipped triangle.
     const auto before = [](const ScreenVertex& a, const ScreenVertex& b) {
         return std::tie(a.y, a.x, a.depth) < std::tie(b.y, b.x, b.depth);
     };
-    const auto end = corner.begin() + static_cast<std::ptrdiff_t>(polygon.count);
-    std::rotate(corner.begin(), std::min_element(corner.begin(), end, before), end);
+    const auto end = vertex.begin() + static_cast<std::ptrdiff_t>(polygon.count);
+    std::rotate(vertex.begin(), std::min_element(vertex.begin(), end, before), end);
     for (std::size_t i = 2; i < polygon.count; ++i) {
-        const std::optional<SetUp> piece = set_up({corner[0], corner[i - 1], corner[i]}, id);
-        if (!piece) continue;
-        const bool negative = side == CountSide::facing && !piece->clockwise;
-        out.push_back({piece->triangle, negative ? -weight : weight});
+        const std::optional<SetUp> clipped = set_up({vertex[0], vertex[i - 1], vertex[i]}, id);
+        if (!clipped) continue;
+        const bool negative = side == StencilSign::facing && !clipped->clockwise;
+        out.push_back({clipped->triangle, negative ? -weight : weight});
     }
 }
 

@@ -3,8 +3,8 @@
 // Kilgard 2002 (HARD-CASES 44).
 #pragma once
 
-#include "raster/count.h"
 #include "raster/screen.h"
+#include "raster/stencil_count.h"
 
 #include <span>
 #include <vector>
@@ -18,8 +18,9 @@ ClipVertex to_clip(const ScreenTransform& transform, const DVec4& view);
 // Convex, at most 8 corners. Appends its pieces to `out`. facing: pieces that wind clockwise on the
 // screen get the weight, the others its negative, so that a closed surface weighs nothing; else all
 // get the weight. id: kNoPrimitive, or the triangle of the scene that the polygon is.
-enum class CountSide : bool { same, facing };
-void add_polygon(std::span<const ClipVertex> corners, const ScreenTransform& transform,
-                 float weight, CountSide side, std::uint32_t id, std::vector<CountedTriangle>& out);
+enum class StencilSign : bool { same, facing };
+void add_polygon(std::span<const ClipVertex> vertices, const ScreenTransform& transform,
+                 float weight, StencilSign side, std::uint32_t id,
+                 std::vector<StencilTriangle>& out);
 
 } // namespace scanout::raster

@@ -26,7 +26,7 @@ struct Triangle {
 
 // As the mesh has it: vertices on the screen, in any order, perhaps without area.
 struct SnappedTriangle {
-    std::array<ScreenVertex, 3> corner;
+    std::array<ScreenVertex, 3> vertex;
     std::uint32_t id;
 };
 

@@ -75,7 +75,7 @@ ClipVertex ScreenTransform::to_clip(const Vec3& p) const {
 
 std::uint32_t ScreenTransform::classify(const ClipVertex& v) const {
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.w) ||
-        !(std::abs(v.z) <= kMostDepth * box.near_w))
+        !(std::abs(v.z) <= kMaxDepth * box.near_w))
         return kNotFinite;
     std::uint32_t flags = 0;
     // Half-spaces in homogeneous coordinates: right for every sign of w.

@@ -11,11 +11,11 @@
 
 namespace scanout::raster {
 
-inline constexpr std::size_t kMostVertices = std::size_t{1} << 29; // lanes index words in 31 bits
+inline constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // lanes index words in 31 bits
 inline constexpr int kSubpixelBits = 8;
 inline constexpr std::int32_t kSubpixel = 1 << kSubpixelBits;
 inline constexpr double kGuardPixels = 32767; // vertices beyond it, |x| or |y|, are not snapped
-inline constexpr double kMostDepth = 0x1p64;  // z beyond it, in near_w, counts as not finite
+inline constexpr double kMaxDepth = 0x1p64;   // z beyond it, in near_w, counts as not finite
 
 // A vertex before the perspective divide. x and y are pixels times w (y down), depth is z / w.
 struct ClipVertex {
@@ -47,7 +47,8 @@ struct ScreenVertex {
 static_assert(sizeof(ScreenVertex) == 16);
 
 // Where vertices stand on the screen: not before the near plane, not beyond the guard band
-// (pixels). Triangles are cut at the near plane alone (raster/piece.h), segments at all five.
+// (pixels). Triangles are cut at the near plane alone (raster/clipped_triangle.h), segments at all
+// five.
 struct ClipBox {
     double near_w;
     double left = -kGuardPixels, right = kGuardPixels, top = -kGuardPixels, bottom = kGuardPixels;

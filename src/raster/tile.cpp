@@ -1,9 +1,9 @@
 #include "raster/tile.h"
 
 #include "raster/check_lanes.h"
+#include "raster/clipped_setup.h"
 #include "raster/coverage.h"
 #include "raster/depth_bias.h"
-#include "raster/piece_set_up.h"
 #include "raster/screen.h"
 
 #include <algorithm>
@@ -24,22 +24,22 @@ void fill_bytes(std::vector<Word>& words, std::size_t size, int byte) {
 
 } // namespace
 
-void VisibilityTile::reset(const image::Rect& area, int samples, const VisibleRule& rule,
-                           Keeps keeps) {
+void VisibilityTile::reset(const image::Rect& area, int samples, const DepthRule& rule,
+                           TileFormat format) {
     rule_ = rule;
-    keeps_ = rule.usual() ? keeps : Keeps::depth_and_id;
+    format_ = rule.is_default() ? format : TileFormat::depth_and_id;
     area_ = area;
     samples_ = samples;
     pattern_ = sample_pattern(samples);
     touched_ = others_ = false;
-    parts_.clear();
+    small_lists_.clear();
     const std::size_t size = kPlane * static_cast<std::size_t>(samples);
-    fill_bytes(depth_, size + kRegisterRoom, 0);
+    fill_bytes(depth_, size + kRegisterPadding, 0);
     static_assert(kNoPrimitive == ~std::uint32_t{0});
-    if (keeps_ids()) fill_bytes(id_, size + kRegisterRoom, 0xff);
-    farthest_.fill(0);
-    ground_depth_.clear();
-    ground_id_.clear();
+    if (has_ids()) fill_bytes(id_, size + kRegisterPadding, 0xff);
+    hi_z_.fill(0);
+    support_depth_.clear();
+    support_id_.clear();
 }
 
 image::Rect VisibilityTile::inside(const image::Rect& r) const {
@@ -50,7 +50,7 @@ image::Rect VisibilityTile::inside(const image::Rect& r) const {
 bool VisibilityTile::draw(const Triangle& t) {
     SnappedTriangle snapped{{}, t.id};
     for (std::size_t k = 0; k < 3; ++k)
-        snapped.corner[k] = {t.x[k], t.y[k], t.depth[k]};
+        snapped.vertex[k] = {t.x[k], t.y[k], t.depth[k]};
     return draw(std::span(&snapped, 1));
 }
 
@@ -62,72 +62,73 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
     return shows;
 }
 
-bool VisibilityTile::draw(const TilePartList& parts) {
-    check_lanes(parts);
+bool VisibilityTile::draw(const BinnedList& triangles) {
+    check_lanes(triangles);
     TilePlanes to = planes();
-    // Where nothing hides, or too few to be worth it, or all are tiny, no part need be asked.
+    // Nothing is tested against hi_z where nothing occludes, where triangles are too few for it to
+    // pay, or where all are micro-triangles.
     bool hides =
-        touched_ && parts.parts.size() >= farthest_.size() && parts.kind == PartKind::strip;
+        touched_ && triangles.triangles.size() >= hi_z_.size() && triangles.kind == SmallKind::rows;
     if (hides) {
-        find_farthest();
-        hides = std::any_of(farthest_.begin(), farthest_.end(), [](float f) { return f > 0; });
+        build_hi_z();
+        hides = std::any_of(hi_z_.begin(), hi_z_.end(), [](float f) { return f > 0; });
     }
-    if (!hides) to.farthest = nullptr;
-    const bool shows = draw_parts(to, parts);
-    if (shows) parts_.push_back(parts);
+    if (!hides) to.hi_z = nullptr;
+    const bool shows = draw_small_triangles(to, triangles);
+    if (shows) small_lists_.push_back(triangles);
     touched_ |= shows;
     return shows;
 }
 
-bool VisibilityTile::draw_behind(const TilePartList& parts) {
-    check_lanes(parts);
-    const bool shows = draw_parts_behind(planes(), parts, seen_);
+bool VisibilityTile::draw_behind(const BinnedList& triangles) {
+    check_lanes(triangles);
+    const bool shows = draw_small_with_hi_z(planes(), triangles, seen_);
     others_ |= shows; // in few tiles: looking for all of them there would not pay
     touched_ |= shows;
     return shows;
 }
 
 bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
-    constexpr std::size_t kMost = 16;
-    std::array<ScreenVertex, kMost * 3> vertex;
-    std::array<std::uint32_t, kMost * 3> place;
-    std::array<std::uint32_t, kMost> id;
-    std::iota(place.begin(), place.end(), 0U);
+    constexpr std::size_t kMax = 16;
+    std::array<ScreenVertex, kMax * 3> vertex;
+    std::array<std::uint32_t, kMax * 3> which;
+    std::array<std::uint32_t, kMax> id;
+    std::iota(which.begin(), which.end(), 0U);
     bool shows = false;
-    for (; !triangles.empty(); triangles = triangles.subspan(std::min(triangles.size(), kMost))) {
-        const std::size_t count = std::min(triangles.size(), kMost);
+    for (; !triangles.empty(); triangles = triangles.subspan(std::min(triangles.size(), kMax))) {
+        const std::size_t count = std::min(triangles.size(), kMax);
         for (std::size_t i = 0; i < count; ++i) {
-            std::copy_n(triangles[i].corner.begin(), 3, vertex.data() + i * 3);
+            std::copy_n(triangles[i].vertex.begin(), 3, vertex.data() + i * 3);
             id[i] = triangles[i].id;
         }
         shows |= draw(
-            TriangleList{vertex, place, std::span(place).first(count), std::span(id).first(count)});
+            TriangleList{vertex, which, std::span(which).first(count), std::span(id).first(count)});
     }
     return shows;
 }
 
-bool VisibilityTile::draw(const Piece& piece) {
-    return draw(PieceSetUp(piece, extent_of(pattern_)));
+bool VisibilityTile::draw(const ClippedTriangle& clipped) {
+    return draw(ClippedSetup(clipped, extent_of(pattern_)));
 }
 
-bool VisibilityTile::draw(const PieceSetUp& piece) {
-    check_lanes(piece.piece);
+bool VisibilityTile::draw(const ClippedSetup& clipped) {
+    check_lanes(clipped.triangle);
     others_ = true;
-    const bool shows = draw_piece(planes(), piece);
+    const bool shows = draw_clipped(planes(), clipped);
     touched_ |= shows;
     return shows;
 }
 
 void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels) {
-    CHECK(from.keeps_ids() || !keeps_ids());
+    CHECK(from.has_ids() || !has_ids());
     const image::Rect r = inside(pixels);
-    farthest_.fill(0);
+    hi_z_.fill(0);
     others_ = true;
     for (int sample = 0; sample < samples_; ++sample) {
         for (int y = r.y0; y < r.y1; ++y) {
             const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));
             const auto end = begin + r.width();
-            if (keeps_ids())
+            if (has_ids())
                 std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + begin);
             std::copy(from.depth_.begin() + begin, from.depth_.begin() + end,
                       depth_.begin() + begin);
@@ -135,12 +136,12 @@ void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels)
     }
 }
 
-void VisibilityTile::keep_ground(const VisibilityTile& from) {
+void VisibilityTile::keep_support(const VisibilityTile& from) {
     const std::size_t size = kPlane * static_cast<std::size_t>(samples_);
     const auto end = static_cast<std::ptrdiff_t>(size);
-    CHECK(from.keeps_ids());
-    ground_depth_.assign(from.depth_.begin(), from.depth_.begin() + end);
-    ground_id_.assign(from.id_.begin(), from.id_.begin() + end);
+    CHECK(from.has_ids());
+    support_depth_.assign(from.depth_.begin(), from.depth_.begin() + end);
+    support_id_.assign(from.id_.begin(), from.id_.begin() + end);
 }
 
 namespace {
@@ -149,16 +150,16 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
     return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// In front of what lies at this depth by no more than 2 r (HARD-CASES 17), as it is kept.
-float forward(double depth, const VisibleRule& rule) {
+// In front of this depth by no more than 2 r (HARD-CASES 17), in the stored format.
+float forward(double depth, const DepthRule& rule) {
     const auto z = static_cast<float>(depth);
     const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step());
-    return rule.kept(static_cast<float>(double{z} + bias));
+    return rule.stored(static_cast<float>(double{z} + bias));
 }
 
-// How far behind a triangle that it does not belong to a line may be and still be seen: both were
-// snapped by up to 1/512 pixel in x and in y, and the triangle's plane is carried beyond its edge.
-// Never more than the triangle's own extent in depth, be it seen edge-on.
+// How far a line may be behind a triangle that it does not belong to and still be visible: both
+// were snapped by up to 1/512 pixel in x and in y, and the triangle's plane is extended beyond its
+// edge. At most the triangle's own extent in depth, even where it is seen edge-on.
 double slack(const DepthSlope& slope, float depth) {
     const double steepest = std::max(std::abs(slope.per_x), std::abs(slope.per_y)),
                  most = slope.highest - slope.lowest + 2 * depth_step(depth);
@@ -167,26 +168,27 @@ double slack(const DepthSlope& slope, float depth) {
 
 } // namespace
 
-// The depth of a line is known on the line, that of the ground at samples up to a pixel beside it:
-// so the ground's depth is carried over to the line along the triangle's own plane, and no slope,
-// however steep, hides a line that lies on the triangle or shows one behind it. A triangle is
-// nowhere nearer or farther than its corners: there the plane ends.
-void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under& under) {
+// The depth of a line is known on the line, that of the supporting triangle at samples up to a
+// pixel beside it: its depth is carried over to the line along the triangle's own plane, so that no
+// slope, however steep, hides a line that lies on the triangle or shows one behind it. A triangle
+// is nowhere nearer or farther than its vertices: there the plane ends.
+void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& support,
+                                    SupportAt& under) {
     if (f.x < area_.x0 || f.x >= area_.x1 || f.y < area_.y0 || f.y >= area_.y1) return;
     for (int s = 0; s < samples_; ++s) {
         const std::size_t at = offset(f.x, f.y, s);
-        const std::uint32_t triangle = ground_id_.empty() ? kNoPrimitive : ground_id_[at];
+        const std::uint32_t triangle = support_id_.empty() ? kNoPrimitive : support_id_[at];
         if (triangle == kNoPrimitive) {
-            put(at, forward(f.depth, rule_), f.id);
+            write(at, forward(f.depth, rule_), f.id);
             continue;
         }
         if (triangle != under.triangle) {
-            under = {triangle, ground.contact(triangle, f.id), {}};
-            if (under.contact != Ground::Contact::holds) under.slope = ground.slope(triangle);
+            under = {triangle, support.contact(triangle, f.id), {}};
+            if (under.contact != LineSupport::Contact::holds) under.slope = support.slope(triangle);
         }
-        const float there = ground_depth_[at];
+        const float there = support_depth_[at];
         double height = 0; // of the line above the triangle
-        if (under.contact != Ground::Contact::holds) {
+        if (under.contact != LineSupport::Contact::holds) {
             const SampleOffset sample = pattern_[static_cast<std::size_t>(s)];
             const double dx = f.at_x - (f.x + sample.x / double{kSubpixel}),
                          dy = f.at_y - (f.y + sample.y / double{kSubpixel});
@@ -194,13 +196,13 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
             const double carried = double{there} + (slope.per_x * dx + slope.per_y * dy);
             height = f.depth - std::clamp(carried, slope.lowest, slope.highest);
             const bool behind = height < -slack(slope, there);
-            // The next triangle of the line's own surface hides what is behind it, but not what
+            // The next triangle of the line's own surface occludes what is behind it, but not what
             // is beside it.
-            if (behind &&
-                (under.contact == Ground::Contact::none || ground.covers(triangle, f.at_x, f.at_y)))
+            if (behind && (under.contact == LineSupport::Contact::none ||
+                           support.covers(triangle, f.at_x, f.at_y)))
                 continue;
         }
-        put(at, forward(double{there} + std::max(height, 0.0), rule_), f.id);
+        write(at, forward(double{there} + std::max(height, 0.0), rule_), f.id);
     }
 }
 
@@ -208,18 +210,19 @@ void VisibilityTile::put_fragment(const Fragment& f, const Ground& ground, Under
 // pixel on the other axis by exact division. The pixels of Bresenham 1965, in closed form
 // ([Compendium 2.1], [Primer 4.1]), so that no error adds up and any part of a line can be drawn
 // alone.
-void VisibilityTile::draw(const Segment& s, const Ground& ground) {
+void VisibilityTile::draw(const Segment& s, const LineSupport& support) {
     check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
     if (box.empty()) return;
-    Under under;
+    SupportAt under;
     const std::int64_t dx = std::int64_t{s.x[1]} - s.x[0], dy = std::int64_t{s.y[1]} - s.y[0];
     const bool along_x = std::abs(dx) >= std::abs(dy);
     const std::int64_t length = along_x ? std::abs(dx) : std::abs(dy);
     if (length == 0) {
-        put_fragment({s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits, s.x[0] / double{kSubpixel},
-                      s.y[0] / double{kSubpixel}, std::max(s.depth[0], s.depth[1]), s.id},
-                     ground, under);
+        write_fragment({s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits,
+                        s.x[0] / double{kSubpixel}, s.y[0] / double{kSubpixel},
+                        std::max(s.depth[0], s.depth[1]), s.id},
+                       support, under);
         return;
     }
     // Walk from the end with the lower coordinate, whichever the file names first.
@@ -238,19 +241,20 @@ void VisibilityTile::draw(const Segment& s, const Ground& ground) {
         const double beside = (minor[lo] + static_cast<double>(rise) * share) / kSubpixel;
         const double depth = s.depth[lo] * (1 - share) + s.depth[hi] * share;
         if (along_x)
-            put_fragment({pixel, other, middle, beside, depth, s.id}, ground, under);
+            write_fragment({pixel, other, middle, beside, depth, s.id}, support, under);
         else
-            put_fragment({other, pixel, beside, middle, depth, s.id}, ground, under);
+            write_fragment({other, pixel, beside, middle, depth, s.id}, support, under);
     }
 }
 
-void VisibilityTile::draw(const Point& p, const Ground& ground) {
+void VisibilityTile::draw(const Point& p, const LineSupport& support) {
     check_lanes(p);
     const image::Rect box = inside(pixel_bounds(p, area_.x1, area_.y1));
     if (box.empty()) return;
-    Under under;
-    put_fragment({box.x0, box.y0, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id},
-                 ground, under);
+    SupportAt under;
+    write_fragment(
+        {box.x0, box.y0, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id}, support,
+        under);
 }
 
 } // namespace scanout::raster

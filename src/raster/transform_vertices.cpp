@@ -48,7 +48,7 @@ SIMD_INLINE ClipLanes to_clip(const ScreenTransform& t, F64 px, F64 py, F64 pz) 
 HWY_NOINLINE Lanes transform_any(const ScreenTransform& t, const ClipLanes& c) {
     const F64 x = c.x, y = c.y, z = c.z, w = c.w, most = 0x1.fffffffffffffp1023;
     const auto finite = (abs(x) <= most) & (abs(y) <= most) &
-                        (abs(z) <= F64(kMostDepth * t.box.near_w)) & (abs(w) <= most);
+                        (abs(z) <= F64(kMaxDepth * t.box.near_w)) & (abs(w) <= most);
     const auto near = w < F64(t.box.near_w);
     const auto guard = (x < F64(t.box.left) * w) | (x > F64(t.box.right) * w) |
                        (y < F64(t.box.top) * w) | (y > F64(t.box.bottom) * w);
@@ -82,7 +82,7 @@ SIMD_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, c
                                  Lanes& out) {
     const F64 reach = F64(usual.guard) * c.w, near = t.box.near_w, most = 0x1p900;
     const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) & (abs(c.y) <= reach) &
-                        (abs(c.z) <= F64(kMostDepth) * near); // no NaN is
+                        (abs(c.z) <= F64(kMaxDepth) * near); // no NaN is
     out.depth = t.perspective ? near / c.w : c.z;
     const F64 over_w = t.perspective ? out.depth * F64(usual.per_near) : F64(1.0);
     const F64 shift = 0x1.8p52;

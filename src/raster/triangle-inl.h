@@ -8,14 +8,14 @@
 
 #include "raster/screen.h"
 
-#include "simd/blocks-inl.h"
+#include "simd/quads-inl.h"
 
 SIMD_BEGIN(scanout::raster)
 
 // x, y and, as the last double, depth of a vertex a lane: of index[0], index[step] and so on.
 template <class T>
-SIMD_INLINE WordBlocks<typename T::Tag> vertices_at(const ScreenVertex* vertices,
-                                                    const std::uint32_t* index, int step = 1) {
+SIMD_INLINE Quads128<typename T::Tag> vertices_at(const ScreenVertex* vertices,
+                                                  const std::uint32_t* index, int step = 1) {
     const auto* words = reinterpret_cast<const std::int32_t*>(vertices);
     static_assert(sizeof(ScreenVertex) == 4 * sizeof *words);
     return load_four<typename T::Tag>(
@@ -55,7 +55,7 @@ SIMD_INLINE void exchange(const M& mask, T& one, T& other) {
 // The canonical order (raster/primitive.h). V: a vertex in lanes, with sort_two(V&, V&), which puts
 // the one with the lower y, then the lower x, first.
 template <class V>
-SIMD_INLINE void put_in_order(V (&v)[3]) {
+SIMD_INLINE void sort_canonically(V (&v)[3]) {
     sort_two(v[0], v[1]);
     sort_two(v[1], v[2]);
     sort_two(v[0], v[1]);

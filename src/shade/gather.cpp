@@ -48,9 +48,10 @@ constexpr int kScattered = 2;
 
 // Does a clipped triangle cover the point (1/256 pixel)?
 bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
-    const raster::Pieces pieces = in.geometry->pieces(triangle);
-    return std::any_of(pieces.begin(), pieces.end(),
-                       [&](const raster::Piece& piece) { return raster::covers(piece, x, y); });
+    const raster::ClippedTriangles pieces = in.geometry->clipped_of(triangle);
+    return std::any_of(pieces.begin(), pieces.end(), [&](const raster::ClippedTriangle& piece) {
+        return raster::covers(piece, x, y);
+    });
 }
 
 } // namespace
@@ -160,8 +161,8 @@ static std::uint64_t columns_of(const image::Rect& part) {
 
 // Where nothing but small triangles shows, each pixel whole.
 bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& in) {
-    const std::vector<raster::TilePartList>* lists = tile.parts_alone();
-    if (lists == nullptr || tile.samples() > 1 || !all_whole_ || !in.looks.only_material ||
+    const std::vector<raster::BinnedList>* lists = tile.parts_alone();
+    if (lists == nullptr || tile.samples() > 1 || !all_unclipped_ || !in.looks.only_material ||
         !interior_pixels_->take_small_triangles(*in.looks.only_material, *lists, tile.ids(0).data(),
                                                 area_.width() * area_.height()))
         return false;
@@ -187,8 +188,8 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     InteriorPixels interior;
     find_interior(rows, part.y0, part.y1, inside, interior);
     const bool scattered =
-        in.looks.only_material && all_whole_ && interior.count < kScattered * interior.runs;
-    by_rows_ = in.looks.only_material && all_whole_ && blended == nullptr &&
+        in.looks.only_material && all_unclipped_ && interior.count < kScattered * interior.runs;
+    by_rows_ = in.looks.only_material && all_unclipped_ && blended == nullptr &&
                sink_.filter == nullptr; // which asks what samples a fragment shows at
     if (!scattered) interior_pixels_->add_rows(tile.ids(0).data(), interior, part.y0, part.y1);
     for (int y = part.y0; y < part.y1; ++y) {
@@ -249,7 +250,7 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
 // May its lanes set it up, each on its own?
 bool Gatherer::has_own_lanes(const GatherInput& in, std::uint32_t id) const {
     return in.frame->own_triangles && id < in.mesh->triangles() &&
-           (all_whole_ || is_whole(source_, id));
+           (all_unclipped_ || is_whole(source_, id));
 }
 
 // Whatever is added next looks like this.
@@ -424,8 +425,8 @@ void Gatherer::keep_linear(LinearPicture& linear) const {
 void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
                      const BlendedPixels* blended) {
     if (in.frame->own_triangles) own_source_ = source_ = triangle_source(in);
-    all_whole_ = in.frame->own_triangles && in.geometry->all_whole();
-    set_up_later_ = all_whole_ && in.frame->steps == nullptr;
+    all_unclipped_ = in.frame->own_triangles && in.geometry->all_unclipped();
+    set_up_later_ = all_unclipped_ && in.frame->steps == nullptr;
     interior_pixels_->clear();
     area_ = area;
     pixel_ = interior_pixels_->pixels();
@@ -495,7 +496,7 @@ void Gatherer::shade_primitive_batch(const TilePixels::PrimitiveBatch& batch, co
 
 // In the order of their list.
 void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& picture) {
-    if (all_whole_)
+    if (all_unclipped_)
         interior_pixels_->arrange(in.looks, [](std::uint32_t) { return true; });
     else
         interior_pixels_->arrange(in.looks,

@@ -172,7 +172,7 @@ private:
     std::unique_ptr<TilePixels> interior_pixels_;
     TriangleSource source_{};     // of triangles by id
     TriangleSource own_source_{}; // by what interior_pixels_ and edge rows name them
-    bool all_whole_ = false;      // every triangle may have lanes of its own
+    bool all_unclipped_ = false;  // every triangle may have lanes of its own
     bool set_up_later_ = false;   // primitives, with their block
     std::vector<Fragment> fragments_;
     // Where all that is drawn looks alike and every lane may have a triangle of its own, edge

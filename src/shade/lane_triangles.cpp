@@ -249,8 +249,8 @@ TriangleSource triangle_source(const GatherInput& in) {
         return reinterpret_cast<const float*>(attribute.data());
     };
     TriangleSource s{};
-    s.index = mesh.index_by_place().data();
-    s.place = mesh.clusters.place.empty() ? nullptr : mesh.clusters.place.data();
+    s.index = mesh.index_in_spatial_order().data();
+    s.place = mesh.clusters.spatial_index.empty() ? nullptr : mesh.clusters.spatial_index.data();
     s.vertex = in.geometry->vertices().data();
     s.position = floats(mesh.position);
     s.normal = floats(mesh.normal);

@@ -48,7 +48,7 @@ std::size_t Layers::bytes() const {
 // the threshold somewhere, or all below it, and the whole surface would vanish in the distance.
 void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
                      raster::VisibilityTile& visibility) {
-    geometry.layered(tile, raster::Layer::cut_out, triangles_);
+    geometry.of_mode(tile, raster::AlphaMode::cut_out, triangles_);
     if (triangles_.empty()) return;
     const MipChains none;
     GatherInput in = input;
@@ -93,7 +93,7 @@ void Layers::draw_candidates(const GatherInput& in, raster::VisibilityTile& visi
 const raster::VisibilityTile& Layers::ground(const raster::Geometry& geometry, int tile,
                                              const raster::VisibilityTile& visibility) {
     ground_ = visibility;
-    geometry.layered(tile, raster::Layer::blended, triangles_);
+    geometry.of_mode(tile, raster::AlphaMode::blended, triangles_);
     for (const std::uint32_t triangle : triangles_)
         geometry.draw_one(triangle, ground_);
     return ground_;
@@ -102,7 +102,7 @@ const raster::VisibilityTile& Layers::ground(const raster::Geometry& geometry, i
 std::uint64_t Layers::shade(const raster::Geometry& geometry, int tile, const GatherInput& in,
                             const raster::VisibilityTile& visibility, Gatherer& gatherer,
                             image::Image& picture) {
-    geometry.layered(tile, raster::Layer::blended, triangles_);
+    geometry.of_mode(tile, raster::AlphaMode::blended, triangles_);
     if (triangles_.empty()) return visibility.empty() ? 0 : gatherer.shade(visibility, in, picture);
     if (in.layers->blended->sort_triangles != nullptr)
         in.layers->blended->sort_triangles(triangles_, in);

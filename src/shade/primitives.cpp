@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
-#include "raster/piece.h"
+#include "raster/clipped_triangle.h"
 #include "shade/check_lanes.h"
 #include "shade/interpolation_step.h"
 #include "shade/primitive_lanes.h"
@@ -200,19 +200,19 @@ Sorted sort_by_position(const Corners& corner, const geom::Mesh& mesh) {
 
 // From the very points that are drawn: where a vertex has snapped to, its attributes stand; those
 // of a cut are the only ones that are computed.
-void set_piece(Primitive& p, const Corners& corner, const GatherInput& in,
-               const raster::Piece& piece) {
-    const raster::PieceWeights weights = raster::weights_of(piece, in.transform->perspective);
+void set_clipped(Primitive& p, const Corners& corner, const GatherInput& in,
+                 const raster::ClippedTriangle& piece) {
+    const raster::ClippedWeights weights = raster::weights_of(piece, in.transform->perspective);
     const Sorted sorted = sort_by_position(corner, *in.mesh);
     const bool behind = piece.clockwise != in.mirrored;
     Vertices vertices(p, in, sorted.vertex, {behind != sorted.odd, behind});
     Corners from;
     for (std::size_t k = 0; k < 3; ++k)
-        from[k] = corner[piece.vertex[k].place.from];
+        from[k] = corner[piece.vertex[k].edge_point.from];
     vertices.set(from);
     vertices.set_places(from);
     for (std::size_t k = 0; k < 3; ++k) {
-        const raster::EdgePlace& place = piece.vertex[k].place;
+        const raster::EdgePoint& place = piece.vertex[k].edge_point;
         p.inverse_w[k] = 1;
         p.a[k] = weights.a[k];
         p.b[k] = weights.b[k];
@@ -289,16 +289,16 @@ const Primitive& Gatherer::Primitives::add(const GatherInput& in, std::uint32_t 
 
 void Gatherer::Primitives::add_pieces(const GatherInput& in, std::uint32_t triangle,
                                       const Corners& corner) {
-    const raster::Pieces pieces = in.geometry->pieces(triangle);
+    const raster::ClippedTriangles pieces = in.geometry->clipped_of(triangle);
     CHECK(pieces.count > 0); // what is visible has an area
-    for (const raster::Piece& piece : pieces) {
+    for (const raster::ClippedTriangle& piece : pieces) {
         Primitive& p = next(triangle, true);
         p.whole = false;
-        set_piece(p, corner, in, piece);
+        set_clipped(p, corner, in, piece);
         check_primitive(p, in.frame->attributes);
     }
     if (pieces.count < 2) return;
-    const auto& [one, two] = pieces.piece;
+    const auto& [one, two] = pieces.triangle;
     pool_[used_ - 2].across = one.clockwise != two.clockwise
                                   ? Primitive::kFolded
                                   : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));

@@ -54,8 +54,8 @@ private:
 // Never outside the range of its ends.
 float between(double from, double to, double share);
 
-// Pieces of one triangle stand side by side. On their common edge both say the same, so that the
-// rounding of this does not show.
+// Clipped triangles of one triangle stand side by side. On their common edge both say the same, so
+// that the rounding of this does not show.
 inline bool Gatherer::Primitives::is_of_second(const Primitive& first, std::int32_t x,
                                                std::int32_t y) {
     if (first.across < 0) return false;

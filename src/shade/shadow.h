@@ -3,7 +3,7 @@
 // runs a technique that reads them.
 #pragma once
 
-#include "raster/count.h"
+#include "raster/stencil_count.h"
 #include "raster/tile.h"
 #include "scene/light.h"
 
@@ -41,9 +41,9 @@ struct LightShadow {
 
 // The polygons of a light's shadows that may lie over a tile.
 struct TilePolygons {
-    std::span<const raster::CountedTriangle> all;
+    std::span<const raster::StencilTriangle> all;
     std::span<const std::uint32_t> here; // of all, by index
-    raster::CountWhere where = raster::CountWhere::behind;
+    raster::StencilWhere where = raster::StencilWhere::behind;
 };
 
 // How many polygons of a light's shadows lie over each sample of a tile.

@@ -56,8 +56,8 @@ Shown shown_blended(const TileShadow& shadow, const TilePolygons& polygons,
         const double depth = blended.list.depth_at(*fragment, s);
         float count = 0;
         for (const std::uint32_t i : polygons.here)
-            count += count_at(polygons.all[i], x * raster::kSubpixel + at.x,
-                              y * raster::kSubpixel + at.y, depth, id, polygons.where);
+            count += stencil_at(polygons.all[i], x * raster::kSubpixel + at.x,
+                                y * raster::kSubpixel + at.y, depth, id, polygons.where);
         ++shown.samples;
         if (count == 0) ++shown.bright;
     }

@@ -79,7 +79,7 @@ struct Primitive {
     std::uint32_t id;
     // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
     // vertex i, whole numbers and exact, where the triangle was not clipped; else
-    // raster::PieceWeights. Inside, none is negative.
+    // raster::ClippedWeights. Inside, none is negative.
     double a[3], b[3], c[3];
     // The same modulo 2^32, where the triangle is so small that its weights within a pixel of it
     // are numbers of 32 bits; else not `whole`.

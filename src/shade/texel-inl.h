@@ -10,7 +10,7 @@
 #include "shade/stage.h"
 
 #include "math/srgb-inl.h"
-#include "simd/blocks-inl.h"
+#include "simd/quads-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 
@@ -176,7 +176,7 @@ SIMD_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& c
             return texels.block(tag, corners.word[k][number]);
         }));
     };
-    const F32 across = in_block<kRow>(x), up = in_block<kRow>(y);
+    const F32 across = broadcast_in_quad<kRow>(x), up = broadcast_in_quad<kRow>(y);
     return mix(up, mix(across, read(0), read(1)), mix(across, read(2), read(3)));
 }
 // Whole texels one by one: a gather of each channel would take far longer. Not inline: of its
@@ -185,7 +185,7 @@ template <class Texels>
 HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
     Corners<Texels, kLanes> corners;
     corners.put(at, 0);
-    const auto found = blocks_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
+    const auto found = quads_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
         return blend_row<decltype(number)::value>(texels, corners, 0, at.x, at.y);
     });
     return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};

@@ -36,7 +36,7 @@ void store_spans(const SpanTable& table, std::uint32_t* offset, std::int32_t* pi
 
 // The pixels of a small triangle, row by row, are those that show its id: all else that is read
 // with them, a row above, columns behind and what a register takes from the next row, shows others.
-// Returns where they end. Triangles stand by how many rows they have (raster::order_strips), so
+// Returns where they end. Triangles stand by how many rows they have (raster::sort_by_rows), so
 // that the ends of the loops are predicted.
 SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image::Rect& box,
                                           std::uint32_t id, std::int32_t* to) {
@@ -66,13 +66,13 @@ SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image:
     return to;
 }
 
-void find_small_triangles(const raster::TilePartList& list, const std::uint32_t* ids,
+void find_small_triangles(const raster::BinnedList& list, const std::uint32_t* ids,
                           SmallTrianglePixels& out) {
     SmallTrianglePixels o = out; // no store writes to it
-    for (const raster::TilePart& part : list.parts) {
-        const std::uint32_t id = list.id_of(part);
+    for (const raster::BinnedTriangle& binned : list.triangles) {
+        const std::uint32_t id = list.id_of(binned);
         const auto count =
-            static_cast<int>(store_pixels_of(ids, part.box(), id, o.pixel) - o.pixel);
+            static_cast<int>(store_pixels_of(ids, binned.box(), id, o.pixel) - o.pixel);
         if (count > TilePixels::kMaxPixelsOfSmall) {
             for (int k = 0; k < count; k += kLanes)
                 store(load<I32>(o.pixel + k), o.large_pixel + k);
@@ -85,7 +85,7 @@ void find_small_triangles(const raster::TilePartList& list, const std::uint32_t*
             store(number, o.triangle + k); // lanes beyond are the next triangle's
         o.pixel += count;
         o.triangle += count;
-        o.place[o.triangles] = part.place;
+        o.spatial_index[o.triangles] = binned.spatial_index;
         o.triangles += count > 0 ? 1 : 0;
     }
     out = o;
@@ -159,18 +159,18 @@ void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, i
 }
 
 // Looking for a triangle's pixels takes about as long as sorting four pixels that have no more than
-// two or three others of their triangle beside them; specks have fewer.
-static bool are_few(std::span<const raster::TilePartList> lists, std::size_t pixels) {
-    std::size_t parts = 0, specks = 0;
-    for (const raster::TilePartList& list : lists) {
-        parts += list.parts.size();
-        if (list.kind != raster::PartKind::strip) specks += list.parts.size();
+// two or three others of their triangle beside them; micro-triangles have fewer.
+static bool are_few(std::span<const raster::BinnedList> lists, std::size_t pixels) {
+    std::size_t triangles = 0, micro = 0;
+    for (const raster::BinnedList& list : lists) {
+        triangles += list.triangles.size();
+        if (list.kind != raster::SmallKind::rows) micro += list.triangles.size();
     }
-    return parts * 4 <= pixels && specks * 2 <= parts;
+    return triangles * 4 <= pixels && micro * 2 <= triangles;
 }
 
 bool TilePixels::take_small_triangles(std::int32_t material,
-                                      std::span<const raster::TilePartList> lists,
+                                      std::span<const raster::BinnedList> lists,
                                       const std::uint32_t* ids, int pixels) {
     if (!SIMD_CALL(packs_lanes) || !are_few(lists, static_cast<std::size_t>(pixels))) return false;
     CHECK_EQ(size_ + table_->spans, std::size_t{0});
@@ -178,7 +178,7 @@ bool TilePixels::take_small_triangles(std::int32_t material,
     large_pixel_.resize(pixel_.size());
     SmallTrianglePixels found{pixel_.data(),       triangle_.data(), id_.data(), 0,
                               large_pixel_.data(), large_.data()};
-    for (const raster::TilePartList& list : lists)
+    for (const raster::BinnedList& list : lists)
         SIMD_CALL(find_small_triangles, list, ids, found);
     triangles_ = found.triangles;
     size_ = static_cast<std::size_t>(found.pixel - pixel_.data());

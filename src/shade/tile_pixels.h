@@ -76,7 +76,7 @@ struct SpanTable {
 // Where TilePixels::take_small_triangles() stores what it finds next.
 struct SmallTrianglePixels {
     std::int32_t *pixel, *triangle; // of triangles with few pixels, and these triangles by number
-    std::uint32_t* place;           // of these triangles, by that number
+    std::uint32_t* spatial_index;   // of these triangles, by that number
     std::uint32_t triangles;
     std::int32_t* large_pixel; // pixels of the others, which become batches of one primitive
     SpanTable::Bucket* large;
@@ -104,7 +104,7 @@ public:
     // small triangles, all of which lanes may set up. They need no sorting: each triangle's are
     // found by its id. The triangles are named by their places, which are known. Nothing else is
     // added before or after it. Returns false, and does nothing, where sorting takes less time.
-    bool take_small_triangles(std::int32_t material, std::span<const raster::TilePartList> lists,
+    bool take_small_triangles(std::int32_t material, std::span<const raster::BinnedList> lists,
                               const std::uint32_t* ids, int pixels);
 
     // Sorts what was added. own_lanes(id): may lanes set up this triangle, each for itself? Then

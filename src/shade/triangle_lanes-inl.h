@@ -12,7 +12,7 @@
 #include "shade/lane_triangles.h"
 
 #include "raster/triangle-inl.h"
-#include "simd/blocks-inl.h"
+#include "simd/quads-inl.h"
 
 SIMD_BEGIN(scanout::shade)
 
@@ -50,7 +50,7 @@ SIMD_INLINE Mask<D> sort_two(Vertices<D>& a, Vertices<D>& b) {
     return later;
 }
 template <class D>
-SIMD_INLINE Turns<D> put_in_order(Vertices<D> (&v)[3]) {
+SIMD_INLINE Turns<D> sort_canonically(Vertices<D> (&v)[3]) {
     Turns<D> turns;
     turns.of[0] = sort_two(v[0], v[1]);
     turns.of[1] = sort_two(v[1], v[2]);
@@ -179,7 +179,7 @@ SIMD_INLINE void fetch_vertex(const float* from, const std::uint32_t* index, int
     const auto at = [&](int lane) SIMD_LAMBDA {
         return reinterpret_cast<const std::int32_t*>(from) + std::size_t{index[lane]} * kComponents;
     };
-    WordBlocks<D> blocks;
+    Quads128<D> blocks;
     if constexpr (kComponents == 2)
         blocks = load_two<D>(at);
     else
@@ -284,7 +284,7 @@ template <class D>
 SIMD_INLINE Fits set_up_register(const TriangleSource& s, LaneTriangles& out, int at) {
     Vertices<D> v[3];
     load_vertices(s, out, at, v);
-    const Turns<D> turns = put_in_order(v);
+    const Turns<D> turns = sort_canonically(v);
     turn_corners(turns, out, at);
     const Doubled<D> twice = doubled(v, out.exact_twice + at);
     put_areas(v, twice, out, at);

@@ -9,7 +9,7 @@
 namespace scanout::frame {
 namespace {
 
-using raster::Layer;
+using raster::AlphaMode;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -103,8 +103,9 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
                   dissolved(test::plain(Vec3(1)), 0)},
                  {texels({{1, 2, 3, 255}, {0, 0, 0, 0}})});
     const FramePlan p = plan_of(scene);
-    EXPECT_THAT(p.transparency.layers, ElementsAre(Layer::opaque, Layer::opaque, Layer::cut_out,
-                                                   Layer::blended, Layer::nothing));
+    EXPECT_THAT(p.transparency.layers,
+                ElementsAre(AlphaMode::opaque, AlphaMode::opaque, AlphaMode::cut_out,
+                            AlphaMode::blended, AlphaMode::nothing));
     EXPECT_EQ(p.transparency.cut_out, shade::find_transparency("cut_out"));
     EXPECT_EQ(p.transparency.blended, shade::find_transparency("exact"));
     EXPECT_EQ(p.transparency.stages.size(), 2U);
@@ -114,9 +115,9 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
                 StartsWith("blending exact: 1 of 5 materials (2 of 10 triangles)"));
     FrameOptions options;
     options.transparency = "sorted";
-    EXPECT_THAT(
-        plan_of(scene, options).transparency.layers,
-        ElementsAre(Layer::opaque, Layer::opaque, Layer::blended, Layer::blended, Layer::nothing));
+    EXPECT_THAT(plan_of(scene, options).transparency.layers,
+                ElementsAre(AlphaMode::opaque, AlphaMode::opaque, AlphaMode::blended,
+                            AlphaMode::blended, AlphaMode::nothing));
     options.transparency = "cut_out";
     EXPECT_EQ(plan_of(scene, options).transparency.blended, nullptr);
     options.effects = {{"cut_out", false}, {"blending", false}};

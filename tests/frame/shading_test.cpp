@@ -138,7 +138,7 @@ TEST(Shading, OfGouraudIsExactAtTheVertices) {
 }
 
 TEST(Shading, OfManySmallTrianglesInABlockLightsEachItself) {
-    // More triangles than a block of vertices holds, in every order.
+    // More triangles than a vertex group holds, in every order.
     Shot s = shot("dust", 128, 128);
     s.scene.materials = {plain(Vec3(1))};
     Random random(1);

@@ -244,7 +244,8 @@ TEST(MeshTopology, AConvexModelHasNoShadowsAndNoShadowPass) {
         FrameStats stats;
         const image::Image without = test::draw(s, {.stats = &stats});
         EXPECT_EQ(stats.shadow_bytes, 0U);
-        // A speck behind the cube makes it a model of two parts: now the volumes are drawn.
+        // A micro-triangle behind the cube makes it a model of two parts: now the volumes are
+        // drawn.
         const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, 64, 64);
         test::add_quad(s.scene.mesh,
                        {{{0, 0, 0}, {0.001F, 0, 0}, {0.001F, 0.001F, 0}, {0, 0.001F, 0}}},

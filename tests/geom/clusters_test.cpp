@@ -42,8 +42,7 @@ TEST(Clusters, HoldTheirTrianglesWithinTheirBounds) {
         const Clusters all = find_clusters(jobs, mesh);
         ASSERT_EQ(all.cluster.size(),
                   (mesh.triangles() + Clusters::kTriangles - 1) / Clusters::kTriangles);
-        ASSERT_EQ(all.group.size(),
-                  (all.cluster.size() + Clusters::kGroup - 1) / Clusters::kGroup);
+        ASSERT_EQ(all.group.size(), (all.cluster.size() + Clusters::kGroup - 1) / Clusters::kGroup);
         for (std::size_t c = 0; c < all.cluster.size(); ++c) {
             const Sphere& group = all.group[c / Clusters::kGroup];
             EXPECT_LE(length(all.cluster[c].centre - group.centre) + all.cluster[c].radius,
@@ -53,14 +52,15 @@ TEST(Clusters, HoldTheirTrianglesWithinTheirBounds) {
         for (std::size_t t = 0; t < mesh.triangles(); ++t) {
             const std::size_t number = t / Clusters::kTriangles;
             const Cluster& c = all.cluster[number];
-            const auto blocks = all.blocks_of(number);
+            const auto groups = all.vertex_groups_of(number);
             DVec3 p[3];
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t vertex = mesh.index[t * 3 + k];
                 p[k] = DVec3(mesh.position[vertex]);
                 EXPECT_LE(length(p[k] - c.centre), c.radius * (1 + 1e-9));
-                EXPECT_NE(std::find(blocks.begin(), blocks.end(), vertex / Clusters::kVertices),
-                          blocks.end());
+                EXPECT_NE(
+                    std::find(groups.begin(), groups.end(), vertex / Clusters::kGroupVertices),
+                    groups.end());
             }
             const DVec3 n = cross3(p[1] - p[0], p[2] - p[0]);
             const double longest =

@@ -147,8 +147,9 @@ TEST(NaiveClip, SnappedCutsTurnSliversOverAndOursAreNotSnapped) {
             for (VisibilityTile& to : tile)
                 to.reset({0, 0, kSide, kSide}, 1);
             draw_snapped_cuts(tile[0], {v.begin(), v.end()}, transform.box);
-            for (const Piece& piece : pieces_of(v, on_screen, transform.box.near_w, 0))
-                tile[1].draw(piece);
+            for (const ClippedTriangle& clipped :
+                 clip_triangle(v, on_screen, transform.box.near_w, 0))
+                tile[1].draw(clipped);
             for (std::size_t k = 0; k < 2; ++k)
                 for (int y = 0; y < kSide; ++y)
                     for (int x = 0; x < kSide; ++x)

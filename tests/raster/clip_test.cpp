@@ -89,7 +89,7 @@ TEST(Clip, WhatIsLeftLiesBeforeTheNearPlane) {
         for (std::size_t k = 0; k < static_cast<std::size_t>(polygon.count); ++k) {
             const ClipVertex& p = polygon.vertex[k];
             ASSERT_GE(p.w, kNear) << i;
-            const EdgePlace& at = polygon.place[k];
+            const EdgePoint& at = polygon.edge_point[k];
             ASSERT_TRUE(at.cut() ? p.w == kNear : same_bits(p, v[at.from])) << i;
             if (!at.cut()) continue;
             ASSERT_TRUE(at.share >= 0 && at.share <= 1) << i;
@@ -163,8 +163,8 @@ struct CutMesh {
 
 // One side of a triangle: the near plane stands for the plane, z carries w through the clipper.
 // Vertices are snapped, cuts are not; sign +1 or -1 picks the half.
-Pieces half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, int sign,
-               double depth) {
+ClippedTriangles half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, int sign,
+                         double depth) {
     constexpr double kPlane = 0x1p20; // any number
     std::array<ClipVertex, 3> v{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -175,15 +175,15 @@ Pieces half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, i
     std::vector<ExactPoint> point;
     for (std::size_t i = 0; i < static_cast<std::size_t>(polygon.count); ++i) {
         const ClipVertex& p = polygon.vertex[i];
-        if (polygon.place[i].cut()) {
+        if (polygon.edge_point[i].cut()) {
             point.push_back(point_off_screen({p.x, p.y, depth * p.z, p.z}));
         } else {
-            const Corner& at = cut.mesh.vertex[triangle[polygon.place[i].from]];
+            const Corner& at = cut.mesh.vertex[triangle[polygon.edge_point[i].from]];
             point.push_back(point_on_screen({at.x, at.y, depth}));
         }
     }
     if (point.empty()) return {};
-    return split(point, 0);
+    return split_polygon(point, 0);
 }
 
 // HARD-CASES 13, P6: plane d and -d over 10^4 random planes. Both halves of every triangle of a
@@ -192,7 +192,7 @@ Pieces half_of(const CutMesh& cut, const std::array<std::size_t, 3>& triangle, i
 TEST(Clip, TheTwoSidesOfAPlaneCoverEverySampleOnce) {
     Random random(8);
     Hits hits;
-    std::int64_t pieces = 0;
+    std::int64_t clipped = 0;
     for (int i = 0; i < 10000; ++i) {
         const CutMesh cut(random);
         VisibilityTile tile[2];
@@ -201,11 +201,12 @@ TEST(Clip, TheTwoSidesOfAPlaneCoverEverySampleOnce) {
             VisibilityTile& to = tile[falling ? 1 : 0];
             to.reset({8, 8, 56, 56}, 1);
             for (std::size_t t = 0; t < count; ++t) {
-                for (Piece piece : half_of(cut, cut.mesh.triangle[t / 2], t % 2 == 0 ? 1 : -1,
-                                           rising_depth(t, count, falling))) {
-                    piece.id = static_cast<std::uint32_t>(t);
-                    to.draw(piece);
-                    ++pieces;
+                for (ClippedTriangle half :
+                     half_of(cut, cut.mesh.triangle[t / 2], t % 2 == 0 ? 1 : -1,
+                             rising_depth(t, count, falling))) {
+                    half.id = static_cast<std::uint32_t>(t);
+                    to.draw(half);
+                    ++clipped;
                 }
             }
         }
@@ -213,9 +214,9 @@ TEST(Clip, TheTwoSidesOfAPlaneCoverEverySampleOnce) {
         ASSERT_EQ(hits.none, 0) << i;
         ASSERT_EQ(hits.more, 0) << i;
     }
-    EXPECT_GT(pieces, 10000 * 2 * 20);
+    EXPECT_GT(clipped, 10000 * 2 * 20);
     record("samples_covered_once", static_cast<double>(hits.once));
-    record("pieces", static_cast<double>(pieces) / 2);
+    record("clipped", static_cast<double>(clipped) / 2);
 }
 
 // Numbers of every kind that a broken file may hold.

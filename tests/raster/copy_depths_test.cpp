@@ -19,7 +19,7 @@ TEST(CopyDepths, WritesThePixelsOfTheTileAndNoOthers) {
                                         {64, 64, 65, 128},
                                         {128, 0, 128 + 41, 30}}) {
             VisibilityTile tile;
-            tile.reset(area, 1, {}, Keeps::depth);
+            tile.reset(area, 1, {}, TileFormat::depth_only);
             for (int y = area.y0; y < area.y1; ++y)
                 for (int x = area.x0; x < area.x1; ++x)
                     tile.draw(x, y, 0, static_cast<float>(1 + y * 256 + x) * 0x1p-20F, 7);

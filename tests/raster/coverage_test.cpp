@@ -37,13 +37,13 @@ std::int64_t once_everywhere(F&& make) {
 }
 
 // Of the triangle with its last vertex moved many times as far away from the first.
-Pieces pieces_far_out(const SnappedTriangle& t, int times) {
-    const auto &from = t.corner[0], &to = t.corner[2];
+ClippedTriangles pieces_far_out(const SnappedTriangle& t, int times) {
+    const auto &from = t.vertex[0], &to = t.vertex[2];
     const auto far = [&](double a, double b) { return (a + times * (b - a)) / kSubpixel * 3; };
     const ExactPoint points[] = {
-        point_on_screen(from), point_on_screen(t.corner[1]),
+        point_on_screen(from), point_on_screen(t.vertex[1]),
         point_off_screen({far(from.x, to.x), far(from.y, to.y), to.depth * 3, 3})};
-    return split(points, t.id);
+    return split_polygon(points, t.id);
 }
 
 // A tile's planes, filled by the kernel alone.
@@ -64,10 +64,10 @@ struct Drawn {
         for (const auto& [t, times] : all) {
             bool shows = false;
             if (times == 1)
-                shows = draw_triangles(planes, {t.corner, corner, {&first, 1}, {&t.id, 1}});
+                shows = draw_triangles(planes, {t.vertex, corner, {&first, 1}, {&t.id, 1}});
             else
-                for (const Piece& piece : pieces_far_out(t, times))
-                    shows |= draw_piece(planes, {piece, extent_of(planes.pattern)});
+                for (const ClippedTriangle& clipped : pieces_far_out(t, times))
+                    shows |= draw_clipped(planes, {clipped, extent_of(planes.pattern)});
             skipped += shows ? 0 : 1;
         }
     }
@@ -94,7 +94,7 @@ std::vector<std::pair<SnappedTriangle, int>> layers_over(const image::Rect& tile
             return std::clamp(at, -reach, reach);
         };
         SnappedTriangle t{{}, i * 7919 % 60};
-        for (ScreenVertex& v : t.corner) {
+        for (ScreenVertex& v : t.vertex) {
             const double steps = random.whole(-8, 8) * (random.whole(0, 1) > 0 ? 1 : 30);
             const double depth = std::clamp(middle + steps * slope / 64, 1e-3, 1.0) * scale;
             v = {about(tile.x0), about(tile.y0), depth};
@@ -161,7 +161,7 @@ TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
         scanout::test::on_every_target([&](const std::string& target) {
             VisibilityTile full, alone;
             full.reset(area, samples);
-            alone.reset(area, samples, {}, Keeps::depth);
+            alone.reset(area, samples, {}, TileFormat::depth_only);
             for (const auto& [t, times] : all) {
                 bool shows = false, shows_alone = false;
                 const auto draw = [&](const auto& primitive) {
@@ -171,10 +171,10 @@ TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
                 if (times == 1)
                     draw(std::span(&t, 1));
                 else
-                    for (const Piece& piece : pieces_far_out(t, times))
-                        draw(piece);
+                    for (const ClippedTriangle& clipped : pieces_far_out(t, times))
+                        draw(clipped);
                 EXPECT_LE(shows_alone, shows) << target; // not at a tie
-                steep += near_to_flat(t) ? 0 : 1;
+                steep += has_float_depth(t) ? 0 : 1;
                 hidden += shows ? 0 : 1;
             }
             for (int s = 0; s < samples; ++s)
@@ -189,14 +189,14 @@ TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
 TEST(Coverage, ATileThatKeepsDepthAloneIsNotAskedForIds) {
     VisibilityTile tile, other;
     other.reset({0, 0, 8, 8}, 1);
-    tile.reset({0, 0, 8, 8}, 1, {}, Keeps::depth);
-    EXPECT_FALSE(tile.keeps_ids());
-    EXPECT_DEATH((void)tile.id(0, 0), "keeps_ids");
-    EXPECT_DEATH((void)tile.ids(0), "keeps_ids");
-    EXPECT_DEATH(other.take(tile, {0, 0, 8, 8}), "keeps_ids");
-    EXPECT_DEATH(other.keep_ground(tile), "keeps_ids");
-    tile.reset({0, 0, 8, 8}, 1, {.test = DepthTest::less}, Keeps::depth);
-    EXPECT_TRUE(tile.keeps_ids()); // that rule goes by them
+    tile.reset({0, 0, 8, 8}, 1, {}, TileFormat::depth_only);
+    EXPECT_FALSE(tile.has_ids());
+    EXPECT_DEATH((void)tile.id(0, 0), "has_ids");
+    EXPECT_DEATH((void)tile.ids(0), "has_ids");
+    EXPECT_DEATH(other.take(tile, {0, 0, 8, 8}), "has_ids");
+    EXPECT_DEATH(other.keep_support(tile), "has_ids");
+    tile.reset({0, 0, 8, 8}, 1, {.test = DepthTest::less}, TileFormat::depth_only);
+    EXPECT_TRUE(tile.has_ids()); // that rule goes by them
 }
 
 // HARD-CASES 1, 7, P1

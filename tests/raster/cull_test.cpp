@@ -53,34 +53,34 @@ Soup soup(Random& random, int count, int most) {
     return soup;
 }
 
-std::set<std::uint32_t> kept(const Soup& soup, int samples, Facing keep, bool samples_only = true,
-                             bool mirrored = false) {
+std::set<std::uint32_t> visible(const Soup& soup, int samples, Facing keep,
+                                bool samples_only = true, bool mirrored = false) {
     const auto pattern = sample_pattern(samples);
     const SampleExtent extent = extent_of(pattern);
     CullResult found;
     cull({kWidth, kHeight, keep, mirrored, extent,
           samples_only ? pattern : std::span<const SampleOffset>()},
          soup.vertices, soup.index, 1000, found);
-    EXPECT_EQ(found.cut_count, 0U);
+    EXPECT_EQ(found.to_clip_count, 0U);
     std::set<std::uint32_t> ids;
-    for (std::size_t i = 0; i < found.kept_count; ++i) {
-        const KeptTriangle& box = found.kept[i];
+    for (std::size_t i = 0; i < found.visible_count; ++i) {
+        const VisibleTriangle& box = found.visible[i];
         EXPECT_TRUE(box.x0() < box.x1() && box.x1() <= kWidth);
         EXPECT_TRUE(box.y0() < box.y1() && box.y1() <= kHeight);
-        EXPECT_TRUE(i == 0 || found.kept[i - 1].place < box.place); // in order
-        ids.insert(box.place - 1000);
-        const Corners& v = soup.triangles[box.place - 1000];
+        EXPECT_TRUE(i == 0 || found.visible[i - 1].spatial_index < box.spatial_index); // in order
+        ids.insert(box.spatial_index - 1000);
+        const Corners& v = soup.triangles[box.spatial_index - 1000];
         const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
         const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
         const bool bounds = box.x0() == std::max((left + 255 - extent.high.x) >> 8, 0) &&
                             box.y0() == std::max((top + 255 - extent.high.y) >> 8, 0) &&
                             box.x1() == std::min((right + 256 - extent.low.x) >> 8, kWidth) &&
                             box.y1() == std::min((bottom + 256 - extent.low.y) >> 8, kHeight);
-        EXPECT_TRUE(bounds) << box.place;
+        EXPECT_TRUE(bounds) << box.spatial_index;
         EXPECT_EQ(box.small(), std::max(right - left, bottom - top) <= kSmallSide * 256);
         const bool clockwise =
             (v[1].x - v[0].x) * (v[2].y - v[0].y) > (v[1].y - v[0].y) * (v[2].x - v[0].x);
-        EXPECT_EQ(box.away(), keep == Facing::any && clockwise != mirrored);
+        EXPECT_EQ(box.back_facing(), keep == Facing::any && clockwise != mirrored);
     }
     return ids;
 }
@@ -91,7 +91,7 @@ TEST(Cull, KeepsOfTinyTrianglesThoseThatCoverASampleAndNoOther) {
     for (int round = 0; round < 200; ++round) {
         const int samples = 1 << round % 5, most = 1 + round % 3;
         const Soup all = soup(random, 500 + round % 17, most); // the last register is not full
-        const auto left = kept(all, samples, Facing::any);
+        const auto left = visible(all, samples, Facing::any);
         for (std::size_t i = 0; i < all.triangles.size(); ++i) {
             const auto pattern = sample_pattern(samples);
             const bool covers = covers_a_sample(all.triangles[i], pattern);
@@ -113,7 +113,7 @@ TEST(Cull, LosesNoTriangleThatCoversASample) {
     for (int round = 0; round < 60; ++round) {
         const int samples = 1 << round % 5;
         const Soup all = soup(random, 400, 3 + round % 40);
-        const auto left = kept(all, samples, Facing::any);
+        const auto left = visible(all, samples, Facing::any);
         for (std::size_t i = 0; i < all.triangles.size(); ++i)
             lost += covers_a_sample(all.triangles[i], sample_pattern(samples)) &&
                             !left.contains(static_cast<std::uint32_t>(i))
@@ -129,12 +129,12 @@ TEST(Cull, KeepsFrontsAndBacksApart) {
     Random random(33);
     for (int round = 0; round < 20; ++round) {
         const Soup all = soup(random, 5000, 3);
-        const auto wanted = kept(all, 4, Facing::any);
+        const auto wanted = visible(all, 4, Facing::any);
         scanout::test::on_every_target([&](const std::string&) {
-            const auto any = kept(all, 4, Facing::any), front = kept(all, 4, Facing::front),
-                       back = kept(all, 4, Facing::back);
+            const auto any = visible(all, 4, Facing::any), front = visible(all, 4, Facing::front),
+                       back = visible(all, 4, Facing::back);
             EXPECT_EQ(any, wanted);
-            EXPECT_EQ(kept(all, 4, Facing::any, true, true), any);
+            EXPECT_EQ(visible(all, 4, Facing::any, true, true), any);
             std::set<std::uint32_t> both = front;
             both.insert(back.begin(), back.end());
             EXPECT_EQ(both, any);
@@ -186,10 +186,10 @@ TEST(Cull, NamesWhatIsCut) {
             CullResult found;
             cull({kWidth, kHeight, Facing::any, false, extent_of(sample_pattern(1)), {}},
                  all.vertices, all.index, 1000, found);
-            found.cut.resize(found.cut_count);
-            EXPECT_EQ(found.cut, wanted) << count;
-            for (std::size_t i = 0; i < found.kept_count; ++i)
-                EXPECT_FALSE(off.contains(found.kept[i].place)) << count;
+            found.to_clip.resize(found.to_clip_count);
+            EXPECT_EQ(found.to_clip, wanted) << count;
+            for (std::size_t i = 0; i < found.visible_count; ++i)
+                EXPECT_FALSE(off.contains(found.visible[i].spatial_index)) << count;
         });
     }
 }
@@ -198,7 +198,7 @@ TEST(Cull, NamesWhatIsCut) {
 TEST(Cull, WithoutSamplesKeepsWhateverTouchesAPixel) {
     Random random(34);
     const Soup all = soup(random, 5000, 1);
-    EXPECT_GT(kept(all, 1, Facing::any, false).size(), kept(all, 1, Facing::any).size());
+    EXPECT_GT(visible(all, 1, Facing::any, false).size(), visible(all, 1, Facing::any).size());
 }
 
 } // namespace

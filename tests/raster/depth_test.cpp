@@ -318,7 +318,7 @@ struct SteepQuad {
             };
             const SnappedTriangle t{{vertex(i), vertex(j), vertex(k)},
                                     static_cast<std::uint32_t>(flat.size())};
-            flat.push_back(near_to_flat(t));
+            flat.push_back(has_float_depth(t));
             tile.draw(std::span(&t, 1));
         }
         return flat;

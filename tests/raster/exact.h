@@ -79,7 +79,7 @@ struct Planes {
 };
 inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int width,
                           int height, int samples = 1, Facing keep = Facing::any,
-                          int tile_size = kTileSize, HiddenClusters* hidden = nullptr,
+                          int tile_size = kTileSize, OcclusionHistory* occlusion = nullptr,
                           std::uint64_t* drawn = nullptr) {
     Geometry geometry;
     GeometryOptions options;
@@ -89,7 +89,7 @@ inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View&
     options.keep = keep;
     options.mirrored = view.mirrored;
     options.tile_size = tile_size;
-    options.hidden = hidden;
+    options.occlusion = occlusion;
     geometry.run(jobs, mesh, ScreenTransform(view, width, height), options);
     Planes out{width, samples, {}, {}};
     const std::size_t size = out.at(0, height);

@@ -51,9 +51,9 @@ Soup soup(Random& random, int count, const Corner& corner, int side = 64, double
 }
 
 // What the geometry stage hands to the tile of this area.
-std::vector<TilePart> parts_of(const Soup& soup, const image::Rect& area, int samples) {
+std::vector<BinnedTriangle> binned_of(const Soup& soup, const image::Rect& area, int samples) {
     const SampleExtent extent = extent_of(sample_pattern(samples));
-    std::vector<TilePart> parts;
+    std::vector<BinnedTriangle> binned;
     for (std::size_t t = 0; t < soup.triangles(); ++t) {
         const auto v = soup.corners(t);
         const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
@@ -65,27 +65,28 @@ std::vector<TilePart> parts_of(const Soup& soup, const image::Rect& area, int sa
         const auto across = [&](int x) { return std::clamp(x, 0, area.width()); };
         const auto down = [&](int y) { return std::clamp(y, 0, area.height()); };
         if (across(x0) < across(x1) && down(y0) < down(y1))
-            parts.push_back(TilePart::of(static_cast<std::uint32_t>(t), across(x0), down(y0),
-                                         across(x1), down(y1)));
+            binned.push_back(BinnedTriangle::of(static_cast<std::uint32_t>(t), across(x0), down(y0),
+                                                across(x1), down(y1)));
     }
-    return parts;
+    return binned;
 }
 
-PartKind kind_of(int x0, int y0, int x1, int y1) {
+SmallKind kind_of(int x0, int y0, int x1, int y1) {
     const bool one_block = x0 / 8 == (x1 - 1) / 8 && y0 / 8 == (y1 - 1) / 8;
     const int most = std::max(x1 - x0, y1 - y0);
-    if (most > 3) return PartKind::strip;
-    if (!one_block) return PartKind::speck_astride;
-    return most > 2 ? PartKind::speck_3 : PartKind::speck_2;
+    if (most > 3) return SmallKind::rows;
+    if (!one_block) return SmallKind::micro_straddling;
+    return most > 2 ? SmallKind::micro_3 : SmallKind::micro_2;
 }
 
 // As the geometry stage sorts them.
-std::array<std::vector<TilePart>, kPartKinds> by_kind(const std::vector<TilePart>& parts) {
-    std::array<std::vector<TilePart>, kPartKinds> lists;
-    for (const TilePart& part : parts) {
-        const image::Rect box = part.box();
-        const PartKind kind = kind_of(box.x0, box.y0, box.x1, box.y1);
-        lists[static_cast<std::size_t>(kind)].push_back(part);
+std::array<std::vector<BinnedTriangle>, kSmallKinds>
+by_kind(const std::vector<BinnedTriangle>& binned) {
+    std::array<std::vector<BinnedTriangle>, kSmallKinds> lists;
+    for (const BinnedTriangle& triangle : binned) {
+        const image::Rect box = triangle.box();
+        const SmallKind kind = kind_of(box.x0, box.y0, box.x1, box.y1);
+        lists[static_cast<std::size_t>(kind)].push_back(triangle);
     }
     return lists;
 }
@@ -106,7 +107,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
         int steep = 0, seen = 0;
-        std::array<std::size_t, kPartKinds> of_kind{}, steep_of_kind{};
+        std::array<std::size_t, kSmallKinds> of_kind{}, steep_of_kind{};
         for (int round = 0; round < 120; ++round) {
             const int samples = 1 << round % 5;
             const Corner corner{64 * random.whole(0, 400), 64 * random.whole(0, 400)};
@@ -118,33 +119,36 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             for (std::size_t i = 0; i < whole.size(); ++i) {
                 whole[i] = static_cast<std::uint32_t>(i);
                 const auto v = all.corners(i);
-                steep += near_to_flat({v, whole[i]}) ? 0 : 1;
+                steep += has_float_depth({v, whole[i]}) ? 0 : 1;
             }
-            VisibilityTile by_parts, by_strips, by_triangles, depth_alone;
-            depth_alone.reset(area, samples, {}, Keeps::depth);
-            by_parts.reset(area, samples);
+            VisibilityTile by_kinds, by_rows, by_triangles, depth_alone;
+            depth_alone.reset(area, samples, {}, TileFormat::depth_only);
+            by_kinds.reset(area, samples);
             by_triangles.reset(area, samples);
-            by_strips.reset(area, samples);
-            const std::vector<TilePart> parts = parts_of(all, area, samples);
+            by_rows.reset(area, samples);
+            const std::vector<BinnedTriangle> binned = binned_of(all, area, samples);
             const bool shows =
                 by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole});
-            EXPECT_EQ(by_strips.draw(TilePartList{all.vertices, all.index, parts}), shows);
-            const auto lists = by_kind(parts);
+            EXPECT_EQ(by_rows.draw(BinnedList{all.vertices, all.index, binned}), shows);
+            const auto lists = by_kind(binned);
             bool some = false;
-            for (const PartKind kind : kFrontKinds) {
+            for (const SmallKind kind : kFrontFacingKinds) {
                 const auto& list = lists[static_cast<std::size_t>(kind)];
                 of_kind[static_cast<std::size_t>(kind)] += list.size();
-                for (const TilePart& part : list)
+                for (const BinnedTriangle& triangle : list)
                     steep_of_kind[static_cast<std::size_t>(kind)] +=
-                        near_to_flat({all.corners(part.place), part.place}) ? 0U : 1U;
-                if (by_parts.draw(TilePartList{all.vertices, all.index, list, kind})) some = true;
-                depth_alone.draw(TilePartList{all.vertices, all.index, list, kind});
+                        has_float_depth(
+                            {all.corners(triangle.spatial_index), triangle.spatial_index})
+                            ? 0U
+                            : 1U;
+                if (by_kinds.draw(BinnedList{all.vertices, all.index, list, kind})) some = true;
+                depth_alone.draw(BinnedList{all.vertices, all.index, list, kind});
             }
             EXPECT_EQ(some, shows);
             for (int s = 0; s < samples; ++s)
-                EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), by_parts.depths(s)));
+                EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), by_kinds.depths(s)));
             int differ = 0;
-            for (const VisibilityTile* tile : {&by_parts, &by_strips})
+            for (const VisibilityTile* tile : {&by_kinds, &by_rows})
                 for (int s = 0; s < samples; ++s)
                     for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
                         if (!is_in(area, i)) continue;
@@ -155,7 +159,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                     }
             EXPECT_EQ(differ, 0) << samples << " samples";
         }
-        for (const PartKind kind : kFrontKinds) {
+        for (const SmallKind kind : kFrontFacingKinds) {
             EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 1000U);
             EXPECT_GT(steep_of_kind[static_cast<std::size_t>(kind)], 500U);
         }
@@ -199,15 +203,15 @@ TEST(SmallTriangles, ThatAreSliversDrawTheSameBitsByTheirParts) {
             std::vector<std::uint32_t> whole(all.triangles());
             std::iota(whole.begin(), whole.end(), 0U);
             for (const std::uint32_t i : whole)
-                steep += near_to_flat({all.corners(i), i}) ? 0 : 1;
-            VisibilityTile by_parts, by_triangles;
-            by_parts.reset(area, 1);
+                steep += has_float_depth({all.corners(i), i}) ? 0 : 1;
+            VisibilityTile by_kinds, by_triangles;
+            by_kinds.reset(area, 1);
             by_triangles.reset(area, 1);
             by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole});
-            by_parts.draw(TilePartList{all.vertices, all.index, parts_of(all, area, 1)});
+            by_kinds.draw(BinnedList{all.vertices, all.index, binned_of(all, area, 1)});
             for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
-                differ += by_parts.ids(0)[i] != by_triangles.ids(0)[i] ||
-                          by_parts.depths(0)[i] != by_triangles.depths(0)[i];
+                differ += by_kinds.ids(0)[i] != by_triangles.ids(0)[i] ||
+                          by_kinds.depths(0)[i] != by_triangles.depths(0)[i];
                 seen += by_triangles.ids(0)[i] != kNoPrimitive ? 1 : 0;
             }
         }
@@ -227,8 +231,8 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             const Soup front = soup(random, 1000, corner, 64, 0.25);
             const Soup behind = soup(random, 2000 + round, corner, 64, 0.15);
             const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
-            const std::vector<TilePart> first = parts_of(front, area, samples),
-                                        rest = parts_of(behind, area, samples);
+            const std::vector<BinnedTriangle> first = binned_of(front, area, samples),
+                                              rest = binned_of(behind, area, samples);
             // A wall that covers the tile, not as deep in one corner as in the others.
             const auto wall = [&](int x, int y, double depth) {
                 return ScreenVertex{(corner.x + x) * 256, (corner.y + y) * 256, depth};
@@ -243,20 +247,21 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
             VisibilityTile at_once, in_two, depth_alone;
             for (VisibilityTile* tile : {&at_once, &in_two, &depth_alone}) {
                 tile->reset(area, samples, {},
-                            tile == &depth_alone ? Keeps::depth : Keeps::depth_and_id);
+                            tile == &depth_alone ? TileFormat::depth_only
+                                                 : TileFormat::depth_and_id);
                 tile->draw(TriangleList{walls, corners, name, name});
-                tile->draw(TilePartList{front.vertices, front.index, first});
+                tile->draw(BinnedList{front.vertices, front.index, first});
             }
-            in_two.find_farthest();
+            in_two.build_hi_z();
             // By the other way to draw them: what hides parts by mistake must not do so on both
             // sides.
             std::vector<std::uint32_t> whole(behind.triangles());
             std::iota(whole.begin(), whole.end(), 0U);
             shows +=
                 at_once.draw(TriangleList{behind.vertices, behind.index, whole, whole}) ? 1 : 0;
-            in_two.draw_behind(TilePartList{behind.vertices, behind.index, rest});
-            depth_alone.find_farthest();
-            depth_alone.draw_behind(TilePartList{behind.vertices, behind.index, rest});
+            in_two.draw_behind(BinnedList{behind.vertices, behind.index, rest});
+            depth_alone.build_hi_z();
+            depth_alone.draw_behind(BinnedList{behind.vertices, behind.index, rest});
             for (int s = 0; s < samples; ++s)
                 EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), in_two.depths(s)));
             int differ = 0;
@@ -276,8 +281,9 @@ TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
     const Corner corner{64, 128};
     const Soup some = soup(random, 300, corner, 64, 0.25), behind = soup(random, 300, corner);
     const image::Rect area{corner.x, corner.y, corner.x + 64, corner.y + 64};
-    const std::vector<TilePart> parts = parts_of(some, area, 1), others = parts_of(behind, area, 1);
-    const TilePartList list{some.vertices, some.index, parts};
+    const std::vector<BinnedTriangle> binned = binned_of(some, area, 1),
+                                      others = binned_of(behind, area, 1);
+    const BinnedList list{some.vertices, some.index, binned};
     const std::vector<std::uint32_t> name = {0};
     VisibilityTile tile;
     const auto begin = [&] {
@@ -285,17 +291,17 @@ TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
         EXPECT_TRUE(tile.draw(list));
         ASSERT_NE(tile.parts_alone(), nullptr);
         ASSERT_EQ(tile.parts_alone()->size(), 1U);
-        EXPECT_EQ(tile.parts_alone()->front().parts.data(), parts.data());
+        EXPECT_EQ(tile.parts_alone()->front().triangles.data(), binned.data());
     };
     begin();
     EXPECT_FALSE(tile.draw(list)); // nothing shows that is not there
     EXPECT_EQ(tile.parts_alone()->size(), 1U);
-    tile.find_farthest();
-    EXPECT_TRUE(tile.draw_behind(TilePartList{behind.vertices, behind.index, others}));
+    tile.build_hi_z();
+    EXPECT_TRUE(tile.draw_behind(BinnedList{behind.vertices, behind.index, others}));
     EXPECT_EQ(tile.parts_alone(), nullptr);
 
     begin();
-    tile.find_farthest();
+    tile.build_hi_z();
     EXPECT_FALSE(tile.draw_behind(list));
     EXPECT_NE(tile.parts_alone(), nullptr);
     tile.draw(TriangleList{behind.vertices, behind.index, name, name});
@@ -313,9 +319,9 @@ TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
 
     begin();
     const std::array v = some.corners(2);
-    for (const Piece& piece :
-         split(std::array{point_on_screen(v[0]), point_on_screen(v[1]), point_on_screen(v[2])}, 0))
-        tile.draw(piece);
+    for (const ClippedTriangle& clipped : split_polygon(
+             std::array{point_on_screen(v[0]), point_on_screen(v[1]), point_on_screen(v[2])}, 0))
+        tile.draw(clipped);
     EXPECT_EQ(tile.parts_alone(), nullptr);
 }
 
@@ -324,22 +330,23 @@ TEST(SmallTriangles, StripsStandByTheirRows) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(91);
         for (const std::size_t count : {0U, 1U, 31U, 100U, 511U, 512U, 513U, 1500U}) {
-            std::vector<TilePart> parts(count);
+            std::vector<BinnedTriangle> binned(count);
             for (std::size_t i = 0; i < count; ++i) {
                 const int x = random.whole(0, 60), y = random.whole(0, 63);
-                parts[i] = TilePart::of(static_cast<std::uint32_t>(i), x, y,
-                                        random.whole(x + 1, std::min(64, x + kSmallSide + 1)),
-                                        random.whole(y + 1, std::min(64, y + kSmallSide + 1)));
+                binned[i] =
+                    BinnedTriangle::of(static_cast<std::uint32_t>(i), x, y,
+                                       random.whole(x + 1, std::min(64, x + kSmallSide + 1)),
+                                       random.whole(y + 1, std::min(64, y + kSmallSide + 1)));
             }
-            std::vector<TilePart> ordered = parts;
-            order_strips(ordered);
+            std::vector<BinnedTriangle> ordered = binned;
+            sort_by_rows(ordered);
             std::vector<bool> found(count);
             std::size_t alike = 0;
             for (std::size_t i = 0; i < count; ++i) {
-                ASSERT_LT(ordered[i].place, count);
-                EXPECT_FALSE(found[ordered[i].place]);
-                found[ordered[i].place] = true;
-                EXPECT_EQ(ordered[i].where, parts[ordered[i].place].where);
+                ASSERT_LT(ordered[i].spatial_index, count);
+                EXPECT_FALSE(found[ordered[i].spatial_index]);
+                found[ordered[i].spatial_index] = true;
+                EXPECT_EQ(ordered[i].where, binned[ordered[i].spatial_index].where);
                 if (i == 0) continue;
                 const image::Rect box = ordered[i].box(), last = ordered[i - 1].box();
                 // From ten rows on, which few have, it does not matter.
@@ -358,9 +365,9 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
         Random random(72);
         for (int bits = 3; bits < 7; ++bits) {
             const TileGrid grid{bits, 37};
-            std::vector<KeptTriangle> list(1000 + kRegisterRoom);
+            std::vector<VisibleTriangle> list(1000 + kRegisterPadding);
             const auto place = [&] { return static_cast<std::uint32_t>(random.whole(0, 36 * 8)); };
-            for (KeptTriangle& t : list) {
+            for (VisibleTriangle& t : list) {
                 const std::uint32_t x = place(), y = place();
                 const auto side = [&] {
                     return static_cast<std::uint32_t>(
@@ -368,38 +375,39 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 };
                 t = {static_cast<std::uint32_t>(random.bits()), y << 16 | x,
                      (y + side()) << 16 | (x + side())};
-                if (random.whole(0, 9) > 0) t.from |= KeptTriangle::kSmall;
-                if (random.whole(0, 9) == 0) t.from |= KeptTriangle::kAway;
+                if (random.whole(0, 9) > 0) t.from |= VisibleTriangle::kSmall;
+                if (random.whole(0, 9) == 0) t.from |= VisibleTriangle::kBackFacing;
             }
             const auto live =
-                std::span<const KeptTriangle>(list).first(1000 - static_cast<std::size_t>(bits));
-            PlacedParts placed;
-            place_parts(grid, live, placed);
+                std::span<const VisibleTriangle>(list).first(1000 - static_cast<std::size_t>(bits));
+            BinningResult placed;
+            bin_small_triangles(grid, live, placed);
             int alone = 0;
-            std::array<int, kPartKinds> of_kind{};
+            std::array<int, kSmallKinds> of_kind{};
             for (std::size_t i = 0; i < live.size(); ++i) {
-                const KeptTriangle& t = live[i];
+                const VisibleTriangle& t = live[i];
                 const int side = 1 << bits, x = t.x0() / side, y = t.y0() / side;
                 if (!t.small() || (t.x1() - 1) / side != x || (t.y1() - 1) / side != y) {
-                    EXPECT_EQ(placed.tile[i], PlacedParts::kNone);
+                    EXPECT_EQ(placed.tile[i], BinningResult::kNone);
                     continue;
                 }
                 ++alone;
                 EXPECT_EQ(placed.tile[i], y * 37 + x);
                 EXPECT_EQ(placed.where[i],
-                          TilePart::of(t.place, t.x0() - x * side, t.y0() - y * side,
-                                       t.x1() - x * side, t.y1() - y * side)
+                          BinnedTriangle::of(t.spatial_index, t.x0() - x * side, t.y0() - y * side,
+                                             t.x1() - x * side, t.y1() - y * side)
                               .where);
-                const PartKind kind =
-                    t.away() ? PartKind::back : kind_of(t.x0(), t.y0(), t.x1(), t.y1());
+                const SmallKind kind = t.back_facing() ? SmallKind::back_facing
+                                                       : kind_of(t.x0(), t.y0(), t.x1(), t.y1());
                 EXPECT_EQ(placed.kind[i], static_cast<std::int32_t>(kind));
                 ++of_kind[static_cast<std::size_t>(kind)];
             }
-            for (const PartKind kind :
-                 {PartKind::speck_2, PartKind::speck_3, PartKind::strip, PartKind::back})
+            for (const SmallKind kind :
+                 {SmallKind::micro_2, SmallKind::micro_3, SmallKind::rows, SmallKind::back_facing})
                 EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 10);
             // A tile of 8 pixels is one block.
-            EXPECT_EQ(of_kind[static_cast<std::size_t>(PartKind::speck_astride)] > 10, bits > 3);
+            EXPECT_EQ(of_kind[static_cast<std::size_t>(SmallKind::micro_straddling)] > 10,
+                      bits > 3);
             EXPECT_GT(alone, 100);
         }
     });

@@ -175,7 +175,7 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
     for (int i = 0; i < 200; ++i) {
         const geom::Mesh mesh = many_triangles(random, 1 << i % 9);
         const Drawn all(jobs, mesh, transform, 2 << i % 4);
-        ASSERT_TRUE(all.geometry.all_whole());
+        ASSERT_TRUE(all.geometry.all_unclipped());
         GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         in.background = {10, 200, 30, 128};
         image::Image one(kSide, kSide), other(kSide, kSide);

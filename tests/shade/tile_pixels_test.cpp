@@ -207,7 +207,7 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
 // any of its pixels, unless one that comes later does.
 class PixelsOfSmallTriangles : public PixelsOfATile {
 protected:
-    std::vector<raster::TilePart> triangles;
+    std::vector<raster::BinnedTriangle> triangles;
     std::vector<std::uint32_t> id; // of the triangles' places
     void draw(int count) {
         triangles.clear();
@@ -221,8 +221,8 @@ protected:
             const int across = side(), down = side(), density = random.whole(0, 3);
             const int x0 = random.whole(0, kTileSize - across),
                       y0 = random.whole(0, kTileSize - down);
-            triangles.push_back(raster::TilePart::of(static_cast<std::uint32_t>(i), x0, y0,
-                                                     x0 + across, y0 + down));
+            triangles.push_back(raster::BinnedTriangle::of(static_cast<std::uint32_t>(i), x0, y0,
+                                                           x0 + across, y0 + down));
             for (int y = y0; y < y0 + down; ++y)
                 for (int x = x0; x < x0 + across; ++x)
                     if (random.whole(0, 3) < density)
@@ -230,7 +230,7 @@ protected:
         }
     }
     // Kernels read up to a register beyond the tile.
-    bool take(std::span<const raster::TilePartList> lists, int tile_pixels = kPixels) {
+    bool take(std::span<const raster::BinnedList> lists, int tile_pixels = kPixels) {
         std::vector<std::uint32_t> ids = name_of;
         ids.resize(ids.size() + 16, raster::kNoPrimitive);
         id_of = [&](std::uint32_t place) { return id[place]; };
@@ -246,11 +246,11 @@ TEST_F(PixelsOfSmallTriangles, AreThoseThatShowTheirIds) {
     scanout::test::on_every_target([&](const std::string& target) {
         for (int round = 0; round < 200; ++round) {
             draw(random.whole(1, 585));
-            const std::span<const raster::TilePart> all = triangles;
+            const std::span<const raster::BinnedTriangle> all = triangles;
             const std::size_t first = all.size() / 3;
             const std::array lists = {
-                raster::TilePartList{{}, {}, all.first(first), raster::PartKind::strip, id},
-                raster::TilePartList{{}, {}, all.subspan(first), raster::PartKind::strip, id}};
+                raster::BinnedList{{}, {}, all.first(first), raster::SmallKind::rows, id},
+                raster::BinnedList{{}, {}, all.subspan(first), raster::SmallKind::rows, id}};
             if (!take(lists)) {
                 EXPECT_FALSE(target.starts_with("avx3"));
                 EXPECT_EQ(pixels.size(), 0U);
@@ -273,11 +273,11 @@ TEST_F(PixelsOfSmallTriangles, AreThoseThatShowTheirIds) {
 
 TEST_F(PixelsOfSmallTriangles, AreNotLookedForWhereTrianglesAreManyOrTiny) {
     draw(500);
-    const auto lists = [&](raster::PartKind kind) {
-        return std::array{raster::TilePartList{{}, {}, triangles, kind, id}};
+    const auto lists = [&](raster::SmallKind kind) {
+        return std::array{raster::BinnedList{{}, {}, triangles, kind, id}};
     };
-    EXPECT_FALSE(take(lists(raster::PartKind::speck_3)));
-    EXPECT_FALSE(take(lists(raster::PartKind::strip), kPixels / 4));
+    EXPECT_FALSE(take(lists(raster::SmallKind::micro_3)));
+    EXPECT_FALSE(take(lists(raster::SmallKind::rows), kPixels / 4));
     EXPECT_EQ(pixels.size(), 0U);
     EXPECT_TRUE(pixels.material_batches().empty());
 }

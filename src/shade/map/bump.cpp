@@ -28,7 +28,7 @@ void bump_keep(Block& b, float* height) {
         store(scalar_at(b, b.map[kBumpMap], i), height + i);
 }
 
-// Keeps where the lanes are, and says how far their neighbours lie, in texels.
+// TileFormat where the lanes are, and says how far their neighbours lie, in texels.
 void bump_begin(Block& b, BumpLanes& lanes) {
     const BoundMap& map = b.map[kBumpMap];
     const auto per_texel = [](float scale, int size) {

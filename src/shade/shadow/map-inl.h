@@ -15,7 +15,7 @@
 #endif
 
 #include "shade/shadow/plane-inl.h"
-#include "simd/blocks-inl.h"
+#include "simd/quads-inl.h"
 
 SIMD_BEGIN(scanout::shade::shadow)
 

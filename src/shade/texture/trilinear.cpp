@@ -32,7 +32,7 @@ public:
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
             const int lane = lane_[i];
-            const auto found = blocks_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
+            const auto found = quads_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
                 return row<decltype(number)::value>(texels, lane);
             });
             for (int c = kFirst; c < kFirst + kChannels; ++c)
@@ -58,8 +58,8 @@ private:
     };
     template <int kRow>
     SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
-        return mix(in_block<kRow>(load<F32>(share_ + lane)), near_.template row<kRow>(texels, lane),
-                   far_.template row<kRow>(texels, lane));
+        return mix(broadcast_in_quad<kRow>(load<F32>(share_ + lane)),
+                   near_.template row<kRow>(texels, lane), far_.template row<kRow>(texels, lane));
     }
     Places near_, far_;
     float share_[kPaddedBlock];

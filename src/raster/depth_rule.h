@@ -1,0 +1,88 @@
+// The depth rule: how depths are compared at a sample, and in which format they are stored. By
+// default the greatest reversed depth in a float, at a tie the lower id; any other rule is an
+// option of the user's with kernels of its own. Every rule gives the same result in whatever order
+// primitives are drawn: that of a depth buffer that is drawn in the order of ids. "Not equal" is
+// not among them: its result depends on all that was drawn before, not on two surfaces.
+#pragma once
+
+#include "base/technique.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string_view>
+
+namespace scanout::raster {
+
+// In the order of techniques.h.
+enum class DepthTest : std::uint8_t {
+    equal,
+    always,
+    never,
+    less,
+    less_equal,
+    greater_equal,
+    greater
+};
+
+struct DepthRule {
+    DepthTest test = DepthTest::greater;
+    // Stored as 1 - depth: a float, or a multiple of 1 / steps where that is not 0.
+    bool standard = false;
+    double steps = 0;
+
+    bool is_default() const { return test == DepthTest::greater && !standard; }
+
+    // The smallest step between stored depths, near the eye.
+    double step() const { return !standard ? 0 : (steps > 0 ? 1 / steps : 0x1p-24); }
+    // A depth after storing: converted back, so that greater is nearer whatever the format.
+    float stored(float depth) const {
+        if (!standard) return depth;
+        const double standard_depth = 1.0 - double{depth};
+        constexpr double kWhole = 0x1.8p52; // x + kWhole - kWhole is x, rounded to a whole number
+        const double stored = steps > 0 ? (standard_depth * steps + kWhole - kWhole) / steps
+                                        : double{static_cast<float>(standard_depth)};
+        return static_cast<float>(1.0 - stored);
+    }
+    // Does a stored depth pass the test against another one, or against an empty sample
+    // (kNoPrimitive)?
+    bool passes(float depth, std::uint32_t id, float old, std::uint32_t old_id) const {
+        const bool empty = old_id == std::numeric_limits<std::uint32_t>::max();
+        const bool tie = depth == old;
+        switch (test) {
+        case DepthTest::equal:
+            return !empty && tie && id > old_id;
+        case DepthTest::always:
+            return empty || id > old_id;
+        case DepthTest::never:
+            return false;
+        case DepthTest::less:
+            return empty || depth < old || (tie && id < old_id);
+        case DepthTest::less_equal:
+            return empty || depth < old || (tie && id > old_id);
+        case DepthTest::greater_equal:
+            return empty || depth > old || (tie && id > old_id);
+        case DepthTest::greater:
+            break;
+        }
+        return depth > old || (tie && id < old_id);
+    }
+};
+
+struct DepthTestRow {
+    Technique card;
+    DepthTest test;
+};
+struct DepthFormatRow {
+    Technique card;
+    bool standard;
+    double steps;
+};
+
+// In the order of techniques.h; null where there is no such name.
+std::span<const DepthTestRow* const> depth_tests();
+std::span<const DepthFormatRow* const> depth_formats();
+const DepthTestRow* find_depth_test(std::string_view name);
+const DepthFormatRow* find_depth_format(std::string_view name);
+
+} // namespace scanout::raster
