@@ -1,7 +1,7 @@
 #include "bench/peers/ours.h"
 
 #include "base/memory.h"
-#include "raster/copy_depths.h"
+#include "raster/tile/copy_depths.h"
 
 #include <algorithm>
 #include <memory>

@@ -6,7 +6,7 @@
 #include "frame/bare_tiles.h"
 #include "frame/kept_plan.h"
 #include "frame/renderer.h"
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 
 #include <optional>
 #include <span>

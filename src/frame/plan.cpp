@@ -1,5 +1,5 @@
 #include "frame/planner.h"
-#include "raster/sample_pattern.h"
+#include "raster/screen/sample_pattern.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include "frame/options.h"
 #include "frame/stencil.h"
 #include "image/convolution.h"
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 #include "shade/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"

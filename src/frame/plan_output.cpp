@@ -4,7 +4,7 @@
 #include "frame/planner.h"
 #include "image/dither.h"
 #include "math/transcendental.h"
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include "frame/shadow_pass.h"
 #include "frame/stencil_marks.h"
 #include "frame/step_limits.h"
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 #include "shade/gather.h"
 #include "shade/layers.h"
 #include "shade/shadow.h"

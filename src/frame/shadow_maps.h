@@ -7,7 +7,7 @@
 #include "frame/bare_tiles.h"
 #include "frame/light_view.h"
 #include "frame/plan.h"
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 #include "scene/scene.h"
 #include "shade/layers.h"
 #include "shade/shadow.h"

@@ -2,8 +2,8 @@
 // every triangle throws onto a plane. They are counted over the tile's samples after visibility.
 #pragma once
 
-#include "raster/infinite_polygon.h"
-#include "raster/tile.h"
+#include "raster/count/infinite_polygon.h"
+#include "raster/tile/tile.h"
 #include "scene/light.h"
 #include "scene/scene.h"
 #include "scene/view.h"

@@ -3,7 +3,7 @@
 
 #include "base/jobs.h"
 #include "frame/stencil.h"
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 #include "shade/layers.h"
 
 namespace scanout::frame {

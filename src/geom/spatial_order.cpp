@@ -134,8 +134,8 @@ void sort_runs(SpatialTriangles all) {
 
 // Of some that lie together, those last that are much thinner than the mesh's others, by whole
 // runs. Snapped to the grid of the screen they may turn over, and so no cluster that has one can be
-// turned away as a whole (raster/cluster_cull.h). Where a scan's surface passes close to a corner
-// of the volume that it was merged in, triangles come out like that: one in eight.
+// turned away as a whole (raster/culling/cluster_cull.h). Where a scan's surface passes close to a
+// corner of the volume that it was merged in, triangles come out like that: one in eight.
 void sort_spatially(SpatialTriangles all) {
     while (all.size() > kTogether) {
         const auto [first, second] = halve(all);

@@ -7,7 +7,7 @@
 #include "image/compare.h"
 #include "image/flip.h"
 #include "measure/median.h"
-#include "raster/primitive.h"
+#include "raster/screen/primitive.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Culling, depth tests and formats by name: techniques.h expanded once. A name without a file is a
 // link error.
-#include "raster/cull.h"
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
+#include "raster/culling/cull.h"
 #include "techniques.h"
 
 #include <array>

@@ -3,12 +3,12 @@
 // is looked at before. Elsewhere it is nothing.
 #pragma once
 
-#include "raster/area.h"
-#include "raster/clipped_triangle.h"
-#include "raster/primitive.h"
-#include "raster/screen.h"
-#include "raster/small_triangles.h"
-#include "raster/tile.h"
+#include "raster/clipped/clipped_triangle.h"
+#include "raster/micro/small_triangles.h"
+#include "raster/screen/primitive.h"
+#include "raster/screen/screen.h"
+#include "raster/tile/area.h"
+#include "raster/tile/tile.h"
 
 #include <span>
 

@@ -2,7 +2,7 @@
 // background. Found for a register of pixels at once, sample by sample.
 #pragma once
 
-#include "raster/tile.h"
+#include "raster/tile/tile.h"
 
 #include <cstdint>
 

@@ -5,9 +5,9 @@
 
 #include "geom/mesh.h"
 #include "image/image.h"
-#include "raster/area.h"
-#include "raster/geometry.h"
-#include "raster/tile.h"
+#include "raster/stage/geometry.h"
+#include "raster/tile/area.h"
+#include "raster/tile/tile.h"
 #include "scene/view.h"
 #include "shade/composed_layers.h"
 #include "shade/edge_row.h"

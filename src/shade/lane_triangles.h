@@ -4,7 +4,7 @@
 // The same operations as shade/primitives.cpp, and so the same bits.
 #pragma once
 
-#include "raster/screen.h"
+#include "raster/screen/screen.h"
 #include "shade/stage.h"
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 // through have no weights: see shade/composed_layers.h.
 #pragma once
 
-#include "raster/probe.h"
+#include "raster/tile/probe.h"
 #include "shade/alpha_lanes.h"
 #include "shade/composed_layers.h"
 #include "shade/gather.h"

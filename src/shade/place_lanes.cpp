@@ -1,7 +1,7 @@
 #include "shade/place_lanes.h"
 
-#include "raster/coverage.h"
-#include "raster/sample_pattern.h"
+#include "raster/coverage/coverage.h"
+#include "raster/screen/sample_pattern.h"
 
 #define SIMD_FILE "shade/place_lanes.cpp"
 #include "simd/for_each_target.h"

@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 #include "math/rotation.h"
-#include "raster/clipped_triangle.h"
+#include "raster/clipped/clipped_triangle.h"
 #include "shade/check_lanes.h"
 #include "shade/interpolation_step.h"
 #include "shade/primitive_lanes.h"

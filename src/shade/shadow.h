@@ -3,8 +3,8 @@
 // runs a technique that reads them.
 #pragma once
 
-#include "raster/stencil_count.h"
-#include "raster/tile.h"
+#include "raster/count/stencil_count.h"
+#include "raster/tile/tile.h"
 #include "scene/light.h"
 
 #include <cstdint>

@@ -98,7 +98,7 @@ SIMD_END
 
 #if SIMD_ONCE
 #include "base/check.h"
-#include "raster/primitive.h"
+#include "raster/screen/primitive.h"
 #include "shade/stage.h"
 
 #include <algorithm>

@@ -5,8 +5,8 @@
 // else, each triangle's pixels are looked for instead.
 #pragma once
 
-#include "raster/coverage.h"
-#include "raster/small_triangles.h"
+#include "raster/coverage/coverage.h"
+#include "raster/micro/small_triangles.h"
 #include "shade/looks.h"
 #include "shade/tile_runs.h"
 

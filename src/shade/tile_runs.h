@@ -2,7 +2,7 @@
 // something.
 #pragma once
 
-#include "raster/tile.h"
+#include "raster/tile/tile.h"
 
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/technique.h"
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 
 #include <cstdint>
 #include <span>

@@ -11,7 +11,7 @@
 
 #include "shade/lane_triangles.h"
 
-#include "raster/triangle-inl.h"
+#include "raster/coverage/triangle-inl.h"
 #include "simd/quads-inl.h"
 
 SIMD_BEGIN(scanout::shade)
@@ -29,8 +29,8 @@ struct Vertices {
     Float<D> inverse_w;
 };
 
-// How the canonical order (raster/primitive.h) turns that of the file round: vertices 0 and 1, then
-// 1 and 2, then 0 and 1 change places where these hold.
+// How the canonical order (raster/screen/primitive.h) turns that of the file round: vertices 0 and
+// 1, then 1 and 2, then 0 and 1 change places where these hold.
 template <class D>
 struct Turns {
     Mask<D> of[3];

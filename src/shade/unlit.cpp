@@ -1,6 +1,6 @@
 #include "shade/unlit.h"
 
-#include "raster/clip.h"
+#include "raster/screen/clip.h"
 
 #include <algorithm>
 #include <cmath>

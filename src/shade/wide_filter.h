@@ -3,7 +3,7 @@
 // until all tiles are done. Feibush, Levoy and Cook 1980, [Primer 6].
 #pragma once
 
-#include "raster/sample_pattern.h"
+#include "raster/screen/sample_pattern.h"
 #include "shade/linear_picture.h"
 #include "shade/resolve.h"
 

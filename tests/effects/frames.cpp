@@ -10,7 +10,7 @@
 #include "frame/renderer.h"
 #include "image/hash.h"
 #include "io/load.h"
-#include "raster/primitive.h"
+#include "raster/screen/primitive.h"
 #include "simd/targets.h"
 
 #include <algorithm>

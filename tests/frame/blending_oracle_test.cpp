@@ -2,7 +2,7 @@
 // composited in double from the back, the mean of the samples in linear light.
 #include "oracle/coverage.h"
 #include "oracle/plane.h"
-#include "raster/sample_pattern.h"
+#include "raster/screen/sample_pattern.h"
 #include "support/scenes.h"
 #include "support/srgb_formula.h"
 

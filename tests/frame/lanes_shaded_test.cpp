@@ -1,6 +1,6 @@
 // A triangle is shaded once a pixel, at any number of samples: the count of lanes is what the
 // visibility buffer says, and on pictures simple enough what a reader can count.
-#include "raster/primitive.h"
+#include "raster/screen/primitive.h"
 #include "support/scenes.h"
 
 #include <set>

@@ -1,7 +1,7 @@
 // Changes of a file that must not change a bit of its picture: the order of its triangles and of
 // their vertices, its unit of length, and where in the world it stands (HARD-CASES 18, 20, 21, 69).
 #include "file_model.h"
-#include "raster/screen.h"
+#include "raster/screen/screen.h"
 
 #include <cmath>
 #include <numeric>

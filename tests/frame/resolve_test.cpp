@@ -1,7 +1,7 @@
 // The mean of a pixel's samples is taken in linear light, in a fixed order, and encoded once:
 // HARD-CASES 70, against sums in double over samples that exact arithmetic covers.
 #include "oracle/coverage.h"
-#include "raster/sample_pattern.h"
+#include "raster/screen/sample_pattern.h"
 #include "support/scenes.h"
 #include "support/srgb_formula.h"
 

@@ -3,7 +3,7 @@
 #include "frame/bytes.h"
 #include "frame/stencil.h"
 #include "oracle/coverage.h"
-#include "raster/primitive.h"
+#include "raster/screen/primitive.h"
 #include "support/scenes.h"
 
 #include <algorithm>

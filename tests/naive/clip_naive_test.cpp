@@ -1,9 +1,9 @@
 // Clipping that must fail where ours holds: intersections taken in the order in which the polygon
 // runs, so that neighbours cut their common edge from opposite ends (HARD-CASES 9); and cuts along
 // the guard band that are snapped to the grid.
-#include "raster/clip.h"
 #include "raster/exactly_once.h"
 #include "raster/off_screen_mesh.h"
+#include "raster/screen/clip.h"
 
 #include <bit>
 #include <cmath>

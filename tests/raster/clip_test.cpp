@@ -1,6 +1,6 @@
 // What clip() makes of triangles and edges: HARD-CASES 6, 9, 11, 13, P6.
-#include "raster/clip.h"
 #include "raster/exactly_once.h"
+#include "raster/screen/clip.h"
 #include "support/targets.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // ClippedTriangles of triangles that have a vertex off the screen: coverage with every tie, depth,
 // and what must not change a bit. That meshes of them are covered once: guard_test.cpp.
 #include "oracle/plane.h"
-#include "raster/clipped_triangle.h"
+#include "raster/clipped/clipped_triangle.h"
 #include "raster/exact.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Clusters that are passed over change no bit of a picture, and are many where much is out of
 // sight.
-#include "raster/cluster_cull.h"
+#include "raster/culling/cluster_cull.h"
 #include "raster/exact.h"
 #include "support/meshes.h"
 

@@ -1,5 +1,5 @@
 // A tile's depths in a picture: its own pixels and no others, wherever they lie in memory.
-#include "raster/copy_depths.h"
+#include "raster/tile/copy_depths.h"
 #include "support/targets.h"
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // Every sample of a mesh's interior is covered exactly once: HARD-CASES 1-3, 7, P1.
-#include "raster/coverage.h"
+#include "raster/coverage/coverage.h"
 #include "raster/exactly_once.h"
 #include "support/targets.h"
 

@@ -1,8 +1,8 @@
 // What culling lets through, against exact arithmetic: never less than covers a sample of the
 // picture, and of triangles a few pixels wide never more.
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 #include "raster/exact.h"
-#include "raster/small_triangles.h"
+#include "raster/micro/small_triangles.h"
 #include "support/targets.h"
 
 #include <algorithm>

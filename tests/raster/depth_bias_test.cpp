@@ -1,5 +1,5 @@
 // HARD-CASES R19, R20, P12: the depth bias of Direct3D, Vulkan and WebGPU.
-#include "raster/depth_bias.h"
+#include "raster/coverage/depth_bias.h"
 
 #include <cmath>
 #include <limits>

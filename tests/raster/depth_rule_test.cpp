@@ -1,7 +1,7 @@
 // What is seen under every depth test and in every format of depth is what a depth buffer keeps
 // that is drawn into in the order of ids, whatever the order of drawing; and what each format
 // loses.
-#include "raster/clipped_triangle.h"
+#include "raster/clipped/clipped_triangle.h"
 #include "raster/exact.h"
 #include "support/targets.h"
 

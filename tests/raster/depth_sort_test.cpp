@@ -1,6 +1,6 @@
 // A tile's large triangles in the order in which they are drawn: all of them, once, and no one
 // before another that is clearly nearer.
-#include "raster/depth_sort.h"
+#include "raster/culling/depth_sort.h"
 #include "support/random.h"
 #include "support/targets.h"
 

@@ -1,8 +1,8 @@
 // Reversed float depth keeps its promise in the rasteriser: HARD-CASES 14-19.
 #include "oracle/plane.h"
-#include "raster/depth_bias.h"
+#include "raster/coverage/depth_bias.h"
 #include "raster/exact.h"
-#include "raster/tile.h"
+#include "raster/tile/tile.h"
 
 #include <algorithm>
 #include <cmath>

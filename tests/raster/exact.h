@@ -3,8 +3,8 @@
 #pragma once
 
 #include "oracle/coverage.h"
-#include "raster/geometry.h"
-#include "raster/tile.h"
+#include "raster/stage/geometry.h"
+#include "raster/tile/tile.h"
 #include "support/pixel_view.h"
 #include "support/random.h"
 

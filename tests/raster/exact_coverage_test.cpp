@@ -1,7 +1,7 @@
 // Coverage against exact arithmetic, and what must not change it: HARD-CASES 4, 5, P2-P5.
 #include "oracle/plane.h"
 #include "raster/exact.h"
-#include "raster/tile.h"
+#include "raster/tile/tile.h"
 
 #include <algorithm>
 #include <cmath>

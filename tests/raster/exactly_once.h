@@ -5,7 +5,7 @@
 #pragma once
 
 #include "raster/snapped_mesh.h"
-#include "raster/tile.h"
+#include "raster/tile/tile.h"
 
 namespace scanout::raster::test {
 

@@ -1,7 +1,7 @@
 // Lines over the faces that they lie on: HARD-CASES 17. None of their samples is hidden at any
 // tilt, none is more than two steps of the depth's precision in front, and none shines through.
 #include "geom/line_faces.h"
-#include "raster/depth_bias.h"
+#include "raster/coverage/depth_bias.h"
 #include "raster/exact.h"
 #include "support/meshes.h"
 

@@ -1,8 +1,8 @@
 // Clusters that wait because they were hidden change no bit of a picture, whatever was seen before;
 // what a frame hides costs no triangle from the next but one on, and what is not hidden is seldom
 // asked about.
+#include "raster/culling/occlusion.h"
 #include "raster/exact.h"
-#include "raster/occlusion_history.h"
 #include "support/meshes.h"
 
 #include <algorithm>

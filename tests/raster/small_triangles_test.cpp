@@ -1,6 +1,6 @@
 // Small triangles drawn by the parts that a tile has of them: the same bits as whole triangles.
 #include "raster/exact.h"
-#include "raster/small_triangles.h"
+#include "raster/micro/small_triangles.h"
 #include "support/targets.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The checks of test builds (SCANOUT_CHECK_LANES) fire: NaN or infinity in a live lane ends the
 // program with the name of the stage that left it there; in a dead lane it does not.
-#include "raster/geometry.h"
+#include "raster/stage/geometry.h"
 #include "shade/block.h"
 #include "shade/check_lanes.h"
 #include "shade/gather.h"

@@ -1,5 +1,5 @@
 // The level of detail against planes in long double (HARD-CASES 38, 39, P14).
-#include "raster/clip.h"
+#include "raster/screen/clip.h"
 #include "shade/footprint_levels.h"
 #include "support/random.h"
 #include "support/targets.h"

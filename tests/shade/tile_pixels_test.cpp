@@ -1,7 +1,7 @@
 // Pixels of a tile by the primitive that fills them: each comes back once, under its primitive's
 // name, however many names share a slot of the table.
-#include "raster/coverage.h"
-#include "raster/small_triangles.h"
+#include "raster/coverage/coverage.h"
+#include "raster/micro/small_triangles.h"
 #include "shade/tile_pixels.h"
 #include "support/random.h"
 #include "support/targets.h"

@@ -1,5 +1,5 @@
 // Unweighted area sampling: a primitive counts by the exact area that it shows in the pixel's box
-// (raster/area.h). It is shaded once a pixel.
+// (raster/tile/area.h). It is shaded once a pixel.
 #include "frame/anti_aliasing.h"
 
 namespace scanout::frame::aa {

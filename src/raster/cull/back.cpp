@@ -1,5 +1,5 @@
 // Culling "back": half the work on closed models, and a look into rooms. [Primer 1.6].
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 
 namespace scanout::raster::culling {
 

@@ -1,5 +1,5 @@
 // Culling "front": the insides of closed models alone. [Primer 1.6].
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 
 namespace scanout::raster::culling {
 

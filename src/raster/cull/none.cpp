@@ -1,5 +1,5 @@
 // Culling "none": what is closed hides its own backs, and files do not say what is.
-#include "raster/cull.h"
+#include "raster/culling/cull.h"
 
 namespace scanout::raster::culling {
 

@@ -2,7 +2,7 @@
 // apart less than half of all pairs that lie a hundredth apart, and none a millionth apart. Near is
 // 1/16384 of the distance to the target: a step there is 16384/65535 of it, so that the nearest and
 // the farthest side of a model may fall into one, and the lower id is seen.
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
 
 namespace scanout::raster::depth {
 

@@ -1,6 +1,6 @@
 // Depth in 24 bits: 1 - near / distance in 2^24 - 1 steps, as most depth buffers had it for years.
 // At a ratio of 1e7 it loses 19 % of all pairs a hundredth apart, 76 % of those a millionth apart.
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
 
 namespace scanout::raster::depth {
 

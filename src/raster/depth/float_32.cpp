@@ -1,6 +1,6 @@
 // Depth in a float, 1 - near / distance: its finest steps lie where nothing is, before the near
 // plane.
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
 
 namespace scanout::raster::depth {
 

@@ -1,6 +1,6 @@
 // Reversed depth, near / distance in a float: steps of 2^-24 of the distance, near and far.
 // Lapidous and Jiao 1999; HARD-CASES L2.
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
 
 namespace scanout::raster::depth {
 

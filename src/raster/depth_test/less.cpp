@@ -1,5 +1,5 @@
 // Depth test "less", of reversed depth, where greater is nearer. [Primer 1.6].
-#include "raster/depth_rule.h"
+#include "raster/coverage/depth_rule.h"
 
 namespace scanout::raster::depth_test {
 

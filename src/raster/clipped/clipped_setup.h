@@ -1,0 +1,37 @@
+// What all tiles that draw a piece of a triangle have in common: its edge functions in whole
+// numbers of up to 126 bits, how far they reach, and its depth.
+#pragma once
+
+#include "image/image.h"
+#include "raster/clipped/clipped_triangle.h"
+#include "raster/screen/sample_pattern.h"
+
+#include <cstdint>
+
+namespace scanout::raster {
+
+// How far the edge functions of a square of pixels may lie below and above those of its corner.
+struct Reach {
+    Int128 lowest[3], highest[3];
+    Reach(const ExactEdges& edges, const SampleExtent& extent, int side); // pixels
+};
+
+struct ClippedSetup {
+    ClippedTriangle triangle;
+    ExactEdges edges;
+    Reach of_tile, of_block;
+    double a[3], b[3];   // of the edges, rounded
+    double share[3];     // depth is E_0 share_0 + E_1 share_1 + E_2 share_2
+    double per_x, per_y; // of depth, 1/256 pixel
+    double terms = 0;    // what may cancel in these slopes
+    double least, most;  // depth of the vertices
+    image::Rect box;     // pixels that it may touch, of a picture of any size
+    SampleExtent extent; // of the pattern of all these tiles
+    ClippedSetup(const ClippedTriangle& triangle, const SampleExtent& extent);
+
+    double depth_of(const double (&e)[3]) const {
+        return (e[0] * share[0] + e[1] * share[1]) + e[2] * share[2];
+    }
+};
+
+} // namespace scanout::raster

@@ -1,0 +1,26 @@
+// Polygons whose corners may stand at infinity, on the screen: the sides of a shadow, which has no
+// far end. Clipped in homogeneous coordinates, where a direction is a point with w = 0. Everitt and
+// Kilgard 2002 (HARD-CASES 44).
+#pragma once
+
+#include "raster/count/stencil_count.h"
+#include "raster/screen/screen.h"
+
+#include <span>
+#include <vector>
+
+namespace scanout::raster {
+
+// A point of view space (w 1), or a direction (w 0) in perspective. A parallel view has no place on
+// its screen for a direction: give a point far along it instead.
+ClipVertex to_clip(const ScreenTransform& transform, const DVec4& view);
+
+// Convex, at most 8 corners. Appends its pieces to `out`. facing: pieces that wind clockwise on the
+// screen get the weight, the others its negative, so that a closed surface weighs nothing; else all
+// get the weight. id: kNoPrimitive, or the triangle of the scene that the polygon is.
+enum class StencilSign : bool { same, facing };
+void add_polygon(std::span<const ClipVertex> vertices, const ScreenTransform& transform,
+                 float weight, StencilSign side, std::uint32_t id,
+                 std::vector<StencilTriangle>& out);
+
+} // namespace scanout::raster

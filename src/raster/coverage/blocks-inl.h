@@ -1,0 +1,295 @@
+// Blocks of 8 x 8 pixels of triangles with float depth (raster/coverage/coverage.h), several side
+// by side. Included once for every SIMD target.
+#if defined(SCANOUT_RASTER_COVERAGE_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SCANOUT_RASTER_COVERAGE_BLOCKS_INL_H
+#undef SCANOUT_RASTER_COVERAGE_BLOCKS_INL_H
+#else
+#define SCANOUT_RASTER_COVERAGE_BLOCKS_INL_H
+#endif
+
+#include "raster/coverage/reject_blocks-inl.h"
+#include "raster/coverage/triangle_setup-inl.h"
+
+SIMD_BEGIN(scanout::raster)
+
+// TriangleSetup in registers: of several triangles, or of one in all lanes.
+struct SetupLanes {
+    F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
+    I32x8 x0, y0, x1, y1;
+};
+template <class Read>
+SIMD_INLINE SetupLanes setup_lanes(const TriangleSetup& w, const Read& read) {
+    SetupLanes lanes;
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        lanes.a[k] = read(w.a[k]);
+        lanes.b[k] = read(w.b[k]);
+        lanes.c[k] = read(w.c[k]);
+        lanes.bias[k] = read(w.bias[k]);
+        lanes.lowest[k] = read(w.lowest[k]);
+        lanes.highest[k] = read(w.highest[k]);
+        lanes.share[k] = read(w.share[k]);
+    }
+    lanes.per_x = read(w.per_x);
+    lanes.per_y = read(w.per_y);
+    return lanes;
+}
+
+// Blocks of triangles with float depth, one a lane, at the samples of one place in the pattern.
+struct FloatDepthBlocks {
+    // At the first pixel of row `begin` a number that is negative where E + bias is, and its steps
+    // a pixel: floor((E + bias) / 256), 0 where the edge holds for the whole block; or E + bias.
+    std::int32_t first[3][kLanesX8], per_x[3][kLanesX8], per_y[3][kLanesX8];
+    std::int32_t begin[kLanesX8], end[kLanesX8]; // rows
+    std::int32_t pixel_offset[kLanesX8];         // of the first pixel, in a plane of the tile
+    // Depth at the block's corner: base + rest; its steps a pixel.
+    float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
+};
+
+// Row by row, the rows that the triangle's box leaves.
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_rows(const DepthRule& rule, const FloatDepthBlocks& b, int lane,
+                           SampleOffset at, std::uint32_t primitive, float* depth,
+                           std::uint32_t* id, I32& drawn) {
+    const F32 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32 base = b.base[lane], rest = b.rest[lane];
+    const F32 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
+    // Registers of two rows start at an even row: they stay in the block. The row before `begin`
+    // holds no covered sample, and some edge rejects it: an edge is 0 only if it holds for the
+    // whole block. Rows from `end` on lie outside the picture, which no edge rejects.
+    const int begin = b.begin[lane] & -kRows, end = b.end[lane];
+    I32 edge[3][kRegisters], down[3];
+    F32 across[kRegisters];
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        const I32 per_y = b.per_y[k][lane];
+        const I32 first = I32(b.first[k][lane]) + per_y * (rows() - I32(b.begin[lane] - begin));
+        SIMD_FOR (int r = 0; r < kRegisters; ++r)
+            edge[k][r] = first + I32(b.per_x[k][lane]) * columns(r);
+        down[k] = per_y * I32(kRows);
+    }
+    SIMD_FOR (int r = 0; r < kRegisters; ++r)
+        across[r] = (to_f32(columns(r)) + sample_x) * per_pixel_x;
+    depth += begin * kTileSize;
+    id = id_after<kWrite>(id, begin * kTileSize);
+    F32 row = to_f32(rows() + I32(begin)) + sample_y; // a whole number of 1/256: exact
+    for (int y = begin; y < end; y += kRows) {
+        const F32 down_here = row * per_pixel_y;
+        SIMD_FOR (int r = 0; r < kRegisters; ++r) {
+            auto inside = (edge[0][r] | edge[1][r] | edge[2][r]) >= I32(0);
+            if constexpr (kRows > 1) inside = inside & (rows() < I32(end - y));
+            const F32 z = base + (rest + (across[r] + down_here));
+            write_samples<kWrite>(rule, inside, z, primitive, depth + r * kLanes,
+                                  id_after<kWrite>(id, r * kLanes), drawn);
+            SIMD_FOR (int k = 0; k < 3; ++k)
+                edge[k][r] = edge[k][r] + down[k];
+        }
+        row = row + F32(kRows);
+        depth += kRows * kTileSize;
+        id = id_after<kWrite>(id, kRows * kTileSize);
+    }
+}
+
+// The pixels of a block that a triangle's box leaves: where they are few, they are drawn one by one
+// with a triangle a lane, not row by row.
+constexpr int kFew = 3;
+struct Few {
+    std::uint32_t lanes; // whose boxes are that small
+    I32x8 column, across, down;
+};
+SIMD_INLINE Few few_pixels(const SetupLanes& w, I32x8 left, I32x8 begin, I32x8 end,
+                           std::uint32_t live) {
+    const I32x8 column = maximum(w.x0 - left, 0);
+    const I32x8 across = minimum(w.x1 - left, PixelBlock::kSide) - column, down = end - begin;
+    return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
+}
+
+// By the default rule, pixel by pixel. depth_at(column, row): lanes of depth, columns from
+// few.column, rows from b.begin.
+template <DepthWrite kWrite, class DepthAt>
+SIMD_INLINE void draw_pixels(const FloatDepthBlocks& b, const Few& few, const DepthAt& depth_at,
+                             const std::uint32_t* primitive, float* depth, std::uint32_t* id,
+                             I32& drawn) {
+    I32x8 start[3], right[3], below[3];
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        right[k] = load<I32x8>(b.per_x[k]);
+        below[k] = load<I32x8>(b.per_y[k]);
+        start[k] = load<I32x8>(b.first[k]) + right[k] * few.column;
+    }
+    std::int32_t corner[kLanesX8];
+    store(load<I32x8>(b.pixel_offset) + load<I32x8>(b.begin) * I32x8(kTileSize) + few.column,
+          corner);
+    // Covered samples are collected, a bit each, over several steps: one loop over all of them has
+    // one mispredicted end, not one a step.
+    constexpr int kSteps = 64 / kLanesX8;
+    std::uint64_t waiting = 0;
+    float depths[kSteps][kLanesX8];
+    std::int32_t offset[kSteps];
+    int steps = 0;
+    bool shows = false;
+    const auto draw_pending = [&]() SIMD_LAMBDA {
+        for (; waiting != 0; waiting &= waiting - 1) {
+            const int bit = __builtin_ctzll(waiting), step = bit / kLanesX8, lane = bit % kLanesX8;
+            const std::ptrdiff_t pixel_offset = corner[lane] + offset[step];
+            const float z = depths[step][lane], old = depth[pixel_offset];
+            if (z > old || (kWrite != DepthWrite::depth_only && z == old &&
+                            primitive[lane] < id[pixel_offset])) {
+                depth[pixel_offset] = z;
+                if constexpr (kWrite != DepthWrite::depth_only) id[pixel_offset] = primitive[lane];
+                shows = true;
+            }
+        }
+        steps = 0;
+    };
+    for (int j = 0; j < kFew; ++j) {
+        const MaskX8 in_row = I32x8(j) < few.down;
+        if ((bits(in_row) & few.lanes) == 0) break;
+        I32x8 edge[3] = {start[0], start[1], start[2]};
+        for (int i = 0; i < kFew; ++i) {
+            const MaskX8 in_column = I32x8(i) < few.across;
+            if ((bits(in_column) & few.lanes) == 0) break;
+            const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) > I32x8(-1));
+            // No branch on whether there are some: it would be mispredicted.
+            waiting |= std::uint64_t{bits(inside) & few.lanes} << (steps * kLanesX8);
+            store(depth_at(i, j), depths[steps]);
+            offset[steps] = j * kTileSize + i;
+            if (++steps == kSteps) draw_pending();
+            SIMD_FOR (int k = 0; k < 3; ++k)
+                edge[k] = edge[k] + right[k];
+        }
+        SIMD_FOR (int k = 0; k < 3; ++k)
+            start[k] = start[k] + below[k];
+    }
+    draw_pending();
+    if (shows) drawn = I32(-1);
+}
+
+// The same bits as draw_rows.
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_few(const FloatDepthBlocks& b, const Few& few, SampleOffset at,
+                          const std::uint32_t* primitive, float* depth, std::uint32_t* id,
+                          I32& drawn) {
+    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
+    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
+    const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
+    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
+    const I32x8 begin = load<I32x8>(b.begin);
+    const auto depth_at = [&](int i, int j) SIMD_LAMBDA {
+        const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
+        return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
+    };
+    draw_pixels<kWrite>(b, few, depth_at, primitive, depth, id, drawn);
+}
+
+// floor((E + bias) / 256), which saturates at 2^29 (PixelBlock).
+SIMD_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
+    const F64x8 most = 0x1p29;
+    const F64x8 pixels = (e + bias) * F64x8(1.0 / kSubpixel);
+    const F64x8 near = minimum(maximum(pixels, -most), most);
+    const F64x8 cut = to_f64(to_i32(near)); // towards zero
+    return cut - select(cut > near, F64x8(1.0), F64x8(0.0));
+}
+
+// The edge functions at one sample of the pattern.
+SIMD_INLINE void set_up_rows(const SetupLanes& w, const F64x8 (&corner)[3],
+                             const Double<F32x8::Tag>::DoubleMask (&whole)[3], SampleOffset at,
+                             I32x8 begin, FloatDepthBlocks& out) {
+    const F64x8 zero = 0.0, x = double(at.x), y = double(at.y);
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        const F64x8 e = corner[k] + (w.a[k] * x + w.b[k] * y);
+        const F64x8 floor = floor_in_pixels(e, w.bias[k]);
+        const I32x8 per_y = to_i32(select(whole[k], zero, w.b[k]));
+        store(to_i32(select(whole[k], zero, floor)) + per_y * begin, out.first[k]);
+        store(to_i32(select(whole[k], zero, w.a[k])), out.per_x[k]);
+        store(per_y, out.per_y[k]);
+    }
+}
+
+// The same for draw_large: of edges that hold for the whole block, too.
+SIMD_INLINE void set_up_firsts(const SetupLanes& w, const F64x8 (&corner)[3], SampleOffset at,
+                               std::int32_t (&first)[3][kLanesX8]) {
+    const F64x8 x = double(at.x), y = double(at.y);
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        store(to_i32(floor_in_pixels(corner[k] + (w.a[k] * x + w.b[k] * y), w.bias[k])), first[k]);
+}
+
+// Blocks (x, y) of the tile, one a lane, and the edge functions and depth at their corners.
+struct AtBlocks {
+    I32x8 left, top; // pixels in the tile
+    F64x8 edge[3], depth;
+};
+SIMD_INLINE AtBlocks at_blocks(const TilePlanes& tile, const SetupLanes& w, I32x8 x, I32x8 y) {
+    constexpr int kSideBits = 3;
+    static_assert(PixelBlock::kSide == 1 << kSideBits);
+    AtBlocks at;
+    at.left = shift_left<kSideBits>(x);
+    at.top = shift_left<kSideBits>(y);
+    const F64x8 corner_x = to_f64(shift_left<kSubpixelBits>(at.left + I32x8(tile.area.x0)));
+    const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(at.top + I32x8(tile.area.y0)));
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
+    at.depth = depth_of(at.edge, w.share);
+    return at;
+}
+
+// An upper bound of a triangle's depth in blocks; depth: at their corners. 2^-20 of it is far more
+// than all rounding before.
+SIMD_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
+    const F64x8 side = double{PixelBlock::kSide}, zero = 0.0;
+    const F64x8 reach = (maximum(per_x, zero) + maximum(per_y, zero)) * side;
+    return to_f32((depth + reach) * F64x8(1 + 0x1p-20));
+}
+
+// Of the live lanes those whose block the triangle may touch and hi_z does not reject.
+template <bool kDefault>
+SIMD_INLINE std::uint32_t seen(const TilePlanes& tile, const SetupLanes& w, const AtBlocks& at,
+                               std::uint32_t live) {
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
+    if (!kDefault || live == 0 || tile.hi_z == nullptr) return live;
+    // Lanes past their triangle's end may be past the tile's.
+    const I32x8 block = minimum(at.top + shift_right<3>(at.left), BlockList::kBlocks - 1);
+    return live & bits(nearest_in(at.depth, w.per_x, w.per_y) >= gather(tile.hi_z, block));
+}
+
+// Draws the blocks of `live` lanes, each of a triangle of its own.
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_float_depth_blocks(const TilePlanes& tile, const SetupLanes& w,
+                                         const AtBlocks& block, std::uint32_t live,
+                                         const std::uint32_t* id, I32& drawn) {
+    const F64x8 zero = 0.0;
+    Double<F32x8::Tag>::DoubleMask whole[3];
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        whole[k] = block.edge[k] + w.lowest[k] >= zero;
+    FloatDepthBlocks b;
+    const F32x8 base = to_f32(block.depth);
+    store(base, b.base);
+    store(to_f32(block.depth - to_f64(base)), b.rest);
+    store(to_f32(w.per_x), b.per_pixel_x);
+    store(to_f32(w.per_y), b.per_pixel_y);
+    const I32x8 begin = maximum(w.y0 - block.top, 0),
+                end = minimum(w.y1 - block.top, PixelBlock::kSide);
+    store(begin, b.begin);
+    store(end, b.end);
+    Few few{0, begin, begin, begin};
+    if constexpr (is_default(kWrite)) few = few_pixels(w, block.left, begin, end, live);
+    store(block.top * I32x8(kTileSize) + block.left, b.pixel_offset);
+    std::ptrdiff_t plane = 0;
+    for (const SampleOffset* at = tile.pattern.data();
+         at != tile.pattern.data() + tile.pattern.size();
+         ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
+        set_up_rows(w, block.edge, whole, *at, begin, b);
+        float* const depth = tile.depth + plane;
+        std::uint32_t* const ids = id_after<kWrite>(tile.id, plane);
+        if (few.lanes != 0) draw_few<kWrite>(b, few, *at, id, depth, ids, drawn);
+        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
+            const int lane = __builtin_ctz(rest);
+            const std::int32_t first = b.pixel_offset[lane];
+            draw_rows<kWrite>(tile.rule, b, lane, *at, id[lane], depth + first,
+                              id_after<kWrite>(ids, first), drawn);
+        }
+    }
+}
+
+SIMD_END
+
+#endif

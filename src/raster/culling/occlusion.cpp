@@ -1,0 +1,47 @@
+#include "raster/culling/occlusion.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace scanout::raster {
+namespace {
+
+// Frames between queries. Where most queried clusters are visible, queries do not pay: fewer are
+// made.
+constexpr std::size_t kOften = 1, kSeldom = 2048;
+
+} // namespace
+
+void OcclusionHistory::begin_frame(std::size_t clusters) {
+    if (state_.size() != clusters) { // another mesh: as in the first frame
+        state_.assign(clusters, kDrawn);
+        period_ = kNever;
+        return;
+    }
+    if (period_ == kNever) period_ = kOften;
+    ++frame_;
+    // Results of the last frame's queries: clusters beside the picture have none.
+    std::size_t hidden = 0, shown = 0;
+    for (std::uint8_t& state : state_) {
+        hidden += state == kQueried ? 1 : 0;
+        shown += state == kQueriedVisible ? 1 : 0;
+        if (state == kQueried) state = kOccluded;
+        if (state == kQueriedVisible) state = kDrawn;
+    }
+    if (shown > hidden) period_ = std::min(period_ * 2, kSeldom);
+    if (hidden > 3 * shown) period_ = std::max(period_ / 2, kOften);
+}
+
+OcclusionHistory::Action OcclusionHistory::next_action(std::size_t cluster) {
+    std::uint8_t& state = state_[cluster];
+    const bool drawn = state == kDrawn;
+    if (drawn && (period_ == kNever || (cluster + frame_) % period_ != 0)) return Action::draw;
+    state = kQueried;
+    return drawn ? Action::draw_and_query : Action::defer;
+}
+
+void OcclusionHistory::set_visible(std::size_t cluster) {
+    std::atomic_ref(state_[cluster]).store(kQueriedVisible, std::memory_order_relaxed);
+}
+
+} // namespace scanout::raster

@@ -1,0 +1,115 @@
+// Small triangles, a few pixels wide and high, most of a fine mesh: set up side by side, one a
+// lane, and rasterised in rows as wide as a block (raster/micro/small_rows-inl.h), or where they
+// are tiny as micro-triangles (raster/micro/micro_triangles-inl.h). Their edge functions are 32-bit
+// integers relative to the first of the blocks of 8 x 8 pixels that they may touch.
+#pragma once
+
+#include "raster/coverage/block_traversal.h"
+#include "raster/coverage/coverage.h"
+#include "raster/culling/cull.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::raster {
+
+inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
+
+// How a small triangle is rasterised. Front-facing ones: a micro-triangle has at most micro_side
+// pixels each way in its tile; micro_2 and micro_3 lie within one block and one tile, a straddling
+// one touches several blocks or is what a tile's edge leaves of a triangle; rows are all others.
+// Back-facing ones are drawn last, because front-facing ones occlude most of them.
+enum class SmallKind : std::uint8_t { micro_2, micro_3, micro_straddling, rows, back_facing };
+inline constexpr std::size_t kSmallKinds = 5;
+inline constexpr std::array kFrontFacingKinds = {SmallKind::rows, SmallKind::micro_2,
+                                                 SmallKind::micro_3,
+                                                 SmallKind::micro_straddling}; // as they are drawn
+// The most pixels each way; 0: not a micro-triangle.
+constexpr int micro_side(SmallKind kind) {
+    switch (kind) {
+    case SmallKind::micro_2:
+        return 2;
+    case SmallKind::micro_3:
+    case SmallKind::micro_straddling:
+        return 3;
+    default:
+        return 0;
+    }
+}
+
+// A small triangle in the bin of one tile.
+struct BinnedTriangle {
+    std::uint32_t spatial_index; // in a BinnedList's index
+    std::uint32_t where;
+
+    static constexpr int kFirstRow = 6, kEndColumn = 12, kEndRow = 19; // bits
+
+    // The pixels of the tile that may hold its samples: columns [x0, x1), rows [y0, y1).
+    static BinnedTriangle of(std::uint32_t spatial_index, int x0, int y0, int x1, int y1) {
+        return {spatial_index, static_cast<std::uint32_t>(x0 | y0 << kFirstRow | x1 << kEndColumn |
+                                                          y1 << kEndRow)};
+    }
+    image::Rect box() const {
+        const auto number = [&](int first, std::uint32_t most) {
+            return static_cast<int>(where >> first & most);
+        };
+        return {number(0, 63), number(kFirstRow, 63), number(kEndColumn, 127),
+                number(kEndRow, 127)};
+    }
+};
+
+using BinnedByKind = std::array<std::vector<BinnedTriangle>, kSmallKinds>;
+
+// The tiles of a picture.
+struct TileGrid {
+    int bits;   // a tile has 1 << bits pixels a side
+    int across; // tiles in a row of the picture
+};
+
+// For each triangle of a list: its tile and its pixels there, if it lies in one tile alone, as most
+// do; kNone where the triangle is not small or lies in several. The arrays grow to the size of the
+// list, which is that of a CullResult: whole registers of it are read.
+struct BinningResult {
+    static constexpr std::int32_t kNone = -1;
+    std::vector<std::int32_t> tile;
+    std::vector<std::uint32_t> where; // of a BinnedTriangle
+    std::vector<std::int32_t> kind;   // a SmallKind
+};
+void bin_small_triangles(const TileGrid& grid, std::span<const VisibleTriangle> triangles,
+                         BinningResult& out);
+
+// index: three vertices a triangle, all of which are on the screen. id: of triangles by spatial
+// index; empty: the spatial index is the id.
+struct BinnedList {
+    std::span<const ScreenVertex> vertices;
+    std::span<const std::uint32_t> index;
+    std::span<const BinnedTriangle> triangles;
+    SmallKind kind = SmallKind::rows; // of all of them; rows: of any kind
+    std::span<const std::uint32_t> id = {};
+
+    std::uint32_t id_of(const BinnedTriangle& binned) const {
+        return id.empty() ? binned.spatial_index : id[binned.spatial_index];
+    }
+};
+
+// Sorts triangles of kind rows by their number of rows, and by how many of those lie in their first
+// block, some hundred at a time: loops over rows then mostly end where the previous one did, which
+// a branch predictor learns.
+void sort_by_rows(std::span<BinnedTriangle> triangles);
+
+// Does any of them pass the depth test? By the default depth rule; the same bits as draw_triangles.
+// Where depth alone is stored, covered micro-triangles count as drawn.
+bool draw_small_triangles(const TilePlanes& tile, const BinnedList& list);
+// Builds the hierarchical Z of the tile (TilePlanes::hi_z) from its depths.
+void build_hi_z(const TilePlanes& tile);
+// Occlusion query: is everything that is no nearer occluded in these pixels of the picture, or in
+// their blocks in the tile? Refreshes tile.hi_z of blocks where that decides.
+bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest);
+// The same as draw_small_triangles, for triangles most of which are occluded: the depths of their
+// vertices are tested against tile.hi_z before set-up. scratch: for the rest.
+bool draw_small_with_hi_z(const TilePlanes& tile, const BinnedList& list,
+                          std::vector<BinnedTriangle>& scratch);
+
+} // namespace scanout::raster

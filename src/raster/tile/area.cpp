@@ -1,0 +1,247 @@
+#include "raster/tile/area.h"
+
+#include "raster/check_lanes.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace scanout::raster {
+namespace {
+
+constexpr double kBox = double{kSubpixel} * kSubpixel; // a pixel's area
+constexpr double kNothing = kBox * 0x1p-32;            // smaller parts are rounding
+
+// Depths closer than this part of themselves are equal: the lower id stays.
+constexpr double kSameDepth = 0x1p-24;
+
+} // namespace
+
+void AreaTile::reset(const image::Rect& area) {
+    area_ = area;
+    sources_.clear();
+    constexpr auto kPixels = static_cast<std::size_t>(kTileSize) * kTileSize;
+    pixels_.resize(kPixels);
+    for (PixelCells& cells : pixels_)
+        cells.clear();
+    filled_.assign(kPixels, kNoPrimitive);
+}
+
+void AreaTile::add(const Triangle& t) {
+    const Edges e = edges_of(t);
+    Source source{
+        {}, {}, t.id, pixel_bounds(t, area_.x1, area_.y1), {t.y[0], t.x[0], t.y[1], t.x[1]}};
+    for (std::size_t k = 0; k < 3; ++k) {
+        source.edges.a[k] = e.a[k];
+        source.edges.b[k] = e.b[k];
+        source.edges.c[k] = e.c[k];
+        source.share[k] = t.depth[k] / static_cast<double>(e.area);
+    }
+    sources_.push_back(source);
+}
+
+void AreaTile::add(const raster::ClippedTriangle& clipped) {
+    const auto& v = clipped.vertex;
+    Source source{edges_of(clipped),
+                  {},
+                  clipped.id,
+                  pixel_bounds(clipped, area_.x1, area_.y1, {}),
+                  {v[0].y, v[0].x, v[1].y, v[1].x}};
+    const double size = size_of(clipped);
+    for (std::size_t k = 0; k < 3; ++k)
+        source.share[k] = v[k].z / size;
+    sources_.push_back(source);
+}
+
+void AreaTile::finish() {
+    std::sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
+        return std::tie(a.id, a.order) < std::tie(b.id, b.order);
+    });
+    for (std::size_t i = 0; i < sources_.size(); ++i)
+        draw(static_cast<std::int32_t>(i));
+}
+
+// Into the pixels that it touches.
+void AreaTile::draw(std::int32_t source) {
+    const Source& s = sources_[static_cast<std::size_t>(source)];
+    for (int y = std::max(s.box.y0, area_.y0); y < s.box.y1; ++y)
+        for (int x = std::max(s.box.x0, area_.x0); x < s.box.x1; ++x) {
+            const std::array<Linear, 3> edge = edges_in(s, x, y);
+            bool touched = true, whole = true;
+            for (const Linear& e : edge) {
+                const double right = e.x * kSubpixel, down = e.y * kSubpixel;
+                touched = touched && e.at + (std::max(right, 0.0) + std::max(down, 0.0)) > 0;
+                whole = whole && e.at + (std::min(right, 0.0) + std::min(down, 0.0)) >= 0;
+            }
+            if (touched) insert(pixel(x, y), source, x, y, edge, whole);
+        }
+}
+
+// Exact at the pixel's corner, but for one rounding.
+std::array<AreaTile::Linear, 3> AreaTile::edges_in(const Source& s, int x, int y) const {
+    std::array<Linear, 3> edge;
+    for (std::size_t k = 0; k < 3; ++k)
+        edge[k] = {static_cast<double>(
+                       s.edges.at(k, std::int64_t{x} * kSubpixel, std::int64_t{y} * kSubpixel)),
+                   static_cast<double>(s.edges.a[k]), static_cast<double>(s.edges.b[k])};
+    return edge;
+}
+
+void AreaTile::fill(int x, int y, std::uint32_t id) {
+    filled_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))] = id;
+}
+
+AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
+    Linear depth{0, 0, 0};
+    const std::array<Linear, 3> edge = edges_in(s, x, y);
+    for (std::size_t k = 0; k < 3; ++k) {
+        depth.at += edge[k].at * s.share[k];
+        depth.x += edge[k].x * s.share[k];
+        depth.y += edge[k].y * s.share[k];
+    }
+    return depth;
+}
+
+double AreaTile::area_of(const Cell& p) {
+    double twice_area = 0;
+    for (int i = 2; i < p.vertices; ++i) { // a fan from corner 0
+        const CellVertex &o = p.vertex[0], &a = p.vertex[static_cast<std::size_t>(i - 1)],
+                         &b = p.vertex[static_cast<std::size_t>(i)];
+        twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
+    }
+    return 0.5 * (twice_area < 0 ? -twice_area : twice_area);
+}
+
+// Along line = 0. Too many corners: the piece goes whole to the side where most of them are.
+void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& outside) {
+    inside.vertices = outside.vertices = 0;
+    inside.source = outside.source = cell.source;
+    const auto add = [](Cell& to, const CellVertex& c) {
+        if (to.vertices < kMaxVertices) to.vertex[static_cast<std::size_t>(to.vertices)] = c;
+        ++to.vertices;
+    };
+    for (int i = 0; i < cell.vertices; ++i) {
+        const CellVertex& here = cell.vertex[static_cast<std::size_t>(i)];
+        const CellVertex& next = cell.vertex[static_cast<std::size_t>((i + 1) % cell.vertices)];
+        const double at = line(here), then = line(next);
+        if (at >= 0) add(inside, here);
+        if (at <= 0) add(outside, here);
+        if ((at > 0 && then < 0) || (at < 0 && then > 0)) {
+            // From the inner end, so that both parts beside an edge get the same corner.
+            const double t = at > 0 ? at / (at - then) : then / (then - at);
+            const CellVertex &from = at > 0 ? here : next, &to = at > 0 ? next : here;
+            const CellVertex cut{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
+            add(inside, cut);
+            add(outside, cut);
+        }
+    }
+    if (inside.vertices > kMaxVertices || outside.vertices > kMaxVertices) {
+        const bool in = inside.vertices >= outside.vertices;
+        (in ? inside : outside) = cell;
+        (in ? outside : inside).vertices = 0;
+    }
+}
+
+void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
+                      const std::array<Linear, 3>& edge, bool whole) {
+    if (cells.empty()) {
+        constexpr double kSide = kSubpixel;
+        Cell box;
+        box.vertices = 4;
+        box.vertex[0] = {0, 0};
+        box.vertex[1] = {kSide, 0};
+        box.vertex[2] = {kSide, kSide};
+        box.vertex[3] = {0, kSide};
+        cells.push_back(box);
+    }
+    const std::size_t before = cells.size();
+    for (std::size_t i = 0; i < before; ++i)
+        take(cells, i, source, x, y, edge, whole ? 0 : 3);
+    // What one triangle holds whole is one piece again.
+    const bool all = whole && std::all_of(cells.begin(), cells.end(),
+                                          [&](const Cell& p) { return p.source == source; });
+    if (all && cells.size() > 1) {
+        cells.clear();
+        insert(cells, source, x, y, edge, true);
+    }
+}
+
+// What the source shows of one piece becomes its own; the rest is appended.
+void AreaTile::take(PixelCells& cells, std::size_t index, std::int32_t source, int x, int y,
+                    const std::array<Linear, 3>& edge, int edges) {
+    Cell inside = cells[index], rest;
+    std::array<Cell, 4> left; // beyond each edge, and behind the old owner
+    std::size_t lefts = 0;
+    for (int k = 0; k < edges; ++k) {
+        const Cell whole = inside;
+        split(whole, edge[static_cast<std::size_t>(k)], inside, rest);
+        if (area_of(inside) <= kNothing) return;
+        if (area_of(rest) > kNothing) left[lefts++] = rest;
+    }
+    if (inside.source >= 0) {
+        const Linear mine = depth_in(sources_[static_cast<std::size_t>(source)], x, y);
+        const Linear owner = depth_in(sources_[static_cast<std::size_t>(inside.source)], x, y);
+        const Linear ahead{mine.at - owner.at, mine.x - owner.x, mine.y - owner.y};
+        bool behind = true, before = true;
+        for (int i = 0; i < inside.vertices; ++i) {
+            const CellVertex& c = inside.vertex[static_cast<std::size_t>(i)];
+            const double tolerance = kSameDepth * owner(c), by = ahead(c);
+            behind = behind && by <= tolerance;
+            before = before && by >= -tolerance;
+        }
+        if (behind) return;
+        if (!before) { // the planes cross here
+            const Cell whole = inside;
+            split(whole, ahead, inside, rest);
+            if (area_of(inside) <= kNothing) return;
+            if (area_of(rest) > kNothing) left[lefts++] = rest;
+        }
+    }
+    if (lefts > 0 && cells.size() + lefts > kMaxCells) return;
+    inside.source = source;
+    cells[index] = inside;
+    cells.insert(cells.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(lefts));
+}
+
+std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
+    found_.clear();
+    const auto at = static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
+    if (filled_[at] != kNoPrimitive) {
+        found_.push_back({filled_[at], 1.0F, kSubpixel / 2, kSubpixel / 2});
+        return found_;
+    }
+    sums_.clear();
+    for (const Cell& cell : pixels_[at]) {
+        if (cell.source < 0) continue;
+        const std::uint32_t id = sources_[static_cast<std::size_t>(cell.source)].id;
+        auto sum =
+            std::find_if(sums_.begin(), sums_.end(), [&](const auto& s) { return s.first == id; });
+        if (sum == sums_.end()) sum = sums_.insert(sums_.end(), {id, {}});
+        const double area = area_of(cell);
+        sum->second.area += area;
+        if (area <= sum->second.largest) continue;
+        sum->second.largest = area;
+        CellVertex middle{0, 0};
+        for (int i = 0; i < cell.vertices; ++i) {
+            middle.x += cell.vertex[static_cast<std::size_t>(i)].x / cell.vertices;
+            middle.y += cell.vertex[static_cast<std::size_t>(i)].y / cell.vertices;
+        }
+        sum->second.middle = middle;
+    }
+    for (const auto& [id, sum] : sums_) {
+        const auto from = [](double middle) {
+            return std::clamp(static_cast<std::int32_t>(middle), 0, kSubpixel - 1);
+        };
+        const double share = sum.area / kBox;
+        found_.push_back({id, static_cast<float>(share > 1 - 0x1p-24 ? 1.0 : share),
+                          from(sum.middle.x), from(sum.middle.y)});
+    }
+    check_lanes(found_);
+    std::sort(found_.begin(), found_.end(), [](const AreaFragment& a, const AreaFragment& b) {
+        return a.share != b.share ? a.share > b.share : a.id < b.id;
+    });
+    if (!found_.empty() && found_[0].share == 1.0F)
+        found_.erase(found_.begin() + 1, found_.end()); // the rest is rounding
+    return found_;
+}
+
+} // namespace scanout::raster

@@ -1,0 +1,58 @@
+// What lines and points are held against: the triangles that are seen under them. A line's pixel
+// shows at a sample when the line's own point there, not the sample beside it, is not behind the
+// triangle that is seen at the sample (HARD-CASES 17).
+#pragma once
+
+#include "geom/mesh.h"
+#include "raster/screen/screen.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace scanout::raster {
+
+// The plane of a triangle's depth on the screen, a pixel, and the depths between which it stays.
+struct DepthSlope {
+    double per_x = 0, per_y = 0;
+    double lowest = 0, highest = 1;
+};
+
+class LineSupport {
+public:
+    // Nothing but triangles that no line touches.
+    LineSupport() = default;
+    // The vertices of the mesh on the screen; all three must outlive the ground.
+    LineSupport(const geom::Mesh& mesh, std::span<const ScreenVertex> vertices,
+                const ScreenTransform& transform)
+        : mesh_(&mesh), vertices_(vertices), transform_(&transform) {}
+
+    enum class Contact : std::uint8_t {
+        none,
+        beside, // the triangle goes on where a face of the line ends
+        holds   // the line, or the point, lies on the triangle's face or in its plane
+    };
+    // primitive: the id of a segment or a point.
+    Contact contact(std::uint32_t triangle, std::uint32_t primitive) const;
+
+    // That of the snapped triangle, as the raster has it; of the triangle before it was cut, when
+    // it leaves the screen.
+    DepthSlope slope(std::uint32_t triangle) const;
+
+    // Is the place, in pixels, within the triangle, its edges not included?
+    bool covers(std::uint32_t triangle, double x, double y) const;
+
+private:
+    bool is_of(std::uint32_t triangle, std::span<const std::uint32_t> first) const;
+    bool in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const;
+    bool has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) const;
+    bool continues(std::uint32_t triangle, std::uint32_t first, const std::uint32_t* end) const;
+    // Before the divide, in pixels times w; those on the screen as they were snapped.
+    std::array<ClipVertex, 3> vertices_of(std::uint32_t triangle) const;
+
+    const geom::Mesh* mesh_ = nullptr;
+    std::span<const ScreenVertex> vertices_;
+    const ScreenTransform* transform_ = nullptr;
+};
+
+} // namespace scanout::raster

@@ -1,0 +1,143 @@
+// A tile's visibility buffer: at every sample the greatest depth and the id of the primitive it
+// belongs to, at a tie the lower id, or what another depth rule keeps. The choice is commutative,
+// so primitives may be drawn in any order.
+#pragma once
+
+#include "base/check.h"
+#include "raster/coverage/coverage.h"
+#include "raster/micro/deferred_triangles.h"
+#include "raster/micro/small_triangles.h"
+#include "raster/screen/primitive.h"
+#include "raster/screen/sample_pattern.h"
+#include "raster/tile/line_support.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace scanout::raster {
+
+// What a tile stores a sample: shadow maps need depth only.
+enum class TileFormat : std::uint8_t { depth_and_id, depth_only };
+
+class VisibilityTile {
+public:
+    // Clears the tile: `area` is at most kTileSize on a side. By another depth rule than the
+    // default one ids are stored in any case.
+    void reset(const image::Rect& area, int samples, const DepthRule& rule = {},
+               TileFormat format = TileFormat::depth_and_id);
+
+    // Triangles: does any of them pass the depth test (raster/coverage/coverage.h)? Pixels beyond
+    // area() count, too.
+    bool draw(const TriangleList& triangles);
+    bool draw(const BinnedList& triangles); // by the default depth rule
+    // The same, tested against hi_z before set-up: build_hi_z() when occluders are drawn, then
+    // these.
+    void build_hi_z() { raster::build_hi_z(planes()); }
+    bool draw_behind(const BinnedList& triangles);
+    // Occlusion query: is everything that is no nearer occluded in these pixels of the picture? By
+    // the default depth rule.
+    bool hides(const image::Rect& pixels, float nearest) {
+        return touched_ && raster::hides(planes(), pixels, nearest);
+    }
+    DeferredTriangles& deferred() { return deferred_; }
+    // The lists of small triangles that hold all that is visible, while what they refer to exists;
+    // null where something else may be visible, as after draw_behind().
+    const std::vector<BinnedList>* parts_alone() const { return others_ ? nullptr : &small_lists_; }
+    bool draw(std::span<const SnappedTriangle> triangles);
+    bool draw(const Triangle& triangle);
+    bool draw(const ClippedSetup& clipped);
+    bool draw(const ClippedTriangle& clipped);
+    // Copies what is drawn so far, all triangles, out of a tile with the same area: lines and
+    // points that follow are depth-tested against these, not against each other's pixels, so that
+    // their order does not matter.
+    void keep_support(const VisibilityTile& from);
+    void draw(const Segment& segment, const LineSupport& support = {});
+    void draw(const Point& point, const LineSupport& support = {});
+
+    // Writes the primitive at one sample if it passes the depth test. depth: in the stored format.
+    void draw(int x, int y, int sample, float depth, std::uint32_t id) {
+        write(offset(x, y, sample), depth, id);
+    }
+    // Copies the samples of these pixels from a tile with the same area.
+    void take(const VisibilityTile& from, const image::Rect& pixels);
+
+    const image::Rect& area() const { return area_; }
+    int samples() const { return samples_; }
+    const DepthRule& rule() const { return rule_; }
+    std::span<const SampleOffset> pattern() const { return pattern_; }
+    bool empty() const { return !touched_; }
+    bool has_ids() const { return format_ == TileFormat::depth_and_id; }
+    std::size_t bytes() const {
+        return depth_.capacity() * sizeof(float) + id_.capacity() * sizeof(std::uint32_t);
+    }
+
+    // x, y: a pixel of the picture inside area(). Ids: of a tile that has them.
+    std::uint32_t id(int x, int y, int sample = 0) const {
+        CHECK(has_ids());
+        return id_[offset(x, y, sample)];
+    }
+    float depth(int x, int y, int sample = 0) const { return depth_[offset(x, y, sample)]; }
+    // A sample's plane from the tile's corner on, kTileSize pixels a row. Kernels may touch a
+    // register beyond the last plane.
+    static constexpr std::size_t kPlane = std::size_t{kTileSize} * kTileSize;
+    std::span<const std::uint32_t> ids(int sample) const {
+        CHECK(has_ids());
+        return std::span(id_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
+    }
+    std::span<const float> depths(int sample) const {
+        return std::span(depth_).subspan(static_cast<std::size_t>(sample) * kPlane, kPlane);
+    }
+
+private:
+    std::size_t offset(int x, int y, int sample) const {
+        return static_cast<std::size_t>(sample) * kPlane +
+               static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
+    }
+    image::Rect inside(const image::Rect& bounds) const;
+    TilePlanes planes() {
+        return {area_, pattern_,    depth_.data(), has_ids() ? id_.data() : nullptr,
+                rule_, hi_z_.data()};
+    }
+    // Writes the primitive at one sample if it passes the depth test.
+    void write(std::size_t sample, float depth, std::uint32_t id) {
+        const bool ids = has_ids();
+        others_ = true;
+        if (!rule_.passes(depth, id, depth_[sample], ids ? id_[sample] : 0)) return;
+        depth_[sample] = depth;
+        if (ids) id_[sample] = id;
+        touched_ = true;
+    }
+    // A pixel of a line or point: the pixel, the position on the line that it stands for, in
+    // pixels, and the depth there.
+    struct Fragment {
+        int x, y;
+        double at_x, at_y, depth;
+        std::uint32_t id;
+    };
+    struct SupportAt { // the last triangle that was tested against
+        std::uint32_t triangle = kNoPrimitive;
+        LineSupport::Contact contact = LineSupport::Contact::none;
+        DepthSlope slope;
+    };
+    void write_fragment(const Fragment& fragment, const LineSupport& support, SupportAt& under);
+
+    image::Rect area_;
+    int samples_ = 1;
+    std::span<const SampleOffset> pattern_;
+    DepthRule rule_;
+    TileFormat format_ = TileFormat::depth_and_id;
+    bool touched_ = false;
+    bool others_ = false; // something may be visible that is not in small_lists_
+    std::vector<BinnedList> small_lists_;
+    std::vector<float> depth_;
+    std::vector<std::uint32_t> id_;
+    std::array<float, (kTileSize / 8) * (kTileSize / 8)> hi_z_{}; // TilePlanes
+    std::vector<BinnedTriangle> seen_;                            // scratch of draw_behind
+    DeferredTriangles deferred_;
+    std::vector<float> support_depth_; // empty until lines or points come
+    std::vector<std::uint32_t> support_id_;
+};
+
+} // namespace scanout::raster
