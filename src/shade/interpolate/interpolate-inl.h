@@ -14,6 +14,7 @@
 #include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
 #include "simd/entries-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
@@ -50,42 +51,26 @@ enum class Normals { none, turned, unit, raw };
 // As the vertices' mix, in their space. turned: the side that the eye sees is lit, whichever way
 // the file wound it or its normals.
 template <class Of>
-SIMD_INLINE void mix_normals(Normals wanted, const Of& of, const Weights& w, F32 (&n)[3]) {
-    SIMD_FOR (int c = 0; c < 3; ++c)
-        n[c] = of.normal(w, c);
-    if (wanted == Normals::turned) {
-        const F32 side = (n[0] * of.facing(0) + n[1] * of.facing(1)) + n[2] * of.facing(2);
-        const F32 sign = select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
-        SIMD_FOR (F32& component : n)
-            component = component * sign;
-    }
+SIMD_INLINE Vec3F32 mix_normals(Normals wanted, const Of& of, const Weights& w) {
+    const Vec3F32 n = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
+    if (wanted != Normals::turned) return n;
+    const F32 side = dot(n, Vec3F32{of.facing(0), of.facing(1), of.facing(2)});
+    return n * select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
 }
 
 // Unit normals in view space.
-SIMD_INLINE void to_view(const FrameState& frame, F32 (&n)[3]) {
-    const auto row = [&](int r) SIMD_LAMBDA {
-        const auto& m = frame.normal_matrix[r];
-        return (F32(m[0]) * n[0] + F32(m[1]) * n[1]) + F32(m[2]) * n[2];
-    };
-    const F32 x = row(0), y = row(1), z = row(2);
-    const F32 length = sqrt((x * x + y * y) + z * z);
-    const auto usable = length > F32(0x1p-60F); // opposite normals can cancel: then face the eye
-    const F32 scale = F32(1.0F) / select(usable, length, F32(1.0F));
-    n[0] = select(usable, x * scale, F32(0.0F));
-    n[1] = select(usable, y * scale, F32(0.0F));
-    n[2] = select(usable, z * scale, F32(1.0F));
+SIMD_INLINE Vec3F32 to_view(const FrameState& frame, const Vec3F32& normal) {
+    const Vec3F32 turned = transformed(frame.normal_matrix, normal);
+    const F32 size = length(turned), zero = 0.0F, one = 1.0F;
+    const auto usable = size > F32(0x1p-60F); // opposite normals can cancel: then face the eye
+    return normalised(turned, size, usable, Vec3F32{zero, zero, one});
 }
 
 // Mixed normals of lanes first to end, of whatever runs, become those: a root and a quotient a
 // register take longer than all else about it, and few runs fill theirs.
 SIMD_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
-    for (int i = first; i < end; i += kLanes) {
-        F32 n[3] = {load<F32>(b.normal[0] + i), load<F32>(b.normal[1] + i),
-                    load<F32>(b.normal[2] + i)};
-        to_view(frame, n);
-        SIMD_FOR (int c = 0; c < 3; ++c)
-            store(n[c], b.normal[c] + i);
-    }
+    for (int i = first; i < end; i += kLanes)
+        store_vec3(to_view(frame, load_vec3<Vec3F32>(b.normal, i)), b.normal, i);
 }
 
 // Which attributes a block wants.
@@ -109,12 +94,7 @@ SIMD_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
 // One register of lanes from lane i on. Normals are as they mix.
 template <class Of>
 SIMD_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
-    if (want.normal != Normals::none) {
-        F32 n[3];
-        mix_normals(want.normal, of, w, n);
-        SIMD_FOR (int c = 0; c < 3; ++c)
-            store(n[c], b.normal[c] + i);
-    }
+    if (want.normal != Normals::none) store_vec3(mix_normals(want.normal, of, w), b.normal, i);
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
         store(of.uv(w, 1), b.v + i);
@@ -139,13 +119,11 @@ SIMD_INLINE bool is_flat(const Primitive& t) {
 }
 SIMD_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
                               const Run& run) {
-    F32 n[3];
-    mix_normals(want.normal, OfRun(*run.primitive), {F32(0.0F), F32(0.0F), {run.first, run.count}},
-                n);
-    if (want.normal != Normals::raw) to_view(frame, n);
+    const Weights first = {F32(0.0F), F32(0.0F), {run.first, run.count}};
+    const Vec3F32 mixed = mix_normals(want.normal, OfRun(*run.primitive), first);
+    const Vec3F32 n = want.normal != Normals::raw ? to_view(frame, mixed) : mixed;
     for (int i = run.first; i < run.first + run.count; i += kLanes)
-        SIMD_FOR (int c = 0; c < 3; ++c)
-            store(n[c], b.normal[c] + i);
+        store_vec3(n, b.normal, i);
 }
 
 // The material's own.

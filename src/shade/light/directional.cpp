@@ -11,13 +11,11 @@
 SIMD_BEGIN(scanout::shade::light)
 
 void directional_run(Block& b, const FrameState& frame) {
-    for_each_lane(b, frame, scene::LightKind::directional,
-                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
-                      const Arrival everywhere = {
-                          {F32(light.towards.x), F32(light.towards.y), F32(light.towards.z)},
-                          F32(1.0F)};
-                      store_arrival(everywhere, light, lanes, i);
-                  });
+    for_each_lane(
+        b, frame, scene::LightKind::directional,
+        [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
+            store_arrival({everywhere<Vec3F32>(light.towards), F32(1.0F)}, light, lanes, i);
+        });
 }
 
 SIMD_END

@@ -14,9 +14,7 @@ void spot_run(Block& b, const FrameState& frame) {
                   [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
                       Arrival a = arrival(b, light, i);
                       const F32 cosine =
-                          F32(0.0F) -
-                          ((a.towards[0] * F32(light.axis.x) + a.towards[1] * F32(light.axis.y)) +
-                           a.towards[2] * F32(light.axis.z));
+                          F32(0.0F) - dot(a.towards, everywhere<Vec3F32>(light.axis));
                       const float width = light.cos_inner - light.cos_outer;
                       const F32 slope = width > 0 ? 1.0F / width : 0.0F; // 0: a hard edge
                       const F32 rise = maximum((cosine - F32(light.cos_outer)) * slope, F32(0.0F));

@@ -9,7 +9,7 @@
 
 #include "shade/stage.h"
 
-#include "simd/lanes-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::light)
 
@@ -29,30 +29,24 @@ SIMD_INLINE void for_each_lane(Block& b, const FrameState& frame, scene::LightKi
 }
 
 struct Arrival {
-    F32 towards[3]; // unit
-    F32 share;      // of the light's colour
+    Vec3F32 towards; // unit
+    F32 share;       // of the light's colour
 };
 
 // By the inverse square of the distance. On the light itself there is no direction: nothing
 // arrives.
 SIMD_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int lane) {
-    const F32 x = F32(light.position.x) - load<F32>(b.position[0] + lane);
-    const F32 y = F32(light.position.y) - load<F32>(b.position[1] + lane);
-    const F32 z = F32(light.position.z) - load<F32>(b.position[2] + lane);
-    const F32 square = (x * x + y * y) + z * z;
+    const Vec3F32 way = everywhere<Vec3F32>(light.position) - load_vec3<Vec3F32>(b.position, lane);
+    const F32 square = length_squared(way);
     const F32 inverse = F32(1.0F) / sqrt(maximum(square, F32(0x1p-100F)));
     const F32 nearest = light.nearest * light.nearest;
-    return {{x * inverse, y * inverse, z * inverse},
-            F32(light.reach * light.reach) / maximum(square, nearest)};
+    return {way * inverse, F32(light.reach * light.reach) / maximum(square, nearest)};
 }
 
 SIMD_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, LightLanes& lanes,
                                int lane) {
-    for (int c = 0; c < 3; ++c)
-        store(a.towards[c], lanes.towards[c] + lane);
-    store(F32(light.colour.x) * a.share, lanes.colour[0] + lane);
-    store(F32(light.colour.y) * a.share, lanes.colour[1] + lane);
-    store(F32(light.colour.z) * a.share, lanes.colour[2] + lane);
+    store_vec3(a.towards, lanes.towards, lane);
+    store_vec3(everywhere<Vec3F32>(light.colour) * a.share, lanes.colour, lane);
 }
 
 SIMD_END

@@ -16,7 +16,7 @@ void normal_run(Block& b, const FrameState& frame) {
     const F32 along_u = map.scale.x < 0 ? -1.0F : 1.0F, along_v = map.scale.y < 0 ? -1.0F : 1.0F;
     const F32 middle = 128.0F / 255.0F;
     for (int i = 0; i < b.count; i += kLanes) {
-        const VectorN given = {(load<F32>(b.sampled[0] + i) - middle) * along_u,
+        const Vec3F32 given = {(load<F32>(b.sampled[0] + i) - middle) * along_u,
                                (load<F32>(b.sampled[1] + i) - middle) * along_v,
                                maximum(load<F32>(b.sampled[2] + i) - middle, F32(0.0F))};
         lean_normal(b, i, given);

@@ -13,63 +13,23 @@
 #include "shade/lane_triangles.h"
 
 #include "simd/entries-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::map)
-
-template <class D>
-struct Vector {
-    Float<D> x, y, z;
-
-    friend SIMD_INLINE Vector operator+(const Vector& a, const Vector& b) {
-        return {a.x + b.x, a.y + b.y, a.z + b.z};
-    }
-    friend SIMD_INLINE Vector operator-(const Vector& a, const Vector& b) {
-        return {a.x - b.x, a.y - b.y, a.z - b.z};
-    }
-    friend SIMD_INLINE Vector operator*(const Vector& a, Float<D> s) {
-        return {a.x * s, a.y * s, a.z * s};
-    }
-};
-template <class D>
-SIMD_INLINE Float<D> dot(const Vector<D>& a, const Vector<D>& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-template <class D>
-SIMD_INLINE Vector<D> cross(const Vector<D>& a, const Vector<D>& b) {
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-template <class D>
-SIMD_INLINE Vector<D> select(Mask<D> mask, const Vector<D>& yes, const Vector<D>& no) {
-    return {select(mask, yes.x, no.x), select(mask, yes.y, no.y), select(mask, yes.z, no.z)};
-}
-using Vector8 = Vector<F32x8::Tag>;
-using VectorN = Vector<F32::Tag>;
-
-template <class V>
-SIMD_INLINE V load_vector(const float (&from)[3][kPaddedBlock], int lane) {
-    using F = decltype(V::x);
-    return {load<F>(from[0] + lane), load<F>(from[1] + lane), load<F>(from[2] + lane)};
-}
-template <class V>
-SIMD_INLINE void store_vector(const V& v, float (&to)[3][kPaddedBlock], int lane) {
-    store(v.x, to[0] + lane);
-    store(v.y, to[1] + lane);
-    store(v.z, to[2] + lane);
-}
 
 // How the surface's point moves, in view space, from a pixel to the next one to the right and the
 // next one down, but for a common factor. plane: the triangle's normal; ray: to the point.
 struct Steps {
-    Vector8 right, down;
+    Vec3F32x8 right, down;
 };
-SIMD_INLINE Steps steps_on(const Vector8& plane, const Vector8& ray, bool orthographic) {
+SIMD_INLINE Steps steps_on(const Vec3F32x8& plane, const Vec3F32x8& ray, bool orthographic) {
     const F32x8 zero = 0.0F, one = 1.0F;
-    const Vector8 along = orthographic ? Vector8{zero, zero, -one} : ray;
+    const Vec3F32x8 along = orthographic ? Vec3F32x8{zero, zero, -one} : ray;
     const F32x8 facing = dot(plane, along);
     // Seen edge on there is no step to speak of; the frame below is then unusable.
     const F32x8 inverse = one / select(abs(facing) > F32x8(0x1p-60F), facing, one);
-    return {Vector8{one, zero, zero} - along * (plane.x * inverse),
-            Vector8{zero, -one, zero} + along * (plane.y * inverse)};
+    return {Vec3F32x8{one, zero, zero} - along * (plane.x * inverse),
+            Vec3F32x8{zero, -one, zero} + along * (plane.y * inverse)};
 }
 
 // Writes b.tangent: unit vectors in view space along growing u and v, at right angles to the
@@ -84,50 +44,45 @@ SIMD_INLINE void write_tangents(Block& b, const FrameState& frame) {
                 return Entries<F32x8::Tag>(t.of_lane + i, run->first + run->count - i)
                     .of(t.facing[c]);
             };
-            const F32x8 f[3] = {facing(0), facing(1), facing(2)};
-            const auto row = [&](int r) SIMD_LAMBDA {
-                const auto& m = frame.normal_matrix[r];
-                return (F32x8(m[0]) * f[0] + F32x8(m[1]) * f[1]) + F32x8(m[2]) * f[2];
-            };
-            const Vector8 plane = {row(0), row(1), row(2)};
-            const Vector8 ray = {load<F32x8>(b.ray_x + i), load<F32x8>(b.ray_y + i), -one};
+            const Vec3F32x8 plane =
+                transformed(frame.normal_matrix, Vec3F32x8{facing(0), facing(1), facing(2)});
+            const Vec3F32x8 ray = {load<F32x8>(b.ray_x + i), load<F32x8>(b.ray_y + i), -one};
             const Steps step = steps_on(plane, ray, frame.orthographic);
             const F32x8 u_x = load<F32x8>(b.u_x + i), v_x = load<F32x8>(b.v_x + i),
                         u_y = load<F32x8>(b.u_y + i), v_y = load<F32x8>(b.v_y + i);
             const F32x8 turned = select(u_x * v_y - u_y * v_x < zero, -one, one);
-            const Vector8 along_u = (step.right * v_y - step.down * v_x) * turned;
-            const Vector8 along_v = (step.down * u_x - step.right * u_y) * turned;
-            const Vector8 normal = load_vector<Vector8>(b.normal, i);
+            const Vec3F32x8 along_u = (step.right * v_y - step.down * v_x) * turned;
+            const Vec3F32x8 along_v = (step.down * u_x - step.right * u_y) * turned;
+            const Vec3F32x8 normal = load_vec3<Vec3F32x8>(b.normal, i);
             // Duff et al.
             const F32x8 sign = select(normal.z < zero, -one, one);
             const F32x8 a = -one / (sign + normal.z), c = normal.x * normal.y * a;
-            const Vector8 any_u = {one + sign * normal.x * normal.x * a, sign * c,
-                                   -(sign * normal.x)};
-            const Vector8 flat = along_u - normal * dot(normal, along_u);
-            const F32x8 size = sqrt(dot(flat, flat));
+            const Vec3F32x8 any_u = {one + sign * normal.x * normal.x * a, sign * c,
+                                     -(sign * normal.x)};
+            const Vec3F32x8 flat = along_u - normal * dot(normal, along_u);
+            const F32x8 size = length(flat);
             const auto usable = (size > F32x8(0x1p-40F)) & (size < F32x8(0x1p60F));
-            const Vector8 u = select(usable, flat * (one / select(usable, size, one)), any_u);
-            const Vector8 v = cross(normal, u);
+            const Vec3F32x8 u = normalised(flat, size, usable, any_u);
+            const Vec3F32x8 v = cross(normal, u);
             const auto mirrored = usable & (dot(v, along_v) < zero);
-            store_vector(u, b.tangent[0], i);
-            store_vector(select(mirrored, v * -one, v), b.tangent[1], i);
+            store_vec3(u, b.tangent[0], i);
+            store_vec3(select(mirrored, v * -one, v), b.tangent[1], i);
         }
     }
 }
 
 // The normal whose components along b.tangent and b.normal are given; of any length. Where it does
 // not lean, the normal stays as it is, to the bit.
-SIMD_INLINE void lean_normal(Block& b, int lane, const VectorN& given) {
-    const F32 zero = 0.0F, one = 1.0F;
-    const VectorN normal = load_vector<VectorN>(b.normal, lane);
-    const VectorN leant = (load_vector<VectorN>(b.tangent[0], lane) * given.x +
-                           load_vector<VectorN>(b.tangent[1], lane) * given.y) +
+SIMD_INLINE void lean_normal(Block& b, int lane, const Vec3F32& given) {
+    const F32 zero = 0.0F;
+    const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, lane);
+    const Vec3F32 leant = (load_vec3<Vec3F32>(b.tangent[0], lane) * given.x +
+                           load_vec3<Vec3F32>(b.tangent[1], lane) * given.y) +
                           normal * given.z;
-    const F32 length = sqrt(dot(leant, leant));
+    const F32 size = length(leant);
     const auto straight = (given.x == zero) & (given.y == zero);
-    const auto usable = (length > F32(0x1p-20F)) & !straight;
-    const F32 scale = one / select(usable, length, one);
-    store_vector(select(usable, leant * scale, normal), b.normal, lane);
+    const auto usable = (size > F32(0x1p-20F)) & !straight;
+    store_vec3(normalised(leant, size, usable, normal), b.normal, lane);
 }
 
 SIMD_END

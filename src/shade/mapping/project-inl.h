@@ -10,22 +10,17 @@
 #endif
 
 #include "shade/footprint-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::mapping)
 
 // A place on the model, object space: the model's middle is the origin, its corners lie within 1.
-struct Place {
-    F32x8 x, y, z;
-};
+using Place = Vec3F32x8;
 // u, v, and how they change along x, y and z.
 struct Projected {
     F32x8 u, v;
-    Place u_by, v_by;
+    Vec3F32x8 u_by, v_by;
 };
-
-SIMD_INLINE F32x8 dot(const Place& a, const Place& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
 
 // No further than the triangle's vertices, whatever rounding says; where a sample lies so close
 // beside a clipped triangle that no weight is left, the place is not a number until here.
@@ -48,8 +43,8 @@ SIMD_INLINE void project_lanes(Block& b, const FrameState& frame, Project projec
             store(p.u, b.u + i);
             store(p.v, b.v + i);
             if (!frame.attributes.footprint) continue;
-            const Place right = {at.right[0], at.right[1], at.right[2]},
-                        down = {at.down[0], at.down[1], at.down[2]};
+            const Vec3F32x8 right = {at.right[0], at.right[1], at.right[2]},
+                            down = {at.down[0], at.down[1], at.down[2]};
             const auto bounded = [](F32x8 x) SIMD_LAMBDA {
                 return minimum(maximum(x, F32x8(-0x1p60F)), F32x8(0x1p60F));
             };
@@ -64,7 +59,7 @@ SIMD_INLINE void project_lanes(Block& b, const FrameState& frame, Project projec
 // Around the y axis: 0 behind, 1/2 in front (+z), growing to the right.
 struct Around {
     F32x8 u, distance; // from the axis
-    Place u_by;
+    Vec3F32x8 u_by;
 };
 SIMD_INLINE Around around_y(const Place& p) {
     constexpr float kPerTurn = 0.15915494F; // 1 / 2 pi

@@ -11,10 +11,10 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct BlinnPhong {
-    SIMD_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+    SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
         return half_vector_cosine(normal, eye, light);
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vector&, const Vector&, int) const { return lobe; }
+    SIMD_INLINE F32 share(F32 lobe, const Vec3F32&, const Vec3F32&, int) const { return lobe; }
 };
 
 void blinn_phong_run(Block& b, const FrameState& frame) {

@@ -16,10 +16,10 @@ SIMD_BEGIN(scanout::shade::reflection)
 
 struct BlinnPhongNormalised {
     const float (&factor)[kPaddedBlock];
-    SIMD_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+    SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
         return half_vector_cosine(normal, eye, light);
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vector& normal, const Vector& light, int lane) const {
+    SIMD_INLINE F32 share(F32 lobe, const Vec3F32& normal, const Vec3F32& light, int lane) const {
         const F32 falls = maximum(dot(normal, light), F32(0.0F));
         return load<F32>(factor + lane) * falls * lobe;
     }

@@ -52,9 +52,11 @@ void find_mirrors(const Block& b, Mirrors& out) {
 }
 
 // What a surface that is no metal mirrors straight on.
-SIMD_INLINE F32 straight_on(const Block& b, const Mirrors& m, int channel, int lane) {
-    if (m.physical) return F32(0.04F);
-    return minimum(maximum(specular_at(b, channel, lane), F32(0.0F)), F32(1.0F));
+SIMD_INLINE Vec3F32 straight_on(const Block& b, const Mirrors& m, int lane) {
+    if (m.physical) return splat(F32(0.04F));
+    const Vec3F32 ks = specular_at(b, lane);
+    const auto share = [](F32 a) SIMD_LAMBDA { return minimum(maximum(a, F32(0.0F)), F32(1.0F)); };
+    return {share(ks.x), share(ks.y), share(ks.z)};
 }
 
 SIMD_INLINE F32 metal_at(const Block& b, const Mirrors& m, int lane) {
@@ -69,14 +71,11 @@ SIMD_INLINE F32 schlick(F32 x) {
 }
 
 // pi D V n.l: what mirrors would reflect if each reflected all.
-SIMD_INLINE F32 mirrored(const Vector& normal, const Vector& half, F32 half_square, F32 n_e,
+SIMD_INLINE F32 mirrored(const Vec3F32& normal, const Vec3F32& half, F32 half_square, F32 n_e,
                          F32 n_l, F32 alpha2) {
     // 1 - (n.h)^2 as the square of n x h: nothing cancels where the highlight is sharp.
-    const F32 x = normal.y * half.z - normal.z * half.y;
-    const F32 y = normal.z * half.x - normal.x * half.z;
-    const F32 z = normal.x * half.y - normal.y * half.x;
-    const F32 n_h = dot(normal, half);
-    const F32 spread = (((x * x + y * y) + z * z) + alpha2 * (n_h * n_h)) / half_square;
+    const F32 sine_square = length_squared(cross(normal, half)), n_h = dot(normal, half);
+    const F32 spread = (sine_square + alpha2 * (n_h * n_h)) / half_square;
     const F32 d = maximum(spread, F32(0.5F) * alpha2); // only what is no unit normal is less
     const F32 rest = F32(1.0F) - alpha2;
     const F32 seen = n_l * sqrt(n_e * n_e * rest + alpha2);
@@ -90,38 +89,31 @@ void ggx_run(Block& b, const FrameState& frame) {
     Mirrors m;
     find_mirrors(b, m);
     const F32 one = 1.0F;
-    const float ambient[3] = {b.ambient.x, b.ambient.y, b.ambient.z};
     const std::size_t light_count = frame.lights.size();
     for (int i = 0; i < b.count; i += kLanes) {
-        const Vector eye = eye_at(b, frame, i), normal = normal_at(b, i);
+        const Vec3F32 eye = eye_at(b, frame, i), normal = load_vec3<Vec3F32>(b.normal, i);
         const F32 alpha = load<F32>(m.alpha + i), alpha2 = alpha * alpha;
         const F32 metal = metal_at(b, m, i), other = one - metal;
-        const F32 f0_of[3] = {straight_on(b, m, 0, i), straight_on(b, m, 1, i),
-                              straight_on(b, m, 2, i)};
+        const Vec3F32 f0 = straight_on(b, m, i), enters = splat(one) - f0;
         const F32 n_e = minimum(maximum(dot(normal, eye), F32(0x1p-10F)), one);
         const F32 leaves = one - schlick(n_e);
         // Part of the albedo that comes back, and what comes back without it.
-        F32 tinted[3] = {F32(ambient[0]), F32(ambient[1]), F32(ambient[2])};
-        F32 plain[3] = {F32(0.0F), F32(0.0F), F32(0.0F)};
+        Vec3F32 tinted = everywhere<Vec3F32>(b.ambient), plain = splat(F32(0.0F));
         for (std::size_t k = 0; k < light_count; ++k) {
             const Light l = light_at(b, frame, k, i);
-            const Vector light = towards(l);
-            const F32 n_l = minimum(maximum(dot(normal, light), F32(0.0F)), one);
-            const Vector half = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
-            const F32 half_square = maximum(dot(half, half), F32(0x1p-40F));
+            const F32 n_l = minimum(maximum(dot(normal, l.towards), F32(0.0F)), one);
+            const Vec3F32 half = eye + l.towards;
+            const F32 half_square = maximum(length_squared(half), F32(0x1p-40F));
             const F32 all = mirrored(normal, half, half_square, n_e, n_l, alpha2);
             const F32 grazing = schlick(F32(0.5F) * sqrt(half_square)); // e.h = |e + l| / 2
             const F32 scattered = other * (one - schlick(n_l)) * leaves * n_l;
-            for (int c = 0; c < 3; ++c) {
-                const F32 f0 = f0_of[c], enters = one - f0;
-                const F32 fresnel = f0 + enters * grazing;
-                tinted[c] = tinted[c] + l.colour[c] * (scattered * (enters * enters) +
-                                                       metal * (one - grazing) * all);
-                plain[c] = plain[c] + l.colour[c] * ((other * fresnel + metal * grazing) * all);
-            }
+            const Vec3F32 fresnel = f0 + enters * grazing;
+            const Vec3F32 of_albedo =
+                (enters * enters) * scattered + splat(metal * (one - grazing) * all);
+            tinted = tinted + l.colour * of_albedo;
+            plain = plain + l.colour * ((fresnel * other + splat(metal * grazing)) * all);
         }
-        for (int c = 0; c < 3; ++c)
-            store(load<F32>(b.albedo[c] + i) * tinted[c] + plain[c], b.colour[c] + i);
+        store_vec3(load_vec3<Vec3F32>(b.albedo, i) * tinted + plain, b.colour, i);
     }
 }
 

@@ -11,30 +11,14 @@
 
 SIMD_BEGIN(scanout::shade::reflection)
 
-struct Vector {
-    F32 x, y, z;
-};
-SIMD_INLINE F32 dot(const Vector& a, const Vector& b) {
-    return (a.x * b.x + a.y * b.y) + a.z * b.z;
-}
-SIMD_INLINE Vector towards(const Light& light) {
-    return {light.towards[0], light.towards[1], light.towards[2]};
-}
-
 // Unit, from the surface.
-SIMD_INLINE Vector eye_at(const Block& b, const FrameState& frame, int lane) {
+SIMD_INLINE Vec3F32 eye_at(const Block& b, const FrameState& frame, int lane) {
+    const F32 zero = 0.0F, one = 1.0F;
     if (b.eye != nullptr)
         return {load<F32>(b.eye[0] + lane), load<F32>(b.eye[1] + lane), load<F32>(b.eye[2] + lane)};
-    const F32 zero = 0.0F;
-    const F32 rx = frame.orthographic ? zero : load<F32>(b.ray_x + lane);
-    const F32 ry = frame.orthographic ? zero : load<F32>(b.ray_y + lane);
-    const F32 inverse = F32(1.0F) / sqrt((rx * rx + ry * ry) + F32(1.0F));
-    return {-rx * inverse, -ry * inverse, inverse};
-}
-
-SIMD_INLINE Vector normal_at(const Block& b, int lane) {
-    return {load<F32>(b.normal[0] + lane), load<F32>(b.normal[1] + lane),
-            load<F32>(b.normal[2] + lane)};
+    const Vec3F32 back = {-(frame.orthographic ? zero : load<F32>(b.ray_x + lane)),
+                          -(frame.orthographic ? zero : load<F32>(b.ray_y + lane)), one};
+    return back * (one / length(back));
 }
 
 // Ns of a lane: the material's own, or what its map made of it. Exponent 0 would shine on all of a
@@ -48,9 +32,10 @@ SIMD_INLINE F32 exponent_at(const Block& b, int lane) {
     return maximum(ns_at(b, lane), F32(1.0F));
 }
 // Ks of a lane, likewise.
-SIMD_INLINE F32 specular_at(const Block& b, int channel, int lane) {
-    const F32 ks = b.map[kSpecularMap].texture != nullptr ? load<F32>(b.specular[channel] + lane)
-                                                          : F32(b.material->specular[channel]);
+SIMD_INLINE Vec3F32 specular_at(const Block& b, int lane) {
+    const Vec3F32 ks = b.map[kSpecularMap].texture != nullptr
+                           ? load_vec3<Vec3F32>(b.specular, lane)
+                           : everywhere<Vec3F32>(b.material->specular);
     return ks * minimum(ns_at(b, lane), F32(1.0F));
 }
 
@@ -71,7 +56,8 @@ SIMD_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&o
 
 // Of some lanes.
 struct Gloss {
-    F32 ks[3], exponent;
+    Vec3F32 ks;
+    F32 exponent;
 };
 
 // Of a light, at all lanes. Three passes: a register's way through one of them is a chain of some
@@ -83,8 +69,8 @@ SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const Ligh
                                 int end) {
     alignas(64) float cosine[kPaddedBlock], log_power[kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
-        const Vector eye = {load<F32>(eyes[0] + i), load<F32>(eyes[1] + i), load<F32>(eyes[2] + i)};
-        store(highlight.cosine(normal_at(b, i), eye, towards(light(i))), cosine + i);
+        const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, i), eye = load_vec3<Vec3F32>(eyes, i);
+        store(highlight.cosine(normal, eye, light(i).towards), cosine + i);
     }
     for (int i = first; i < end; i += kLanes)
         store(gloss.exponent * log2_of_share(minimum(F32(1.0F), load<F32>(cosine + i))),
@@ -92,11 +78,9 @@ SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const Ligh
     for (int i = first; i < end; i += kLanes) {
         const Light& l = light(i);
         const F32 lobe = exp2_to_share(load<F32>(log_power + i));
-        const F32 share = highlight.share(lobe, normal_at(b, i), towards(l), i);
-        store_colour({load<F32>(b.colour[0] + i) + (l.colour[0] * gloss.ks[0]) * share,
-                      load<F32>(b.colour[1] + i) + (l.colour[1] * gloss.ks[1]) * share,
-                      load<F32>(b.colour[2] + i) + (l.colour[2] * gloss.ks[2]) * share},
-                     b, i);
+        const F32 share = highlight.share(lobe, load_vec3<Vec3F32>(b.normal, i), l.towards, i);
+        const Vec3F32 below = load_vec3<Vec3F32>(b.colour, i);
+        store_vec3(below + (l.colour * gloss.ks) * share, b.colour, i);
     }
 }
 
@@ -107,14 +91,11 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight
                               const Gloss& of_lanes, int first, int end) {
     const std::size_t light_count = frame.lights.size();
     const Gloss gloss = of_lanes; // no store writes to it
-    const Colour ambient = ambient_of(b);
+    const Vec3F32 ambient = ambient_of(b);
     alignas(64) float eyes[3][kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
-        const Vector eye = eye_at(b, frame, i);
-        store(eye.x, eyes[0] + i);
-        store(eye.y, eyes[1] + i);
-        store(eye.z, eyes[2] + i);
-        store_colour(diffuse_at(b, frame, ambient, light_count, i), b, i);
+        store_vec3(eye_at(b, frame, i), eyes, i);
+        store_vec3(diffuse_at(b, frame, ambient, light_count, i), b.colour, i);
     }
     for (std::size_t k = 0; k < light_count; ++k) {
         const auto add = [&](const auto& light) SIMD_LAMBDA {
@@ -146,18 +127,18 @@ SIMD_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
         b.map[kSpecularMap].texture != nullptr || b.map[kShininessMap].texture != nullptr;
     const int step = mapped ? kLanes : b.count;
     for (int i = 0; i < b.count; i += step) {
-        const Gloss gloss = {{specular_at(b, 0, i), specular_at(b, 1, i), specular_at(b, 2, i)},
-                             exponent_at(b, i)};
+        const Gloss gloss = {specular_at(b, i), exponent_at(b, i)};
         light_lanes(b, frame, highlight, gloss, i, i + step);
     }
 }
 
 // n.h, h halfway between eye and light.
-SIMD_INLINE F32 half_vector_cosine(const Vector& normal, const Vector& eye, const Vector& light) {
-    const Vector h = {eye.x + light.x, eye.y + light.y, eye.z + light.z};
-    const F32 length = sqrt((h.x * h.x + h.y * h.y) + h.z * h.z);
-    // length 0: the light shines straight into the eye through the surface; no highlight.
-    return select(length > F32(0x1p-20F), dot(normal, h) / length, F32(0.0F));
+SIMD_INLINE F32 half_vector_cosine(const Vec3F32& normal, const Vec3F32& eye,
+                                   const Vec3F32& light) {
+    const Vec3F32 h = eye + light;
+    const F32 size = length(h);
+    // 0: the light shines straight into the eye through the surface; no highlight.
+    return select(size > F32(0x1p-20F), dot(normal, h) / size, F32(0.0F));
 }
 
 SIMD_END

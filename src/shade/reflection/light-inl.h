@@ -8,13 +8,13 @@
 
 #include "shade/stage.h"
 
-#include "simd/lanes-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct Light {
-    F32 towards[3]; // unit, view space
-    F32 colour[3];  // linear
+    Vec3F32 towards; // unit, view space
+    Vec3F32 colour;  // linear
 };
 
 SIMD_INLINE bool varies(const FrameState& frame, std::size_t k) {
@@ -23,16 +23,12 @@ SIMD_INLINE bool varies(const FrameState& frame, std::size_t k) {
 // Of a light that does not vary.
 SIMD_INLINE Light light_everywhere(const FrameState& frame, std::size_t k) {
     const scene::ViewLight& l = frame.lights.data()[k];
-    return {{F32(l.towards.x), F32(l.towards.y), F32(l.towards.z)},
-            {F32(l.colour.x), F32(l.colour.y), F32(l.colour.z)}};
+    return {everywhere<Vec3F32>(l.towards), everywhere<Vec3F32>(l.colour)};
 }
 SIMD_INLINE Light light_at(const Block& b, const FrameState& frame, std::size_t k, int lane) {
     if (!varies(frame, k)) return light_everywhere(frame, k);
     const LightLanes& l = b.light.data()[k];
-    return {{load<F32>(l.towards[0] + lane), load<F32>(l.towards[1] + lane),
-             load<F32>(l.towards[2] + lane)},
-            {load<F32>(l.colour[0] + lane), load<F32>(l.colour[1] + lane),
-             load<F32>(l.colour[2] + lane)}};
+    return {load_vec3<Vec3F32>(l.towards, lane), load_vec3<Vec3F32>(l.colour, lane)};
 }
 
 SIMD_END

@@ -12,12 +12,12 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 struct Phong {
-    SIMD_INLINE F32 cosine(const Vector& normal, const Vector& eye, const Vector& light) const {
+    SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
         const F32 n_l = dot(normal, light);
         const F32 between = F32(2.0F) * n_l * dot(normal, eye) - dot(light, eye);
         return select(n_l > F32(0.0F), between, F32(0.0F));
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vector&, const Vector&, int) const { return lobe; }
+    SIMD_INLINE F32 share(F32 lobe, const Vec3F32&, const Vec3F32&, int) const { return lobe; }
 };
 
 void phong_run(Block& b, const FrameState& frame) {

@@ -44,42 +44,34 @@ struct MapPlane {
 };
 
 SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
-    F64 n[3], p[3], extent = 0.0;
-    SIMD_FOR (int r = 0; r < 3; ++r) {
-        const F64 row[3] = {double{m.turn[r][0]}, double{m.turn[r][1]}, double{m.turn[r][2]}};
-        const F64 move = double{m.move[r]};
-        n[r] = dot(row, facing.normal);
-        p[r] = dot(row, facing.corner[0]) + move;
-        extent = maximum(extent, abs(move));
-        SIMD_FOR (int k = 0; k < 3; ++k)
-            extent = maximum(extent, abs(facing.corner[k][r]));
-    }
+    const Vec3F64 move = everywhere<Vec3F64>(m.move), n = transformed(m.turn, facing.normal),
+                  p = transformed(m.turn, facing.corner[0]) + move;
+    F64 extent = greatest(abs(move));
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        extent = maximum(extent, greatest(abs(facing.corner[k])));
     // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
     // half a unit in the last place of the largest term.
     const F64 error = extent * F64(0x1p-21), scale = double{m.depth_scale}, zero = 0.0;
-    const F64 length = maximum(maximum(abs(n[0]), abs(n[1])), abs(n[2]));
+    const F64 length = greatest(abs(n));
     F64 to_depth;
     if (m.perspective) {
         // n.(x, y, -w) = d, so 1 / w = (n_x x/w + n_y y/w - n_z) / d; d < 0 on the lit side.
-        const F64 reach = maximum(maximum(abs(p[0]), abs(p[1])), abs(p[2]));
+        const F64 reach = greatest(abs(p));
         to_depth = scale / -maximum(-dot(n, p), length * reach * F64(1 / kSteepest));
     } else {
-        to_depth = -scale / maximum(n[2], length * F64(1 / kSteepest));
+        to_depth = -scale / maximum(n.z, length * F64(1 / kSteepest));
     }
     F64 nearest = 0.0;
     SIMD_FOR (int k = 0; k < 3; ++k) {
-        F64 depth = 0.0;
-        SIMD_FOR (int c = 0; c < 3; ++c)
-            depth = depth + F64(double{m.turn[2][c]}) * facing.corner[k][c];
-        depth = depth + F64(double{m.move[2]});
+        F64 depth = dot(everywhere<Vec3F64>(m.turn[2]), facing.corner[k]) + move.z;
         if (m.perspective) // else beside the light, or behind it
             depth = select(depth < zero, scale / -depth, F64(0x1p100));
         else
             depth = depth * scale + F64(double{m.depth_offset});
         nearest = maximum(nearest, depth);
     }
-    const F64 per_x = n[0] * to_depth * F64(1 / double{m.scale_x}),
-              per_y = -(n[1] * to_depth) * F64(1 / double{m.scale_y});
+    const F64 per_x = n.x * to_depth * F64(1 / double{m.scale_x}),
+              per_y = -(n.y * to_depth) * F64(1 / double{m.scale_y});
     // In perspective x / w errs by error (1 + |x / w|) / w, and |x / w| stays below 1.5.
     const F64 slope = abs(per_x) + abs(per_y);
     const F64 texels = F64(double{m.scale_x > m.scale_y ? m.scale_x : m.scale_y}) * error *
@@ -115,23 +107,20 @@ struct Receiver {
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
 SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
                               Mask<F32::Tag>& inside) {
-    const F32 px = load<F32>(b.position[0] + i), py = load<F32>(b.position[1] + i),
-              pz = load<F32>(b.position[2] + i);
-    const auto row = [&](int r) SIMD_LAMBDA {
-        return ((F32(m.turn[r][0]) * px + F32(m.turn[r][1]) * py) + F32(m.turn[r][2]) * pz) +
-               F32(m.move[r]);
-    };
-    const F32 one = 1.0F, lx = row(0), ly = row(1), lz = row(2);
+    const Vec3F32 place = transformed(m.turn, load_vec3<Vec3F32>(b.position, i)) +
+                          everywhere<Vec3F32>(m.move); // as the light sees it
+    const F32 one = 1.0F;
     const F32 middle = 0.5F * static_cast<float>(m.size), half = m.half;
-    F32 inverse = one, depth = lz * F32(m.depth_scale) + F32(m.depth_offset);
+    F32 inverse = one, depth = place.z * F32(m.depth_scale) + F32(m.depth_offset);
     inside = one == one;
     if (m.perspective) {
-        const F32 w = F32(0.0F) - lz;
+        const F32 w = F32(0.0F) - place.z;
         inside = w > F32(0x1p-40F);
         inverse = one / select(inside, w, one);
         depth = F32(m.depth_scale) * inverse;
     }
-    const F32 right = (lx * inverse) * F32(m.scale_x), up = (ly * inverse) * F32(m.scale_y);
+    const F32 right = (place.x * inverse) * F32(m.scale_x),
+              up = (place.y * inverse) * F32(m.scale_y);
     inside = inside & (abs(right) <= half) & (abs(up) <= half);
     Receiver r;
     r.x = select(inside, middle + right, middle);

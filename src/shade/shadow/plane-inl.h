@@ -12,13 +12,14 @@
 #include "shade/stage.h"
 
 #include "simd/entries-inl.h"
+#include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::shadow)
 
 // The triangles of a register of lanes, in view space.
 struct Facing {
-    F64 normal[3]; // towards the eye
-    F64 corner[3][3];
+    Vec3F64 normal; // towards the eye
+    Vec3F64 corner[3];
     F64::DoubleMask lit; // the light stands on the side that the eye sees
 };
 
@@ -35,29 +36,17 @@ struct OfLanes {
     SIMD_INLINE F32 position(int c, int k) const { return entries.of(t.position[c][k]); }
 };
 
-SIMD_INLINE F64 dot(const F64 (&a)[3], const F64 (&b)[3]) {
-    return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
-}
-
 template <class Of>
 SIMD_INLINE Facing facing_of(const Of& of, const FrameState& frame, const scene::ViewLight& light) {
     Facing f;
-    F64 own[3];
-    SIMD_FOR (int c = 0; c < 3; ++c)
-        own[c] = to_f64(of.facing(c));
-    SIMD_FOR (int r = 0; r < 3; ++r) {
-        const float* row = frame.normal_matrix[r];
-        f.normal[r] = dot({double{row[0]}, double{row[1]}, double{row[2]}}, own);
-        SIMD_FOR (int k = 0; k < 3; ++k)
-            f.corner[k][r] = to_f64(of.position(r, k));
-    }
-    const bool everywhere = light.kind == scene::LightKind::directional;
-    const Vec3& from = everywhere ? light.towards : light.position;
-    F64 way[3] = {double{from.x}, double{from.y}, double{from.z}};
-    if (!everywhere) {
-        SIMD_FOR (int c = 0; c < 3; ++c)
-            way[c] = way[c] - f.corner[0][c];
-    }
+    f.normal = transformed(frame.normal_matrix, Vec3F64{to_f64(of.facing(0)), to_f64(of.facing(1)),
+                                                        to_f64(of.facing(2))});
+    SIMD_FOR (int k = 0; k < 3; ++k)
+        f.corner[k] = {to_f64(of.position(0, k)), to_f64(of.position(1, k)),
+                       to_f64(of.position(2, k))};
+    const bool parallel = light.kind == scene::LightKind::directional;
+    Vec3F64 way = everywhere<Vec3F64>(parallel ? light.towards : light.position);
+    if (!parallel) way = way - f.corner[0];
     f.lit = dot(f.normal, way) > F64(0.0);
     return f;
 }
@@ -97,8 +86,7 @@ SIMD_INLINE void shadow_lanes(Block& b, const FrameState& frame, Share share) {
         LightLanes& lanes = b.light.data()[k];
         for (int i = 0; i < b.count; i += kLanes) {
             const F32 s = load<F32>(left + i);
-            for (int c = 0; c < 3; ++c)
-                store(load<F32>(lanes.colour[c] + i) * s, lanes.colour[c] + i);
+            store_vec3(load_vec3<Vec3F32>(lanes.colour, i) * s, lanes.colour, i);
         }
     }
 }
