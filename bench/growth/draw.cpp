@@ -43,9 +43,9 @@ double peak_megabytes() {
 struct Asked {
     std::string model;
     int width = 0, height = 0, threads = 0;
-    double seconds = 0; // of frames; at least kLeastFrames whatever they take
+    double seconds = 0; // of frames; at least kMinFrames whatever they take
 };
-constexpr std::size_t kLeastFrames = 5;
+constexpr std::size_t kMinFrames = 5;
 constexpr int kTurn = 36; // frames of a full turn: triangles are not always seen from one side
 
 constexpr double kSumsPart = 0.035; // about; milliseconds
@@ -83,7 +83,7 @@ Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
     int parts = 1;
     const Stopwatch all;
     for (int number = 0;
-         times.cpu.size() < kLeastFrames || all.milliseconds() < asked.seconds * 1e3; ++number) {
+         times.cpu.size() < kMinFrames || all.milliseconds() < asked.seconds * 1e3; ++number) {
         scene::Pose pose;
         pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * number / kTurn);
         const Stopwatch watch;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kBatch = 5, kWarm = 2;
 constexpr int kProcesses = 7; // that draw a first frame
-constexpr int kMostCores = 8; // that are asked which is the quietest
+constexpr int kMaxCores = 8; // that are asked which is the quietest
 
 // The views that are compared, in twelfths of a turn.
 constexpr std::array kCompared = {10, 7, 4, 1};
@@ -37,7 +37,7 @@ Result<void> save(const PicturePair& pair, const Load& load, int twelfth,
 Result<void> choose_core(Ours& ours, Theirs& theirs, const scene::View& view) {
     int best = 0;
     double least = 0;
-    for (int core = 0; core < std::min(cores(), kMostCores); ++core) {
+    for (int core = 0; core < std::min(cores(), kMaxCores); ++core) {
         stay_on_one_core(core);
         Times both;
         Result<void> drawn;

@@ -36,11 +36,11 @@ void judge_load(Judge& judge, const Load& load, const Duel& duel) {
     if (load.gate > 0)
         judge.gate(duel.ratio() >= load.gate, "{}: {:.2f}x, the gate is {}x", load.name,
                    duel.ratio(), load.gate);
-    judge.gate(difference.flip <= kMostFlip, "{}: the pictures differ by FLIP {:.4f}, more than {}",
-               load.name, difference.flip, kMostFlip);
-    judge.gate(difference.one_sided <= kMostOneSided,
+    judge.gate(difference.flip <= kMaxFlip, "{}: the pictures differ by FLIP {:.4f}, more than {}",
+               load.name, difference.flip, kMaxFlip);
+    judge.gate(difference.one_sided <= kMaxOneSided,
                "{}: one side alone covers {:.2f} % of the pixels that either does, more than {} %",
-               load.name, difference.one_sided * 100, kMostOneSided * 100);
+               load.name, difference.one_sided * 100, kMaxOneSided * 100);
     if (has_first_frame(load) && duel.first == 0)
         judge.miss("{}: not judged: no process drew its first frame", load.name);
     else if (has_first_frame(load))

@@ -27,7 +27,7 @@ inline constexpr double kFloorGate = 4, kFloorGoal = 2;
 
 // Above these both sides do not show the same (compare.h). At 1920x1080 one pixel at
 // most is one side's alone; with four samples, some of which lie on edges, 0.06 % of them.
-inline constexpr double kMostFlip = 0.05, kMostOneSided = 0.005;
+inline constexpr double kMaxFlip = 0.05, kMaxOneSided = 0.005;
 
 // What a figure reaches: "goal met", "gate met, goal short by 1.20x", "MISSED by 1.10x".
 std::string verdict(double value, double gate, double goal, bool less_is_better = false);

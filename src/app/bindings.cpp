@@ -225,9 +225,9 @@ void Binder::motion(const port::Event& event) {
     const double dx = absolute ? event.x * width_ - x_ : event.x;
     const double dy = absolute ? event.y * height_ - y_ : event.y;
     if (!std::isfinite(dx) || !std::isfinite(dy)) return;
-    constexpr double kMost = 1e6; // pixels: no hand drags further, and ints can hold it
-    drag_x_ = std::clamp(drag_x_ + dx, -kMost, kMost);
-    drag_y_ = std::clamp(drag_y_ + dy, -kMost, kMost);
+    constexpr double kMax = 1e6; // pixels: no hand drags further, and ints can hold it
+    drag_x_ = std::clamp(drag_x_ + dx, -kMax, kMax);
+    drag_y_ = std::clamp(drag_y_ + dy, -kMax, kMax);
     x_ = std::clamp(x_ + dx, 0.0, width_ - 1.0);
     y_ = std::clamp(y_ + dy, 0.0, height_ - 1.0);
     moved_ = true;

@@ -30,7 +30,7 @@ std::string keys_text();
 
 inline constexpr int kRepeatDelaySteps = 36; // 600 ms
 inline constexpr int kRepeatsPerSecond = 25;
-inline constexpr int kMostRepeatsAtOnce = 8; // after a stall
+inline constexpr int kMaxRepeatsAtOnce = 8; // after a stall
 
 // Turns the machine's events into actions. Holds what a hand holds: a key, a button, a modifier.
 class Binder {

@@ -71,9 +71,9 @@ const std::vector<image::Rect>& Composer::take_damage() {
 void Composer::damage(const image::Rect& area) {
     if (area.empty() || std::find(damage_.begin(), damage_.end(), area) != damage_.end()) return;
     // Frames that are not shown at once pile their damage up: many small ones become one.
-    constexpr std::size_t kMost = 8;
+    constexpr std::size_t kMax = 8;
     damage_.push_back(area);
-    if (damage_.size() <= kMost) return;
+    if (damage_.size() <= kMax) return;
     image::Rect all = damage_.front();
     for (const image::Rect& r : damage_)
         all = {std::min(all.x0, r.x0), std::min(all.y0, r.y0), std::max(all.x1, r.x1),

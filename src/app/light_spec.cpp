@@ -48,12 +48,12 @@ Result<void> read_colour(Light& light, std::string_view text) {
     return {};
 }
 Result<void> read_power(Light& light, std::string_view text) {
-    TRY(light.power, number_between(text, 0, scene::kMostPower));
+    TRY(light.power, number_between(text, 0, scene::kMaxPower));
     return {};
 }
 Result<void> read_size(Light& light, std::string_view text) {
     const bool degrees = light.kind == LightKind::directional;
-    TRY(light.size, number_between(text, 0, degrees ? scene::kMostRimDegrees : 1e300));
+    TRY(light.size, number_between(text, 0, degrees ? scene::kMaxRimDegrees : 1e300));
     return {};
 }
 Result<void> read_shape(Light& light, std::string_view text) {
@@ -210,8 +210,8 @@ Result<void> add_light(std::vector<Light>& lights, bool first, std::string_view 
                      lights.end());
     if (is_ambient(light)) // replaces the one that is always there
         lights.erase(std::remove_if(lights.begin(), lights.end(), is_ambient), lights.end());
-    if (lights.size() >= scene::kMostLights)
-        return fail(Exit::usage, "{}: there may be {} lights", spec, scene::kMostLights);
+    if (lights.size() >= scene::kMaxLights)
+        return fail(Exit::usage, "{}: there may be {} lights", spec, scene::kMaxLights);
     number_name(light, lights);
     lights.push_back(std::move(light));
     return {};

@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t kBar = 30, kBehindWhat = kBar + 10; // two brackets, blanks, "100 %"
 
 std::string shortened(const std::string& what) {
-    constexpr std::size_t kMost = ProgressBar::kWidth - kBehindWhat;
-    if (what.size() <= kMost) return what;
-    std::size_t from = what.size() - kMost + 3;
+    constexpr std::size_t kMax = ProgressBar::kWidth - kBehindWhat;
+    if (what.size() <= kMax) return what;
+    std::size_t from = what.size() - kMax + 3;
     while (from < what.size() && (static_cast<unsigned char>(what[from]) & 0xc0) == 0x80)
         ++from; // the middle of a character
     return "..." + what.substr(from);

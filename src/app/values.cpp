@@ -92,9 +92,9 @@ Result<Size> parse_size(std::string_view text) {
                             : whole_number<std::int64_t>(text.substr(cross + 1));
     if (!width || !height)
         return fail(Exit::usage, "wants a size such as 1920x1080, not '{}'", text);
-    constexpr std::int64_t kMost = frame::kMaxSide;
-    if (*width < 1 || *height < 1 || *width > kMost || *height > kMost)
-        return fail(Exit::usage, "{}: each side must be 1 to {} pixels", text, kMost);
+    constexpr std::int64_t kMax = frame::kMaxSide;
+    if (*width < 1 || *height < 1 || *width > kMax || *height > kMax)
+        return fail(Exit::usage, "{}: each side must be 1 to {} pixels", text, kMax);
     if (*width * *height > kMaxPixels)
         return fail(Exit::usage, "{}: {} million pixels; at most {} million are drawn", text,
                     *width * *height / 1'000'000, kMaxPixels / 1'000'000);

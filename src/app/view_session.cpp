@@ -131,7 +131,7 @@ Result<void> ViewSession::pass_steps(std::int64_t target) {
         next = std::max(next, viewer_.step_number() + 1);
         viewer_.advance_to(next);
         while (const std::optional<Action> repeat = binder_.repeat(next))
-            if (++repeats <= kMostRepeatsAtOnce) TRY_VOID(take(*repeat));
+            if (++repeats <= kMaxRepeatsAtOnce) TRY_VOID(take(*repeat));
         if (!message_.empty() && next >= message_hides_) message_.clear();
         TRY_VOID(play_script());
     }

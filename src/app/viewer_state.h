@@ -21,7 +21,7 @@ struct Look {
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
     bool turntable = false;
-    std::array<scene::LightMove, scene::kMostLights> lights{}; // of the frame's lights
+    std::array<scene::LightMove, scene::kMaxLights> lights{}; // of the frame's lights
     friend bool operator==(const Look&, const Look&) = default;
 };
 

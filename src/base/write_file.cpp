@@ -38,8 +38,8 @@ tl::unexpected<Error> cannot_write(const std::string& path, int error) {
 // links do not go in circles: stat() has said ELOOP then.
 std::string behind_links(std::string path) {
     std::error_code error;
-    constexpr int kMostLinks = 40; // as Linux, path_resolution(7)
-    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, error); ++i) {
+    constexpr int kMaxLinks = 40; // as Linux, path_resolution(7)
+    for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(path, error); ++i) {
         const auto target = std::filesystem::read_symlink(path, error);
         if (error) break;
         path = std::filesystem::path(path).parent_path() / target; // the target alone if absolute

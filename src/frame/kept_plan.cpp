@@ -8,7 +8,7 @@ namespace scanout::frame {
 namespace {
 
 // A turning model shows one of its few sets of facts after another, again and again.
-constexpr std::size_t kMostKept = 16;
+constexpr std::size_t kMaxKept = 16;
 
 } // namespace
 
@@ -17,7 +17,7 @@ Result<const FramePlan*> KeptPlan::find(const ViewFacts& view) {
         std::find_if(kept_.begin(), kept_.end(), [&](const Kept& k) { return k.view == view; });
     if (kept != kept_.end()) return &kept->plan;
     TRY(FramePlan plan, plan_without_filter(options_, facts_, view));
-    if (kept_.size() == kMostKept) kept_.clear();
+    if (kept_.size() == kMaxKept) kept_.clear();
     kept_.push_back({view, std::move(plan)});
     return &kept_.back().plan;
 }

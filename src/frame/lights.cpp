@@ -5,7 +5,7 @@
 namespace scanout::frame {
 
 FrameLights::FrameLights(const FramePlan& plan, const scene::View& view, const geom::Mesh& mesh) {
-    CHECK(plan.lights.size() <= scene::kMostLights);
+    CHECK(plan.lights.size() <= scene::kMaxLights);
     for (std::size_t i = 0; i < plan.lights.size(); ++i) {
         scene::ViewLight light = in_view(plan.lights[i], view, mesh);
         if (light.kind == scene::LightKind::ambient) {

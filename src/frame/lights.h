@@ -24,9 +24,9 @@ public:
 
 private:
     Vec3 ambient_{0};
-    std::array<scene::ViewLight, scene::kMostLights> lights_; // without the ambient ones
+    std::array<scene::ViewLight, scene::kMaxLights> lights_; // without the ambient ones
     std::size_t count_ = 0;
-    std::array<bool, scene::kMostLights> varies_{};
+    std::array<bool, scene::kMaxLights> varies_{};
     bool some_varies_ = false;
 };
 

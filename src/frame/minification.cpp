@@ -127,11 +127,11 @@ Minification texels_per_pixel(const TexturedSurface& s, const scene::View& view,
     const double span = perspective ? pixel * deepest : pixel;
     const double texels = mapped ? s.texels_per_unit_mapped : s.texels_per_unit;
     if (!(span > 0)) return {};
-    double steepest = s.planes.too_many() ? kMostSlant : 1;
+    double steepest = s.planes.too_many() ? kMaxSlant : 1;
     for (const geom::Plane& plane : s.planes.planes())
         steepest = std::max(steepest, slant(plane, view, farthest));
     const double facing = texels * span / least_scale; // scale 0: infinitely many
-    return {facing, facing * std::min(steepest, kMostSlant)};
+    return {facing, facing * std::min(steepest, kMaxSlant)};
 }
 
 } // namespace scanout::frame

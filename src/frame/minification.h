@@ -35,7 +35,7 @@ struct Minification {
 // Curved surfaces have a rim where a pixel spans infinitely many texels, a pixel wide or less: what
 // counts is a surface at up to 75 degrees, which spans this many times more than one that faces the
 // eye.
-inline constexpr double kMostSlant = 4;
+inline constexpr double kMaxSlant = 4;
 
 // 0 where all of the surface lies behind the eye. mapped: its uv are not the model's.
 Minification texels_per_pixel(const TexturedSurface& surface, const scene::View& view, int width,

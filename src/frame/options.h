@@ -40,7 +40,7 @@ struct FrameOptions {
     int shadow_size = 1024;                // texels a side of a shadow map
     int shadow_filter = 3;                 // texels a side that a filtered shadow asks
     std::optional<FilePlane> shadow_plane; // on which projected shadows fall; else on the ground
-    std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMostLights
+    std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMaxLights
     std::string transparency = "auto";
     std::string blend = "auto";      // over
     std::string depth = "auto";      // reversed
@@ -55,7 +55,7 @@ struct FrameOptions {
     std::string dither = "auto";      // then none, or bayer where colours have fewer than 8 bits
     int bits = 8;                     // of the narrowest channel of what shows the picture
     std::string convolution = "auto"; // then none
-    double exposure = 0; // stops: light is multiplied by 2^exposure; within +-kMostStops
+    double exposure = 0; // stops: light is multiplied by 2^exposure; within +-kMaxStops
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
     friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
@@ -67,8 +67,8 @@ bool ask(FrameOptions& options, std::string_view axis, std::string_view techniqu
 std::string asked_for(const FrameOptions& options, std::string_view axis);
 std::string option_of(std::string_view axis); // the command line's name of it, without "--"
 
-inline constexpr int kLeastShadowSize = 64, kMostShadowSize = 8192, kMostShadowFilter = 15;
+inline constexpr int kMinShadowSize = 64, kMaxShadowSize = 8192, kMaxShadowFilter = 15;
 inline constexpr int kMaxSide = 16384;
-inline constexpr double kMostStops = 20;
+inline constexpr double kMaxStops = 20;
 
 } // namespace scanout::frame

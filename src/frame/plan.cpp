@@ -59,15 +59,15 @@ Result<void> check_numbers(const FrameOptions& o) {
                     o.height, kMaxSide);
     if (raster::sample_pattern(o.samples).empty())
         return fail(Exit::usage, "--samples {}: choose 1, 2, 4, 8 or 16", o.samples);
-    if (o.lights.size() > scene::kMostLights)
+    if (o.lights.size() > scene::kMaxLights)
         return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
-                    scene::kMostLights);
-    if (o.shadow_size < kLeastShadowSize || o.shadow_size > kMostShadowSize)
+                    scene::kMaxLights);
+    if (o.shadow_size < kMinShadowSize || o.shadow_size > kMaxShadowSize)
         return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
-                    kLeastShadowSize, kMostShadowSize);
-    if (o.shadow_filter < 1 || o.shadow_filter > kMostShadowFilter)
+                    kMinShadowSize, kMaxShadowSize);
+    if (o.shadow_filter < 1 || o.shadow_filter > kMaxShadowFilter)
         return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
-                    kMostShadowFilter);
+                    kMaxShadowFilter);
     return {};
 }
 

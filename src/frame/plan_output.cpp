@@ -75,9 +75,9 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
 
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                        FramePlan& plan) {
-    if (!(options.exposure >= -kMostStops && options.exposure <= kMostStops))
+    if (!(options.exposure >= -kMaxStops && options.exposure <= kMaxStops))
         return fail(Exit::usage, "--exposure {}: choose {} to {} stops", options.exposure,
-                    -kMostStops, kMostStops);
+                    -kMaxStops, kMaxStops);
     const bool exposed = planner.effect(
         "exposure", "on", options.exposure != 0,
         options.exposure != 0 ? fmt::format("{:+} stops are asked for", options.exposure)

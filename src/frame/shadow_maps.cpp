@@ -7,7 +7,7 @@ namespace {
 
 // Texels around what throws shadows: the widest filter, and penumbrae (shade/shadow/map_soft.cpp).
 constexpr int kMargin = 8, kSoftMargin = 64;
-static_assert(kMostShadowFilter <= shade::kMostFilter);
+static_assert(kMaxShadowFilter <= shade::kMaxFilter);
 
 // unit: of positions and of the light (scene::to_floats).
 shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, double unit) {

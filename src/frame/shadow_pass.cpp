@@ -70,7 +70,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         casters_ = {};
     }
     const ViewPlane ground = projected ? in_view(in.plan.shadow.ground, in.view) : ViewPlane();
-    std::array<std::size_t, scene::kMostLights + 1> first_map{};
+    std::array<std::size_t, scene::kMaxLights + 1> first_map{};
     for (std::size_t k = 0; k < count; ++k) {
         const scene::ViewLight& light = lights.lights()[k];
         first_map[k + 1] = maps_.maps().size();

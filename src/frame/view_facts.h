@@ -25,10 +25,10 @@ struct ViewFacts {
     bool orthographic = false;
     bool inside = false; // the eye may be inside of a closed part
     BackFaces backs = BackFaces::none;
-    std::array<LightFacts, scene::kMostLights> lights{}; // of the options' lights
+    std::array<LightFacts, scene::kMaxLights> lights{}; // of the options' lights
     friend bool operator==(const ViewFacts&, const ViewFacts&) = default;
 };
-// There are at most scene::kMostLights.
+// There are at most scene::kMaxLights.
 ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts, const scene::View& view);
 
 } // namespace scanout::frame

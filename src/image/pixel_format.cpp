@@ -72,7 +72,7 @@ static std::uint32_t mask_of(const Channel& c) {
     return c.bits == 0 ? 0 : ((1u << c.bits) - 1u) << c.offset;
 }
 
-constexpr int kFewestBits = 4; // of a colour
+constexpr int kMinBits = 4; // of a colour
 
 Result<void> check(const PixelFormat& format) {
     const int bpp = format.bits_per_pixel;
@@ -84,8 +84,8 @@ Result<void> check(const PixelFormat& format) {
     for (const Channel* c : {&format.red, &format.green, &format.blue, &format.alpha}) {
         const bool absent_alpha = c == &format.alpha && c->bits == 0;
         if (absent_alpha) continue;
-        const int fewest_bits = c == &format.alpha ? 1 : kFewestBits;
-        if (c->bits < fewest_bits || c->bits > 8 || c->offset < 0 || c->offset > bpp - c->bits)
+        const int min_bits = c == &format.alpha ? 1 : kMinBits;
+        if (c->bits < min_bits || c->bits > 8 || c->offset < 0 || c->offset > bpp - c->bits)
             return fail(
                 Exit::no_display,
                 "pixel format of {}: red, green and blue must have 4 to 8 bits inside the pixel",
@@ -125,7 +125,7 @@ constexpr std::array<Levels, 5> kLevels{levels_of(4), levels_of(5), levels_of(6)
 // One channel on its way into a pixel.
 struct Packer {
     explicit Packer(const Channel& c)
-        : levels(kLevels[static_cast<std::size_t>(c.bits - kFewestBits)]),
+        : levels(kLevels[static_cast<std::size_t>(c.bits - kMinBits)]),
           shift(static_cast<unsigned>(c.offset)) {}
     std::uint32_t operator()(std::uint8_t code, std::uint32_t threshold) const {
         return (levels[code] + threshold) / kDitherSteps << shift;
@@ -220,7 +220,7 @@ Image without_dither(const PixelFormat& format, const Image& image) {
     return out;
 }
 
-int fewest_bits(const PixelFormat& format) {
+int min_bits(const PixelFormat& format) {
     return std::min({format.red.bits, format.green.bits, format.blue.bits});
 }
 

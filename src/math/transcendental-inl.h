@@ -18,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 
-inline constexpr float kLeastNormal = std::numeric_limits<float>::min();
+inline constexpr float kMinNormal = std::numeric_limits<float>::min();
 
 // log2 x for normal x > 0; of others some number.
 template <class D>
@@ -45,7 +45,7 @@ template <class D>
 SIMD_INLINE Float<D> log2_of_share(Float<D> x) {
     using F = Float<D>;
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
-    return select(x >= F(kLeastNormal), log2_of_normal(x), F(-kInfinity));
+    return select(x >= F(kMinNormal), log2_of_normal(x), F(-kInfinity));
 }
 
 // The same for any x.

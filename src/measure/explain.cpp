@@ -14,7 +14,7 @@
 namespace scanout::measure {
 namespace {
 
-constexpr std::size_t kMostPairs = 25;
+constexpr std::size_t kMaxPairs = 25;
 
 // The material that a primitive has, as an index into frame::MaterialSet.
 std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t none) {
@@ -197,7 +197,7 @@ std::optional<double> Explainer::milliseconds_against(const frame::FramePlan& ot
     std::vector<double> differences;
     const Stopwatch watch;
     while (differences.size() < how_.fewest_pairs ||
-           (differences.size() < kMostPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
+           (differences.size() < kMaxPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
         renderer_.render(scene_, view_, plan_);
         other_renderer_.render(scene_, view_, other);
         own_times_.push_back(renderer_.stats().total_ms);

@@ -10,16 +10,16 @@ namespace scanout::port {
 namespace {
 
 constexpr std::size_t kPiece = 1024;  // pixels
-constexpr std::size_t kMostBytes = 4; // a pixel
+constexpr std::size_t kMaxBytes = 4; // a pixel
 
 } // namespace
 
 void copy_damage(const image::PixelFormat& format, const image::Image& frame,
                  std::span<const image::Rect> damage, std::uint8_t* out, std::size_t pitch) {
     const auto bytes_per_pixel = static_cast<std::size_t>(format.bytes_per_pixel());
-    CHECK(bytes_per_pixel <= kMostBytes);
+    CHECK(bytes_per_pixel <= kMaxBytes);
     // Encoded here first, piece by piece, then copied with the widest stores there are.
-    std::array<std::uint8_t, kPiece * kMostBytes> piece{};
+    std::array<std::uint8_t, kPiece * kMaxBytes> piece{};
     for (const image::Rect& rect : damage) {
         const int x0 = std::max(rect.x0, 0), x1 = std::min(rect.x1, frame.width());
         if (x1 <= x0) continue;

@@ -95,11 +95,11 @@ ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) 
     seen.kind = light.kind;
     seen.shape = light.shape;
     seen.casts = light.casts && light.kind != LightKind::ambient;
-    seen.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMostPower));
+    seen.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMaxPower));
     if (light.kind == LightKind::ambient) return seen;
     if (light.kind == LightKind::directional) {
         seen.towards = Vec3(placer.direction(light.towards));
-        const double rim = std::clamp(light.size, 0.0, kMostRimDegrees);
+        const double rim = std::clamp(light.size, 0.0, kMaxRimDegrees);
         seen.size = static_cast<float>(sin_degrees(rim) / cos_degrees(rim));
         return seen;
     }

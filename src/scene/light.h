@@ -45,9 +45,9 @@ struct Light {
     friend bool operator==(const Light&, const Light&) = default;
 };
 
-inline constexpr std::size_t kMostLights = 32;
-inline constexpr double kMostRimDegrees = 80; // of a directional light's size
-inline constexpr double kMostPower = 1e4;
+inline constexpr std::size_t kMaxLights = 32;
+inline constexpr double kMaxRimDegrees = 80; // of a directional light's size
+inline constexpr double kMaxPower = 1e4;
 inline constexpr float kAmbient = 0.15F; // of Kd
 
 // Nothing arrives from it.

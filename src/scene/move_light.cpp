@@ -44,7 +44,7 @@ LightPlace place_of(const Light& light, UpAxis up, const geom::Mesh& mesh) {
 Light moved(const Light& light, const LightMove& move, UpAxis up, const geom::Mesh& mesh) {
     Light out = light;
     if (move.level != 0)
-        out.power = std::clamp(light.power * zoom_scale(move.level), 0.0, kMostPower);
+        out.power = std::clamp(light.power * zoom_scale(move.level), 0.0, kMaxPower);
     if ((move.azimuth == 0 && move.elevation == 0) || light.kind == LightKind::ambient) return out;
     const Sphere sphere = sphere_of(light, up, mesh);
     const auto turned = [](double from, int units) {

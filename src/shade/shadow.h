@@ -12,7 +12,7 @@
 
 namespace scanout::shade {
 
-inline constexpr int kMostFilter = 15; // texels a side that a filtered shadow asks
+inline constexpr int kMaxFilter = 15; // texels a side that a filtered shadow asks
 
 // The depth of what a light sees, nearest first, in a square of texels; greater is nearer, 0 where
 // nothing is. Light space: the light at the origin (parallel light: beside its map), looks down -z,
@@ -50,9 +50,9 @@ struct TilePolygons {
 struct TileShadow {
     const raster::VisibilityTile* tile = nullptr;
     // One plane a sample, laid out as in the tile; null where the light casts none.
-    const float* count[scene::kMostLights] = {};
+    const float* count[scene::kMaxLights] = {};
     // For what no sample of the tile shows: blended surfaces, in front of what was counted.
-    TilePolygons polygons[scene::kMostLights];
+    TilePolygons polygons[scene::kMaxLights];
     // By triangle: which receive the shadow. Empty: all do.
     std::span<const std::uint8_t> receives;
 };

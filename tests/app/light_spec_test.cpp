@@ -116,7 +116,7 @@ TEST(LightSpec, SaysWhatIsWrong) {
 
 TEST(LightSpec, HasAnEnd) {
     std::vector<Light> lights;
-    for (std::size_t i = 0; i < scene::kMostLights; ++i)
+    for (std::size_t i = 0; i < scene::kMaxLights; ++i)
         EXPECT_TRUE(add_light(lights, false, "key"));
     EXPECT_FALSE(add_light(lights, false, "key"));
 }

@@ -114,7 +114,7 @@ TEST(KeptPlan, FailsAsThePlanDoesAndRecovers) {
     FrameOptions wrong;
     wrong.shading = "nonsense";
     FrameOptions dark;
-    dark.lights.resize(scene::kMostLights + 1);
+    dark.lights.resize(scene::kMaxLights + 1);
     const scene::View view = view_of(scene, 0, wrong);
     ASSERT_TRUE(kept.plan({}, view));
     for (const FrameOptions& options : {wrong, dark, wrong}) {

@@ -186,7 +186,7 @@ TEST(Minification, BoundsTheFootprintOfEveryPixelThatSlantsByUpTo75Degrees) {
             for (int x = 0; x < 40; ++x) {
                 const double h = 1e-4; // of a pixel
                 const Place here = place(x + 0.5, y + 0.5);
-                if (here.inside < 0 || here.slant_cosine < 1 / frame::kMostSlant) continue;
+                if (here.inside < 0 || here.slant_cosine < 1 / frame::kMaxSlant) continue;
                 const DVec2 dx = (place(x + 0.5 + h, y + 0.5).texel - here.texel) / h,
                             dy = (place(x + 0.5, y + 0.5 + h).texel - here.texel) / h;
                 const double span =

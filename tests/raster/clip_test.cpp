@@ -318,7 +318,7 @@ TEST(Snap, IsDefinedForEveryNumber) {
     const ScreenTransform transform(pixel_view(64, 64), 64, 64);
     constexpr double inf = std::numeric_limits<double>::infinity(),
                      nan = std::numeric_limits<double>::quiet_NaN();
-    constexpr std::int32_t kMost = 32767 * 256;
+    constexpr std::int32_t kMax = 32767 * 256;
     const std::pair<double, std::int32_t> table[] = {{0, 0},
                                                      {-0.0, 0},
                                                      {1, 256},
@@ -330,22 +330,22 @@ TEST(Snap, IsDefinedForEveryNumber) {
                                                      {-3 / 512.0, -2},
                                                      {std::nextafter(1 / 512.0, 1), 1},
                                                      {std::nextafter(1 / 512.0, 0), 0},
-                                                     {32767, kMost},
-                                                     {32767.001, kMost},
-                                                     {-32768, -kMost},
-                                                     {2147483648.0, kMost},
-                                                     {-2147483649.0, -kMost},
-                                                     {1e30, kMost},
-                                                     {-1e300, -kMost},
-                                                     {inf, kMost},
-                                                     {-inf, -kMost}};
+                                                     {32767, kMax},
+                                                     {32767.001, kMax},
+                                                     {-32768, -kMax},
+                                                     {2147483648.0, kMax},
+                                                     {-2147483649.0, -kMax},
+                                                     {1e30, kMax},
+                                                     {-1e300, -kMax},
+                                                     {inf, kMax},
+                                                     {-inf, -kMax}};
     for (const auto& [pixels, expected] : table) {
         EXPECT_EQ(transform.to_screen({pixels, 0, 0.5, 1}).x, expected) << pixels;
         EXPECT_EQ(transform.to_screen({0, pixels, 0.5, 1}).y, expected) << pixels;
     }
     const ScreenVertex none = transform.to_screen({nan, -nan, 0.5, 1});
-    EXPECT_LE(std::abs(none.x), kMost);
-    EXPECT_LE(std::abs(none.y), kMost);
+    EXPECT_LE(std::abs(none.x), kMax);
+    EXPECT_LE(std::abs(none.y), kMax);
 }
 
 // Rows 67 and 68 where frames snap: in lanes, on every target. What is not finite has no place.

@@ -134,7 +134,7 @@ TEST(LightInView, IsFiniteWhateverTheNumbers) {
                     EXPECT_TRUE(std::isfinite(seen.towards[c])) << far;
                     EXPECT_TRUE(std::isfinite(seen.position[c])) << far;
                     EXPECT_TRUE(std::isfinite(seen.axis[c])) << far;
-                    EXPECT_LE(seen.colour[c], kMostPower);
+                    EXPECT_LE(seen.colour[c], kMaxPower);
                 }
                 EXPECT_LT(seen.reach * seen.reach, 1e20F);
                 EXPECT_LT(seen.nearest * seen.nearest, 1e20F);

@@ -90,7 +90,7 @@ TEST_F(ShadowMaps, SayTheSameOfALaneWhateverLanesAreBesideIt) {
     Random random(5);
     int partly = 0, moved = 0;
     for (const int size : {64, 8})
-        for (int filter = 1; filter <= kMostFilter; ++filter) {
+        for (int filter = 1; filter <= kMaxFilter; ++filter) {
             make_map(size, random);
             // In the middle, and where a square reaches beyond the border.
             const double inside = size == 64 ? 15 : 1, everywhere = 0.5 * size;

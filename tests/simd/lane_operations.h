@@ -94,18 +94,18 @@ inline constexpr int kDoubleOperations = SCANOUT_DOUBLE_OPERATIONS(SCANOUT_COUNT
 inline constexpr int kMaskOperations = SCANOUT_MASK_OPERATIONS(SCANOUT_COUNT);
 #undef SCANOUT_COUNT
 
-inline constexpr int kMostLanes = 16;
+inline constexpr int kMaxLanes = 16;
 
 struct Operands {
-    float a[kMostLanes], b[kMostLanes], c[kMostLanes];
-    std::int32_t i[kMostLanes], j[kMostLanes];
-    double p[kMostLanes], q[kMostLanes], r[kMostLanes];
+    float a[kMaxLanes], b[kMaxLanes], c[kMaxLanes];
+    std::int32_t i[kMaxLanes], j[kMaxLanes];
+    double p[kMaxLanes], q[kMaxLanes], r[kMaxLanes];
 };
 struct Results {
     int lanes; // of a register
-    float f[kFloatOperations][kMostLanes];
-    std::int32_t i[kIntOperations][kMostLanes];
-    double d[kDoubleOperations][kMostLanes];
+    float f[kFloatOperations][kMaxLanes];
+    std::int32_t i[kIntOperations][kMaxLanes];
+    double d[kDoubleOperations][kMaxLanes];
     std::uint32_t bits[kMaskOperations];
     bool any[kMaskOperations], all[kMaskOperations];
 };
@@ -115,16 +115,16 @@ struct MemoryResults {
     struct Record {
         std::int32_t x, y;
         double z;
-    } records[kMostLanes + 1];                         // of store_interleaved, of wide lanes
-    float x[kMostLanes], y[kMostLanes], z[kMostLanes]; // of load_interleaved
-    std::int32_t ix[kMostLanes], iy[kMostLanes], iz[kMostLanes]; // the same of integers
-    std::int32_t pair[2][kMostLanes];                            // of load_interleaved of two
-    float gathered[kMostLanes];                                  // numbers[index]
-    std::int32_t gathered_bits[kMostLanes], counted[kMostLanes]; // iota(-3)
-    std::uint32_t copied[kMostLanes];
-    std::uint32_t packed[3 * kMostLanes]; // ix, iy, iz of those lanes
+    } records[kMaxLanes + 1];                         // of store_interleaved, of wide lanes
+    float x[kMaxLanes], y[kMaxLanes], z[kMaxLanes]; // of load_interleaved
+    std::int32_t ix[kMaxLanes], iy[kMaxLanes], iz[kMaxLanes]; // the same of integers
+    std::int32_t pair[2][kMaxLanes];                            // of load_interleaved of two
+    float gathered[kMaxLanes];                                  // numbers[index]
+    std::int32_t gathered_bits[kMaxLanes], counted[kMaxLanes]; // iota(-3)
+    std::uint32_t copied[kMaxLanes];
+    std::uint32_t packed[3 * kMaxLanes]; // ix, iy, iz of those lanes
     int packed_count;
-    std::int32_t packed_alone[2 * kMostLanes]; // ix of those of which x < numbers[index]
+    std::int32_t packed_alone[2 * kMaxLanes]; // ix of those of which x < numbers[index]
     std::uint32_t packed_alone_count;
 };
 

@@ -209,7 +209,7 @@ constexpr double kLimits[] = {0,   -0.0, 0.99999, -0.99999, 2147483520.0, -21474
 Operands random_operands(Random& random, int round) {
     Operands in = {};
     const auto plain_number = [&] { return std::ldexp(random.unit() - 0.5, 20); };
-    for (int n = 0; n < kMostLanes; ++n) {
+    for (int n = 0; n < kMaxLanes; ++n) {
         const auto real = [&](auto any, const auto& odd) {
             switch (round % 3) {
             case 0:
@@ -249,7 +249,7 @@ bool same(T got, T want) {
 }
 
 template <class T, std::size_t kRows>
-void expect_rows(const T (&got)[kRows][kMostLanes], const T (&want)[kRows][kMostLanes], int lanes,
+void expect_rows(const T (&got)[kRows][kMaxLanes], const T (&want)[kRows][kMaxLanes], int lanes,
                  const char* const (&names)[kRows]) {
     for (std::size_t k = 0; k < kRows; ++k)
         for (int n = 0; n < lanes; ++n)
@@ -280,12 +280,12 @@ TEST_P(Lanes, GiveWhatPlainCodeGives) {
 }
 
 TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
-    float numbers[3 * kMostLanes];
-    std::int32_t index[kMostLanes];
-    for (int n = 0; n < 3 * kMostLanes; ++n)
+    float numbers[3 * kMaxLanes];
+    std::int32_t index[kMaxLanes];
+    for (int n = 0; n < 3 * kMaxLanes; ++n)
         numbers[n] = static_cast<float>(n) + 0.5F;
-    for (int n = 0; n < kMostLanes; ++n)
-        index[n] = n * 29 % (3 * kMostLanes);
+    for (int n = 0; n < kMaxLanes; ++n)
+        index[n] = n * 29 % (3 * kMaxLanes);
     on_every_target([&](const std::string&) {
         Results width = {};
         run_operations(GetParam(), Operands{}, width);
@@ -319,7 +319,7 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
             EXPECT_EQ(three[2], static_cast<std::uint32_t>(got.iz[n])) << n;
         }
         EXPECT_EQ(got.packed_count, packed);
-        for (int n = 3 * width.lanes; n < 3 * kMostLanes; ++n)
+        for (int n = 3 * width.lanes; n < 3 * kMaxLanes; ++n)
             EXPECT_EQ(got.packed[n], 0U);
         std::uint32_t alone = 0;
         for (int n = 0; n < width.lanes; ++n)
@@ -328,10 +328,10 @@ TEST_P(Lanes, MoveToAndFromMemoryInOrder) {
             }
         EXPECT_EQ(got.packed_alone_count, alone);
         EXPECT_GT(alone, 0U);
-        for (int n = width.lanes; n < 2 * kMostLanes; ++n)
+        for (int n = width.lanes; n < 2 * kMaxLanes; ++n)
             EXPECT_EQ(got.packed_alone[n], 0);
         EXPECT_EQ(got.records[width.lanes].x, 0);
-        for (int n = width.lanes; n < kMostLanes; ++n) { // nothing beyond the register is written
+        for (int n = width.lanes; n < kMaxLanes; ++n) { // nothing beyond the register is written
             EXPECT_EQ(got.x[n], 0.0F);
             EXPECT_EQ(got.counted[n], 0);
         }

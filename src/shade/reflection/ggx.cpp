@@ -29,7 +29,7 @@ SIMD_INLINE float clamped(float x, float low, float high) {
 }
 
 void find_mirrors(const Block& b, Mirrors& out) {
-    constexpr float kLeastAlpha = 0x1p-9F; // a mirror's image of a point would be a point
+    constexpr float kMinAlpha = 0x1p-9F; // a mirror's image of a point would be a point
     const scene::Material& m = *b.material;
     out.physical = scene::surface_of(m) == scene::Surface::physical;
     out.metal = out.physical ? clamped(scene::metalness_of(m), 0, 1) : 0;
@@ -38,7 +38,7 @@ void find_mirrors(const Block& b, Mirrors& out) {
         const F32 own = scene::roughness_of(m);
         for (int i = 0; i < b.count; i += kLanes) {
             const F32 roughness = mapped ? load<F32>(b.roughness + i) : own;
-            store(minimum(maximum(roughness * roughness, F32(kLeastAlpha)), F32(1.0F)),
+            store(minimum(maximum(roughness * roughness, F32(kMinAlpha)), F32(1.0F)),
                   out.alpha + i);
         }
         return;
@@ -46,7 +46,7 @@ void find_mirrors(const Block& b, Mirrors& out) {
     for_exponents(
         b,
         [](double ns) {
-            return clamped(static_cast<float>(scanout::sqrt(2 / (ns + 2))), kLeastAlpha, 1);
+            return clamped(static_cast<float>(scanout::sqrt(2 / (ns + 2))), kMinAlpha, 1);
         },
         out.alpha);
 }

@@ -216,7 +216,7 @@ SIMD_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const L
 }
 
 // What a square asks of a row is read four texels at a time: up to three more.
-constexpr int kMostColumns = kMostFilter / 4 * 4 + 4;
+constexpr int kMostColumns = kMaxFilter / 4 * 4 + 4;
 
 // Four texels of a row, from a column on, that lie side by side in the map.
 SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32* out) {
@@ -310,7 +310,7 @@ public:
 
 private:
     static constexpr int kLines = kSide > 0 ? kSide + 1 : 0, kFours = kSide > 0 ? kSide / 4 + 1 : 0;
-    static constexpr int kRows = kSide > 0 ? kLines : kMostFilter + 1;
+    static constexpr int kRows = kSide > 0 ? kLines : kMaxFilter + 1;
     static constexpr int kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
 
     template <class F>
