@@ -29,7 +29,7 @@ Vec3Operands<Number> random_operands(std::mt19937& random) {
     std::uniform_real_distribution<float> unit(-1, 1);
     std::uniform_int_distribution<int> exponent(-6, 6);
     const auto number = [&] { return std::ldexp(unit(random), exponent(random)); };
-    for (int n = 0; n < kMostLanes; ++n) {
+    for (int n = 0; n < kMaxLanes; ++n) {
         for (int axis = 0; axis < kAxes; ++axis) {
             component(in.a, axis)[n] = Number{number()} + Number{number()} / 3;
             component(in.b, axis)[n] = Number{number()} + Number{number()} / 3;
