@@ -21,9 +21,9 @@ AFTER = 5 # s
 MAKING = r"geom::|bench::|frame::.*(facts|sides)|angle|sincos|scanout::(sqrt|normalized)|malloc|free"
 # The first that fits a function's name.
 STAGES = {
-    "vertices, clusters": r"transform_|ClusterCull|::find_needed|::transform_needed",
+    "vertices, clusters": r"transform_|ClusterCull|find_visible_clusters|VertexStage",
     "culling": r"cull_all",
-    "to the tiles": r"Geometry::(bin_|Batch|tile_area|is_empty)|::bin_all|rank_all|sort_front_to_back|__introsort",
+    "to the tiles": r"Geometry::(bin_|tile_area|is_empty)|WorkerBins|TileBin|::bin_all|rank_all|sort_front_to_back|__introsort",
     "coverage, depth": r"raster::(?!.*copy_(depths|lines))",
     "set-up for shading": r"set_up|Primitives::|Gatherer::primitive",
     "interpolation": r"shade::interpolate",

@@ -11,7 +11,8 @@ namespace scanout::bench {
 Ours::Ours(Jobs& jobs, const scene::Scene& scene, const Load& load, int width, int height)
     : jobs_(jobs), scene_(scene), depth_only_(load.shading == Shading::depth),
       options_(options_of(load, width, height)), plan_(frame::facts(scene)), renderer_(jobs),
-      tiles_(static_cast<std::size_t>(jobs.threads())) {}
+      tiles_(static_cast<std::size_t>(jobs.threads())),
+      deferred_(static_cast<std::size_t>(jobs.threads())) {}
 
 Result<void> Ours::draw(const scene::View& view) {
     if (depth_only_) {
@@ -56,7 +57,7 @@ void Ours::draw_depth(const scene::View& view) {
         if (empty) return;
         raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
         tile.reset(area, 1, {}, raster::TileFormat::depth_only);
-        geometry_.draw_triangles(number, tile);
+        geometry_.draw_triangles(number, tile, &deferred_[static_cast<std::size_t>(worker)]);
         raster::copy_depths(tile, row(area.y0), width);
     });
 }

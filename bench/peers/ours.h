@@ -42,7 +42,8 @@ private:
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;
     raster::OcclusionHistory occlusion_;
-    std::vector<raster::VisibilityTile> tiles_; // one a worker
+    std::vector<raster::VisibilityTile> tiles_;       // one a worker
+    std::vector<raster::DeferredTriangles> deferred_; // scratch, one a worker
     LargeArray<float> room_;
     std::span<float> depth_; // in that, from the start of a line of the cache
     frame::BareTiles bare_;

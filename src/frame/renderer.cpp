@@ -20,6 +20,7 @@ namespace scanout::frame {
 // What one worker needs for a tile.
 struct TileWorker {
     raster::VisibilityTile visibility;
+    raster::DeferredTriangles deferred; // scratch
     shade::Gatherer gatherer;
     std::unique_ptr<shade::Layers> layers; // made when a plan wants it
     std::uint64_t lanes = 0;
@@ -254,7 +255,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
 // What a tile shows at its samples, cut-out surfaces and lines included.
 static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                          TileWorker& worker) {
-    geometry.draw_triangles(tile, worker.visibility);
+    geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
     const shade::LayerInput* layers = in.layers;
     if (layers != nullptr && layers->cut_out != nullptr)
         worker.layers->cut_out(geometry, tile, in, worker.visibility);

@@ -122,7 +122,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
         const bool cut = !in.plan.shadow.casters.empty(); // which asks whose texels they are
         tile.reset(area, 1, {},
                    cut ? raster::TileFormat::depth_and_id : raster::TileFormat::depth_only);
-        geometry_.draw_triangles(number, tile);
+        geometry_.draw_triangles(number, tile, &worker.deferred);
         if (cut) {
             if (worker.layers == nullptr) worker.layers = std::make_unique<shade::Layers>();
             worker.layers->cut_out(geometry_, number, gather, tile);

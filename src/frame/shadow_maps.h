@@ -38,6 +38,7 @@ public:
 private:
     struct Worker {
         raster::VisibilityTile tile;
+        raster::DeferredTriangles deferred;    // scratch
         std::unique_ptr<shade::Layers> layers; // made when something is cut out
     };
     struct Depths {

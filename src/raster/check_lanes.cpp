@@ -31,7 +31,7 @@ void check_before_snap(double x, double y, std::size_t vertex) {
 void check_before_rounding(const ClipVertex& v) {
     for (const auto& [name, value] : {std::pair("x", v.x), {"y", v.y}, {"w", v.w}})
         if (!std::isfinite(value))
-            fail(fmt::format("{} of a clipped's vertex is {} before rounding", name, value));
+            fail(fmt::format("{} of a clipped vertex is {} before rounding", name, value));
 }
 
 void check_lanes(std::span<const ScreenVertex> vertices) {

@@ -1,6 +1,6 @@
-// In test builds (SCANOUT_CHECK_LANES), no vertex and no depth may be NaN or infinite after its
-// stage; the first that is ends the program with the stage's name. What a stage clamps to a number
-// is looked at before. Elsewhere it is nothing.
+// Debug checks of test builds (SCANOUT_CHECK_LANES): no vertex and no depth may be NaN or infinite
+// after its stage; the first that is ends the program with the stage's name. Values that a stage
+// clamps are checked before. Elsewhere these do nothing.
 #pragma once
 
 #include "raster/clipped/clipped_triangle.h"
@@ -20,7 +20,7 @@ void check_before_snap(double x, double y, std::size_t vertex); // pixels
 inline void check_before_snap(const ClipVertex& v, std::size_t vertex) {
     check_before_snap(v.x / v.w, v.y / v.w, vertex);
 }
-void check_before_rounding(const ClipVertex& vertex);     // of a piece
+void check_before_rounding(const ClipVertex& vertex);     // of a clipped triangle
 void check_lanes(std::span<const ScreenVertex> vertices); // transformed; those on the screen
 void check_lanes(const TriangleList& triangles);          // to be set up
 void check_lanes(const BinnedList& triangles);            // likewise

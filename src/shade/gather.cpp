@@ -161,7 +161,7 @@ static std::uint64_t columns_of(const image::Rect& part) {
 
 // Where nothing but small triangles shows, each pixel whole.
 bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& in) {
-    const std::vector<raster::BinnedList>* lists = tile.parts_alone();
+    const std::vector<raster::BinnedList>* lists = tile.small_lists_alone();
     if (lists == nullptr || tile.samples() > 1 || !all_unclipped_ || !in.looks.only_material ||
         !interior_pixels_->take_small_triangles(*in.looks.only_material, *lists, tile.ids(0).data(),
                                                 area_.width() * area_.height()))

@@ -84,7 +84,7 @@ void Layers::draw_candidates(const GatherInput& in, raster::VisibilityTile& visi
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const Candidate& c = candidates_[i];
         if (alpha_[i] >= in.layers->cut)
-            visibility.draw(area.x0 + c.pixel % kTileSize, area.y0 + c.pixel / kTileSize, c.sample,
+            visibility.draw_sample(area.x0 + c.pixel % kTileSize, area.y0 + c.pixel / kTileSize, c.sample,
                             c.depth, c.id);
     }
     candidates_.clear();

@@ -149,7 +149,7 @@ TEST(NaiveClip, SnappedCutsTurnSliversOverAndOursAreNotSnapped) {
             draw_snapped_cuts(tile[0], {v.begin(), v.end()}, transform.box);
             for (const ClippedTriangle& clipped :
                  clip_triangle(v, on_screen, transform.box.near_w, 0))
-                tile[1].draw(clipped);
+                tile[1].draw_clipped(clipped);
             for (std::size_t k = 0; k < 2; ++k)
                 for (int y = 0; y < kSide; ++y)
                     for (int x = 0; x < kSide; ++x)

@@ -75,11 +75,11 @@ TEST_F(RasterLanesDeathTest, AVertexOfAPieceIsLookedAtBeforeItIsRounded) {
     point_off_screen({10, 20, 1, 2});
     for (const double bad : {kNaN, kInf, -kInf}) {
         EXPECT_DEATH(point_off_screen({bad, 20, 1, 2}),
-                     "x of a clipped's vertex is -?(nan|inf) before rounding");
+                     "x of a clipped vertex is -?(nan|inf) before rounding");
         EXPECT_DEATH(point_off_screen({10, bad, 1, 2}),
-                     "y of a clipped's vertex is -?(nan|inf) before rounding");
+                     "y of a clipped vertex is -?(nan|inf) before rounding");
         EXPECT_DEATH(point_off_screen({10, 20, 1, bad}),
-                     "w of a clipped's vertex is -?(nan|inf) before rounding");
+                     "w of a clipped vertex is -?(nan|inf) before rounding");
     }
 }
 
@@ -92,13 +92,13 @@ TEST_F(RasterLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetU
         ClippedTriangle clipped{};
         clipped.id = 8;
         clipped.vertex[1].z = bad;
-        EXPECT_DEATH(tile.draw(clipped), "depth of triangle 8 is -?(nan|inf) after set-up");
+        EXPECT_DEATH(tile.draw_clipped(clipped), "depth of triangle 8 is -?(nan|inf) after set-up");
         clipped.vertex[1].z = 1;
         clipped.vertex[2].depth = bad;
-        EXPECT_DEATH(tile.draw(clipped), "depth of triangle 8 is -?(nan|inf) after set-up");
-        EXPECT_DEATH(tile.draw(Segment{{0, 9000}, {0, 5000}, {bad, 0.5}, 6}),
+        EXPECT_DEATH(tile.draw_clipped(clipped), "depth of triangle 8 is -?(nan|inf) after set-up");
+        EXPECT_DEATH(tile.draw_line(Segment{{0, 9000}, {0, 5000}, {bad, 0.5}, 6}),
                      "depth of line 6 is -?(nan|inf) after set-up");
-        EXPECT_DEATH(tile.draw(Point{500, 500, bad, 7}),
+        EXPECT_DEATH(tile.draw_point(Point{500, 500, bad, 7}),
                      "depth of point 7 is -?(nan|inf) after set-up");
     }
     EXPECT_TRUE(tile.empty());

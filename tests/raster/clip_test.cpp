@@ -205,7 +205,7 @@ TEST(Clip, TheTwoSidesOfAPlaneCoverEverySampleOnce) {
                      half_of(cut, cut.mesh.triangle[t / 2], t % 2 == 0 ? 1 : -1,
                              rising_depth(t, count, falling))) {
                     half.id = static_cast<std::uint32_t>(t);
-                    to.draw(half);
+                    to.draw_clipped(half);
                     ++clipped;
                 }
             }

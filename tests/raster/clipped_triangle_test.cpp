@@ -77,7 +77,7 @@ TEST(ClippedTriangle, CoversWhatExactArithmeticSaysTiesIncluded) {
         const int samples = i % 8 == 0 ? 16 : 1;
         tile.reset({0, 0, kSide, kSide}, samples);
         for (const ClippedTriangle& triangle : clipped)
-            tile.draw(triangle);
+            tile.draw_clipped(triangle);
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x)
                 for (int s = 0; s < samples; ++s) {
@@ -119,7 +119,7 @@ TEST(ClippedTriangle, CoversNothingWhereDoubleIsOffByItsWholeBound) {
         const ClippedTriangles clipped = split_polygon(std::array{near, far, third}, 0);
         ASSERT_GT(clipped.count, 0);
         for (const ClippedTriangle& triangle : clipped)
-            tile.draw(triangle);
+            tile.draw_clipped(triangle);
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
                 bool covered = false;
@@ -185,7 +185,7 @@ TEST(ClippedTriangle, HasDepthWithinTwoToTheMinus23OfItsPlane) {
             }
             for (ClippedTriangle clipped : split_polygon(v, 0)) {
                 tile.reset({0, 0, kSide, kSide}, i % 5 == 0 ? 8 : 1);
-                tile.draw(clipped);
+                tile.draw_clipped(clipped);
                 for (int y = i % 3 == 2 ? i % 4 : 0; y < kSide; y += i % 3 == 2 ? 4 : 1)
                     for (int x = 0; x < kSide; ++x)
                         for (int s = 0; s < tile.samples(); ++s) {

@@ -22,7 +22,7 @@ TEST(CopyDepths, WritesThePixelsOfTheTileAndNoOthers) {
             tile.reset(area, 1, {}, TileFormat::depth_only);
             for (int y = area.y0; y < area.y1; ++y)
                 for (int x = area.x0; x < area.x1; ++x)
-                    tile.draw(x, y, 0, static_cast<float>(1 + y * 256 + x) * 0x1p-20F, 7);
+                    tile.draw_sample(x, y, 0, static_cast<float>(1 + y * 256 + x) * 0x1p-20F, 7);
             for (const std::size_t stride : {std::size_t{192}, std::size_t{201}})
                 for (std::size_t from_line = 0; from_line < kLine; from_line += 3) {
                     std::vector<float> room(stride * 66 + 2 * kLine, -1.0F);

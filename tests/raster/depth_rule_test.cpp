@@ -140,9 +140,9 @@ TEST(DepthRule, HoldsForPiecesToo) {
                 if (clipped.count == 0) continue;
                 VisibilityTile alone, tile;
                 alone.reset(kArea, 2);
-                alone.draw(clipped.triangle[0]);
+                alone.draw_clipped(clipped.triangle[0]);
                 tile.reset(kArea, 2, {test->test, format->standard, format->steps});
-                tile.draw(clipped.triangle[0]);
+                tile.draw_clipped(clipped.triangle[0]);
                 std::vector<Kept> expected = planes(alone);
                 for (Kept& one : expected) {
                     const float z = in_format(one.depth, *format);

@@ -96,9 +96,10 @@ inline Planes draw_planes(Jobs& jobs, const geom::Mesh& mesh, const scene::View&
     out.ids.resize(size);
     out.depths.resize(size);
     VisibilityTile tile;
+    DeferredTriangles scratch;
     for (int i = 0; i < geometry.tiles(); ++i) {
         tile.reset(geometry.tile_area(i), samples);
-        geometry.draw(i, tile);
+        geometry.draw(i, tile, &scratch);
         // By pointers: without optimisation and with sanitizers this is most of what tests wait
         // for.
         const image::Rect& area = tile.area();

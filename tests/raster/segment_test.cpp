@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <type_traits>
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,10 @@ Segment segment(const Corner& a, const Corner& b, double depth_a = 0.5, double d
 template <class Primitive>
 Pixels pixels(const Primitive& primitive, VisibilityTile& tile) {
     tile.reset(kArea, 1);
-    tile.draw(primitive);
+    if constexpr (std::is_same_v<Primitive, Segment>)
+        tile.draw_line(primitive);
+    else
+        tile.draw_point(primitive);
     Pixels out;
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x)
@@ -134,11 +138,11 @@ TEST(Segment, IsTheSameInEveryTile) {
     for (int i = 0; i < 2000; ++i) {
         const Segment s = segment(random_end(random, 4), random_end(random, i), 0.3, 0.7);
         whole.reset(kArea, 1);
-        whole.draw(s);
+        whole.draw_line(s);
         for (const image::Rect& area :
              {image::Rect{0, 0, 17, 40}, image::Rect{17, 0, 64, 40}, image::Rect{0, 40, 64, 64}}) {
             part.reset(area, 1);
-            part.draw(s);
+            part.draw_line(s);
             for (int y = area.y0; y < area.y1; ++y)
                 for (int x = area.x0; x < area.x1; ++x) {
                     ASSERT_EQ(part.id(x, y), whole.id(x, y)) << i;

@@ -129,7 +129,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             const std::vector<BinnedTriangle> binned = binned_of(all, area, samples);
             const bool shows =
                 by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole});
-            EXPECT_EQ(by_rows.draw(BinnedList{all.vertices, all.index, binned}), shows);
+            EXPECT_EQ(by_rows.draw_small(BinnedList{all.vertices, all.index, binned}), shows);
             const auto lists = by_kind(binned);
             bool some = false;
             for (const SmallKind kind : kFrontFacingKinds) {
@@ -141,8 +141,9 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
                             {all.corners(triangle.spatial_index), triangle.spatial_index})
                             ? 0U
                             : 1U;
-                if (by_kinds.draw(BinnedList{all.vertices, all.index, list, kind})) some = true;
-                depth_alone.draw(BinnedList{all.vertices, all.index, list, kind});
+                if (by_kinds.draw_small(BinnedList{all.vertices, all.index, list, kind}))
+                    some = true;
+                depth_alone.draw_small(BinnedList{all.vertices, all.index, list, kind});
             }
             EXPECT_EQ(some, shows);
             for (int s = 0; s < samples; ++s)
@@ -208,7 +209,7 @@ TEST(SmallTriangles, ThatAreSliversDrawTheSameBitsByTheirParts) {
             by_kinds.reset(area, 1);
             by_triangles.reset(area, 1);
             by_triangles.draw(TriangleList{all.vertices, all.index, whole, whole});
-            by_kinds.draw(BinnedList{all.vertices, all.index, binned_of(all, area, 1)});
+            by_kinds.draw_small(BinnedList{all.vertices, all.index, binned_of(all, area, 1)});
             for (std::size_t i = 0; i < VisibilityTile::kPlane; ++i) {
                 differ += by_kinds.ids(0)[i] != by_triangles.ids(0)[i] ||
                           by_kinds.depths(0)[i] != by_triangles.depths(0)[i];
@@ -250,18 +251,18 @@ TEST(SmallTriangles, BehindWhatIsDrawnLeaveTheSameBits) {
                             tile == &depth_alone ? TileFormat::depth_only
                                                  : TileFormat::depth_and_id);
                 tile->draw(TriangleList{walls, corners, name, name});
-                tile->draw(BinnedList{front.vertices, front.index, first});
+                tile->draw_small(BinnedList{front.vertices, front.index, first});
             }
             in_two.build_hi_z();
-            // By the other way to draw them: what hides parts by mistake must not do so on both
+            // By the other kernel: triangles that are rejected by mistake must not be so on both
             // sides.
             std::vector<std::uint32_t> whole(behind.triangles());
             std::iota(whole.begin(), whole.end(), 0U);
             shows +=
                 at_once.draw(TriangleList{behind.vertices, behind.index, whole, whole}) ? 1 : 0;
-            in_two.draw_behind(BinnedList{behind.vertices, behind.index, rest});
+            in_two.draw_small_hi_z(BinnedList{behind.vertices, behind.index, rest});
             depth_alone.build_hi_z();
-            depth_alone.draw_behind(BinnedList{behind.vertices, behind.index, rest});
+            depth_alone.draw_small_hi_z(BinnedList{behind.vertices, behind.index, rest});
             for (int s = 0; s < samples; ++s)
                 EXPECT_TRUE(std::ranges::equal(depth_alone.depths(s), in_two.depths(s)));
             int differ = 0;
@@ -288,41 +289,41 @@ TEST(SmallTriangles, ATileKnowsWhetherNothingElseShows) {
     VisibilityTile tile;
     const auto begin = [&] {
         tile.reset(area, 1);
-        EXPECT_TRUE(tile.draw(list));
-        ASSERT_NE(tile.parts_alone(), nullptr);
-        ASSERT_EQ(tile.parts_alone()->size(), 1U);
-        EXPECT_EQ(tile.parts_alone()->front().triangles.data(), binned.data());
+        EXPECT_TRUE(tile.draw_small(list));
+        ASSERT_NE(tile.small_lists_alone(), nullptr);
+        ASSERT_EQ(tile.small_lists_alone()->size(), 1U);
+        EXPECT_EQ(tile.small_lists_alone()->front().triangles.data(), binned.data());
     };
     begin();
-    EXPECT_FALSE(tile.draw(list)); // nothing shows that is not there
-    EXPECT_EQ(tile.parts_alone()->size(), 1U);
+    EXPECT_FALSE(tile.draw_small(list)); // nothing shows that is not there
+    EXPECT_EQ(tile.small_lists_alone()->size(), 1U);
     tile.build_hi_z();
-    EXPECT_TRUE(tile.draw_behind(BinnedList{behind.vertices, behind.index, others}));
-    EXPECT_EQ(tile.parts_alone(), nullptr);
+    EXPECT_TRUE(tile.draw_small_hi_z(BinnedList{behind.vertices, behind.index, others}));
+    EXPECT_EQ(tile.small_lists_alone(), nullptr);
 
     begin();
     tile.build_hi_z();
-    EXPECT_FALSE(tile.draw_behind(list));
-    EXPECT_NE(tile.parts_alone(), nullptr);
+    EXPECT_FALSE(tile.draw_small_hi_z(list));
+    EXPECT_NE(tile.small_lists_alone(), nullptr);
     tile.draw(TriangleList{behind.vertices, behind.index, name, name});
-    EXPECT_EQ(tile.parts_alone(), nullptr);
+    EXPECT_EQ(tile.small_lists_alone(), nullptr);
 
     begin();
-    tile.draw(area.x0, area.y0, 0, 0.9F, 7);
-    EXPECT_EQ(tile.parts_alone(), nullptr);
+    tile.draw_sample(area.x0, area.y0, 0, 0.9F, 7);
+    EXPECT_EQ(tile.small_lists_alone(), nullptr);
 
     begin();
     VisibilityTile from;
     from.reset(area, 1);
     tile.take(from, area);
-    EXPECT_EQ(tile.parts_alone(), nullptr);
+    EXPECT_EQ(tile.small_lists_alone(), nullptr);
 
     begin();
     const std::array v = some.corners(2);
     for (const ClippedTriangle& clipped : split_polygon(
              std::array{point_on_screen(v[0]), point_on_screen(v[1]), point_on_screen(v[2])}, 0))
-        tile.draw(clipped);
-    EXPECT_EQ(tile.parts_alone(), nullptr);
+        tile.draw_clipped(clipped);
+    EXPECT_EQ(tile.small_lists_alone(), nullptr);
 }
 
 // Each once, and nearly all beside one whose rows a loop goes over as often.

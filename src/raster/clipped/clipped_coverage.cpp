@@ -1,7 +1,7 @@
-// Coverage and depth of pieces of triangles. Block by block as in raster/coverage/coverage.cpp, but
-// edge functions have up to 126 bits: a block that no edge crosses takes three of them and lanes do
-// the rest; in one that an edge crosses lanes tell the sign in double wherever it is no matter of
-// rounding, and whole numbers where it is.
+// Coverage and depth of clipped triangles. Block traversal as in raster/coverage/coverage.cpp, but
+// edge functions have up to 126 bits: a block that no edge crosses takes three of them, and lanes
+// do the rest; in one that an edge crosses lanes find the sign in double wherever rounding cannot
+// change it, and integers where it can.
 #include "base/check.h"
 #include "raster/clipped/clipped_setup.h"
 #include "raster/coverage/block_traversal.h"
@@ -124,7 +124,7 @@ public:
     }
 
 private:
-    // Can the tile hold a sample? Notes which edges leave all of it inside.
+    // Can the tile hold a covered sample? Notes which edges hold for all of it.
     bool reaches_tile() {
         const Reach& tile = clipped_.of_tile;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -222,7 +222,7 @@ private:
             edges.first[k] = static_cast<double>(e[k]);
             edges.per_x[k] = clipped_.a[k] * kSubpixel;
             edges.per_y[k] = clipped_.b[k] * kSubpixel;
-            // Eight roundings of 2^-53 of what is added up, and more.
+            // Eight roundings of 2^-53 of the terms, and more.
             edges.error[k] = (std::abs(edges.first[k]) +
                               kSide * (std::abs(edges.per_x[k]) + std::abs(edges.per_y[k]))) *
                              0x1p-48;
@@ -239,10 +239,10 @@ private:
         return inside;
     }
 
-    // Is depth, taken from a plane in double about the block's corner, within 2^-28 of itself at
-    // every sample that is covered? It errs by less than 8 units of 2^-53 of all that may cancel in
-    // the sum; and it is nowhere less than at the lowest vertex, nor than where the plane is lowest
-    // in the block.
+    // Is depth, from a plane in double about the block's corner, within 2^-28 of itself at every
+    // covered sample? It errs by less than 8 units of 2^-53 of the terms that may cancel in the
+    // sum; and it is nowhere less than at the lowest vertex, nor than where the plane is lowest in
+    // the block.
     bool is_plane(const Int128 (&corner)[3], double& depth) const {
         const double e[3] = {static_cast<double>(corner[0]), static_cast<double>(corner[1]),
                              static_cast<double>(corner[2])};

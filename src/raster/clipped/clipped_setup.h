@@ -1,5 +1,5 @@
-// What all tiles that draw a piece of a triangle have in common: its edge functions in whole
-// numbers of up to 126 bits, how far they reach, and its depth.
+// Set-up of a clipped triangle, shared by all tiles that draw it: its edge functions in integers of
+// up to 126 bits, their ranges, and its depth.
 #pragma once
 
 #include "image/image.h"
@@ -10,7 +10,7 @@
 
 namespace scanout::raster {
 
-// How far the edge functions of a square of pixels may lie below and above those of its corner.
+// How far the edge functions in a square of pixels may lie below and above those at its corner.
 struct Reach {
     Int128 lowest[3], highest[3];
     Reach(const ExactEdges& edges, const SampleExtent& extent, int side); // pixels
@@ -23,7 +23,7 @@ struct ClippedSetup {
     double a[3], b[3];   // of the edges, rounded
     double share[3];     // depth is E_0 share_0 + E_1 share_1 + E_2 share_2
     double per_x, per_y; // of depth, 1/256 pixel
-    double terms = 0;    // what may cancel in these slopes
+    double terms = 0;    // bound of the terms that may cancel in these slopes
     double least, most;  // depth of the vertices
     image::Rect box;     // pixels that it may touch, of a picture of any size
     SampleExtent extent; // of the pattern of all these tiles

@@ -1,11 +1,11 @@
-// Triangles that have a vertex off the screen: too near, behind the eye, or beyond the guard band.
-// Nothing is cut at the picture's sides, and no cut is snapped. What lies before the near plane is
-// one triangle or two, and these are drawn as they are: a vertex on the screen stands where it
-// snapped to, as in triangles that are whole, any other stays where it is in homogeneous
-// coordinates, to 50 bits. From there on every number is a whole one and every sign exact, so an
-// edge is the same line for both its neighbours, and edges that meet in a vertex meet there however
-// far away it is: no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous lines:
-// Olano and Greer 1997.
+// Clipped triangles: what near clipping leaves of a triangle that has a vertex off the screen (too
+// near, behind the eye, or beyond the guard band). Nothing is cut at the picture's sides, and no
+// cut is snapped. One triangle or two lie before the near plane: a vertex on the screen keeps its
+// snapped position, as in unclipped triangles, any other stays in homogeneous coordinates, to 50
+// bits. From there on every number is an integer and every sign exact, so an edge is the same line
+// for both its neighbours, and edges that meet in a vertex meet there however far away it is:
+// watertight, no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous lines: Olano
+// and Greer 1997.
 //
 // Why the near plane still cuts: an edge to a vertex behind the eye would turn about it when its
 // other end snaps, and be displaced by up to the ratio of their distances from the eye, not 1/256
@@ -47,19 +47,19 @@ struct ClippedTriangle {
     bool clockwise; // on the screen, in the order in which the vertices were given
 };
 
-// What is left of a triangle; none has area 0.
+// The clipped triangles of one triangle; none has area 0.
 struct ClippedTriangles {
     std::array<ClippedTriangle, 2> triangle;
     int count = 0;
     auto begin() const { return triangle.begin(); }
     auto end() const { return triangle.begin() + count; }
 };
-// Cuts at the near plane. on_screen: the vertices once more, where they snapped to.
+// Clips against the near plane. on_screen: the snapped vertices.
 ClippedTriangles clip_triangle(const std::array<ClipVertex, 3>& vertex,
                                const std::array<ScreenVertex, 3>& on_screen, double near_w,
                                std::uint32_t id);
-// A polygon of three or four vertices. Neither which diagonal cuts it nor which piece comes first
-// depends on where it begins or which way round it goes.
+// Splits a polygon of three or four vertices. Neither the diagonal nor the order of the results
+// depends on where the polygon begins or which way it winds.
 ClippedTriangles split_polygon(std::span<const ExactPoint> polygon, std::uint32_t id);
 
 // E_i = a_i x + b_i y + c_i (x, y in 1/256 pixel), opposite vertex i. A sample is inside where none
@@ -80,7 +80,7 @@ struct ClippedWeights {
 };
 ClippedWeights weights_of(const ClippedTriangle& clipped, bool perspective);
 
-// The vertex of the first of two pieces that is opposite their common edge.
+// The vertex of the first of two clipped triangles that is opposite their common edge.
 std::size_t opposite_common_edge(const ClippedTriangles& two);
 
 // Twice the area times the three w, always positive; rounded.

@@ -1,4 +1,5 @@
-// Rules of triangles that several kernels follow. Included once for every SIMD target.
+// Vertices in lanes, canonical order and the top-left rule, for all kernels. Included once for
+// every SIMD target.
 #if defined(SCANOUT_RASTER_COVERAGE_TRIANGLE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_COVERAGE_TRIANGLE_INL_H
 #undef SCANOUT_RASTER_COVERAGE_TRIANGLE_INL_H
@@ -22,7 +23,7 @@ SIMD_INLINE Quads128<typename T::Tag> vertices_at(const ScreenVertex* vertices,
         [&](int lane) SIMD_LAMBDA { return words + std::size_t{index[lane * step]} * 4; });
 }
 
-// x, y and what stands last in vertices, depth; those of sixteen lanes come in two eights.
+// x, y and the last word of vertices, depth; those of sixteen lanes come in two eights.
 template <class D>
 struct ScreenLanes {
     Int<D> x, y;
@@ -44,7 +45,7 @@ SIMD_INLINE ScreenLanes<D> screen_lanes(const ScreenVertex* vertices, const std:
     }
 }
 
-// Where the mask holds the two change places.
+// Exchanges the two where the mask holds.
 template <class M, class T>
 SIMD_INLINE void exchange(const M& mask, T& one, T& other) {
     const T first = select(mask, other, one);

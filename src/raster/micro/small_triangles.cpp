@@ -191,7 +191,7 @@ void build_hi_z(const TilePlanes& tile) {
     SIMD_CALL(build_hi_z_of_all, tile);
 }
 
-bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
+bool occludes(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
     constexpr int kSide = PixelBlock::kSide;
     const auto first = [](int at, int begin) { return std::max(at - begin, 0) / kSide; };
     const auto end = [](int at, int begin) { return (at - begin + kSide - 1) / kSide; };
@@ -201,8 +201,8 @@ bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest) {
                      nearest);
 }
 
-bool draw_small_with_hi_z(const TilePlanes& tile, const BinnedList& list,
-                          std::vector<BinnedTriangle>& scratch) {
+bool draw_small_hi_z(const TilePlanes& tile, const BinnedList& list,
+                     std::vector<BinnedTriangle>& scratch) {
     if (scratch.size() < list.triangles.size()) scratch.resize(list.triangles.size());
     const int left = SIMD_CALL(reject_occluded, tile, list, scratch.data());
     const auto seen =

@@ -7,6 +7,7 @@
 #include "raster/coverage/block_traversal.h"
 #include "raster/coverage/coverage.h"
 #include "raster/culling/cull.h"
+#include "raster/screen/tile_grid.h"
 
 #include <array>
 #include <cstdint>
@@ -62,12 +63,6 @@ struct BinnedTriangle {
 
 using BinnedByKind = std::array<std::vector<BinnedTriangle>, kSmallKinds>;
 
-// The tiles of a picture.
-struct TileGrid {
-    int bits;   // a tile has 1 << bits pixels a side
-    int across; // tiles in a row of the picture
-};
-
 // For each triangle of a list: its tile and its pixels there, if it lies in one tile alone, as most
 // do; kNone where the triangle is not small or lies in several. The arrays grow to the size of the
 // list, which is that of a CullResult: whole registers of it are read.
@@ -106,10 +101,10 @@ bool draw_small_triangles(const TilePlanes& tile, const BinnedList& list);
 void build_hi_z(const TilePlanes& tile);
 // Occlusion query: is everything that is no nearer occluded in these pixels of the picture, or in
 // their blocks in the tile? Refreshes tile.hi_z of blocks where that decides.
-bool hides(const TilePlanes& tile, const image::Rect& pixels, float nearest);
+bool occludes(const TilePlanes& tile, const image::Rect& pixels, float nearest);
 // The same as draw_small_triangles, for triangles most of which are occluded: the depths of their
 // vertices are tested against tile.hi_z before set-up. scratch: for the rest.
-bool draw_small_with_hi_z(const TilePlanes& tile, const BinnedList& list,
-                          std::vector<BinnedTriangle>& scratch);
+bool draw_small_hi_z(const TilePlanes& tile, const BinnedList& list,
+                     std::vector<BinnedTriangle>& scratch);
 
 } // namespace scanout::raster

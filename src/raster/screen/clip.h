@@ -12,7 +12,7 @@
 
 namespace scanout::raster {
 
-// A place on a triangle's edge: `share` of the way from one vertex to another; or a vertex, and
+// A point on a triangle's edge: `share` of the way from one vertex to another; or a vertex, and
 // then both are the same.
 struct EdgePoint {
     std::uint8_t from = 0, to = 0; // of the triangle's three
@@ -20,8 +20,8 @@ struct EdgePoint {
     bool cut() const { return from != to; }
 };
 
-// What lies before the near plane, in the order of the triangle's vertices; empty when nothing
-// does.
+// The part of a triangle before the near plane, in the order of its vertices; empty when there is
+// none.
 struct NearPolygon {
     std::array<ClipVertex, 4> vertex;
     std::array<EdgePoint, 4> edge_point; // cuts from the inside vertex

@@ -1,6 +1,6 @@
-// What the tiles draw: triangles, line segments and points in snapped screen coordinates. Ids name
-// primitives of the scene in one numbering: triangles first, then segments, then points, each in
-// the order of the mesh; at equal depth the lower id is seen.
+// What the tiles draw: triangles, line segments and points in snapped screen coordinates. All
+// primitives of the scene have ids in one numbering: triangles first, then segments, then points,
+// each in the order of the mesh; at equal depth the lower id is visible.
 #pragma once
 
 #include "image/image.h"
@@ -24,7 +24,7 @@ struct Triangle {
     bool flipped; // the canonical order winds the other way round: edge functions change sign
 };
 
-// As the mesh has it: vertices on the screen, in any order, perhaps without area.
+// Vertices on the screen in the order of the mesh, perhaps without area.
 struct SnappedTriangle {
     std::array<ScreenVertex, 3> vertex;
     std::uint32_t id;

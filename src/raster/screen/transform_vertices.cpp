@@ -68,16 +68,16 @@ HWY_NOINLINE Lanes transform_any(const ScreenTransform& t, const ClipLanes& c) {
             pixel_x, pixel_y};
 }
 
-// Of a view: all that vertices on the screen need.
+// Constants of the view that vertices on the screen need.
 struct Usual {
     double guard;    // the guard band at its narrowest, pixels
     double per_near; // about 1 / near_w
 };
 
-// The same of vertices on the screen, which nearly all are; false where a lane is not, or might
-// snap to another place. x / w and y / w only have to snap as they should: they are made from the
-// depth, a quotient already. That errs by less than 2^-50 of them, which is less than 2^-27 of a
-// step: only what lies so near the middle between two places is left to quotients of its own.
+// The same for vertices on the screen, nearly all; false where a lane is not, or where x / w or y /
+// w might snap differently. These are not divided: they are products with the depth, a quotient
+// already. That errs by less than 2^-50 of them, which is less than 2^-27 of a step: only what lies
+// so near the middle between two steps needs divisions of its own.
 SIMD_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, const ClipLanes& c,
                                  Lanes& out) {
     const F64 reach = F64(usual.guard) * c.w, near = t.box.near_w, most = 0x1p900;
@@ -133,7 +133,7 @@ void transform_all(const ScreenTransform& t, const float* position, ScreenVertex
     const Usual usual{narrowest, 1 / t.box.near_w};
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) {
-        // A register takes so long that nothing else would ask for the next ones in time.
+        // A register takes too long for the hardware prefetcher to stay ahead.
         const float* of_lanes = position + std::ptrdiff_t{i} * 3;
         prefetch<kLanes * sizeof(Vec3)>(of_lanes, kAhead * sizeof(Vec3));
         prefetch<kLanes * sizeof(ScreenVertex)>(out + i, kAhead * sizeof(ScreenVertex));

@@ -9,9 +9,9 @@ namespace scanout::raster {
 namespace {
 
 constexpr double kBox = double{kSubpixel} * kSubpixel; // a pixel's area
-constexpr double kNothing = kBox * 0x1p-32;            // smaller parts are rounding
+constexpr double kNothing = kBox * 0x1p-32;            // smaller cells are rounding
 
-// Depths closer than this part of themselves are equal: the lower id stays.
+// Depths closer than this fraction of themselves are equal: the lower id stays.
 constexpr double kSameDepth = 0x1p-24;
 
 } // namespace
@@ -60,7 +60,7 @@ void AreaTile::finish() {
         draw(static_cast<std::int32_t>(i));
 }
 
-// Into the pixels that it touches.
+// Inserts a triangle into the pixels that it touches.
 void AreaTile::draw(std::int32_t source) {
     const Source& s = sources_[static_cast<std::size_t>(source)];
     for (int y = std::max(s.box.y0, area_.y0); y < s.box.y1; ++y)
@@ -103,7 +103,7 @@ AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
 
 double AreaTile::area_of(const Cell& p) {
     double twice_area = 0;
-    for (int i = 2; i < p.vertices; ++i) { // a fan from corner 0
+    for (int i = 2; i < p.vertices; ++i) { // a fan from vertex 0
         const CellVertex &o = p.vertex[0], &a = p.vertex[static_cast<std::size_t>(i - 1)],
                          &b = p.vertex[static_cast<std::size_t>(i)];
         twice_area += (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
@@ -111,7 +111,7 @@ double AreaTile::area_of(const Cell& p) {
     return 0.5 * (twice_area < 0 ? -twice_area : twice_area);
 }
 
-// Along line = 0. Too many corners: the piece goes whole to the side where most of them are.
+// Along line = 0. Too many vertices: the cell goes whole to the side where most of them are.
 void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& outside) {
     inside.vertices = outside.vertices = 0;
     inside.source = outside.source = cell.source;
@@ -126,7 +126,7 @@ void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& o
         if (at >= 0) add(inside, here);
         if (at <= 0) add(outside, here);
         if ((at > 0 && then < 0) || (at < 0 && then > 0)) {
-            // From the inner end, so that both parts beside an edge get the same corner.
+            // From the inner end, so that the cells on both sides of an edge get the same vertex.
             const double t = at > 0 ? at / (at - then) : then / (then - at);
             const CellVertex &from = at > 0 ? here : next, &to = at > 0 ? next : here;
             const CellVertex cut{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y)};
@@ -156,7 +156,7 @@ void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
     const std::size_t before = cells.size();
     for (std::size_t i = 0; i < before; ++i)
         take(cells, i, source, x, y, edge, whole ? 0 : 3);
-    // What one triangle holds whole is one piece again.
+    // Cells of a pixel that one triangle covers whole become one cell again.
     const bool all = whole && std::all_of(cells.begin(), cells.end(),
                                           [&](const Cell& p) { return p.source == source; });
     if (all && cells.size() > 1) {
@@ -165,7 +165,7 @@ void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
     }
 }
 
-// What the source shows of one piece becomes its own; the rest is appended.
+// The visible part of the source in one cell becomes its own; the rest is appended.
 void AreaTile::take(PixelCells& cells, std::size_t index, std::int32_t source, int x, int y,
                     const std::array<Linear, 3>& edge, int edges) {
     Cell inside = cells[index], rest;

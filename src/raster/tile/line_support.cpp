@@ -14,8 +14,8 @@ bool LineSupport::has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) co
            mesh_->position[index[2]] == at;
 }
 
-// Does the position lie in the triangle's plane, as far as its floats can tell? Each coordinate
-// stands for all that round to it: by as much as that can move (p - corner) . normal.
+// Does the vertex lie in the triangle's plane, up to the rounding of its floats? Each coordinate
+// stands for all that round to it: by as much as that can move (p - a) . normal.
 bool LineSupport::in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const {
     const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
     const DVec3 a(mesh_->position[index[0]]), b(mesh_->position[index[1]]),
@@ -67,8 +67,8 @@ DVec3 position(const ClipVertex& v) {
     return {v.x, v.y, v.w};
 }
 
-// Six times the volume that a triangle spans with the eye: its sign says how it winds on the screen
-// where it is seen, whatever the signs of w.
+// Six times the volume that a triangle spans with the eye: its sign is the winding on the screen
+// where it is visible, whatever the signs of w.
 double winding(const std::array<ClipVertex, 3>& v) {
     return dot3(position(v[0]), cross3(position(v[1]), position(v[2])));
 }
@@ -87,9 +87,9 @@ std::array<ClipVertex, 3> LineSupport::vertices_of(std::uint32_t triangle) const
     return out;
 }
 
-// Are the triangle and a face, whose first triangle this is, seen from the same side, and do they
-// meet in a corner? end: of the line on the face. The vertices of a large polygon are not gone
-// through: there only the line's own ends count.
+// Do the triangle and a face, whose first triangle this is, have the same winding, and do they
+// share a vertex? end: of the line on the face. The vertices of a large polygon are not tested:
+// there only the line's own ends count.
 bool LineSupport::continues(std::uint32_t triangle, std::uint32_t first,
                             const std::uint32_t* end) const {
     constexpr std::uint32_t kMax = 8; // triangles of a face
@@ -115,7 +115,7 @@ bool LineSupport::covers(std::uint32_t triangle, double x, double y) const {
     return whole > 0 ? e[0] > 0 && e[1] > 0 && e[2] > 0 : e[0] < 0 && e[1] < 0 && e[2] < 0;
 }
 
-// depth = per_x x + per_y y + c at all three corners, before the divide: Cramer's rule.
+// depth = per_x x + per_y y + c at all three vertices, before the divide: Cramer's rule.
 DepthSlope LineSupport::slope(std::uint32_t triangle) const {
     if (mesh_ == nullptr) return {};
     const std::array<ClipVertex, 3> v = vertices_of(triangle);

@@ -1,6 +1,6 @@
-// What lines and points are held against: the triangles that are seen under them. A line's pixel
-// shows at a sample when the line's own point there, not the sample beside it, is not behind the
-// triangle that is seen at the sample (HARD-CASES 17).
+// The triangles that support lines and points: those visible under them. A line's pixel is visible
+// at a sample when the line's own point there, not the sample beside it, is not behind the triangle
+// that is visible at the sample (HARD-CASES 17).
 #pragma once
 
 #include "geom/mesh.h"
@@ -22,7 +22,7 @@ class LineSupport {
 public:
     // Nothing but triangles that no line touches.
     LineSupport() = default;
-    // The vertices of the mesh on the screen; all three must outlive the ground.
+    // The vertices of the mesh on the screen; all three must outlive the support.
     LineSupport(const geom::Mesh& mesh, std::span<const ScreenVertex> vertices,
                 const ScreenTransform& transform)
         : mesh_(&mesh), vertices_(vertices), transform_(&transform) {}
@@ -35,11 +35,10 @@ public:
     // primitive: the id of a segment or a point.
     Contact contact(std::uint32_t triangle, std::uint32_t primitive) const;
 
-    // That of the snapped triangle, as the raster has it; of the triangle before it was cut, when
-    // it leaves the screen.
+    // Of the snapped triangle; of the triangle before clipping, where it leaves the screen.
     DepthSlope slope(std::uint32_t triangle) const;
 
-    // Is the place, in pixels, within the triangle, its edges not included?
+    // Is the position, in pixels, within the triangle, its edges not included?
     bool covers(std::uint32_t triangle, double x, double y) const;
 
 private:

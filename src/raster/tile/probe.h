@@ -1,6 +1,6 @@
-// Where one triangle alone would show in front of what a tile holds: at which samples, and how
-// deep. It is drawn like any other, into a copy of the tile, and taken back: coverage and depth are
-// those of an opaque triangle to the bit.
+// Coverage of one triangle alone in front of what a tile holds, and its depth at those samples. It
+// is drawn like any other, into a copy of the tile, and undone: the same bits as an opaque
+// triangle's.
 #pragma once
 
 #include "raster/stage/geometry.h"
@@ -25,7 +25,7 @@ public:
 private:
     const VisibilityTile* front_ = nullptr;
     VisibilityTile copy_;
-    image::Rect drawn_; // to be taken back
+    image::Rect drawn_; // to be undone
     std::uint32_t id_ = kNoPrimitive;
 };
 

@@ -5,7 +5,6 @@
 
 #include "base/check.h"
 #include "raster/coverage/coverage.h"
-#include "raster/micro/deferred_triangles.h"
 #include "raster/micro/small_triangles.h"
 #include "raster/screen/primitive.h"
 #include "raster/screen/sample_pattern.h"
@@ -31,33 +30,34 @@ public:
     // Triangles: does any of them pass the depth test (raster/coverage/coverage.h)? Pixels beyond
     // area() count, too.
     bool draw(const TriangleList& triangles);
-    bool draw(const BinnedList& triangles); // by the default depth rule
+    bool draw_small(const BinnedList& triangles); // by the default depth rule
     // The same, tested against hi_z before set-up: build_hi_z() when occluders are drawn, then
     // these.
     void build_hi_z() { raster::build_hi_z(planes()); }
-    bool draw_behind(const BinnedList& triangles);
+    bool draw_small_hi_z(const BinnedList& triangles);
     // Occlusion query: is everything that is no nearer occluded in these pixels of the picture? By
     // the default depth rule.
-    bool hides(const image::Rect& pixels, float nearest) {
-        return touched_ && raster::hides(planes(), pixels, nearest);
+    bool occludes(const image::Rect& pixels, float nearest) {
+        return touched_ && raster::occludes(planes(), pixels, nearest);
     }
-    DeferredTriangles& deferred() { return deferred_; }
     // The lists of small triangles that hold all that is visible, while what they refer to exists;
-    // null where something else may be visible, as after draw_behind().
-    const std::vector<BinnedList>* parts_alone() const { return others_ ? nullptr : &small_lists_; }
+    // null where something else may be visible, as after draw_small_hi_z().
+    const std::vector<BinnedList>* small_lists_alone() const {
+        return others_ ? nullptr : &small_lists_;
+    }
     bool draw(std::span<const SnappedTriangle> triangles);
     bool draw(const Triangle& triangle);
-    bool draw(const ClippedSetup& clipped);
-    bool draw(const ClippedTriangle& clipped);
+    bool draw_clipped(const ClippedSetup& clipped);
+    bool draw_clipped(const ClippedTriangle& clipped);
     // Copies what is drawn so far, all triangles, out of a tile with the same area: lines and
     // points that follow are depth-tested against these, not against each other's pixels, so that
     // their order does not matter.
     void keep_support(const VisibilityTile& from);
-    void draw(const Segment& segment, const LineSupport& support = {});
-    void draw(const Point& point, const LineSupport& support = {});
+    void draw_line(const Segment& segment, const LineSupport& support = {});
+    void draw_point(const Point& point, const LineSupport& support = {});
 
     // Writes the primitive at one sample if it passes the depth test. depth: in the stored format.
-    void draw(int x, int y, int sample, float depth, std::uint32_t id) {
+    void draw_sample(int x, int y, int sample, float depth, std::uint32_t id) {
         write(offset(x, y, sample), depth, id);
     }
     // Copies the samples of these pixels from a tile with the same area.
@@ -134,8 +134,7 @@ private:
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
     std::array<float, (kTileSize / 8) * (kTileSize / 8)> hi_z_{}; // TilePlanes
-    std::vector<BinnedTriangle> seen_;                            // scratch of draw_behind
-    DeferredTriangles deferred_;
+    std::vector<BinnedTriangle> seen_;                            // scratch of draw_small_hi_z
     std::vector<float> support_depth_; // empty until lines or points come
     std::vector<std::uint32_t> support_id_;
 };

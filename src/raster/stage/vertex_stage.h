@@ -1,0 +1,42 @@
+// The vertices of a frame on the screen: each is transformed once, those of deferred clusters when
+// a tile first needs them.
+#pragma once
+
+#include "base/jobs.h"
+#include "base/large_array.h"
+#include "geom/mesh.h"
+#include "raster/screen/screen.h"
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <span>
+#include <vector>
+
+namespace scanout::raster {
+
+class VertexStage {
+public:
+    // Both must outlive the draws that follow. all: every vertex is needed, not those of clusters.
+    void begin(const geom::Mesh& mesh, const ScreenTransform& transform, bool all);
+    // The vertices of a cluster are needed. From any thread.
+    void need(std::size_t cluster);
+    // Transforms what is needed so far, on all cores.
+    void transform(Jobs& jobs);
+    // Transforms what a cluster needs and no tile has transformed before. From any thread.
+    void transform_deferred(std::size_t cluster);
+
+    // Vertices that are not needed keep old positions.
+    std::span<const ScreenVertex> vertices() const { return vertices_; }
+
+private:
+    void transform_groups(std::size_t begin, std::size_t end);
+
+    const geom::Mesh* mesh_ = nullptr;
+    const ScreenTransform* transform_ = nullptr;
+    std::vector<std::uint8_t> needed_; // 1 for each vertex group that is transformed, or will be
+    std::array<std::mutex, 64> locks_; // of groups of deferred clusters
+    LargeArray<ScreenVertex> vertices_;
+};
+
+} // namespace scanout::raster

@@ -1,0 +1,124 @@
+// Of raster/tile/tile.h: line segments and points, depth-tested against the triangles under them.
+#include "raster/check_lanes.h"
+#include "raster/coverage/depth_bias.h"
+#include "raster/tile/tile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::raster {
+
+namespace {
+
+std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
+    return a / b - (a % b < 0 ? 1 : 0);
+}
+
+// In front of this depth by no more than 2 r (HARD-CASES 17), in the stored format.
+float forward(double depth, const DepthRule& rule) {
+    const auto z = static_cast<float>(depth);
+    const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step());
+    return rule.stored(static_cast<float>(double{z} + bias));
+}
+
+// How far a line may be behind a triangle that it does not belong to and still be visible: both
+// were snapped by up to 1/512 pixel in x and in y, and the triangle's plane is extended beyond its
+// edge. At most the triangle's own extent in depth, even where it is seen edge-on.
+double slack(const DepthSlope& slope, float depth) {
+    const double steepest = std::max(std::abs(slope.per_x), std::abs(slope.per_y)),
+                 most = slope.highest - slope.lowest + 2 * depth_step(depth);
+    return depth_bias({.constant = 2, .slope_scale = 1.0 / 64, .clamp = most}, depth, steepest);
+}
+
+} // namespace
+
+// The depth of a line is known on the line, that of the supporting triangle at samples up to a
+// pixel beside it: its depth is carried over to the line along the triangle's own plane, so that no
+// slope, however steep, occludes a line that lies on the triangle or shows one behind it. A
+// triangle is nowhere nearer or farther than its vertices: there the plane ends.
+void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& support,
+                                    SupportAt& under) {
+    if (f.x < area_.x0 || f.x >= area_.x1 || f.y < area_.y0 || f.y >= area_.y1) return;
+    for (int s = 0; s < samples_; ++s) {
+        const std::size_t at = offset(f.x, f.y, s);
+        const std::uint32_t triangle = support_id_.empty() ? kNoPrimitive : support_id_[at];
+        if (triangle == kNoPrimitive) {
+            write(at, forward(f.depth, rule_), f.id);
+            continue;
+        }
+        if (triangle != under.triangle) {
+            under = {triangle, support.contact(triangle, f.id), {}};
+            if (under.contact != LineSupport::Contact::holds) under.slope = support.slope(triangle);
+        }
+        const float there = support_depth_[at];
+        double height = 0; // of the line above the triangle
+        if (under.contact != LineSupport::Contact::holds) {
+            const SampleOffset sample = pattern_[static_cast<std::size_t>(s)];
+            const double dx = f.at_x - (f.x + sample.x / double{kSubpixel}),
+                         dy = f.at_y - (f.y + sample.y / double{kSubpixel});
+            const DepthSlope& slope = under.slope;
+            const double carried = double{there} + (slope.per_x * dx + slope.per_y * dy);
+            height = f.depth - std::clamp(carried, slope.lowest, slope.highest);
+            const bool behind = height < -slack(slope, there);
+            // The next triangle of the line's own surface occludes what is behind it, but not what
+            // is beside it.
+            if (behind && (under.contact == LineSupport::Contact::none ||
+                           support.covers(triangle, f.at_x, f.at_y)))
+                continue;
+        }
+        write(at, forward(double{there} + std::max(height, 0.0), rule_), f.id);
+    }
+}
+
+// One pixel for every pixel centre that the line passes on its longer axis, both ends included; the
+// pixel on the other axis by exact division. The pixels of Bresenham 1965, in closed form
+// ([Compendium 2.1], [Primer 4.1]), so that no error adds up and any part of a line can be drawn
+// alone.
+void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
+    check_lanes(s);
+    const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
+    if (box.empty()) return;
+    SupportAt under;
+    const std::int64_t dx = std::int64_t{s.x[1]} - s.x[0], dy = std::int64_t{s.y[1]} - s.y[0];
+    const bool along_x = std::abs(dx) >= std::abs(dy);
+    const std::int64_t length = along_x ? std::abs(dx) : std::abs(dy);
+    if (length == 0) {
+        write_fragment({s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits,
+                        s.x[0] / double{kSubpixel}, s.y[0] / double{kSubpixel},
+                        std::max(s.depth[0], s.depth[1]), s.id},
+                       support, under);
+        return;
+    }
+    // Walk from the end with the lower coordinate, whichever the file names first.
+    const auto& major = along_x ? s.x : s.y;
+    const auto& minor = along_x ? s.y : s.x;
+    const std::size_t lo = major[0] <= major[1] ? 0 : 1, hi = 1 - lo;
+    const std::int64_t rise = std::int64_t{minor[hi]} - minor[lo];
+    const int first = along_x ? box.x0 : box.y0, last = along_x ? box.x1 : box.y1;
+    for (int pixel = first; pixel < last; ++pixel) {
+        const std::int64_t along = std::int64_t{pixel} * kSubpixel + kSubpixel / 2 - major[lo];
+        if (along < 0 || along > length) continue;
+        const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
+        const auto other = static_cast<int>(across >> kSubpixelBits);
+        const double share = static_cast<double>(along) / static_cast<double>(length);
+        const double middle = pixel + 0.5;
+        const double beside = (minor[lo] + static_cast<double>(rise) * share) / kSubpixel;
+        const double depth = s.depth[lo] * (1 - share) + s.depth[hi] * share;
+        if (along_x)
+            write_fragment({pixel, other, middle, beside, depth, s.id}, support, under);
+        else
+            write_fragment({other, pixel, beside, middle, depth, s.id}, support, under);
+    }
+}
+
+void VisibilityTile::draw_point(const Point& p, const LineSupport& support) {
+    check_lanes(p);
+    const image::Rect box = inside(pixel_bounds(p, area_.x1, area_.y1));
+    if (box.empty()) return;
+    SupportAt under;
+    write_fragment(
+        {box.x0, box.y0, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id}, support,
+        under);
+}
+
+} // namespace scanout::raster
