@@ -4,7 +4,7 @@
 #include "base/jobs.h"
 #include "bench/peers/load.h"
 #include "frame/cleared_tiles.h"
-#include "frame/kept_plan.h"
+#include "frame/plan_cache.h"
 #include "frame/renderer.h"
 #include "raster/stage/geometry.h"
 
@@ -37,7 +37,7 @@ private:
     const scene::Scene& scene_;
     bool depth_only_;
     frame::FrameOptions options_;
-    frame::KeptPlan plan_;
+    frame::PlanCache plan_;
     frame::Renderer renderer_;
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;

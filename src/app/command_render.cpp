@@ -8,7 +8,7 @@
 #include "base/check.h"
 #include "base/stopwatch.h"
 #include "frame/in_vain.h"
-#include "frame/kept_plan.h"
+#include "frame/plan_cache.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 
@@ -126,7 +126,7 @@ private:
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
-    frame::KeptPlan plan_;
+    frame::PlanCache plan_;
     frame::Renderer renderer_;
 };
 

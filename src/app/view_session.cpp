@@ -279,7 +279,7 @@ Result<void> ViewSession::load(bool again) {
     error_.clear();
     showed_model_ = true;
     model_ = *std::move(model);
-    plan_ = frame::KeptPlan(frame::facts(model_->scene, settings_.frame.shadow_plane));
+    plan_ = frame::PlanCache(frame::facts(model_->scene, settings_.frame.shadow_plane));
     print_warnings(model_->warnings, settings_);
     // Options that no technique answers to, and cameras that see nothing, are faults of the
     // command.
