@@ -176,7 +176,7 @@ bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFa
     if (topology.convex_components.empty() || plan.options.cull == Cull::front || view.inside)
         return true;
     return !std::all_of(of_lights.begin(), of_lights.end(),
-                        [](const LightFacts& light) { return light.parts_apart; });
+                        [](const LightFacts& light) { return light.shadows_disjoint; });
 }
 
 // Is some triangle neither blended, as things stand, nor clear?
@@ -205,7 +205,7 @@ struct Casting {
             ++lights;
             sized += light.size > 0 ? 1 : 0;
             directional = directional || light.kind == scene::LightKind::directional;
-            if (!of_lights[i].fronts_first) continue;
+            if (!of_lights[i].only_front_faces) continue;
             ++outside;
             in_maps[i] = raster::Facing::front;
         }

@@ -1,6 +1,7 @@
 #include "frame/shadow_plane.h"
 
 #include "base/check.h"
+#include "math/bits.h"
 #include "math/transcendental.h"
 
 #include <algorithm>

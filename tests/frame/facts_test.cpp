@@ -35,7 +35,7 @@ TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
             EXPECT_EQ(found.normal, axis);
             EXPECT_EQ(found.offset, double{side * 0.4F});
             EXPECT_EQ(found.triangles, 2U);
-            EXPECT_FALSE(found.asked);
+            EXPECT_FALSE(found.by_user);
             std::vector<std::uint8_t> in(mesh.triangles(), 0);
             in[in.size() - 1] = in[in.size() - 2] = 1;
             EXPECT_EQ(in_shadow_plane(mesh, found), in);
@@ -53,7 +53,7 @@ TEST(Facts, TheUsersGroundIsThePlaneOfTheFileAtAnyLengthOfItsNormal) {
     const std::vector<std::uint8_t> leaning = {1, 1, 0, 0};
     for (const double length : {1.0, -3.0, 1e-200, 1e200}) {
         const ShadowPlane found = find_shadow_plane(mesh, {DVec3(0, 1, 2) * length, 18 * length});
-        EXPECT_TRUE(found.asked);
+        EXPECT_TRUE(found.by_user);
         EXPECT_EQ(found.triangles, 2U) << length;
         EXPECT_NEAR(dot3(found.normal, found.normal), 1, 1e-12);
         EXPECT_EQ(in_shadow_plane(mesh, found), leaning) << length;
