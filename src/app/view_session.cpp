@@ -4,7 +4,7 @@
 #include "app/message.h"
 #include "app/picture.h"
 #include "base/check.h"
-#include "frame/in_vain.h"
+#include "frame/ignored_options.h"
 
 #include <algorithm>
 #include <array>
@@ -288,7 +288,7 @@ Result<void> ViewSession::load(bool again) {
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
-    print_warnings(frame::asked_in_vain(plan), settings_);
+    print_warnings(frame::ignored_options(plan), settings_);
     return {};
 }
 
