@@ -1,4 +1,4 @@
-// Long loops in blocks, each on whatever core is free.
+// Long loops in chunks, each on whatever core is free.
 #pragma once
 
 #include "base/jobs.h"
@@ -8,13 +8,13 @@
 
 namespace scanout {
 
-// Calls function(begin, end, worker) for blocks of [0, count), `block` long but for the last, as
+// Calls function(begin, end, worker) for chunks of [0, count), `chunk` long but for the last, as
 // Jobs::for_each does. There must be fewer than 2^31 of them.
 template <class Function>
-void for_chunks(Jobs& jobs, std::size_t count, std::size_t block, Function&& function) {
-    jobs.for_each(static_cast<int>((count + block - 1) / block), [&](int index, int worker) {
-        const std::size_t begin = static_cast<std::size_t>(index) * block;
-        function(begin, std::min(begin + block, count), worker);
+void for_chunks(Jobs& jobs, std::size_t count, std::size_t chunk, Function&& function) {
+    jobs.for_each(static_cast<int>((count + chunk - 1) / chunk), [&](int index, int worker) {
+        const std::size_t begin = static_cast<std::size_t>(index) * chunk;
+        function(begin, std::min(begin + chunk, count), worker);
     });
 }
 

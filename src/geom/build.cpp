@@ -36,14 +36,14 @@ public:
         mesh_.index.reserve(usable_.all.triangles * 3);
         mesh_.material.reserve(usable_.all.triangles);
         mesh_.face.reserve(usable_.all.triangles);
-        const std::size_t blocks = usable_.blocks.size();
-        for (std::size_t block = 0; block < blocks;) {
-            if (!go_on(static_cast<double>(block) / static_cast<double>(blocks))) return false;
-            const std::size_t begin = block;
+        const std::size_t chunks = usable_.chunks.size();
+        for (std::size_t chunk = 0; chunk < chunks;) {
+            if (!go_on(static_cast<double>(chunk) / static_cast<double>(chunks))) return false;
+            const std::size_t begin = chunk;
             std::size_t corners = 0;
-            while (block < blocks && corners < kBatch)
-                corners += usable_.blocks[block++].corners;
-            add_batch(begin, block);
+            while (chunk < chunks && corners < kBatch)
+                corners += usable_.chunks[chunk++].corners;
+            add_batch(begin, chunk);
         }
         return true;
     }
@@ -104,12 +104,12 @@ private:
         DVec2 uv;
     };
 
-    // The faces of some blocks.
+    // The faces of some chunks.
     void add_batch(std::size_t begin, std::size_t end) {
         places_.assign(1, {0, mesh_.material.size()});
         for (std::size_t b = begin; b < end; ++b)
-            places_.push_back({places_.back().corner + usable_.blocks[b].corners,
-                               places_.back().triangle + usable_.blocks[b].triangles});
+            places_.push_back({places_.back().corner + usable_.chunks[b].corners,
+                               places_.back().triangle + usable_.chunks[b].triangles});
         corners_.resize(places_.back().corner);
         shifted_.resize(std::max(shifted_.size(), end - begin));
         for_chunks(jobs_, end - begin, 1, [&](std::size_t i, std::size_t, int) {
@@ -127,16 +127,16 @@ private:
     }
 
     template <class Visit>
-    void for_usable_faces(std::size_t block, Visit&& visit) const {
-        const std::size_t end = std::min((block + 1) * kFaceBlock, m_.faces());
-        for (std::size_t f = block * kFaceBlock; f < end; ++f)
+    void for_usable_faces(std::size_t chunk, Visit&& visit) const {
+        const std::size_t end = std::min((chunk + 1) * kFaceChunk, m_.faces());
+        for (std::size_t f = chunk * kFaceChunk; f < end; ++f)
             if (usable_.face[f]) visit(f);
     }
 
     // Before the vertices are numbered, which overwrites corners.
-    void copy_corners(std::size_t block, std::size_t to, std::vector<ShiftedCorner>& shifted) {
+    void copy_corners(std::size_t chunk, std::size_t to, std::vector<ShiftedCorner>& shifted) {
         shifted.clear();
-        for_usable_faces(block, [&](std::size_t f) {
+        for_usable_faces(chunk, [&](std::size_t f) {
             const DVec2 shift = uv_shift(f);
             for (std::size_t c = m_.face_begin[f]; c < m_.face_end(f); ++c, ++to) {
                 corners_[to] = m_.corners[c];
@@ -162,9 +162,9 @@ private:
         std::vector<DVec3> outline;
     };
 
-    void cut_faces(std::size_t block, Place at, std::span<const std::uint32_t> numbers,
+    void cut_faces(std::size_t chunk, Place at, std::span<const std::uint32_t> numbers,
                    Scratch& scratch) {
-        for_usable_faces(block, [&](std::size_t f) {
+        for_usable_faces(chunk, [&](std::size_t f) {
             const std::size_t n = m_.face_end(f) - m_.face_begin[f];
             const std::span corners = std::span(corners_).subspan(at.corner, n);
             scratch.cut.clear();
@@ -216,7 +216,7 @@ private:
     Mesh& mesh_;
     const Usable& usable_;
     Vertices vertices_;
-    std::vector<Place> places_;                       // of a batch's blocks, and their end
+    std::vector<Place> places_;                       // of a batch's chunks, and their end
     std::vector<Corner> corners_;                     // of a batch
     std::vector<std::vector<ShiftedCorner>> shifted_; // of each block
     std::vector<Corner> bare_;

@@ -56,20 +56,20 @@ DVec3 Framing::normalise(const DVec3& file_units) const {
 
 namespace {
 
-constexpr std::size_t kFramingBlock = 16384;
+constexpr std::size_t kFramingChunk = 16384;
 
 // Calls visit(position, result of the block) for the positions that count, block by block.
 template <class T, class Visit>
-std::vector<T> by_blocks(Jobs& jobs, const std::vector<DVec3>& positions,
+std::vector<T> by_chunks(Jobs& jobs, const std::vector<DVec3>& positions,
                          const std::vector<std::uint8_t>& used, const T& empty, Visit&& visit) {
     const bool some =
         std::find_if(used.begin(), used.end(), [](std::uint8_t u) { return u != 0; }) != used.end();
-    std::vector<T> results((positions.size() + kFramingBlock - 1) / kFramingBlock, empty);
-    for_chunks(jobs, positions.size(), kFramingBlock, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<T> results((positions.size() + kFramingChunk - 1) / kFramingChunk, empty);
+    for_chunks(jobs, positions.size(), kFramingChunk, [&](std::size_t begin, std::size_t end, int) {
         T result = empty;
         for (std::size_t i = begin; i < end; ++i)
             if ((!some || used[i] != 0) && is_finite(positions[i])) visit(positions[i], result);
-        results[begin / kFramingBlock] = result;
+        results[begin / kFramingChunk] = result;
     });
     return results;
 }
@@ -85,7 +85,7 @@ struct Extent {
 Extent extent_of(Jobs& jobs, const std::vector<DVec3>& positions,
                  const std::vector<std::uint8_t>& used) {
     Extent all;
-    for (const Extent& part : by_blocks(jobs, positions, used, Extent(),
+    for (const Extent& part : by_chunks(jobs, positions, used, Extent(),
                                         [](const DVec3&p, Extent&e) { e.include(p, p); }))
         all.include(part.lo, part.hi);
     return all;
@@ -109,7 +109,7 @@ Framing framing_of(Jobs& jobs, const std::vector<DVec3>& positions,
     framing.exponent = binary_exponent(largest); // every normalised coordinate is now in [-1, 1]
     double squared = 0;
     for (const double part :
-         by_blocks(jobs, positions, used, 0.0, [&framing](const DVec3&at, double&most) {
+         by_chunks(jobs, positions, used, 0.0, [&framing](const DVec3&at, double&most) {
              const DVec3 p = framing.normalise(at);
              most = std::max(most, dot3(p, p));
          }))

@@ -62,7 +62,7 @@ public:
 
 private:
     static constexpr std::uint32_t kEmpty = 0xffffffff;
-    static constexpr std::size_t kFew = 4096, kBlock = 4096;
+    static constexpr std::size_t kFew = 4096, kChunk = 4096;
     static constexpr std::size_t kParts = 64; // enough for the cores that share one table well
 
     static constexpr std::size_t kAhead = 12; // items
@@ -73,14 +73,14 @@ private:
         std::vector<std::uint32_t> fresh; // slots of this batch's new rows
     };
 
-    std::size_t blocks() const { return (count_ + kBlock - 1) / kBlock; }
+    std::size_t chunks() const { return (count_ + kChunk - 1) / kChunk; }
     std::size_t part_of(std::uint32_t hash) const { return hash & (parts_.size() - 1); }
     std::size_t first_slot(const Part& part, std::uint32_t hash) const {
         return hash / parts_.size() & (part.slots.size() - 1);
     }
     std::size_t part_begin(std::size_t part) const {
         if (parts_.size() == 1) return part == 0 ? 0 : count_;
-        return part == parts_.size() ? count_ : begin_[part * blocks()];
+        return part == parts_.size() ? count_ : begin_[part * chunks()];
     }
     static std::uint32_t shorter(std::uint64_t hash) {
         return static_cast<std::uint32_t>(hash >> 32);
@@ -90,22 +90,22 @@ private:
     template <class Items>
     void sort_into_parts(Items&& items) {
         const std::size_t parts = parts_.size();
-        begin_.assign(parts == 1 ? 0 : blocks() * parts, 0);
-        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        begin_.assign(parts == 1 ? 0 : chunks() * parts, 0);
+        for_chunks(jobs_, count_, kChunk, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 hashes_[i] = shorter(items.hash(i));
             for (std::size_t i = begin; parts > 1 && i < end; ++i)
-                ++begin_[part_of(hashes_[i]) * blocks() + begin / kBlock];
+                ++begin_[part_of(hashes_[i]) * chunks() + begin / kChunk];
         });
         if (parts == 1) return;
         order_.resize(count_);
         std::uint32_t sum = 0;
         for (std::uint32_t& begin : begin_)
             sum += std::exchange(begin, sum);
-        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kChunk, [&](std::size_t begin, std::size_t end, int) {
             std::uint32_t next[kParts];
             for (std::size_t p = 0; p < parts; ++p)
-                next[p] = begin_[p * blocks() + begin / kBlock];
+                next[p] = begin_[p * chunks() + begin / kChunk];
             for (std::size_t i = begin; i < end; ++i)
                 order_[next[part_of(hashes_[i])]++] = static_cast<std::uint32_t>(i);
         });
@@ -161,19 +161,19 @@ private:
     template <class Items>
     void number_new_rows(Items&& items) {
         const auto is_first = [&](std::size_t i) { return numbers_[i] == rows_ + i; };
-        new_before_.assign(blocks() + 1, 0);
-        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        new_before_.assign(chunks() + 1, 0);
+        for_chunks(jobs_, count_, kChunk, [&](std::size_t begin, std::size_t end, int) {
             std::size_t count = 0;
             for (std::size_t i = begin; i < end; ++i)
                 count += is_first(i) ? 1 : 0;
-            new_before_[begin / kBlock] = count;
+            new_before_[begin / kChunk] = count;
         });
         std::size_t all = 0;
         for (std::size_t& before : new_before_)
             all += std::exchange(before, all);
         items.make_room(rows_ + all);
-        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
-            auto row = static_cast<std::uint32_t>(rows_ + new_before_[begin / kBlock]);
+        for_chunks(jobs_, count_, kChunk, [&](std::size_t begin, std::size_t end, int) {
+            auto row = static_cast<std::uint32_t>(rows_ + new_before_[begin / kChunk]);
             for (std::size_t i = begin; i < end; ++i) {
                 if (!is_first(i)) continue;
                 items.write(i, row);
@@ -188,7 +188,7 @@ private:
             for (const std::uint32_t slot : p.fresh)
                 p.slots[slot] = row_of(p.slots[slot]);
         });
-        for_chunks(jobs_, count_, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, count_, kChunk, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 numbers_[i] = row_of(numbers_[i]);
         });
@@ -200,8 +200,8 @@ private:
     std::size_t rows_ = 0;  // of the batches before
     std::size_t count_ = 0; // items of this batch
     std::vector<std::uint32_t> hashes_, numbers_;
-    std::vector<std::uint32_t> order_, begin_; // items by part; where those of a block begin there
-    std::vector<std::size_t> new_before_;      // new rows before each block
+    std::vector<std::uint32_t> order_, begin_; // items by part; where those of a chunk begin there
+    std::vector<std::size_t> new_before_;      // new rows before each chunk
 };
 
 } // namespace scanout::geom

@@ -354,27 +354,27 @@ private:
     Sum last_sum_; // what the last entry of the normals was made of
 };
 
-// Calls make(maker, i) for every i of [0, count), in blocks on all cores, and puts what the makers
+// Calls make(maker, i) for every i of [0, count), in chunks on all cores, and puts what the makers
 // made behind the normals, in order. In waves, so that little stands in the makers at a time.
 template <class Make>
 bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size_t count,
                    Make&& make, const std::function<bool(double)>& go_on) {
-    constexpr std::size_t kBlock = 512, kWave = 32 * kBlock;
-    std::vector<NormalMaker> makers(std::min(kWave / kBlock, count / kBlock + 1),
+    constexpr std::size_t kChunk = 512, kWave = 32 * kChunk;
+    std::vector<NormalMaker> makers(std::min(kWave / kChunk, count / kChunk + 1),
                                     NormalMaker(m, in));
     std::vector<std::size_t> begin(makers.size() + 1);
     for (std::size_t wave = 0; wave < count; wave += kWave) {
         if (go_on && !go_on(static_cast<double>(wave) / static_cast<double>(count))) return false;
         const std::size_t length = std::min(kWave, count - wave);
-        for_chunks(jobs, length, kBlock, [&](std::size_t first, std::size_t last, int) {
-            NormalMaker& maker = makers[first / kBlock];
+        for_chunks(jobs, length, kChunk, [&](std::size_t first, std::size_t last, int) {
+            NormalMaker& maker = makers[first / kChunk];
             maker.clear();
             for (std::size_t i = first; i < last; ++i)
                 make(maker, wave + i);
-            begin[first / kBlock + 1] = maker.made().size();
+            begin[first / kChunk + 1] = maker.made().size();
         });
         begin[0] = m.normals.size();
-        const std::size_t used = (length + kBlock - 1) / kBlock;
+        const std::size_t used = (length + kChunk - 1) / kChunk;
         for (std::size_t i = 0; i < used; ++i)
             begin[i + 1] += begin[i];
         m.normals.resize(begin[used]);
@@ -391,20 +391,20 @@ bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size
 // True when a corner is without a normal. Those of the file become unit vectors; where they say
 // nothing, the corner has none.
 bool take_normals_of_file(Jobs& jobs, PolygonMesh& m) {
-    constexpr std::size_t kBlock = 16384;
-    for_chunks(jobs, m.normals.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    constexpr std::size_t kChunk = 16384;
+    for_chunks(jobs, m.normals.size(), kChunk, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             m.normals[i] = Vec3(unit_or_zero(DVec3(m.normals[i])));
     });
-    std::vector<std::uint8_t> missing(m.corners.size() / kBlock + 1, 0);
-    for_chunks(jobs, m.corners.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
+    std::vector<std::uint8_t> missing(m.corners.size() / kChunk + 1, 0);
+    for_chunks(jobs, m.corners.size(), kChunk, [&](std::size_t begin, std::size_t end, int) {
         bool some = false;
         for (std::size_t c = begin; c < end; ++c) {
             std::int32_t& normal = m.corners[c].normal;
             if (normal >= 0 && m.normals[static_cast<std::size_t>(normal)] == Vec3(0)) normal = -1;
             some |= normal < 0;
         }
-        missing[begin / kBlock] = some ? 1 : 0;
+        missing[begin / kChunk] = some ? 1 : 0;
     });
     return std::find(missing.begin(), missing.end(), 1) != missing.end();
 }

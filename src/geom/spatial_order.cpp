@@ -22,8 +22,8 @@ constexpr double kCompact = 8;
 constexpr double kWorthwhile = 0.5;    // of what the file's order has; else it stays
 constexpr double kThin = 0.15;         // of the mean height over the longest side
 constexpr std::size_t kTogether = 512; // triangles: enough that the thin ones fill a run or two
-constexpr std::size_t kPart = 1 << 15; // triangles: a worker's next work
-constexpr std::size_t kAtOnce = 16;    // parts, before it is said how far that is
+constexpr std::size_t kSpatialChunk = 1 << 15; // triangles: a worker's next work
+constexpr std::size_t kAtOnce = 16;            // chunks, before it is said how far that is
 
 struct Box {
     Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
@@ -75,9 +75,9 @@ template <class Number>
 Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
     constexpr std::size_t kRuns = 1024;
     const std::size_t triangles = mesh.triangles(), runs = (triangles + kRun - 1) / kRun;
-    std::vector<Compactness> of_block((runs + kRuns - 1) / kRuns);
+    std::vector<Compactness> of_chunk((runs + kRuns - 1) / kRuns);
     for_chunks(jobs, runs, kRuns, [&](std::size_t begin, std::size_t end, int) {
-        Compactness& sum = of_block[begin / kRuns];
+        Compactness& sum = of_chunk[begin / kRuns];
         for (std::size_t run = begin; run < end; ++run) {
             Box box;
             for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, triangles); ++i) {
@@ -92,7 +92,7 @@ Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
         }
     });
     Compactness all;
-    for (const Compactness& sum : of_block) {
+    for (const Compactness& sum : of_chunk) {
         all.squares += sum.squares;
         all.area += sum.area;
         all.height += sum.height;
@@ -152,7 +152,7 @@ void sort_spatially(SpatialTriangles all) {
 
 std::vector<SpatialTriangle> middles(Jobs& jobs, const Mesh& mesh, double thinnest) {
     std::vector<SpatialTriangle> all(mesh.triangles());
-    for_chunks(jobs, all.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, all.size(), kSpatialChunk, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t t = begin; t < end; ++t) {
             Box box;
             for (const Vec3& p : TriangleVertices(mesh, t).at)
@@ -164,15 +164,15 @@ std::vector<SpatialTriangle> middles(Jobs& jobs, const Mesh& mesh, double thinne
     return all;
 }
 
-// Halves until each part is one worker's work.
-void cut_in_parts(SpatialTriangles all, std::vector<SpatialTriangles>& parts) {
-    if (all.size() <= kPart) {
-        parts.push_back(all);
+// Halves until each chunk is one worker's work.
+void cut_in_chunks(SpatialTriangles all, std::vector<SpatialTriangles>& chunks) {
+    if (all.size() <= kSpatialChunk) {
+        chunks.push_back(all);
         return;
     }
     const auto [first, second] = halve(all);
-    cut_in_parts(first, parts);
-    cut_in_parts(second, parts);
+    cut_in_chunks(first, chunks);
+    cut_in_chunks(second, chunks);
 }
 
 // Array i becomes what stood at from[i].
@@ -181,7 +181,7 @@ void take(Jobs& jobs, std::span<const std::uint32_t> from, std::vector<T>& array
     if (array.empty()) return;
     CHECK_EQ(array.size(), from.size());
     std::vector<T> taken(from.size());
-    for_chunks(jobs, taken.size(), kPart, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, taken.size(), kSpatialChunk, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             taken[i] = array[from[i]];
     });
@@ -202,14 +202,14 @@ bool spatial_order(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t>& ord
     {
         std::vector<SpatialTriangle> triangles =
             middles(jobs, mesh, kThin * in_file.height / static_cast<double>(mesh.triangles()));
-        std::vector<SpatialTriangles> parts;
-        cut_in_parts(triangles, parts);
-        for (std::size_t done = 0; done < parts.size(); done += kAtOnce) {
-            if (!go_on(0.3 + 0.5 * static_cast<double>(done) / static_cast<double>(parts.size())))
+        std::vector<SpatialTriangles> chunks;
+        cut_in_chunks(triangles, chunks);
+        for (std::size_t done = 0; done < chunks.size(); done += kAtOnce) {
+            if (!go_on(0.3 + 0.5 * static_cast<double>(done) / static_cast<double>(chunks.size())))
                 return false;
-            const std::size_t some = std::min(kAtOnce, parts.size() - done);
-            jobs.for_each(static_cast<int>(some), [&](int part, int) {
-                sort_spatially(parts[done + static_cast<std::size_t>(part)]);
+            const std::size_t some = std::min(kAtOnce, chunks.size() - done);
+            jobs.for_each(static_cast<int>(some), [&](int chunk, int) {
+                sort_spatially(chunks[done + static_cast<std::size_t>(chunk)]);
             });
         }
         order.reserve(triangles.size());
@@ -237,10 +237,11 @@ void order_vertices(Jobs& jobs, Mesh& mesh, std::span<const std::uint32_t> trian
     for (std::size_t v = 0; v < number.size(); ++v)
         add(static_cast<std::uint32_t>(v));
     for (auto* indices : {&mesh.index, &mesh.line_index, &mesh.point_index})
-        for_chunks(jobs, indices->size(), kPart, [&](std::size_t begin, std::size_t end, int) {
-            for (std::size_t i = begin; i < end; ++i)
-                (*indices)[i] = number[(*indices)[i]];
-        });
+        for_chunks(jobs, indices->size(), kSpatialChunk,
+                   [&](std::size_t begin, std::size_t end, int) {
+                       for (std::size_t i = begin; i < end; ++i)
+                           (*indices)[i] = number[(*indices)[i]];
+                   });
     take(jobs, from, mesh.position);
     take(jobs, from, mesh.normal);
     take(jobs, from, mesh.uv);

@@ -21,7 +21,7 @@ struct Box {
 struct MeshTopology {
     static constexpr std::size_t kMaxBoxes = 64, kMaxConvex = 16;
 
-    bool closed = false; // all components are
+    bool closed = false;        // all components are
     std::size_t inside_out = 0; // triangles of closed components that hold no volume, or less
     bool back_to_back = false; // faces at one place look in opposite directions: either may be seen
     // Triangles with a normal that does not lie clearly on the side from which they wind counter-

@@ -23,21 +23,21 @@ bool position_is_finite(const PolygonMesh& m, std::int32_t position) {
 
 Usable::Usable(Jobs& jobs, const PolygonMesh& m)
     : face(m.faces()), position(m.positions.size()),
-      blocks((m.faces() + kFaceBlock - 1) / kFaceBlock) {
+      chunks((m.faces() + kFaceChunk - 1) / kFaceChunk) {
     CHECK_EQ(m.face_material.size(), m.faces());
     CHECK_EQ(m.line_material.size(), m.line_begin.size());
     CHECK_EQ(m.point_material.size(), m.point_vertices.size());
     CHECK(m.face_smoothing.empty() || m.face_smoothing.size() == m.faces());
     CHECK(m.colours.empty() || m.colours.size() == m.positions.size());
-    for_chunks(jobs, m.faces(), kFaceBlock, [&](std::size_t begin, std::size_t end, int) {
+    for_chunks(jobs, m.faces(), kFaceChunk, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t f = begin; f < end; ++f)
-            add_face(m, f, blocks[begin / kFaceBlock]);
+            add_face(m, f, chunks[begin / kFaceChunk]);
     });
-    for (const Block& block : blocks) {
-        all.faces += block.faces;
-        all.corners += block.corners;
-        all.triangles += block.triangles;
-        all.uv |= block.uv;
+    for (const FaceChunk& chunk : chunks) {
+        all.faces += chunk.faces;
+        all.corners += chunk.corners;
+        all.triangles += chunk.triangles;
+        all.uv |= chunk.uv;
     }
     for (const std::uint32_t p : m.line_vertices)
         use(m, p);
@@ -45,7 +45,7 @@ Usable::Usable(Jobs& jobs, const PolygonMesh& m)
         use(m, p);
 }
 
-void Usable::add_face(const PolygonMesh& m, std::size_t f, Block& block) {
+void Usable::add_face(const PolygonMesh& m, std::size_t f, FaceChunk& chunk) {
     const std::size_t begin = m.face_begin[f], end = m.face_end(f);
     bool usable = end >= begin + 3;
     for (std::size_t c = begin; c < end; ++c) {
@@ -54,14 +54,14 @@ void Usable::add_face(const PolygonMesh& m, std::size_t f, Block& block) {
     }
     if (!usable) return;
     face[f] = true;
-    ++block.faces;
-    block.corners += end - begin;
-    block.triangles += end - begin - 2;
+    ++chunk.faces;
+    chunk.corners += end - begin;
+    chunk.triangles += end - begin - 2;
     for (std::size_t c = begin; c < end; ++c) {
         // Threads write the same into the same byte.
         std::atomic_ref used(position[static_cast<std::size_t>(m.corners[c].position)]);
         if (used.load(std::memory_order_relaxed) == 0) used.store(1, std::memory_order_relaxed);
-        block.uv |= m.corners[c].uv >= 0;
+        chunk.uv |= m.corners[c].uv >= 0;
     }
 }
 

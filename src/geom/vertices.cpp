@@ -97,14 +97,14 @@ void Vertices::write(Mesh& mesh, bool with_uv, bool with_colour) {
     mesh.normal.reserve(count);
     if (with_uv) mesh.uv.reserve(count);
     if (with_colour) mesh.colour.reserve(count);
-    constexpr std::size_t kBlock = 8192, kWave = 8 * kBlock;
+    constexpr std::size_t kChunk = 8192, kWave = 8 * kChunk;
     for (std::size_t wave = 0; wave < count; wave += kWave) {
         const std::size_t wave_end = std::min(wave + kWave, count);
         mesh.position.resize(wave_end);
         mesh.normal.resize(wave_end);
         if (with_uv) mesh.uv.resize(wave_end);
         if (with_colour) mesh.colour.resize(wave_end);
-        for_chunks(jobs_, wave_end - wave, kBlock, [&](std::size_t begin, std::size_t end, int) {
+        for_chunks(jobs_, wave_end - wave, kChunk, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = wave + begin; i < wave + end; ++i) {
                 const Vertex v = vertex_of(m_, m_.corners[i]);
                 mesh.position[i] = v.position;

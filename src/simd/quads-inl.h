@@ -14,7 +14,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 
-// Of lane i words 0 to 3 are a block of 128 bits: row[i % 4], block i / 4 of that register.
+// Of lane i words 0 to 3 are a quad of 128 bits: row[i % 4], quad i / 4 of that register.
 template <class D>
 struct Quads128 {
     using Tag = typename Int<D>::Tag;
@@ -44,7 +44,7 @@ struct Quads128 {
     }
 };
 
-// Word kNumber of each block of 128 bits, in all of the block.
+// Word kNumber of each quad of 128 bits, in all of the quad.
 template <int kNumber, class D>
 SIMD_INLINE Float<D> broadcast_in_quad(Float<D> a) {
     return Float<D>(hn::Broadcast<kNumber>(a.raw));
@@ -58,24 +58,24 @@ SIMD_INLINE Quads128<D> quads_of_rows(const Row& row) {
              words(std::integral_constant<int, 2>()), words(std::integral_constant<int, 3>())}};
 }
 
-// Block(tag, lane): the four words of one lane.
-template <class Tag, class Block>
-SIMD_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Block& block) {
+// Load(tag, lane): the four words of one lane.
+template <class Tag, class Load>
+SIMD_INLINE hn::Vec<Tag> load_row(Tag tag, int lane, const Load& load) {
     if constexpr (hn::MaxLanes(Tag()) == 4) {
-        return block(tag, lane);
+        return load(tag, lane);
     } else {
         const hn::Half<Tag> half;
-        return hn::Combine(tag, load_row(half, lane + static_cast<int>(hn::MaxLanes(half)), block),
-                           load_row(half, lane, block));
+        return hn::Combine(tag, load_row(half, lane + static_cast<int>(hn::MaxLanes(half)), load),
+                           load_row(half, lane, load));
     }
 }
 
-template <class D, class Block>
-SIMD_INLINE Quads128<D> load_rows(const Block& block) {
-    Quads128<D> blocks;
+template <class D, class Load>
+SIMD_INLINE Quads128<D> load_rows(const Load& load) {
+    Quads128<D> quads;
     SIMD_FOR (int i = 0; i < 4; ++i)
-        blocks.row[i] = load_row(typename Int<D>::Tag(), i, block);
-    return blocks;
+        quads.row[i] = load_row(typename Int<D>::Tag(), i, load);
+    return quads;
 }
 
 // at(lane): where its four words are.
