@@ -37,13 +37,15 @@ struct StencilSetup {
 };
 
 enum class StencilWhere : bool { everywhere, behind };
-inline constexpr double kSameDepth = 0x1p-20; // of a depth: nearer than this is at the same place
+inline constexpr double kSameDepth = 0x1p-20; // of a depth: closer than this is the same
 
-// behind: only where the triangle lies behind what is seen, or on it. What is seen itself lies on
-// it, and what is as near but for kSameDepth: a surface never stands before itself.
+// behind: only where the triangle lies behind the visible surface, or on it. The visible triangle
+// itself counts as on it, and so does what is as near but for kSameDepth: no surface occludes
+// itself.
 void add_to_stencil(const StencilPlanes& tile, const StencilTriangle& triangle, StencilWhere where);
 
-// What the triangle adds at one point (1/256 pixel), where a surface of this depth and id is seen.
+// What the triangle adds at one point (1/256 pixel), where a surface of this depth and id is
+// visible.
 float stencil_at(const StencilTriangle& triangle, std::int32_t x, std::int32_t y, double depth,
                  std::uint32_t id, StencilWhere where);
 

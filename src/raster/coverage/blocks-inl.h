@@ -34,7 +34,7 @@ SIMD_INLINE SetupLanes setup_lanes(const TriangleSetup& w, const Read& read) {
     return lanes;
 }
 
-// Blocks of triangles with float depth, one a lane, at the samples of one place in the pattern.
+// Blocks of triangles with float depth, one a lane, at one sample of the pattern.
 struct FloatDepthBlocks {
     // At the first pixel of row `begin` a number that is negative where E + bias is, and its steps
     // a pixel: floor((E + bias) / 256), 0 where the edge holds for the whole block; or E + bias.

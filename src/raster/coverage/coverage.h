@@ -47,12 +47,12 @@ bool draw_clipped(const TilePlanes& tile, const ClippedSetup& piece);
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23
 // of the exact plane through the snapped vertices (HARD-CASES 14, 15):
 //
-// - float depth: z = base + (rest + (x dz/dx + y dz/dy)) from the corner of the aligned block of 8
-// x 8 pixels, where base + rest is that corner's depth in 24 + 24 bits. Used when depth changes by
-// less than 1/32 of itself across a block: then all but the last addition err by less than 1/8 unit
-// in the last place. Not where depth is below 2^-100 and its parts would be denormal.
+// - float depth: z = base + (rest + (x dz/dx + y dz/dy)) from the corner of the aligned block of
+//   8 x 8 pixels, where base + rest is that corner's depth in 24 + 24 bits. Used when depth changes
+//   by less than 1/32 of itself across a block: then all but the last addition err by less than 1/8
+//   unit in the last place. Not where depth is below 2^-100 and its parts would be denormal.
 // - else double depth: E_0 d_0 / area + E_1 d_1 / area + E_2 d_2 / area, no term of which is
-// negative, so nothing cancels, rounded to float once. d_i / area is d_i times 1 / area.
+//   negative, so nothing cancels, rounded to float once. d_i / area is d_i times 1 / area.
 //
 // Neither depends on the tile, the vertices' order or what else is drawn. Clipped triangles have
 // the same bound (raster/clipped/clipped_coverage.cpp).

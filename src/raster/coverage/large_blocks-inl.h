@@ -21,7 +21,7 @@ SIMD_INLINE std::ptrdiff_t pixel_offset_of(int step) {
 // What all blocks of a triangle share: differences from a block's corner to its pixels.
 struct InBlock {
     I32 edge[3][kSteps]; // PixelBlock: n
-    F32 depth[kSteps];   // at the samples of one place in the pattern
+    F32 depth[kSteps];   // at one sample of the pattern
 };
 SIMD_INLINE void set_up_edges(const TriangleSetup& w, int i, InBlock& out) {
     SIMD_FOR (int k = 0; k < 3; ++k) {

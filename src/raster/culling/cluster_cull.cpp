@@ -121,7 +121,7 @@ namespace {
 constexpr double kNearer = 0x1p-20;    // depths at samples are rounded (raster/coverage/coverage.h)
 constexpr double kCancelled = 0x1p-40; // and where no eye is, they are differences
 
-// How far along an axis of view space a place of the mesh lies.
+// The coordinate of a position of the mesh along an axis of view space.
 ClusterCull::Plane plane(const ScreenTransform& t, const DVec3& axis) {
     DVec3 normal(0);
     double offset = 0;
