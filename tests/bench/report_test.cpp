@@ -30,12 +30,12 @@ Duel of_ratio(double ratio) {
     d.difference = {0.01, 0.001};
     return d;
 }
-std::vector<std::string> missed(const Load& load, const Duel& duel) {
+std::vector<std::string> missed_bounds(const Load& load, const Duel& duel) {
     Report r;
     r.duels.emplace_back(load, duel);
     return judge(r).missed;
 }
-std::vector<std::string> missed(const ThreadsResult& threads) {
+std::vector<std::string> missed_bounds(const ThreadsResult& threads) {
     Report r;
     r.threads.emplace_back(kLit, threads);
     return judge(r).missed;
@@ -52,18 +52,18 @@ TEST(Report, VerdictsSayHowFarOff) {
 }
 
 TEST(Report, ARatioBelowItsGateIsMissed) {
-    EXPECT_THAT(missed(kLit, of_ratio(4)), IsEmpty());
-    EXPECT_THAT(missed(kLit, of_ratio(3.9)), ElementsAre(HasSubstr("lit: 3.90x, the gate is 4x")));
-    EXPECT_THAT(missed(kFree, of_ratio(0.5)), IsEmpty());
+    EXPECT_THAT(missed_bounds(kLit, of_ratio(4)), IsEmpty());
+    EXPECT_THAT(missed_bounds(kLit, of_ratio(3.9)), ElementsAre(HasSubstr("lit: 3.90x, the gate is 4x")));
+    EXPECT_THAT(missed_bounds(kFree, of_ratio(0.5)), IsEmpty());
 }
 
 TEST(Report, AFirstFrameIsMissedWhereItIsLateOrNoProcessDrewIt) {
     Duel late = of_ratio(4), none = of_ratio(4);
     late.first = 2.01;
     none.first = 0;
-    EXPECT_THAT(missed(kLit, late), ElementsAre(HasSubstr("lit: the first frame takes 2.01")));
-    EXPECT_THAT(missed(kLit, none), ElementsAre(HasSubstr("lit: not judged")));
-    EXPECT_THAT(missed(kDepth,
+    EXPECT_THAT(missed_bounds(kLit, late), ElementsAre(HasSubstr("lit: the first frame takes 2.01")));
+    EXPECT_THAT(missed_bounds(kLit, none), ElementsAre(HasSubstr("lit: not judged")));
+    EXPECT_THAT(missed_bounds(kDepth,
                        [&] {
                            Duel depth = of_ratio(5);
                            depth.first = 0;
@@ -78,40 +78,40 @@ TEST(Report, AFirstFrameIsMissedWhereItIsLateOrNoProcessDrewIt) {
 TEST(Report, PicturesThatDifferAreMissedWithoutAGate) {
     Duel d = of_ratio(9);
     d.difference.flip = 0.06;
-    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP 0.0600")));
+    EXPECT_THAT(missed_bounds(kFree, d), ElementsAre(HasSubstr("FLIP 0.0600")));
     d.difference.flip = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("FLIP")));
+    EXPECT_THAT(missed_bounds(kFree, d), ElementsAre(HasSubstr("FLIP")));
     d.difference = {0.01, 0.006};
-    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("one side alone covers 0.60 %")));
+    EXPECT_THAT(missed_bounds(kFree, d), ElementsAre(HasSubstr("one side alone covers 0.60 %")));
     d.difference.one_sided = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_THAT(missed(kFree, d), ElementsAre(HasSubstr("one side alone")));
+    EXPECT_THAT(missed_bounds(kFree, d), ElementsAre(HasSubstr("one side alone")));
 }
 
 TEST(Report, AFirstFrameIsJudgedWhereItIsTheRenderers) {
     Duel d = of_ratio(9);
     d.first = 2.1;
-    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("first frame takes 2.10")));
-    EXPECT_THAT(missed(kDepth, d), IsEmpty());
+    EXPECT_THAT(missed_bounds(kLit, d), ElementsAre(HasSubstr("first frame takes 2.10")));
+    EXPECT_THAT(missed_bounds(kDepth, d), IsEmpty());
 }
 
 TEST(Report, TheFloorIsJudgedWhereItIsKnown) {
     Duel d = of_ratio(9);
     d.floor = d.ours.cpu[0] / 4.5;
-    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: 4.50 times the floor")));
-    EXPECT_THAT(missed(kFree, d), IsEmpty());
+    EXPECT_THAT(missed_bounds(kLit, d), ElementsAre(HasSubstr("lit: 4.50 times the floor")));
+    EXPECT_THAT(missed_bounds(kFree, d), IsEmpty());
     d.floor = d.ours.cpu[0] * 1.1;
-    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: faster than its floor")));
+    EXPECT_THAT(missed_bounds(kLit, d), ElementsAre(HasSubstr("lit: faster than its floor")));
     d.floor = 0;
-    EXPECT_THAT(missed(kSamples, d), IsEmpty());
-    EXPECT_THAT(missed(kLit, d), ElementsAre(HasSubstr("lit: not judged: its floor")));
+    EXPECT_THAT(missed_bounds(kSamples, d), IsEmpty());
+    EXPECT_THAT(missed_bounds(kLit, d), ElementsAre(HasSubstr("lit: not judged: its floor")));
 }
 
 TEST(Report, TwoThreadsAreJudgedBesideAPairThatHasTheMachine) {
-    EXPECT_THAT(missed({1.7, 2}), IsEmpty());
-    EXPECT_THAT(missed({1.6, 2}), ElementsAre(HasSubstr("the gate is 1.7x")));
-    EXPECT_THAT(missed({1.6, 1.6}), IsEmpty()); // all that the machine gave
-    EXPECT_THAT(missed({0.98, 0.73}), ElementsAre(HasSubstr("not judged")));
-    EXPECT_THAT(missed({2.3, 2}), ElementsAre(HasSubstr("not judged")));
+    EXPECT_THAT(missed_bounds({1.7, 2}), IsEmpty());
+    EXPECT_THAT(missed_bounds({1.6, 2}), ElementsAre(HasSubstr("the gate is 1.7x")));
+    EXPECT_THAT(missed_bounds({1.6, 1.6}), IsEmpty()); // all that the machine gave
+    EXPECT_THAT(missed_bounds({0.98, 0.73}), ElementsAre(HasSubstr("not judged")));
+    EXPECT_THAT(missed_bounds({2.3, 2}), ElementsAre(HasSubstr("not judged")));
 }
 
 TEST(Report, NoGateIsMetThatWasNotJudged) {

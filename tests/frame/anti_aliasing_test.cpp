@@ -11,11 +11,11 @@
 namespace scanout::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kFrameSide = 64;
 
 // Triangles in pixels, x right and y down, seen square: the nearest has the greatest z.
 struct Flat {
-    Shot shot = scanout::test::shot("flat", kSide, kSide);
+    Shot shot = scanout::test::shot("flat", kFrameSide, kFrameSide);
 
     explicit Flat(const std::string& aa) {
         shot.options.aa = aa;
@@ -29,17 +29,17 @@ struct Flat {
         std::uint32_t index[3];
         for (std::size_t k = 0; k < 3; ++k)
             index[k] = add_vertex(
-                shot.scene.mesh, Vec3(DVec3(corner[k].x, kSide - corner[k].y, corner[k].z)), unlit);
+                shot.scene.mesh, Vec3(DVec3(corner[k].x, kFrameSide - corner[k].y, corner[k].z)), unlit);
         add_triangle(shot.scene.mesh, index[0], index[1], index[2],
                      static_cast<int>(shot.scene.materials.size() - 1));
     }
     image::Image draw(shade::LinearPicture* linear = nullptr, int scale = 1) const {
         scene::View view;
         view.projection = scene::Projection::orthographic;
-        view.half_width = view.half_height = kSide / 2.0;
-        view.translation = {-kSide / 2.0, -kSide / 2.0, 0};
+        view.half_width = view.half_height = kFrameSide / 2.0;
+        view.translation = {-kFrameSide / 2.0, -kFrameSide / 2.0, 0};
         frame::FrameOptions options = shot.options;
-        options.width = options.height = kSide * scale;
+        options.width = options.height = kFrameSide * scale;
         const auto plan = frame::plan(options, frame::facts(shot.scene));
         EXPECT_TRUE(plan) << plan.error().what;
         Jobs jobs(1);
@@ -50,11 +50,11 @@ struct Flat {
     std::vector<double> shares() const {
         shade::LinearPicture linear;
         draw(&linear);
-        const int scale = linear.width / kSide;
-        std::vector<double> share(static_cast<std::size_t>(kSide) * kSide);
+        const int scale = linear.width / kFrameSide;
+        std::vector<double> share(static_cast<std::size_t>(kFrameSide) * kFrameSide);
         for (int y = 0; y < linear.height; ++y)
             for (int x = 0; x < linear.width; ++x)
-                share[static_cast<std::size_t>(y / scale * kSide + x / scale)] +=
+                share[static_cast<std::size_t>(y / scale * kFrameSide + x / scale)] +=
                     double{linear.at(x, y)[3]} / (scale * scale);
         return share;
     }
@@ -70,7 +70,7 @@ struct HalfPlane {
     explicit HalfPlane(Random& random) {
         const double angle = random.in(0, 2 * std::numbers::pi);
         const DVec2 n(std::cos(angle), std::sin(angle)), along(-n.y, n.x);
-        const DVec2 on = DVec2(kSide / 2.0) + n * random.in(-25, 25);
+        const DVec2 on = DVec2(kFrameSide / 2.0) + n * random.in(-25, 25);
         const auto place = [](const DVec2& p) { return DVec3(on_grid(p.x), on_grid(p.y), 0.5); };
         corner = {place(on + along * 110.0), place(on - along * 110.0), place(on + n * 110.0)};
     }
@@ -121,11 +121,11 @@ TEST(AntiAliasing, HasTheDeclaredErrorOfCoverageAtRandomEdges) {
             Flat flat(name);
             flat.add(half.corner);
             const std::vector<double> got = flat.shares();
-            for (int y = 0; y < kSide; ++y)
-                for (int x = 0; x < kSide; ++x) {
+            for (int y = 0; y < kFrameSide; ++y)
+                for (int x = 0; x < kFrameSide; ++x) {
                     const double exact = half.area(x, y);
                     const double error =
-                        std::abs(got[static_cast<std::size_t>(y * kSide + x)] - exact);
+                        std::abs(got[static_cast<std::size_t>(y * kFrameSide + x)] - exact);
                     most = std::max(most, error);
                     if (exact <= 0 || exact >= 1) {
                         ASSERT_LE(error, 1e-6) << name; // off the edge all are exact
@@ -165,8 +165,8 @@ TEST(AntiAliasing, ByAreasFindsWhatIsHiddenExactly) {
         shade::LinearPicture linear;
         flat.draw(&linear);
         double worst = 0;
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kFrameSide; ++y)
+            for (int x = 0; x < kFrameSide; ++x) {
                 double red = 0, share = 0;
                 constexpr int kGrid = 32;
                 for (int j = 0; j < kGrid; ++j)
@@ -216,8 +216,8 @@ TEST(AntiAliasing, ByAreasLeavesNoSeamAndCutsPlanesWhereTheyCross) {
     slope(-1, {0, 1, 0});
     shade::LinearPicture linear;
     crossing.draw(&linear);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kFrameSide; ++y)
+        for (int x = 0; x < kFrameSide; ++x) {
             const double right = std::clamp(x + 1 - on_grid(20.3), 0.0, 1.0);
             ASSERT_NEAR(linear.at(x, y)[0], right, 1e-4) << x << ',' << y;
             ASSERT_NEAR(linear.at(x, y)[1], 1 - right, 1e-4) << x << ',' << y;
@@ -239,8 +239,8 @@ TEST(AntiAliasing, BySupersamplingIsTheMeanOfALargerPicture) {
         shade::LinearPicture linear;
         large.draw(&linear, n);
         const image::Image got = small.draw();
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kFrameSide; ++y)
+            for (int x = 0; x < kFrameSide; ++x) {
                 double sum[3] = {};
                 for (int j = 0; j < n; ++j)
                     for (int i = 0; i < n; ++i)
@@ -267,7 +267,7 @@ TEST(AntiAliasing, OfOneColourIsThatColour) {
         // And of nothing, the background.
         Flat nothing{std::string(aa->card.name)};
         nothing.shot.options.background = {12, 200, 77, 128};
-        EXPECT_EQ(nothing.draw(), image::Image(kSide, kSide, {12, 200, 77, 128}));
+        EXPECT_EQ(nothing.draw(), image::Image(kFrameSide, kFrameSide, {12, 200, 77, 128}));
     }
 }
 

@@ -11,7 +11,7 @@
 namespace scanout::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kOracleSide = 64;
 
 struct Colour {
     DVec3 linear{0}; // times alpha
@@ -20,7 +20,7 @@ struct Colour {
 
 // Triangles of one colour each, seen along z: mesh x and y are pixels, z is depth.
 struct Sheets {
-    Shot shot = scanout::test::shot("sheets", kSide, kSide);
+    Shot shot = scanout::test::shot("sheets", kOracleSide, kOracleSide);
     std::vector<oracle::Corners> corners;
     std::vector<oracle::ExactTriangle> shape;
     std::vector<oracle::Three> depth;
@@ -37,7 +37,7 @@ struct Sheets {
             index[k] =
                 add_vertex(mesh,
                            {static_cast<float>(v[k].x) / 256,
-                            kSide - static_cast<float>(v[k].y) / 256, static_cast<float>(z[k])},
+                            kOracleSide - static_cast<float>(v[k].y) / 256, static_cast<float>(z[k])},
                            unlit);
             mesh.colour.push_back(c);
         }
@@ -131,8 +131,8 @@ TEST_P(BlendingModes, AreWithinHalfACodeOfTheOracleInEveryPixel) {
         const bool sums = GetParam() == std::string("add") || GetParam() == std::string("subtract");
         if (sums) sheets.shot.options.background.a = 255; // what is added has no alpha
         const image::Image picture = sheets.picture();
-        for (int y = 0; y < kSide; ++y) {
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kOracleSide; ++y) {
+            for (int x = 0; x < kOracleSide; ++x) {
                 Colour mean;
                 bool close = false;
                 for (const raster::SampleOffset& at : raster::sample_pattern(samples)) {
@@ -175,8 +175,8 @@ TEST(Blending, OfTwoHundredAndFiftySixLayersIsWithinACodeOfDouble) {
                    static_cast<float>(random.in(0.002, 0.05)));
     const image::Image picture = sheets.picture();
     double worst = 0, worst_of_codes = 0;
-    for (int y = 0; y < kSide; ++y) {
-        for (int x = 0; x < kSide; ++x) {
+    for (int y = 0; y < kOracleSide; ++y) {
+        for (int x = 0; x < kOracleSide; ++x) {
             bool close = false;
             const Colour c = sheets.at(x * 256 + 128, y * 256 + 128, close);
             const image::Rgba8 p = picture.at(x, y);

@@ -9,7 +9,7 @@ namespace {
 using oracle::Three;
 using oracle::Twofold;
 
-constexpr int kSide = 64;
+constexpr int kClippedSide = 64;
 constexpr double kGuard = 32767; // pixels
 constexpr double kNear = 1;
 
@@ -23,7 +23,7 @@ Twofold dot(const Point& p, const Point& q, const Point& r) {
 }
 
 Point in_front_of_the_eye(const Vec3& place, double u) {
-    const Twofold half = kSide / 2.0, w = -double{place.z};
+    const Twofold half = kClippedSide / 2.0, w = -double{place.z};
     return {(w + Twofold(place.x)) * half, (w - Twofold(place.y)) * half, w, u};
 }
 
@@ -72,8 +72,8 @@ public:
             t[i] = in_front_of_the_eye(place[i], u[i]);
         const auto polygon = drawn(t);
         bool seen = false;
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kClippedSide; ++y)
+            for (int x = 0; x < kClippedSide; ++x) {
                 if (!ruler_.covered(x, y)) continue;
                 const double off = error(polygon, x, y);
                 worst = std::max(worst, off);
@@ -104,7 +104,7 @@ private:
         }
         return least;
     }
-    Ruler ruler_{kSide};
+    Ruler ruler_{kClippedSide};
 };
 
 struct Kind {
@@ -123,7 +123,7 @@ struct Pixels {
 };
 // The nearest floats; w may be negative.
 Vec3 at(const Pixels& p, double w) {
-    const double half = kSide / 2.0;
+    const double half = kClippedSide / 2.0;
     return {static_cast<float>((p.x - half) / half * w),
             static_cast<float>((half - p.y) / half * w), static_cast<float>(-w)};
 }
@@ -150,7 +150,7 @@ public:
     }
     // Through a sample; every vertex on the screen is on the grid once it is snapped.
     std::array<Vec3, 3> strip() {
-        const Pixels sample{random_.whole(0, kSide - 1) + 0.5, random_.whole(0, kSide - 1) + 0.5};
+        const Pixels sample{random_.whole(0, kClippedSide - 1) + 0.5, random_.whole(0, kClippedSide - 1) + 0.5};
         const Pixels start = inside();
         const Pixels snapped{snap(start.x), snap(start.y)};
         const double length = std::hypot(sample.x - start.x, sample.y - start.y);
@@ -179,7 +179,7 @@ public:
 
 private:
     double distance() { return kNear * 1.01 * std::exp2(random_.unit() * std::log2(kind_.ratio)); }
-    Pixels inside() { return {random_.in(-10, kSide + 10), random_.in(-10, kSide + 10)}; }
+    Pixels inside() { return {random_.in(-10, kClippedSide + 10), random_.in(-10, kClippedSide + 10)}; }
     Pixels far(double third) {
         const double angle = (third + random_.in(-0.45, 0.45)) * 2.0943951;
         const double reach = std::exp2(random_.in(15.6, 20));
@@ -231,7 +231,7 @@ TEST_P(OffScreen, InterpolationIsWithinTwoToTheMinus20OfTheRange) {
 
 TEST_P(OffScreen, AConstantStaysThatConstantAndTheOrderOfVerticesChangesNoBit) {
     Random random(18);
-    Ruler ruler(kSide);
+    Ruler ruler(kClippedSide);
     ruler.set_near(kNear);
     Maker make(GetParam(), random);
     int seen = 0, differ = 0, off = 0;
@@ -247,8 +247,8 @@ TEST_P(OffScreen, AConstantStaysThatConstantAndTheOrderOfVerticesChangesNoBit) {
                       {u[order[0]], u[order[1]], u[order[2]]});
             const image::Image& picture = ruler.draw();
             if (first.width() == 0) first = picture;
-            for (int y = 0; y < kSide; ++y)
-                for (int x = 0; x < kSide; ++x) {
+            for (int y = 0; y < kClippedSide; ++y)
+                for (int x = 0; x < kClippedSide; ++x) {
                     differ += picture.at(x, y) == first.at(x, y) ? 0 : 1;
                     if (!ruler.covered(x, y)) continue;
                     ++seen;

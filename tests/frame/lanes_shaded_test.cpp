@@ -74,7 +74,7 @@ std::uint64_t lanes_in_pixels(const Shot& s) {
     draw_in_pixels(s, {.threads = 2, .stats = &stats});
     return stats.lanes_shaded;
 }
-void add_rectangle(Shot& s, float x0, float y0, float x1, float y1, float z) {
+void add_covering(Shot& s, float x0, float y0, float x1, float y1, float z) {
     add_quad(s.scene.mesh, {{{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}}}, {0, 0, 1}, 0);
 }
 
@@ -84,7 +84,7 @@ TEST(LanesShaded, OfASquareAreItsPixelsAndOnceMoreThoseOfItsDiagonal) {
     for (const int samples : kSamples) {
         Shot s = in_pixels(100, 80);
         s.options.samples = samples;
-        add_rectangle(s, 50, 30, 70, 50, 0.5F);
+        add_covering(s, 50, 30, 70, 50, 0.5F);
         EXPECT_EQ(lanes_in_pixels(s), samples == 1 ? 400U : 420U) << samples;
     }
 }
@@ -94,10 +94,10 @@ TEST(LanesShaded, OfWhatIsHiddenAreNone) {
         Shot s = in_pixels(100, 80);
         s.options.samples = samples;
         const std::uint64_t diagonal = samples == 1 ? 0 : 1;
-        add_rectangle(s, 10, 10, 50, 50, 0.3F);
-        add_rectangle(s, 10, 10, 50, 50, 0.4F);
+        add_covering(s, 10, 10, 50, 50, 0.3F);
+        add_covering(s, 10, 10, 50, 50, 0.4F);
         EXPECT_EQ(lanes_in_pixels(s), 1600 + 40 * diagonal) << samples;
-        add_rectangle(s, 20, 20, 40, 40, 0.5F); // the cuts are one line
+        add_covering(s, 20, 20, 40, 40, 0.5F); // the cuts are one line
         EXPECT_EQ(lanes_in_pixels(s), 1600 + 40 * diagonal) << samples;
     }
 }

@@ -1,6 +1,7 @@
 // What becomes of light above 1: how bright a scene can get, and the curve that this calls for.
 #include "frame/brightness.h"
 #include "frame/plan.h"
+#include "frame/plans.h"
 #include "image/compare.h"
 #include "support/random.h"
 #include "support/scenes.h"
@@ -14,19 +15,6 @@ namespace scanout::frame {
 namespace {
 
 using testing::HasSubstr;
-
-std::vector<std::string> stages(const FramePlan& plan) {
-    std::vector<std::string> names;
-    for (const shade::Stage* stage : plan.stages)
-        names.push_back(std::string(stage->card.axis) + " " + std::string(stage->card.name));
-    return names;
-}
-
-FramePlan plan_of(const SceneFacts& facts, const FrameOptions& options = {}) {
-    auto result = plan(options, facts);
-    EXPECT_TRUE(result) << result.error().what;
-    return result.value_or(FramePlan());
-}
 
 scene::Light sun(const DVec3& towards, float colour) {
     scene::Light light;

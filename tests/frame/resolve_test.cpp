@@ -11,15 +11,15 @@
 namespace scanout::test {
 namespace {
 
-constexpr int kSide = 64, kSheets = 25;
+constexpr int kResolvedSide = 64, kSheets = 25;
 
 // Triangles of one colour each, one behind the other; the last is nearest.
-struct Sheets {
-    Shot shot = scanout::test::shot("resolve", kSide, kSide);
+struct ResolvedSheets {
+    Shot shot = scanout::test::shot("resolve", kResolvedSide, kResolvedSide);
     std::vector<oracle::ExactTriangle> shape;
     std::vector<DVec3> colour;
 
-    Sheets(Random& random, int samples) {
+    ResolvedSheets(Random& random, int samples) {
         shot.options.samples = samples;
         shot.options.background = {static_cast<std::uint8_t>(random.whole(0, 255)), 10, 200, 255};
         shot.scene.materials = {plain(Vec3(1 / scene::kAmbient))};
@@ -35,7 +35,7 @@ struct Sheets {
                 v[k] = {random.whole(-4000, 20000), random.whole(-4000, 20000)};
                 index[k] = add_vertex(mesh,
                                       {static_cast<float>(v[k].x) / 256,
-                                       kSide - static_cast<float>(v[k].y) / 256,
+                                       kResolvedSide - static_cast<float>(v[k].y) / 256,
                                        0.2F + 0.02F * static_cast<float>(i)},
                                       unlit);
                 mesh.colour.push_back(c);
@@ -66,10 +66,10 @@ TEST(Resolve, OfEveryPixelIsWithinHalfACodeOfTheMeanInDouble) {
     int mixed = 0;
     for (int round = 0; round < 40; ++round) {
         const int samples = 2 << round % 4;
-        const Sheets sheets(random, samples);
+        const ResolvedSheets sheets(random, samples);
         const image::Image picture = sheets.picture();
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kResolvedSide; ++y)
+            for (int x = 0; x < kResolvedSide; ++x) {
                 DVec3 mean(0), mean_of_codes(0);
                 std::set<int> seen;
                 for (const raster::SampleOffset& at : raster::sample_pattern(samples)) {

@@ -15,7 +15,7 @@ namespace {
 using scene::LightKind;
 
 #define SCANOUT_NAME(name) #name,
-const std::vector<std::string> kTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
+const std::vector<std::string> kShadowTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
 #undef SCANOUT_NAME
 
 // What a ray through a pixel finds, and whether light reaches it there.
@@ -307,7 +307,7 @@ TEST(Shadow, NeverFallsOnThePlaneThatThrowsIt) {
             light.kind = kind;
             light.position = light.towards * 2.5;
             s.options.lights = {light};
-            for (const std::string& technique : kTechniques) {
+            for (const std::string& technique : kShadowTechniques) {
                 if (technique == "attached") continue;
                 for (const double share : shares(s, technique)) {
                     if (share >= 0) {
@@ -335,7 +335,7 @@ TEST(Shadow, DoesNotGatherInAHollowEdgeThatTheLightLooksInto) {
         for (const double size : {0.0, 2.0}) {
             light.size = size;
             s.options.lights = {light};
-            for (const std::string& technique : kTechniques) {
+            for (const std::string& technique : kShadowTechniques) {
                 int lit = 0;
                 for (const double share : shares(s, technique)) {
                     lit += share == 1 ? 1 : 0;
@@ -358,7 +358,7 @@ TEST(Shadow, OfALoneConvexBodyIsNotOnItsLitSide) {
         s.options.lights[0].position = {1, 1.5, 0.5};
         s.options.shadow_size = 128;
         const Oracle oracle(s);
-        for (const std::string& technique : kTechniques) {
+        for (const std::string& technique : kShadowTechniques) {
             const std::vector<double> share = shares(s, technique);
             int lit = 0;
             for (int y = 0; y < 64; ++y) {
@@ -403,7 +403,7 @@ TEST(Shadow, ChangesNoBitWhereNoLightCasts) {
     for (const auto kind : {LightKind::directional, LightKind::point, LightKind::spot}) {
         Shot s = stage("plain", {light_of(kind, 0.9)});
         const image::Image plain = draw(s);
-        for (const std::string& technique : kTechniques) {
+        for (const std::string& technique : kShadowTechniques) {
             s.options.shadow = technique;
             s.options.effects["shadow"] = true;
             frame::FrameStats stats;

@@ -14,7 +14,7 @@
 namespace scanout::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kStencilSide = 64;
 constexpr image::Rgba8 kOrange{255, 140, 0, 255};
 
 Shot with(Shot s, const std::string& stencil) {
@@ -48,7 +48,7 @@ std::vector<int> counts_in(const Shot& s, const DrawOptions& how = {}) {
 }
 
 Shot in_pixels() {
-    Shot s = with(shot("pixels", kSide, kSide), "overdraw");
+    Shot s = with(shot("pixels", kStencilSide, kStencilSide), "overdraw");
     s.scene.materials = {plain({0.5F, 0.5F, 0.5F})};
     return s;
 }
@@ -74,23 +74,23 @@ TEST(Overdraw, IsTheNumberOfTrianglesThatCoverThePixelsCentreExactly) {
         for (int round = 0; round < 4; ++round) {
             Shot s = in_pixels();
             s.options.samples = round == 3 ? 4 : 1;
-            std::vector<int> expected(kSide * kSide, 0);
+            std::vector<int> expected(kStencilSide * kStencilSide, 0);
             for (int i = 0; i < 120; ++i) {
                 oracle::Corners corners;
                 std::uint32_t index[3];
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const auto at = [&] { return random.whole(-reach, reach + kSide * 256); };
+                    const auto at = [&] { return random.whole(-reach, reach + kStencilSide * 256); };
                     corners[k] = {at(), at()};
                     index[k] =
                         add_vertex(s.scene.mesh, {static_cast<float>(corners[k].x) / 256,
-                                                  kSide - static_cast<float>(corners[k].y) / 256,
+                                                  kStencilSide - static_cast<float>(corners[k].y) / 256,
                                                   static_cast<float>(random.in(0.1, 0.9))});
                 }
                 add_triangle(s.scene.mesh, index[0], index[1], index[2], 0);
                 const oracle::ExactTriangle triangle(corners);
-                for (int pixel = 0; pixel < kSide * kSide; ++pixel)
+                for (int pixel = 0; pixel < kStencilSide * kStencilSide; ++pixel)
                     expected[static_cast<std::size_t>(pixel)] +=
-                        triangle.covers(pixel % kSide * 256 + 128, pixel / kSide * 256 + 128);
+                        triangle.covers(pixel % kStencilSide * 256 + 128, pixel / kStencilSide * 256 + 128);
             }
             const std::vector<int> counts = counts_in_pixels(s);
             EXPECT_EQ(counts, expected) << reach << ' ' << round;
@@ -132,9 +132,9 @@ TEST(Overdraw, OfStackedSquaresHasTheColoursOfTheScale) {
         for (int i = 0; i < count; ++i)
             add_rectangle(s, 10, 10, 50, 40, 0.5F + static_cast<float>(i % 7) / 64);
         const image::Image picture = draw_in_pixels(s, {.threads = 2});
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
-                const bool inside = x >= 10 && x < 50 && y >= kSide - 40 && y < kSide - 10;
+        for (int y = 0; y < kStencilSide; ++y)
+            for (int x = 0; x < kStencilSide; ++x) {
+                const bool inside = x >= 10 && x < 50 && y >= kStencilSide - 40 && y < kStencilSide - 10;
                 ASSERT_EQ(picture.at(x, y), inside ? colour : s.options.background)
                     << count << " at " << x << ", " << y;
             }
@@ -156,11 +156,11 @@ TEST(Overdraw, CountsEveryLineAndPointOnItsPixels) {
     add_line(mesh, vertex(20.5F, 10.5F), vertex(20.5F, 60.5F), 0);
     add_line(mesh, vertex(20.5F, 60.5F), vertex(20.5F, 10.5F), 0);
     add_point(mesh, vertex(40.5F, 33.5F), 0);
-    std::vector<int> expected(kSide * kSide, 0);
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x) {
-            int& count = expected[static_cast<std::size_t>(y * kSide + x)];
-            const int up = kSide - 1 - y;
+    std::vector<int> expected(kStencilSide * kStencilSide, 0);
+    for (int y = 0; y < kStencilSide; ++y)
+        for (int x = 0; x < kStencilSide; ++x) {
+            int& count = expected[static_cast<std::size_t>(y * kStencilSide + x)];
+            const int up = kStencilSide - 1 - y;
             count = (x < 30) + (up == 33 && x >= 3 && x <= 43) +
                     2 * (x == 20 && up >= 10 && up <= 60) + (x == 40 && up == 33);
         }
@@ -329,11 +329,11 @@ TEST(Outline, OfASquareIsTwoPixelsWide) {
     add_rectangle(s, 20, 0, 40, 30, 0.5F);
     const image::Image picture = draw_in_pixels(s);
     const auto orange = [&](int x, int y) { return picture.at(x, y) == kOrange; };
-    for (int y = kSide - 30; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int y = kStencilSide - 30; y < kStencilSide; ++y)
+        for (int x = 0; x < kStencilSide; ++x)
             ASSERT_EQ(orange(x, y), x == 18 || x == 19 || x == 40 || x == 41) << x << ", " << y;
-    EXPECT_TRUE(orange(30, kSide - 32) && !orange(30, kSide - 33));
-    EXPECT_TRUE(orange(19, kSide - 31) && !orange(18, kSide - 32)); // corners are round
+    EXPECT_TRUE(orange(30, kStencilSide - 32) && !orange(30, kStencilSide - 33));
+    EXPECT_TRUE(orange(19, kStencilSide - 31) && !orange(18, kStencilSide - 32)); // corners are round
 }
 
 TEST(Stencil, HoldsAByteAPixelOnlyWhileItIsAskedFor) {
@@ -344,7 +344,7 @@ TEST(Stencil, HoldsAByteAPixelOnlyWhileItIsAskedFor) {
         for (const Shot& s : shots) { // what another frame marked is forgotten
             const Shot asked = with(s, name);
             const auto view =
-                scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, kSide, kSide);
+                scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, kStencilSide, kStencilSide);
             ASSERT_TRUE(view);
             const auto plan = frame::plan(asked.options, frame::facts(s.scene), *view);
             ASSERT_TRUE(plan);

@@ -14,7 +14,7 @@ namespace {
 using oracle::Corner;
 using oracle::Corners;
 
-constexpr int kSide = 128, kReach = 64; // pixels
+constexpr int kWholeSide = 128, kReach = 64; // pixels
 constexpr int kCell = 16;               // a triangle each, four of them in the middle
 
 struct Fragment {
@@ -44,8 +44,8 @@ struct MovedTriangle {
     std::array<Vec2, 3> uv;
 
     MovedTriangle(Random& random, int cell) {
-        const int x = (kSide / 2 - kCell + cell % 2 * kCell) * 256,
-                  y = (kSide / 2 - kCell + cell / 2 * kCell) * 256;
+        const int x = (kWholeSide / 2 - kCell + cell % 2 * kCell) * 256,
+                  y = (kWholeSide / 2 - kCell + cell / 2 * kCell) * 256;
         for (std::size_t i = 0; i < 3; ++i) {
             corner[i] = {x + random.whole(0, kCell * 256), y + random.whole(0, kCell * 256)};
             w[i] = oracle::few_bits(std::exp2(random.in(0, 10)));
@@ -58,7 +58,7 @@ struct MovedTriangle {
 
 class Translation : public testing::TestWithParam<scene::Projection> {
 protected:
-    Translation() : shot_(shot("moved", kSide, kSide)) {
+    Translation() : shot_(shot("moved", kWholeSide, kWholeSide)) {
         shot_.scene.materials = {textured(0)};
         shot_.scene.textures = {checkers()};
         view_.projection = GetParam();
@@ -72,7 +72,7 @@ protected:
             std::uint32_t index[3];
             for (std::size_t i = 0; i < 3; ++i) {
                 const Corner c{t.corner[i].x + dx * 256, t.corner[i].y + dy * 256};
-                Vec3 p = oracle::placed(c, perspective() ? t.w[i] : 1, kSide, kSide);
+                Vec3 p = oracle::placed(c, perspective() ? t.w[i] : 1, kWholeSide, kWholeSide);
                 if (!perspective()) p.z = static_cast<float>(1 / t.w[i]);
                 index[i] = add_vertex(mesh, p, t.normal[i]);
                 mesh.uv.push_back(t.uv[i]);
@@ -122,7 +122,7 @@ TEST_P(Translation, ByWholePixelsMovesEveryInterpolatedValueAlongToTheBit) {
             auto next = moved.begin();
             for (const Fragment& f : still) {
                 const int x = f.x + dx, y = f.y + dy;
-                if (x < 0 || x >= kSide || y < 0 || y >= kSide) continue; // has left the picture
+                if (x < 0 || x >= kWholeSide || y < 0 || y >= kWholeSide) continue; // has left the picture
                 ASSERT_TRUE(next != moved.end() && next->x == x && next->y == y) << dx << ' ' << dy;
                 ASSERT_TRUE(same_values(*next, f, perspective())) << dx << ' ' << dy;
                 ++next;

@@ -30,17 +30,17 @@ std::vector<Vec3> normals_of(PolygonMesh mesh, double crease_degrees = 60) {
     return normals;
 }
 
-double length(const DVec3& v) {
+double length_of(const DVec3& v) {
     return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
 
 double distance(const Vec3& a, const DVec3& b) {
-    return length(DVec3(a) - b);
+    return length_of(DVec3(a) - b);
 }
 
 bool all_unit(const std::vector<Vec3>& normals) {
     return std::all_of(normals.begin(), normals.end(),
-                       [](const Vec3& n) { return std::abs(length(DVec3(n)) - 1) <= 1e-6; });
+                       [](const Vec3& n) { return std::abs(length_of(DVec3(n)) - 1) <= 1e-6; });
 }
 
 RC_GTEST_PROP(Normals, TheOrderOfFacesMovesNoBit, (std::uint32_t seed, bool with_groups)) {
@@ -91,15 +91,15 @@ DVec3 by_definition(const std::vector<DVec3>& ring, std::size_t face, double cre
     const auto normal = [&](std::size_t i) {
         const DVec3 c = cross3(ring[i], ring[(i + 1) % n]);
         const auto whole = [](double x) { return std::round(x * 0x1p30) * 0x1p-30; };
-        return DVec3(whole(c.x / length(c)), whole(c.y / length(c)), whole(c.z / length(c)));
+        return DVec3(whole(c.x / length_of(c)), whole(c.y / length_of(c)), whole(c.z / length_of(c)));
     };
     DVec3 sum(0);
     for (std::size_t i = 0; i < n; ++i) {
         if (dot3(normal(i), normal(face)) < std::cos((crease_degrees + 0.01) * kPi / 180)) continue;
         const DVec3 &a = ring[i], &b = ring[(i + 1) % n];
-        sum += normal(i) * std::acos(dot3(a, b) / length(a) / length(b));
+        sum += normal(i) * std::acos(dot3(a, b) / length_of(a) / length_of(b));
     }
-    return sum / length(sum);
+    return sum / length_of(sum);
 }
 
 PolygonMesh fan(const std::vector<DVec3>& ring) {
@@ -158,7 +158,7 @@ TEST(Normals, ASmoothCubesCornersPointOutwardHoweverItsFacesAreCut) {
         const std::vector<Vec3> normals = normals_of(mesh);
         for (std::size_t c = 0; c < normals.size(); ++c) {
             const DVec3& p = mesh.positions[static_cast<std::size_t>(mesh.corners[c].position)];
-            EXPECT_LT(distance(normals[c], p / length(p)), 1e-7);
+            EXPECT_LT(distance(normals[c], p / length_of(p)), 1e-7);
         }
     }
 }
@@ -190,8 +190,8 @@ TEST(Normals, AHexagonsSidesAreWithinSixtyDegreesAllOrNone) {
     for (std::size_t c = 0; c < smooth.size(); ++c) {
         const DVec3 p =
             mesh.positions[static_cast<std::size_t>(mesh.corners[c].position)] * DVec3(1, 1, 0);
-        EXPECT_LT(distance(smooth[c], p / length(p)), 1e-5);
-        EXPECT_GT(distance(sharp[c], p / length(p)), 0.4);
+        EXPECT_LT(distance(smooth[c], p / length_of(p)), 1e-5);
+        EXPECT_GT(distance(sharp[c], p / length_of(p)), 0.4);
     }
 }
 
@@ -239,7 +239,7 @@ TEST(Normals, ACornerWrittenTwiceCountsOnce) {
     }
     for (std::size_t c = 0; c < doubled.corners.size(); ++c) {
         const DVec3& p = doubled.positions[static_cast<std::size_t>(doubled.corners[c].position)];
-        EXPECT_LT(distance(normals_of(doubled)[c], p / length(p)), 1e-7);
+        EXPECT_LT(distance(normals_of(doubled)[c], p / length_of(p)), 1e-7);
     }
 }
 
@@ -300,7 +300,7 @@ TEST(Normals, AHubOfTwentyThousandFacesIsStillDividedByTheCrease) {
     EXPECT_TRUE(all_unit(normals));
     for (std::size_t i = 0; i < ring.size(); i += 97) {
         const DVec3 own = cross3(ring[i], ring[(i + 1) % ring.size()]);
-        EXPECT_LT(distance(normals[3 * i], own / length(own)), 0.25);
+        EXPECT_LT(distance(normals[3 * i], own / length_of(own)), 0.25);
     }
 }
 

@@ -12,24 +12,24 @@ using test::warned;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-struct Read {
+struct MtlRead {
     std::vector<MtlMaterial> materials;
     Warnings warnings;
     const scene::Material& first() const { return materials.at(0).material; }
 };
 
-Read read(const std::string& text) {
-    Read r;
+MtlRead read_text(const std::string& text) {
+    MtlRead r;
     r.materials = read_mtl(text, "x.mtl", r.warnings);
     return r;
 }
 
-Read read_one(const std::string& statements) {
-    return read("newmtl m\n" + statements + "\n");
+MtlRead read_one(const std::string& statements) {
+    return read_text("newmtl m\n" + statements + "\n");
 }
 
 TEST(Mtl, ReadsEveryValue) {
-    const Read r =
+    const MtlRead r =
         read_one("  Kd 0.1 0.2 0.3\r\n\tKa 1 2 3\nKs .5 .5 .5\nKe 0 1 0\nTf 0.9 0.8 0.7\nNs 96.5\n"
                  "Ni 1.45\nillum 7\nd 0.25");
     EXPECT_EQ(all_lines(r.warnings), "");
@@ -48,7 +48,7 @@ TEST(Mtl, ReadsEveryValue) {
 }
 
 TEST(Mtl, WhatNoMaterialCanHaveIsNamedAndCounted) {
-    const Read r = read_one("Ns 1e30\nNs 2e30\nKd -1 2 1e30\nd 7\nd 1\nPm -3");
+    const MtlRead r = read_one("Ns 1e30\nNs 2e30\nKd -1 2 1e30\nd 7\nd 1\nPm -3");
     EXPECT_EQ(r.first().shininess, 1e6F);
     EXPECT_EQ(r.first().metalness, 0.0F);
     for (const char* line :
@@ -63,7 +63,7 @@ TEST(Mtl, WhatNoMaterialCanHaveIsNamedAndCounted) {
 }
 
 TEST(Mtl, NamesMayHoldBlanksAndEndWithTabs) {
-    const Read r = read("newmtl\ta b  c\t\t\r\nKd 1 0 0\r\n newmtl d\rKd 0 1 0");
+    const MtlRead r = read_text("newmtl\ta b  c\t\t\r\nKd 1 0 0\r\n newmtl d\rKd 0 1 0");
     ASSERT_EQ(r.materials.size(), 2u);
     EXPECT_EQ(r.materials[0].material.name, "a b  c");
     EXPECT_EQ(r.materials[1].material.name, "d");
@@ -91,7 +91,7 @@ TEST(Mtl, ColoursThatAreNotThreeNumbersKeepTheDefaultAndSaySo) {
     EXPECT_EQ(read_one("Kd 0.5").first().diffuse, Vec3(0.5f)) << "one number is a grey";
     for (const char* bad : {"Kd", "Kd 0.1 0.2", "Kd nan 0 0", "Kd 0 inf 0", "Kd 1e400 0 0", "Kd x",
                             "Kd spectral file.rfl 1", "Kd xyz 0.3 0.3 0.3"}) {
-        const Read r = read_one(bad);
+        const MtlRead r = read_one(bad);
         EXPECT_EQ(r.first().diffuse, scene::Material().diffuse) << bad;
         EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: ", "default"})) << bad << all_lines(r.warnings);
     }
@@ -100,7 +100,7 @@ TEST(Mtl, ColoursThatAreNotThreeNumbersKeepTheDefaultAndSaySo) {
 }
 
 TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
-    const Read r = read_one("map_Kd -o 0.1 -s 2 3 -t 1 2 3 -clamp on -blendu off -blendv off -cc "
+    const MtlRead r = read_one("map_Kd -o 0.1 -s 2 3 -t 1 2 3 -clamp on -blendu off -blendv off -cc "
                             "on -mm 0.1 0.3 -boost 2 "
                             "-texres 512 some dir\\my file 01.png\n"
                             "map_bump -imfchan r bump 2.jpg -bm 1.5\nrefl -type sphere "
@@ -149,14 +149,14 @@ TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
     EXPECT_EQ(read_one("map_Kd -s.png 1 2").first().map_diffuse.path, "-s.png 1 2");
     EXPECT_EQ(read_one("map_Kd \"a b.png\"").first().map_diffuse.path, "a b.png");
     EXPECT_EQ(read_one("map_Kd .\\a.jpg").first().map_diffuse.path, ".\\a.jpg");
-    const Read none = read_one("map_Kd\nmap_bump -bm 1");
+    const MtlRead none = read_one("map_Kd\nmap_bump -bm 1");
     EXPECT_FALSE(none.first().map_diffuse.given());
     EXPECT_FALSE(none.first().map_bump.given());
     EXPECT_TRUE(warned(none.warnings, {"x.mtl:2: map_Kd names no file", "1 more"}));
 }
 
 TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
-    const Read r = read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
+    const MtlRead r = read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
     EXPECT_EQ(r.first().map_diffuse.path, "a.png");
     EXPECT_EQ(r.first().map_diffuse.scale.x, 2);
     EXPECT_TRUE(r.first().map_diffuse.clamp);
@@ -166,7 +166,7 @@ TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
 }
 
 TEST(Mtl, NumbersOfOptionsThatAreTooLargeAreLimitedInOneLineAName) {
-    const Read r = read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
+    const MtlRead r = read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
     EXPECT_EQ(r.first().map_bump.bump_multiplier, 1e6F);
     EXPECT_EQ(r.first().map_diffuse.scale, Vec3(3, -1e6F, 1));
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: map_bump -bm is 1e+30", "1000000 is taken"}))
@@ -187,12 +187,12 @@ TEST(Mtl, AMapWithoutAColourShowsItsOwnColours) {
 }
 
 TEST(Mtl, NoMessageQuotesTheFile) {
-    const Read r =
-        read("secret password\nnewmtl m\nroot:x:0:0\nKd secret\nmap_Kd -bm secret\nNs hidden\n");
+    const MtlRead r =
+        read_text("secret password\nnewmtl m\nroot:x:0:0\nKd secret\nmap_Kd -bm secret\nNs hidden\n");
     EXPECT_FALSE(r.warnings.empty());
     for (const char* word : {"secret", "root", "hidden", "password"})
         EXPECT_EQ(all_lines(r.warnings).find(word), std::string::npos) << all_lines(r.warnings);
-    const Read other = read("root:x:0:0:root:/root:/bin/bash\n");
+    const MtlRead other = read_text("root:x:0:0:root:/root:/bin/bash\n");
     EXPECT_THAT(other.materials, IsEmpty());
     EXPECT_TRUE(other.warnings.empty());
 }

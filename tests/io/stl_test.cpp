@@ -58,14 +58,14 @@ std::string ascii(const std::vector<Facet>& facets) {
     return text + "endsolid made by a test\n";
 }
 
-struct Read {
+struct StlRead {
     Result<StlResult> result;
     std::vector<std::string> warnings;
 
     std::string error() const { return result ? "no error" : result.error().what; }
 };
 
-Read read(std::string_view file) {
+StlRead read_facets(std::string_view file) {
     Warnings warnings;
     auto result = read_stl(file, "a.stl", warnings, {});
     // In parts it is the same, whatever a test is about.
@@ -105,7 +105,7 @@ RC_GTEST_PROP(Stl, BinaryAndAsciiGiveBackEveryFacetInOrder, (std::uint32_t seed)
     const std::vector<Facet> facets = random_facets(seed, *rc::gen::inRange<std::size_t>(1, 60));
     for (const std::string& file :
          {binary(facets), binary(facets, "solid but binary"), ascii(facets)}) {
-        const Read r = read(file);
+        const StlRead r = read_facets(file);
         RC_ASSERT(r.result.has_value() && r.warnings.empty());
         RC_ASSERT(facets_of(*r.result) == facets);
         RC_ASSERT(r.result->facets == facets.size() && r.result->skipped == 0u);
@@ -115,7 +115,7 @@ RC_GTEST_PROP(Stl, BinaryAndAsciiGiveBackEveryFacetInOrder, (std::uint32_t seed)
 }
 
 RC_GTEST_PROP(Stl, NoTwoPositionsAreEqual, (std::uint32_t seed)) {
-    const Read r = read(ascii(random_facets(seed, 40)));
+    const StlRead r = read_facets(ascii(random_facets(seed, 40)));
     const auto& p = r.result->polygons.positions;
     for (std::size_t i = 0; i < p.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
@@ -126,7 +126,7 @@ RC_GTEST_PROP(Stl, AFileCutAnywhereGivesItsWholeFacetsOrOneLine, (std::uint32_t 
     const std::vector<Facet> facets = random_facets(seed, 6);
     for (const std::string& whole : {binary(facets), ascii(facets)}) {
         const std::string file = whole.substr(0, *rc::gen::inRange<std::size_t>(0, whole.size()));
-        const Read r = read(file);
+        const StlRead r = read_facets(file);
         if (r.result) {
             const std::vector<Facet> got = facets_of(*r.result);
             RC_ASSERT(got.size() <= facets.size());
@@ -142,7 +142,7 @@ RC_GTEST_PROP(Stl, AnyBytesEndInFacetsOrOneLine, (std::string bytes, bool as_asc
     for (const std::string& file :
          {bytes,
           (as_ascii ? "solid\nfacet vertex 1 2 3 vertex " : std::string(84, '\1')) + bytes}) {
-        const Read r = read(file);
+        const StlRead r = read_facets(file);
         if (!r.result)
             RC_ASSERT(r.error().starts_with("a.stl:") && r.error().find('\n') == std::string::npos);
     }
@@ -157,14 +157,14 @@ RC_GTEST_PROP(Stl, ADamagedFileLosesOnlyTheFacetsThatAreHit, (std::uint32_t seed
     std::memcpy(&file[84 + 50 * hit + 12 + 4 * (random() % 9)], &nan, 4);
     std::vector<Facet> left = facets;
     left.erase(left.begin() + static_cast<std::ptrdiff_t>(hit));
-    const Read r = read(file);
+    const StlRead r = read_facets(file);
     RC_ASSERT(facets_of(*r.result) == left && r.result->skipped == 1u && r.warnings.size() == 1u);
     RC_ASSERT(r.warnings[0].find(fmt::format("facet {}", hit + 1)) != std::string::npos);
 }
 
 TEST(Stl, KeepsDoublesOfAsciiAndJoinsMinusZero) {
-    const Read r =
-        read("solid\nfacet normal 0 0 1\nouter loop\nvertex 581311.123456789 -0 1e-3\nvertex "
+    const StlRead r =
+        read_facets("solid\nfacet normal 0 0 1\nouter loop\nvertex 581311.123456789 -0 1e-3\nvertex "
              "+1.5E+2 0.0 0.1\nvertex 0 0.0 -0.0\nendloop\nendfacet\nfacet vertex -0 0 0 "
              "vertex 1 1 1 vertex 2 2 3 endfacet");
     ASSERT_TRUE(r.result) << r.error();
@@ -180,7 +180,7 @@ TEST(Stl, LineEndsCaseAndLayoutDoNotMatter) {
         std::string other;
         for (const char c : text)
             c == '\n' ? other += end : other += c;
-        const Read r = read(other);
+        const StlRead r = read_facets(other);
         ASSERT_TRUE(r.result) << r.error();
         EXPECT_EQ(facets_of(*r.result), kTwo);
         EXPECT_TRUE(r.warnings.empty());
@@ -188,12 +188,12 @@ TEST(Stl, LineEndsCaseAndLayoutDoNotMatter) {
     std::string upper = "\xef\xbb\xbf\n \t";
     for (const char c : text)
         upper += static_cast<char>(std::toupper(c));
-    EXPECT_EQ(facets_of(*read(upper).result), kTwo);
-    EXPECT_EQ(facets_of(*read(text.substr(text.find("facet"))).result), kTwo); // no solid line
+    EXPECT_EQ(facets_of(*read_facets(upper).result), kTwo);
+    EXPECT_EQ(facets_of(*read_facets(text.substr(text.find("facet"))).result), kTwo); // no solid line
 }
 
 TEST(Stl, ReadsEverySolidOfAFile) {
-    const Read r = read(ascii(kTwo) + ascii({kTwo[0]}) + "solid facet vertex\nendsolid facet\n");
+    const StlRead r = read_facets(ascii(kTwo) + ascii({kTwo[0]}) + "solid facet vertex\nendsolid facet\n");
     EXPECT_EQ(r.result->facets, 3u);
     EXPECT_TRUE(r.warnings.empty());
 }
@@ -220,7 +220,7 @@ TEST(Stl, ABadAsciiFacetIsSkippedWithItsLine) {
              Case{"endfacet\n", "a.stl:2: an 'endfacet' without 'facet'"},
              Case{"vertex 1 2 3\nendfacet\n", "a.stl:2: a vertex outside of a facet"},
          }) {
-        const Read r = read(fmt::format("solid\n{}{}{}", c.bad, good, good));
+        const StlRead r = read_facets(fmt::format("solid\n{}{}{}", c.bad, good, good));
         ASSERT_TRUE(r.result) << c.bad << r.error();
         EXPECT_EQ(r.result->facets, 2u) << c.bad;
         EXPECT_EQ(r.result->skipped, 1u) << c.bad;
@@ -245,7 +245,7 @@ TEST(Stl, ACountThatLiesIsToldAndWhatIsThereIsRead) {
              Case{with_count(whole, 1), 1, "50 bytes behind the last facet"},
              Case{with_count(whole, 0), 2, "tells of no facets, but there are 2"},
          }) {
-        const Read r = read(c.file);
+        const StlRead r = read_facets(c.file);
         ASSERT_TRUE(r.result) << r.error();
         EXPECT_EQ(r.result->facets, c.facets);
         ASSERT_EQ(r.warnings.size(), 1u);
@@ -275,7 +275,7 @@ TEST(Stl, WhatIsNoStlIsRefusedInOneLineWithTheReason) {
              Case{"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n",
                   "Git LFS pointer"},
          }) {
-        const Read r = read(c.file);
+        const StlRead r = read_facets(c.file);
         ASSERT_FALSE(r.result) << c.reason;
         EXPECT_EQ(r.result.error().exit, Exit::unreadable);
         EXPECT_TRUE(r.error().starts_with("a.stl:")) << r.error();
@@ -312,7 +312,7 @@ TEST(Stl, ARoundSurfaceIsSmoothAndAnEdgeIsSharp) {
         facets.push_back({at(i, 0), at(i + 1, 1), at(i, 1)});
         facets.push_back({at(i, 1), at(i + 1, 1), DVec3(0, 0, 1)});
     }
-    Read r = read(binary(facets));
+    StlRead r = read_facets(binary(facets));
     Warnings warnings;
     const geom::Mesh m =
         geom::build_mesh(std::move(r.result->polygons), {kStlCreaseDegrees}, "a.stl", warnings)

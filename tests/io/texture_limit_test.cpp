@@ -87,11 +87,11 @@ constexpr std::array kFormats{Format{"t.png", png}, Format{"t.jpg", jpeg}, Forma
 constexpr std::uint64_t kDefault = kTextureBytes;
 
 // What is said of a texture that is named beside others in one library.
-struct Loaded {
+struct LoadedWithin {
     Materials materials;
     Warnings warnings;
 };
-Loaded load(const Folder& folder, const std::vector<std::string>& textures,
+LoadedWithin load(const Folder& folder, const std::vector<std::string>& textures,
             std::uint64_t texture_bytes = kDefault) {
     std::string mtl, obj = "v 0 0 0\nmtllib m.mtl\n";
     for (std::size_t i = 0; i < textures.size(); ++i) {
@@ -99,7 +99,7 @@ Loaded load(const Folder& folder, const std::vector<std::string>& textures,
         obj += fmt::format("usemtl m{}\n", i);
     }
     folder.write("m.mtl", mtl);
-    Loaded l;
+    LoadedWithin l;
     const auto file = read_obj(obj, folder.path("m.obj"), l.warnings);
     EXPECT_TRUE(file);
     const std::string path = folder.path("m.obj");
@@ -112,7 +112,7 @@ bool is_over_the_limit(const Folder& folder, const Format& format, std::uint32_t
                        std::uint32_t height, std::uint64_t texture_bytes = kDefault) {
     folder.write(format.name, format.header(width, height));
     [[maybe_unused]] const std::uint64_t before = peak_resident_bytes();
-    const Loaded l = load(folder, {format.name}, texture_bytes);
+    const LoadedWithin l = load(folder, {format.name}, texture_bytes);
     EXPECT_TRUE(l.materials.textures.empty()) << format.name;
     EXPECT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
     const bool over = warned(
@@ -154,7 +154,7 @@ TEST(TextureLimit, WhatIsDecodedCountsAndWhatIsRefusedDoesNot) {
     folder.write_picture("last.png", 20, 20, {4, 5, 6, 255});
     for (const Format& format : kFormats) {
         folder.write(format.name, format.header(30, 30));
-        const Loaded l =
+        const LoadedWithin l =
             load(folder, {"first.png", format.name, "last.png"}, 100 * 100 * 4 + 20 * 20 * 4);
         EXPECT_EQ(l.materials.textures.size(), 2u) << format.name;
         EXPECT_TRUE(

@@ -13,7 +13,7 @@
 namespace scanout::test {
 namespace {
 
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kInf32 = std::numeric_limits<float>::infinity();
 constexpr float kNaN32 = std::numeric_limits<float>::quiet_NaN();
 
 float float_of(std::uint32_t bits) {
@@ -152,7 +152,7 @@ TEST(LaneTranscendentals, PowersOfSharesHaveTheBitsOfThoseOfAnyNumber) {
         shares.push_back(float_of(bits));
     for (std::uint32_t bits = 0x3f700000; bits <= 0x3f800000; ++bits) // highlights
         shares.push_back(float_of(bits));
-    shares.insert(shares.end(), {1.0F, -0.0F, 0x1p-127F, 0x1p-126F, -1.0F, -kInf, kNaN32});
+    shares.insert(shares.end(), {1.0F, -0.0F, 0x1p-127F, 0x1p-126F, -1.0F, -kInf32, kNaN32});
     on_every_target([&](const std::string&) {
         for (const float y : {0.0F, 1e-6F, 0.4F, 1.0F, 2.0F, 32.0F, 126.0F, 1000.0F, 10000.0F}) {
             const Floats exponents(shares.size(), y);
@@ -167,14 +167,14 @@ TEST(LaneTranscendentals, NothingOutsideTheDomainGivesNaN) {
             EXPECT_EQ(got[i], expected) << "lane " << i;
     };
     on_every_target([&](const std::string&) {
-        all(log2_lanes({0.0F, -0.0F, -1.0F, 0x1p-127F, -kInf, kNaN32, -kNaN32}), -kInf);
-        all(log2_lanes({kInf}), kInf);
+        all(log2_lanes({0.0F, -0.0F, -1.0F, 0x1p-127F, -kInf32, kNaN32, -kNaN32}), -kInf32);
+        all(log2_lanes({kInf32}), kInf32);
         all(log2_lanes({1}), 0.0F);
-        all(exp2_lanes({-0x1.f80002p6F, -1000.0F, -3e38F, -kInf, kNaN32, -kNaN32}), 0.0F);
-        all(exp2_lanes({128.0F, 1000.0F, 3e38F, kInf}), kInf);
+        all(exp2_lanes({-0x1.f80002p6F, -1000.0F, -3e38F, -kInf32, kNaN32, -kNaN32}), 0.0F);
+        all(exp2_lanes({128.0F, 1000.0F, 3e38F, kInf32}), kInf32);
         all(exp2_lanes({-126}), 0x1p-126F);
-        EXPECT_LT(exp2_lanes({0x1.fffffep6F})[0], kInf);
-        const Floats bad = {0.0F, -0.0F, -2.0F, -kInf, kNaN32};
+        EXPECT_LT(exp2_lanes({0x1.fffffep6F})[0], kInf32);
+        const Floats bad = {0.0F, -0.0F, -2.0F, -kInf32, kNaN32};
         all(pow_lanes(bad, Floats(bad.size(), 2)), 0.0F);
         all(pow_lanes(bad, Floats(bad.size(), 0)), 1.0F);
         all(pow_lanes({0.5F}, {kNaN32}), 0.0F);

@@ -12,7 +12,7 @@ namespace scanout::test {
 namespace {
 
 using Pair = std::pair<double, double>;
-constexpr int kPoints = 100000;
+constexpr int kArguments = 100000;
 
 // The greatest error of f over the points, in ulps; exact(result, a, b) is the oracle.
 template <class Function, class Exact, class Make>
@@ -20,7 +20,7 @@ void expect_error_below(double bound, Function f, Exact exact, Make make) {
     Points points(20240607);
     double worst = 0;
     Pair at;
-    for (int i = 0; i < kPoints; ++i) {
+    for (int i = 0; i < kArguments; ++i) {
         const Pair p = make(points);
         Real result;
         exact(result.get(), p.first, p.second);

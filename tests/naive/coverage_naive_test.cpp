@@ -10,7 +10,7 @@ namespace {
 
 using namespace raster::test;
 
-constexpr int kSide = 64;
+constexpr int kCoverageSide = 64;
 
 // A triangle wound clockwise on the screen, and which of its edges are top or left.
 struct Wound {
@@ -59,20 +59,20 @@ struct Int32 {
 
 template <class Method>
 Hits naive_hits(const SnappedMesh& mesh, int x0, int y0) {
-    std::vector<int> count(std::size_t{kSide} * kSide);
+    std::vector<int> count(std::size_t{kCoverageSide} * kCoverageSide);
     for (std::size_t t = 0; t < mesh.triangle.size(); ++t) {
         if (!has_area(mesh.corners(t))) continue;
         const Wound w(mesh.corners(t));
         const auto [left, right] = std::minmax({w.v[0].x, w.v[1].x, w.v[2].x});
         const auto [top, bottom] = std::minmax({w.v[0].y, w.v[1].y, w.v[2].y});
-        for (int y = std::max(y0, top >> 8); y < std::min(y0 + kSide, (bottom >> 8) + 1); ++y)
-            for (int x = std::max(x0, left >> 8); x < std::min(x0 + kSide, (right >> 8) + 1); ++x) {
+        for (int y = std::max(y0, top >> 8); y < std::min(y0 + kCoverageSide, (bottom >> 8) + 1); ++y)
+            for (int x = std::max(x0, left >> 8); x < std::min(x0 + kCoverageSide, (right >> 8) + 1); ++x) {
                 bool inside = true;
                 for (std::size_t i = 0; i < 3 && inside; ++i) {
                     const auto e = Method::edge(w.v[i], w.v[(i + 1) % 3], x, y);
                     inside = e > 0 || (e == 0 && w.top_left[i]);
                 }
-                if (inside) ++count[static_cast<std::size_t>((y - y0) * kSide + x - x0)];
+                if (inside) ++count[static_cast<std::size_t>((y - y0) * kCoverageSide + x - x0)];
             }
     }
     Hits hits;
@@ -100,8 +100,8 @@ std::vector<SnappedMesh> sliver_fans(int count, int margin) {
     Random random(1);
     std::vector<SnappedMesh> fans;
     for (int i = 0; i < count; ++i)
-        fans.push_back(fan({random.whole(0, kSide * 256), random.whole(0, kSide * 256)}, 20000,
-                           around(kSide, margin)));
+        fans.push_back(fan({random.whole(0, kCoverageSide * 256), random.whole(0, kCoverageSide * 256)}, 20000,
+                           around(kCoverageSide, margin)));
     return fans;
 }
 std::vector<SnappedMesh> grids() {
@@ -128,7 +128,7 @@ TEST(NaiveCoverage, AFloatPlaneLosesSamplesByTheThousandAtLargeOffsetsAndOursDoe
 TEST(NaiveCoverage, Int32OverflowsOnTrianglesWiderThan128PixelsAndOursDoesNot) {
     std::vector<SnappedMesh> fans;
     for (int i = 0; i < 8; ++i)
-        fans.push_back(fan({30 * 256 + 128, 30 * 256 + 128}, 8, around(kSide, 200 + 30 * i)));
+        fans.push_back(fan({30 * 256 + 128, 30 * 256 + 128}, 8, around(kCoverageSide, 200 + 30 * i)));
     expect_naive_fails<Int32>("wide", fans, 0, 0, 1);
 }
 

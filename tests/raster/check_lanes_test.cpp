@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr image::Rect kArea{0, 0, 40, 30}; // less than a tile: the rest of it is dead
+constexpr image::Rect kPartArea{0, 0, 40, 30}; // less than a tile: the rest of it is dead
 const Corners kEverywhere = {{{-64 * 256, -64 * 256}, {256 * 256, 0}, {0, 256 * 256}}};
 
 // Finite as doubles, not as floats; too steep for the path in float.
@@ -85,7 +85,7 @@ TEST_F(RasterLanesDeathTest, AVertexOfAPieceIsLookedAtBeforeItIsRounded) {
 
 TEST_F(RasterLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetUp) {
     VisibilityTile tile;
-    tile.reset(kArea, 1);
+    tile.reset(kPartArea, 1);
     for (const double bad : {kNaN, kInf, -kInf}) {
         EXPECT_DEATH(tile.draw(set_up(kEverywhere, 5, {0.5, 0.5, bad})),
                      "depth of triangle 5 is -?(nan|inf) after set-up");
@@ -108,7 +108,7 @@ TEST_F(RasterLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetU
 TEST_F(RasterLanesDeathTest, ADepthThatIsNotFiniteEndsTheProgramAfterCoverage) {
     for (const int samples : {1, 4}) {
         VisibilityTile tile;
-        tile.reset(kArea, samples);
+        tile.reset(kPartArea, samples);
         tile.draw(set_up(kEverywhere, 3));
         check_lanes(tile);
         tile.draw(set_up(kEverywhere, 4, kTooSteep));

@@ -13,8 +13,8 @@ namespace {
 
 using oracle::Twofold;
 
-constexpr int kSide = 64;
-constexpr double kNear = 1;
+constexpr int kClippedSide = 64;
+constexpr double kNearW = 1;
 
 // At (x / w, y / w) in 1/256 pixel.
 struct WholePoint {
@@ -75,11 +75,11 @@ TEST(ClippedTriangle, CoversWhatExactArithmeticSaysTiesIncluded) {
             split_polygon(std::array{point_of(v[0]), point_of(v[1]), point_of(v[2])}, 0);
         none += clipped.count == 0 ? 1 : 0;
         const int samples = i % 8 == 0 ? 16 : 1;
-        tile.reset({0, 0, kSide, kSide}, samples);
+        tile.reset({0, 0, kClippedSide, kClippedSide}, samples);
         for (const ClippedTriangle& triangle : clipped)
             tile.draw_clipped(triangle);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x)
+        for (int y = 0; y < kClippedSide; ++y)
+            for (int x = 0; x < kClippedSide; ++x)
                 for (int s = 0; s < samples; ++s) {
                     const SampleOffset at = tile.pattern()[static_cast<std::size_t>(s)];
                     const int px = x * 256 + at.x, py = y * 256 + at.y;
@@ -112,21 +112,21 @@ TEST(ClippedTriangle, CoversNothingWhereDoubleIsOffByItsWholeBound) {
     const ExactPoint near{0, 0, kUnit, depth, depth},
         far{3 * kFar - 15, kFar + 17, kFarW, depth * (kFarW / kUnit), depth};
     VisibilityTile tile;
-    std::array<int, std::size_t{kSide} * kSide> hits{};
+    std::array<int, std::size_t{kClippedSide} * kClippedSide> hits{};
     for (const ExactPoint& third : {ExactPoint{0, 64 * 256, kUnit, depth, depth},
                                     ExactPoint{64 * 256, 0, kUnit, depth, depth}}) {
-        tile.reset({0, 0, kSide, kSide}, 1);
+        tile.reset({0, 0, kClippedSide, kClippedSide}, 1);
         const ClippedTriangles clipped = split_polygon(std::array{near, far, third}, 0);
         ASSERT_GT(clipped.count, 0);
         for (const ClippedTriangle& triangle : clipped)
             tile.draw_clipped(triangle);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kClippedSide; ++y)
+            for (int x = 0; x < kClippedSide; ++x) {
                 bool covered = false;
                 for (const ClippedTriangle& triangle : clipped)
                     covered |= covers(triangle, x * 256 + 128, y * 256 + 128);
                 ASSERT_EQ(tile.id(x, y) == 0, covered) << x << ' ' << y;
-                hits[static_cast<std::size_t>(y * kSide + x)] += covered ? 1 : 0;
+                hits[static_cast<std::size_t>(y * kClippedSide + x)] += covered ? 1 : 0;
             }
     }
     EXPECT_EQ(std::count(hits.begin(), hits.end(), 2), 0); // on both sides of one edge
@@ -162,32 +162,32 @@ TEST(ClippedTriangle, HasDepthWithinTwoToTheMinus23OfItsPlane) {
         for (int i = 0; i < 3000; ++i) {
             std::array<ExactPoint, 3> v{};
             for (std::size_t k = 0; k < 3; ++k) {
-                const double w = std::exp2(random.unit() * std::log2(ratio)) * kNear;
+                const double w = std::exp2(random.unit() * std::log2(ratio)) * kNearW;
                 const double reach = std::exp2(random.in(5, 20));
                 const double x = 32 + random.in(-reach, reach), y = 32 + random.in(-reach, reach);
-                v[k] = point_off_screen({x * w, y * w, kNear, w});
+                v[k] = point_off_screen({x * w, y * w, kNearW, w});
                 if (random.whole(0, 2) == 0)
                     v[k] = point_on_screen(
-                        {random.whole(-9999, 19999), random.whole(-9999, 19999), kNear / w});
+                        {random.whole(-9999, 19999), random.whole(-9999, 19999), kNearW / w});
             }
             if (i % 3 == 0) { // a sliver over the whole tile
                 const int x = random.whole(0, 16384), y = random.whole(0, 16384);
-                v[0] = point_on_screen({x, y, kNear});
+                v[0] = point_on_screen({x, y, kNearW});
                 v[1] = point_on_screen(
-                    {x + random.whole(-3, 3), y + random.whole(-3, 3), kNear / ratio});
+                    {x + random.whole(-3, 3), y + random.whole(-3, 3), kNearW / ratio});
             }
             if (i % 3 == 1) { // through a sample, all of the depth within two steps of the grid
                 const int x = random.whole(0, 63) * 256 + 128, y = random.whole(0, 63) * 256 + 128;
                 const int reach = 1 << random.whole(2, 20);
-                v[0] = point_on_screen({x - reach, y, kNear / ratio});
-                v[1] = point_on_screen({x + reach, y - random.whole(0, 1), kNear / ratio});
-                v[2] = point_on_screen({x, y + random.whole(1, 2), kNear});
+                v[0] = point_on_screen({x - reach, y, kNearW / ratio});
+                v[1] = point_on_screen({x + reach, y - random.whole(0, 1), kNearW / ratio});
+                v[2] = point_on_screen({x, y + random.whole(1, 2), kNearW});
             }
             for (ClippedTriangle clipped : split_polygon(v, 0)) {
-                tile.reset({0, 0, kSide, kSide}, i % 5 == 0 ? 8 : 1);
+                tile.reset({0, 0, kClippedSide, kClippedSide}, i % 5 == 0 ? 8 : 1);
                 tile.draw_clipped(clipped);
-                for (int y = i % 3 == 2 ? i % 4 : 0; y < kSide; y += i % 3 == 2 ? 4 : 1)
-                    for (int x = 0; x < kSide; ++x)
+                for (int y = i % 3 == 2 ? i % 4 : 0; y < kClippedSide; y += i % 3 == 2 ? 4 : 1)
+                    for (int x = 0; x < kClippedSide; ++x)
                         for (int s = 0; s < tile.samples(); ++s) {
                             if (tile.id(x, y, s) != 0) continue;
                             const SampleOffset at = tile.pattern()[static_cast<std::size_t>(s)];
@@ -220,7 +220,7 @@ bool same_bits(const ClippedTriangle& a, const ClippedTriangle& b) {
 struct Cut {
     std::array<ClipVertex, 3> vertex{};
     std::array<ScreenVertex, 3> on_screen{};
-    double near_w = kNear;
+    double near_w = kNearW;
     ClippedTriangles clipped() const { return clip_triangle(vertex, on_screen, near_w, 0); }
 };
 Cut any_cut(Random& random) {
@@ -228,10 +228,10 @@ Cut any_cut(Random& random) {
     for (std::size_t k = 0; k < 3; ++k) {
         const double w = random.whole(0, 2) == 0 ? random.in(-9, 1) : std::exp2(random.in(0, 20));
         const double x = random.in(-99, 99), y = random.in(-99, 99);
-        cut.vertex[k] = {x * w, y * w, kNear, w};
-        if (w >= kNear && random.whole(0, 1) == 0)
+        cut.vertex[k] = {x * w, y * w, kNearW, w};
+        if (w >= kNearW && random.whole(0, 1) == 0)
             cut.on_screen[k] = {static_cast<std::int32_t>(std::nearbyint(x * 256)),
-                                static_cast<std::int32_t>(std::nearbyint(y * 256)), kNear / w};
+                                static_cast<std::int32_t>(std::nearbyint(y * 256)), kNearW / w};
     }
     return cut;
 }

@@ -12,7 +12,7 @@
 namespace scanout::raster::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kTargetSide = 64;
 
 // Pictures begin at 0, so a tile is put where the mesh is; negative offsets are tested with meshes
 // that reach in from there.
@@ -227,7 +227,7 @@ TEST(Coverage, AFanOfTwentyThousandSliversCoversEverySampleOnce) {
     for (const Corner& hub : {Corner{32 * 256 + 128, 32 * 256 + 128}, Corner{32 * 256, 32 * 256},
                               Corner{31 * 256 + 77, 40 * 256 + 201}}) {
         for (const auto& [x, y] : kPlaces) {
-            SnappedMesh mesh = fan(hub, 20000, around(kSide));
+            SnappedMesh mesh = fan(hub, 20000, around(kTargetSide));
             mesh.move(x, y);
             const Hits hits = hits_in_tile(mesh, x, y, 1);
             ASSERT_EQ(hits.faults(), 0) << x << ' ' << y;
@@ -235,7 +235,7 @@ TEST(Coverage, AFanOfTwentyThousandSliversCoversEverySampleOnce) {
         }
     }
     const Hits many =
-        hits_in_tile(fan({31 * 256 + 77, 40 * 256 + 201}, 20000, around(kSide)), 0, 0, 16);
+        hits_in_tile(fan({31 * 256 + 77, 40 * 256 + 201}, 20000, around(kTargetSide)), 0, 0, 16);
     EXPECT_EQ(many.faults(), 0);
     record("samples_covered_once", static_cast<double>(once + many.once));
 }
@@ -258,7 +258,7 @@ TEST(Coverage, ADelaunayTriangulationCoversEverySampleOnce) {
     Random random(8);
     std::int64_t once = 0;
     for (const int points : {3, 20, 100, 400})
-        once += once_everywhere([&] { return delaunay(random, points, around(kSide)); });
+        once += once_everywhere([&] { return delaunay(random, points, around(kTargetSide)); });
     EXPECT_EQ(once, std::int64_t{4} * 6 * 64 * 64 * 31);
     record("samples_covered_once", static_cast<double>(once));
 }
@@ -267,7 +267,7 @@ TEST(Coverage, RandomlySplitSquaresCoverEverySampleOnce) {
     Random random(2);
     for (const int step : {1, 16, 128})
         for (int i = 0; i < 2; ++i)
-            once_everywhere([&] { return split_at_random(random, 200, step, around(kSide)); });
+            once_everywhere([&] { return split_at_random(random, 200, step, around(kTargetSide)); });
 }
 
 // HARD-CASES P1; negative offsets: the hub lies up to the guard band's edge away, and the tile sees

@@ -25,7 +25,7 @@ bool covers_a_sample(const Corners& v, std::span<const SampleOffset> pattern) {
     return false;
 }
 
-struct Soup {
+struct RandomSoup {
     std::vector<ScreenVertex> vertices;
     std::vector<std::uint32_t> index;
     std::vector<Corners> triangles;
@@ -33,8 +33,8 @@ struct Soup {
 
 // Up to `most` pixels wide and high, about the picture and beyond its edges; on the grid of
 // samples, slivers and without area among them.
-Soup soup(Random& random, int count, int most) {
-    Soup soup;
+RandomSoup soup(Random& random, int count, int most) {
+    RandomSoup soup;
     for (int i = 0; i < count; ++i) {
         const Corner at{random.whole(-3 * 256, (kWidth + 3) * 256),
                         random.whole(-3 * 256, (kHeight + 3) * 256)};
@@ -53,7 +53,7 @@ Soup soup(Random& random, int count, int most) {
     return soup;
 }
 
-std::set<std::uint32_t> visible(const Soup& soup, int samples, Facing keep,
+std::set<std::uint32_t> visible(const RandomSoup& soup, int samples, Facing keep,
                                 bool samples_only = true, bool mirrored = false) {
     const auto pattern = sample_pattern(samples);
     const SampleExtent extent = extent_of(pattern);
@@ -90,7 +90,7 @@ TEST(Cull, KeepsOfTinyTrianglesThoseThatCoverASampleAndNoOther) {
     int wrong = 0, covering = 0, tested = 0;
     for (int round = 0; round < 200; ++round) {
         const int samples = 1 << round % 5, most = 1 + round % 3;
-        const Soup all = soup(random, 500 + round % 17, most); // the last register is not full
+        const RandomSoup all = soup(random, 500 + round % 17, most); // the last register is not full
         const auto left = visible(all, samples, Facing::any);
         for (std::size_t i = 0; i < all.triangles.size(); ++i) {
             const auto pattern = sample_pattern(samples);
@@ -112,7 +112,7 @@ TEST(Cull, LosesNoTriangleThatCoversASample) {
     int lost = 0;
     for (int round = 0; round < 60; ++round) {
         const int samples = 1 << round % 5;
-        const Soup all = soup(random, 400, 3 + round % 40);
+        const RandomSoup all = soup(random, 400, 3 + round % 40);
         const auto left = visible(all, samples, Facing::any);
         for (std::size_t i = 0; i < all.triangles.size(); ++i)
             lost += covers_a_sample(all.triangles[i], sample_pattern(samples)) &&
@@ -128,7 +128,7 @@ TEST(Cull, LosesNoTriangleThatCoversASample) {
 TEST(Cull, KeepsFrontsAndBacksApart) {
     Random random(33);
     for (int round = 0; round < 20; ++round) {
-        const Soup all = soup(random, 5000, 3);
+        const RandomSoup all = soup(random, 5000, 3);
         const auto wanted = visible(all, 4, Facing::any);
         scanout::test::on_every_target([&](const std::string&) {
             const auto any = visible(all, 4, Facing::any), front = visible(all, 4, Facing::front),
@@ -150,7 +150,7 @@ TEST(Cull, KeepsFrontsAndBacksApart) {
 TEST(Cull, NamesWhatIsCut) {
     Random random(35);
     for (const int count : {1, 15, 16, 17, 31, 255, 256, 257, 1000}) {
-        Soup all = soup(random, count, 40);
+        RandomSoup all = soup(random, count, 40);
         std::vector<std::uint32_t> wanted;
         std::set<std::uint32_t> off;
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i) {
@@ -197,7 +197,7 @@ TEST(Cull, NamesWhatIsCut) {
 // Areas of pixels count also where no sample lies.
 TEST(Cull, WithoutSamplesKeepsWhateverTouchesAPixel) {
     Random random(34);
-    const Soup all = soup(random, 5000, 1);
+    const RandomSoup all = soup(random, 5000, 1);
     EXPECT_GT(visible(all, 1, Facing::any, false).size(), visible(all, 1, Facing::any).size());
 }
 

@@ -11,9 +11,9 @@
 namespace scanout::raster::test {
 namespace {
 
-constexpr image::Rect kArea{0, 0, kTileSize, kTileSize};
+constexpr image::Rect kRuleArea{0, 0, kTileSize, kTileSize};
 
-std::vector<Triangle> random_triangles(Random& random, int count) {
+std::vector<Triangle> rule_triangles(Random& random, int count) {
     std::vector<Triangle> triangles;
     while (triangles.size() < static_cast<std::size_t>(count)) {
         Corners v;
@@ -81,13 +81,13 @@ std::vector<Kept> planes(const VisibilityTile& tile) {
 
 TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
     Random random(1);
-    const std::vector<Triangle> triangles = random_triangles(random, 80);
+    const std::vector<Triangle> triangles = rule_triangles(random, 80);
     for (const int samples : {1, 4}) {
         // Coverage and depth of each, alone.
         std::vector<std::vector<Kept>> alone;
         for (const Triangle& t : triangles) {
             VisibilityTile tile;
-            tile.reset(kArea, samples);
+            tile.reset(kRuleArea, samples);
             tile.draw(t);
             alone.push_back(planes(tile));
         }
@@ -105,7 +105,7 @@ TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
                     std::vector<Triangle> order = triangles;
                     for (int round = 0; round < 2; ++round) {
                         VisibilityTile tile;
-                        tile.reset(kArea, samples, {test->test, format->standard, format->steps});
+                        tile.reset(kRuleArea, samples, {test->test, format->standard, format->steps});
                         for (const Triangle& t : order)
                             tile.draw(t);
                         EXPECT_EQ(planes(tile), expected)
@@ -139,9 +139,9 @@ TEST(DepthRule, HoldsForPiecesToo) {
                 const ClippedTriangles clipped = split_polygon(corner, 3);
                 if (clipped.count == 0) continue;
                 VisibilityTile alone, tile;
-                alone.reset(kArea, 2);
+                alone.reset(kRuleArea, 2);
                 alone.draw_clipped(clipped.triangle[0]);
-                tile.reset(kArea, 2, {test->test, format->standard, format->steps});
+                tile.reset(kRuleArea, 2, {test->test, format->standard, format->steps});
                 tile.draw_clipped(clipped.triangle[0]);
                 std::vector<Kept> expected = planes(alone);
                 for (Kept& one : expected) {

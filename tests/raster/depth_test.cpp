@@ -11,7 +11,7 @@
 namespace scanout::raster::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kDepthSide = 64;
 
 // What a triangle can be like on the screen.
 enum class Shape { middling, tiny, huge, sliver, many_tiles, on_samples, count };
@@ -75,11 +75,11 @@ Worst worst_error(Shape shape, double ratio, int count, int samples, std::uint64
         depth[2] = 0.9 / ratio * (1 + random.unit());
         if (i % 8 == 0) depth = {depth[0], depth[0], depth[0]};
         if (shape == Shape::on_samples && i % 2 == 0) depth = {0.9, 0.9 / ratio, 1.1 / ratio};
-        tile.reset({x, y, x + kSide, y + kSide}, samples);
+        tile.reset({x, y, x + kDepthSide, y + kDepthSide}, samples);
         tile.draw(set_up(v, 0, depth));
         // One row in five: the oracle is slow.
-        for (int py = y + i % 5; py < y + kSide; py += 5) {
-            for (int px = x; px < x + kSide; ++px) {
+        for (int py = y + i % 5; py < y + kDepthSide; py += 5) {
+            for (int px = x; px < x + kDepthSide; ++px) {
                 for (int s = 0; s < samples; ++s) {
                     if (tile.id(px, py, s) != 0) continue;
                     const SampleOffset at = tile.pattern()[static_cast<std::size_t>(s)];
@@ -138,10 +138,10 @@ TEST(Depth, KeepsItsPrecisionOnTheSteepestTriangles) {
         std::array<double, 3> depth = {0.9, 0.9, 0.9};
         depth[static_cast<std::size_t>(i % 3)] = 0.9e-7;
         if (i % 5 == 0) depth[static_cast<std::size_t>((i + 1) % 3)] = 1.3e-5;
-        tile.reset({0, 0, kSide, kSide}, 1);
+        tile.reset({0, 0, kDepthSide, kDepthSide}, 1);
         tile.draw(set_up(v, 0, depth));
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kDepthSide; ++y)
+            for (int x = 0; x < kDepthSide; ++x) {
                 if (tile.id(x, y) != 0) continue;
                 const auto exact = oracle::linear_at(v, depth, x * 256 + 128, y * 256 + 128);
                 worst = std::max(worst, oracle::relative_error(tile.depth(x, y), exact));
@@ -178,9 +178,9 @@ TEST(Depth, TellsSurfacesApartThatAreACentPerMilleApartAtAnyDistance) {
                 }
                 add_triangle(mesh, v);
             }
-            const Planes planes = draw_planes(jobs, mesh, view, kSide, kSide);
-            for (int y = 0; y < kSide; y += 3)
-                for (int x = 0; x < kSide; x += 3) {
+            const Planes planes = draw_planes(jobs, mesh, view, kDepthSide, kDepthSide);
+            for (int y = 0; y < kDepthSide; y += 3)
+                for (int x = 0; x < kDepthSide; x += 3) {
                     ++pairs;
                     lost += planes.id(x, y) != 1 ? 1 : 0;
                 }
@@ -207,10 +207,10 @@ TEST(Depth, OfABigTriangleGivesBackTheDistance) {
         const std::array<double, 3> w = {1, std::exp2(random.in(0, 20)),
                                          std::exp2(random.in(0, 20))};
         const std::array<double, 3> depth = {0.5 / w[0], 0.5 / w[1], 0.5 / w[2]};
-        tile.reset({0, 0, kSide, kSide}, 1);
+        tile.reset({0, 0, kDepthSide, kDepthSide}, 1);
         tile.draw(set_up(v, 0, depth));
-        for (int y = 0; y < kSide; y += 5)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kDepthSide; y += 5)
+            for (int x = 0; x < kDepthSide; ++x) {
                 if (tile.id(x, y) != 0) continue;
                 const double exact =
                     oracle::perspective_at(v, w, w, x * 256 + 128, y * 256 + 128).nearest();
@@ -262,12 +262,12 @@ TEST(Depth, OfTwoTriangulationsOfAQuadDiffersByTwoUnitsInTheLastPlaceAtMost) {
     std::int64_t worst = 0, compared = 0;
     for (int i = 0; i < 500; ++i) {
         const CoplanarQuad quad(random);
-        one.reset({0, 0, kSide, kSide}, 1);
-        other.reset({0, 0, kSide, kSide}, 1);
+        one.reset({0, 0, kDepthSide, kDepthSide}, 1);
+        other.reset({0, 0, kDepthSide, kDepthSide}, 1);
         quad.draw_one_way(one, 1);
         quad.draw_other_way(other, 1);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kDepthSide; ++y)
+            for (int x = 0; x < kDepthSide; ++x) {
                 if (one.id(x, y) != 1 || other.id(x, y) != 1) continue;
                 worst = std::max(worst, oracle::floats_between(one.depth(x, y), other.depth(x, y)));
                 ++compared;
@@ -333,12 +333,12 @@ TEST(Depth, OfTwoTriangulationsDiffersByTwoUnitsAtMostOnEitherPath) {
     for (int i = 0; i < 4000; ++i) {
         const SteepQuad quad(random);
         const int samples = i % 4 == 0 ? 4 : 1;
-        one.reset({0, 0, kSide, kSide}, samples);
-        other.reset({0, 0, kSide, kSide}, samples);
+        one.reset({0, 0, kDepthSide, kDepthSide}, samples);
+        other.reset({0, 0, kDepthSide, kDepthSide}, samples);
         const auto two = quad.draw(one, {{0, 1, 2}, {0, 2, 3}});
         const auto four = quad.draw(other, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x)
+        for (int y = 0; y < kDepthSide; ++y)
+            for (int x = 0; x < kDepthSide; ++x)
                 for (int s = 0; s < samples; ++s) {
                     const std::uint32_t a = one.id(x, y, s), b = other.id(x, y, s);
                     if (a == kNoPrimitive || b == kNoPrimitive) continue;
@@ -431,14 +431,14 @@ TEST_P(DecalAtTilt, TwoStepsInFrontIsSeenAtEverySample) {
             const TiltedQuad quad(random, GetParam(), ratio);
             if (!quad.convex) continue;
             const int samples = 1 << (i % 5);
-            tile.reset({0, 0, kSide, kSide}, samples);
-            bare.reset({0, 0, kSide, kSide}, samples);
+            tile.reset({0, 0, kDepthSide, kDepthSide}, samples);
+            bare.reset({0, 0, kDepthSide, kDepthSide}, samples);
             const bool in_four = i % 2 == 0;
             quad.draw(tile, !in_four, 1, 0); // at a tie the surface would be seen
             quad.draw(bare, !in_four, 1, 0);
             quad.draw(tile, in_four, 2, 2 * quad.step());
-            for (int y = 0; y < kSide; ++y)
-                for (int x = 0; x < kSide; ++x)
+            for (int y = 0; y < kDepthSide; ++y)
+                for (int x = 0; x < kDepthSide; ++x)
                     for (int s = 0; s < samples; ++s) {
                         hidden += tile.id(x, y, s) == 1 ? 1 : 0;
                         if (tile.id(x, y, s) != 2) continue;
@@ -482,11 +482,11 @@ TEST(Depth, MovesBySnappingNoMoreThanItsSlopeAllows) {
             depth[k] = plane(x, y);
         }
         if (!has_area(v)) continue;
-        tile.reset({0, 0, kSide, kSide}, 1);
+        tile.reset({0, 0, kDepthSide, kDepthSide}, 1);
         tile.draw(set_up(v, 0, depth));
         const double bound = (std::abs(zx) + std::abs(zy)) / 512;
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kDepthSide; ++y)
+            for (int x = 0; x < kDepthSide; ++x) {
                 if (tile.id(x, y) != 0) continue;
                 const double moved = std::abs(tile.depth(x, y) - plane(x + 0.5, y + 0.5));
                 const double rounding = 0x1p-23 * plane(x + 0.5, y + 0.5);

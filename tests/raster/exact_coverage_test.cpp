@@ -10,7 +10,7 @@
 namespace scanout::raster::test {
 namespace {
 
-constexpr int kSide = 64;
+constexpr int kExactSide = 64;
 
 // Near a tile of side x side pixels whose corner stands at `at`.
 Corners random_corners(Random& random, int kind, int side, const Corner& at) {
@@ -96,7 +96,7 @@ TEST_P(AMillionTriangles, AgreeWithExactArithmetic) {
     VisibilityTile tile;
     std::int64_t covered = 0;
     for (int i = 0; i < kCount; ++i) {
-        const int side = i % 10 == 0 ? kSide : 16;
+        const int side = i % 10 == 0 ? kExactSide : 16;
         const int x = random.whole(0, 255) * 64, y = random.whole(0, 255) * 64;
         const Corners v = random_corners(random, i + GetParam(), side, {x * 256, y * 256});
         ASSERT_EQ(mismatches(v, {x, y, x + side, y + side}, 1, tile, covered), 0) << text(v);
@@ -297,7 +297,7 @@ TEST(ExactCoverage, WhatSnapsToNoAreaHasNoFragmentButItsOutlineHas) {
         outline.line_material.push_back(-1);
     }
     const auto fragments = [&](const geom::Mesh& m) {
-        const Planes planes = draw_planes(jobs, m, pixel_view(kSide, kSide), kSide, kSide, 4);
+        const Planes planes = draw_planes(jobs, m, pixel_view(kExactSide, kExactSide), kExactSide, kExactSide, 4);
         for (const float depth : planes.depths)
             EXPECT_TRUE(depth >= 0 && depth <= 1);
         return std::count_if(planes.ids.begin(), planes.ids.end(),

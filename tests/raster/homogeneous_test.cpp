@@ -15,10 +15,10 @@ using oracle::Place;
 
 // An edge whose ends are snapped by up to 1/512 pixel in x and y passes within this of where it
 // was.
-constexpr double kSnapped = 1.0 / 256;
+constexpr double kSnapDistance = 1.0 / 256;
 
 // Pixels times w of a point in view space, in double.
-ClipPoint<double> projected(const scene::View& view, int width, int height, const Vec3& position) {
+ClipPoint<double> projected_point(const scene::View& view, int width, int height, const Vec3& position) {
     const double x = position.x + view.translation.x, y = position.y + view.translation.y,
                  w = -(position.z + view.translation.z);
     return {(x / view.half_width + w) * (width / 2.0), (w - y / view.half_height) * (height / 2.0),
@@ -45,11 +45,11 @@ TEST(Homogeneous, TrianglesThroughTheEyesPlaneCoverWhatTheirEdgesSay) {
         add_triangle(mesh, v);
         const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight);
         const HomogeneousTriangle<double> exact(
-            projected(view, kWidth, kHeight, v[0]), projected(view, kWidth, kHeight, v[1]),
-            projected(view, kWidth, kHeight, v[2]), view.near_distance);
+            projected_point(view, kWidth, kHeight, v[0]), projected_point(view, kWidth, kHeight, v[1]),
+            projected_point(view, kWidth, kHeight, v[2]), view.near_distance);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
-                const Place place = exact.place(x + 0.5, y + 0.5, kSnapped);
+                const Place place = exact.place(x + 0.5, y + 0.5, kSnapDistance);
                 close += place == Place::close ? 1 : 0;
                 if (place == Place::close) continue;
                 wrong += (planes.id(x, y) == 0) != (place == Place::inside) ? 1 : 0;
@@ -87,11 +87,11 @@ TEST(Homogeneous, CoordinatesUpToTheLargestFloatsCoverWhatTheirEdgesSay) {
         add_triangle(mesh, v);
         const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight);
         const HomogeneousTriangle<double> exact(
-            projected(view, kWidth, kHeight, v[0]), projected(view, kWidth, kHeight, v[1]),
-            projected(view, kWidth, kHeight, v[2]), view.near_distance);
+            projected_point(view, kWidth, kHeight, v[0]), projected_point(view, kWidth, kHeight, v[1]),
+            projected_point(view, kWidth, kHeight, v[2]), view.near_distance);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
-                const Place place = exact.place(x + 0.5, y + 0.5, kSnapped);
+                const Place place = exact.place(x + 0.5, y + 0.5, kSnapDistance);
                 close += place == Place::close ? 1 : 0;
                 if (place == Place::close) continue;
                 wrong += (planes.id(x, y) == 0) != (place == Place::inside) ? 1 : 0;
@@ -151,7 +151,7 @@ TEST(Homogeneous, ExternalTrianglesCoverWhatExactArithmeticSays) {
                 worst = std::max(worst, far);
             }
     }
-    EXPECT_LE(worst, kSnapped * 1.25);
+    EXPECT_LE(worst, kSnapDistance * 1.25);
     EXPECT_GT(covered, 1000000);
     EXPECT_GT(external, 4000);
     record("worst_displacement_px", worst);
@@ -273,7 +273,7 @@ TEST(Homogeneous, AMeshThatStraddlesEveryPlaneOfTheFrustumIsCoveredOnce) {
             // Which planes does it cross? Left, right, top, bottom of the guard band, near.
             int outside[5] = {};
             for (const Vec3& p : v) {
-                const ClipPoint<double> c = projected(view, kSide, kSide, p);
+                const ClipPoint<double> c = projected_point(view, kSide, kSide, p);
                 const double guard = kGuardPixels * c.w;
                 const bool out[5] = {c.x<-guard, c.x> guard, c.y<-guard, c.y> guard,
                                      c.w < view.near_distance};
@@ -340,9 +340,9 @@ TEST(Homogeneous, WhatIsSeenOfASceneIsWhatIsNearestAtEverySample) {
             for (Vec3& p : v)
                 p = Vec3(middle + random.in_cube(size * part));
             add_triangle(mesh, v);
-            scene.add(projected(view, kWidth, kHeight, v[0]),
-                      projected(view, kWidth, kHeight, v[1]),
-                      projected(view, kWidth, kHeight, v[2]));
+            scene.add(projected_point(view, kWidth, kHeight, v[0]),
+                      projected_point(view, kWidth, kHeight, v[1]),
+                      projected_point(view, kWidth, kHeight, v[2]));
         }
         const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight, samples);
         for (int y = 0; y < kHeight; ++y)

@@ -14,7 +14,7 @@ namespace {
 using scanout::test::add_line;
 using scanout::test::add_vertex;
 
-constexpr int kSide = 96;
+constexpr int kFaceSide = 96;
 constexpr double kTilts[] = {0, 20, 45, 60, 75, 85, 88, 89, 89.5, 89.9};
 constexpr double kDegree = std::numbers::pi / 180;
 
@@ -77,9 +77,9 @@ Counts count(Jobs& jobs, const geom::Mesh& mesh, const scene::View& view, int sa
     surface.line_index.clear();
     surface.line_material.clear();
     surface.line_faces = {};
-    const Planes whole = draw_planes(jobs, mesh, view, kSide, kSide, samples),
-                 alone = draw_planes(jobs, lines, view, kSide, kSide, samples),
-                 bare = draw_planes(jobs, surface, view, kSide, kSide, samples);
+    const Planes whole = draw_planes(jobs, mesh, view, kFaceSide, kFaceSide, samples),
+                 alone = draw_planes(jobs, lines, view, kFaceSide, kFaceSide, samples),
+                 bare = draw_planes(jobs, surface, view, kFaceSide, kFaceSide, samples);
     Counts counts;
     for (std::size_t i = 0; i < whole.ids.size(); ++i) {
         if (alone.ids[i] == kNoPrimitive) continue;
@@ -198,12 +198,12 @@ TEST_P(LineOnFace, IsSeenOnTheSolidsSideThatIsSeen) {
             geom::Mesh edges = mesh;
             add_edges(edges);
             geom::find_line_faces(edges);
-            return draw_planes(jobs, edges, view, kSide, kSide, GetParam());
+            return draw_planes(jobs, edges, view, kFaceSide, kFaceSide, GetParam());
         }();
         geom::Mesh kept = scanout::test::empty_mesh();
         kept.position = mesh.position;
         kept.normal = mesh.normal;
-        const ScreenTransform transform(view, kSide, kSide);
+        const ScreenTransform transform(view, kFaceSide, kFaceSide);
         for (std::uint32_t t = 0; t < mesh.triangles(); ++t) {
             ScreenVertex v[3];
             for (std::size_t k = 0; k < 3; ++k)
@@ -218,7 +218,7 @@ TEST_P(LineOnFace, IsSeenOnTheSolidsSideThatIsSeen) {
         EXPECT_EQ(counts.hidden, 0) << around;
         EXPECT_GT(counts.seen, 200) << around;
         // Nothing but the front's lines is seen of the whole.
-        const Planes alone = draw_planes(jobs, kept, view, kSide, kSide, GetParam());
+        const Planes alone = draw_planes(jobs, kept, view, kFaceSide, kFaceSide, GetParam());
         int through = 0;
         for (std::size_t i = 0; i < front.ids.size(); ++i) {
             const bool line = front.ids[i] != kNoPrimitive && front.ids[i] >= mesh.triangles();
@@ -252,7 +252,7 @@ TEST_P(LineOnFace, IsHiddenWhenItLiesBehindTheSurface) {
             add_line_between(mesh, at(random.whole(2, 94), random.whole(2, 94), back),
                              at(random.whole(2, 94), random.whole(2, 94), back));
         geom::find_line_faces(mesh);
-        const Counts counts = count(jobs, mesh, pixel_view(kSide, kSide), GetParam());
+        const Counts counts = count(jobs, mesh, pixel_view(kFaceSide, kFaceSide), GetParam());
         seen += counts.seen;
         expected += counts.hidden;
     }
@@ -284,7 +284,7 @@ TEST(LineOnTriangle, IsSeenWhateverTheTrianglesSlope) {
         add_polygon(mesh, corner);
         add_edges(mesh);
         geom::find_line_faces(mesh);
-        counts += count(jobs, mesh, pixel_view(kSide, kSide), 1 << (i % 5));
+        counts += count(jobs, mesh, pixel_view(kFaceSide, kFaceSide), 1 << (i % 5));
     }
     EXPECT_EQ(counts.hidden, 0);
     EXPECT_GT(counts.seen, 100000);
@@ -317,8 +317,8 @@ TEST(LineOnFace, OfTheFarSideDoesNotShineThroughWhereTrianglesMeet) {
             add_line_between(mesh, turned(far), turned(other));
         geom::find_line_faces(mesh);
         const scene::View view = view_of(turn % 4 < 2);
-        const Planes whole = draw_planes(jobs, mesh, view, kSide, kSide, 4),
-                     bare = draw_planes(jobs, surface, view, kSide, kSide, 4);
+        const Planes whole = draw_planes(jobs, mesh, view, kFaceSide, kFaceSide, 4),
+                     bare = draw_planes(jobs, surface, view, kFaceSide, kFaceSide, 4);
         for (std::size_t i = 0; i < whole.ids.size(); ++i)
             through += bare.ids[i] != kNoPrimitive && whole.ids[i] != bare.ids[i] ? 1 : 0;
         hidden += count(jobs, mesh, view, 4).hidden;
@@ -342,9 +342,9 @@ TEST(LineOnFace, DoesNotDependOnTheOrderOfLines) {
     geom::find_line_faces(turned);
     Jobs one(1), many(4);
     const scene::View view = view_of(true);
-    const Planes expected = draw_planes(one, mesh, view, kSide, kSide, 2);
-    EXPECT_EQ(draw_planes(many, mesh, view, kSide, kSide, 2), expected);
-    EXPECT_EQ(draw_planes(one, turned, view, kSide, kSide, 2).depths, expected.depths);
+    const Planes expected = draw_planes(one, mesh, view, kFaceSide, kFaceSide, 2);
+    EXPECT_EQ(draw_planes(many, mesh, view, kFaceSide, kFaceSide, 2), expected);
+    EXPECT_EQ(draw_planes(one, turned, view, kFaceSide, kFaceSide, 2).depths, expected.depths);
 }
 
 TEST(PointOnFace, IsSeenWhereItIsACorner) {

@@ -10,8 +10,8 @@
 namespace scanout::raster::test {
 namespace {
 
-constexpr int kSide = kTileSize;
-constexpr image::Rect kArea{0, 0, kSide, kSide};
+constexpr int kSegmentSide = kTileSize;
+constexpr image::Rect kSegmentArea{0, 0, kSegmentSide, kSegmentSide};
 using Pixels = std::set<std::pair<int, int>>;
 
 Segment segment(const Corner& a, const Corner& b, double depth_a = 0.5, double depth_b = 0.5) {
@@ -20,14 +20,14 @@ Segment segment(const Corner& a, const Corner& b, double depth_a = 0.5, double d
 
 template <class Primitive>
 Pixels pixels(const Primitive& primitive, VisibilityTile& tile) {
-    tile.reset(kArea, 1);
+    tile.reset(kSegmentArea, 1);
     if constexpr (std::is_same_v<Primitive, Segment>)
         tile.draw_line(primitive);
     else
         tile.draw_point(primitive);
     Pixels out;
-    for (int y = 0; y < kSide; ++y)
-        for (int x = 0; x < kSide; ++x)
+    for (int y = 0; y < kSegmentSide; ++y)
+        for (int x = 0; x < kSegmentSide; ++x)
             if (tile.id(x, y) == 9) out.insert({x, y});
     return out;
 }
@@ -47,9 +47,9 @@ Pixels exact_pixels(Corner a, Corner b) {
     if (dx == 0 && dy == 0) {
         const auto x = static_cast<int>(floor_of(a.x, 256)),
                    y = static_cast<int>(floor_of(a.y, 256));
-        if (x >= 0 && y >= 0 && x < kSide && y < kSide) out.insert({x, y});
+        if (x >= 0 && y >= 0 && x < kSegmentSide && y < kSegmentSide) out.insert({x, y});
     }
-    for (int pixel = 0; pixel < kSide && (dx != 0 || dy != 0); ++pixel) {
+    for (int pixel = 0; pixel < kSegmentSide && (dx != 0 || dy != 0); ++pixel) {
         const std::int64_t centre = pixel * 256 + 128;
         const std::int64_t from = steep ? a.y : a.x, to = steep ? b.y : b.x;
         if (centre < std::min(from, to) || centre > std::max(from, to)) continue;
@@ -57,7 +57,7 @@ Pixels exact_pixels(Corner a, Corner b) {
         const Int128 run = to - from, rise = steep ? dx : dy, start = steep ? a.x : a.y;
         const auto other =
             static_cast<int>(floor_of(start * run + (centre - from) * rise, run * 256));
-        if (other < 0 || other >= kSide) continue;
+        if (other < 0 || other >= kSegmentSide) continue;
         out.insert(steep ? std::pair{other, pixel} : std::pair{pixel, other});
     }
     return out;
@@ -137,7 +137,7 @@ TEST(Segment, IsTheSameInEveryTile) {
     VisibilityTile whole, part;
     for (int i = 0; i < 2000; ++i) {
         const Segment s = segment(random_end(random, 4), random_end(random, i), 0.3, 0.7);
-        whole.reset(kArea, 1);
+        whole.reset(kSegmentArea, 1);
         whole.draw_line(s);
         for (const image::Rect& area :
              {image::Rect{0, 0, 17, 40}, image::Rect{17, 0, 64, 40}, image::Rect{0, 40, 64, 64}}) {
@@ -166,8 +166,8 @@ TEST(Point, IsASquareOfOnePixelByTheTriangleRules) {
         const ExactTriangle upper({corner[0], corner[1], corner[2]}),
             lower({corner[0], corner[2], corner[3]});
         Pixels square;
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x)
+        for (int y = 0; y < kSegmentSide; ++y)
+            for (int x = 0; x < kSegmentSide; ++x)
                 if (std::abs(x * 256 - at.x) < 600 && std::abs(y * 256 - at.y) < 600 &&
                     (upper.covers(x * 256 + 128, y * 256 + 128) ||
                      lower.covers(x * 256 + 128, y * 256 + 128)))
@@ -182,10 +182,10 @@ TEST(Bounds, OfSegmentsAndPointsHoldTheirPixelsAndStayInThePicture) {
     VisibilityTile tile;
     for (int i = 0; i < 20000; ++i) {
         const Segment s = segment(random_end(random, i), random_end(random, i));
-        const image::Rect box = pixel_bounds(s, kSide, kSide);
-        EXPECT_TRUE(box.x0 >= 0 && box.y0 >= 0 && box.x1 <= kSide && box.y1 <= kSide);
+        const image::Rect box = pixel_bounds(s, kSegmentSide, kSegmentSide);
+        EXPECT_TRUE(box.x0 >= 0 && box.y0 >= 0 && box.x1 <= kSegmentSide && box.y1 <= kSegmentSide);
         for (const auto& [x, y] : exact_pixels({s.x[0], s.y[0]}, {s.x[1], s.y[1]})) {
-            const bool in_picture = x >= 0 && y >= 0 && x < kSide && y < kSide;
+            const bool in_picture = x >= 0 && y >= 0 && x < kSegmentSide && y < kSegmentSide;
             const bool in_box = x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1;
             EXPECT_TRUE(in_box || !in_picture) << i;
         }

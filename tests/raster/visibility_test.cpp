@@ -120,7 +120,7 @@ scene::View camera_at(double distance) {
     return eye_view(0.5, 0.5, distance);
 }
 
-geom::Mesh soup(Random& random, int triangles, double size) {
+geom::Mesh mesh_soup(Random& random, int triangles, double size) {
     geom::Mesh mesh;
     for (int i = 0; i < 3 * triangles; ++i) {
         mesh.position.emplace_back(random.in_cube(size));
@@ -139,7 +139,7 @@ TEST(Visibility, TheOrderOfATrianglesVerticesChangesNoBit) {
     constexpr int kPermutation[5][3] = {{1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     for (const double size : {0.1, 1.0, 3.0, 30.0, 1000.0}) {
         for (int round = 0; round < 8; ++round) {
-            const geom::Mesh mesh = soup(random, 40, size);
+            const geom::Mesh mesh = mesh_soup(random, 40, size);
             const scene::View view = camera_at(round % 2 == 0 ? 1 : 0.01);
             const Planes first = draw_planes(jobs, mesh, view, 100, 70, 4);
             const Planes culled = draw_planes(jobs, mesh, view, 100, 70, 4, Facing::front);
@@ -165,7 +165,7 @@ TEST(Visibility, TheOrderOfTheFileOnlyRenumbersWhatIsSeen) {
     std::int64_t seen = 0;
     for (const double size : {0.3, 3.0, 1000.0}) {
         for (int round = 0; round < 12; ++round) {
-            const geom::Mesh mesh = soup(random, 120, size);
+            const geom::Mesh mesh = mesh_soup(random, 120, size);
             const scene::View view = camera_at(round % 2 == 0 ? 1 : 0.01);
             Jobs one(1), three(3);
             const Planes first = draw_planes(one, mesh, view, 90, 60, round % 3 == 0 ? 4 : 1);
@@ -197,7 +197,7 @@ TEST(Visibility, CulledFrontAndCulledBackTogetherAreWhatIsDrawnWithoutCulling) {
     Jobs jobs(1);
     Random random(5);
     for (const double size : {0.5, 3.0, 100.0}) {
-        const geom::Mesh mesh = soup(random, 60, size);
+        const geom::Mesh mesh = mesh_soup(random, 60, size);
         const Planes all = draw_planes(jobs, mesh, camera_at(1), 100, 70);
         const Planes front = draw_planes(jobs, mesh, camera_at(1), 100, 70, 1, Facing::front);
         const Planes back = draw_planes(jobs, mesh, camera_at(1), 100, 70, 1, Facing::back);
@@ -215,7 +215,7 @@ TEST(Visibility, CulledFrontAndCulledBackTogetherAreWhatIsDrawnWithoutCulling) {
 
 TEST(Visibility, ThreadsAndTilesChangeNoBit) {
     Random random(6);
-    geom::Mesh mesh = soup(random, 20000, 1);
+    geom::Mesh mesh = mesh_soup(random, 20000, 1);
     for (std::size_t i = 0; i < mesh.position.size(); ++i) // smaller triangles, in several chunks
         mesh.position[i] =
             mesh.position[i - i % 3] + (mesh.position[i] - mesh.position[i - i % 3]) * 0.1F;

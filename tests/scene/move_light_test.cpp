@@ -9,7 +9,7 @@
 namespace scanout::scene {
 namespace {
 
-geom::Mesh model() {
+geom::Mesh lit_model() {
     geom::Mesh mesh;
     mesh.centre = {10, -20, 30};
     mesh.radius = 0.75;
@@ -20,7 +20,7 @@ Light light_of(LightKind kind, test::Random& random) {
     Light light;
     light.kind = kind;
     light.towards = random.in_cube(3);
-    light.position = model().centre + random.in_cube(9);
+    light.position = lit_model().centre + random.in_cube(9);
     light.power = 0.7;
     return light;
 }
@@ -33,15 +33,15 @@ TEST(MoveLight, ByNothingLeavesEveryBit) {
     for (const LightKind kind : kKinds)
         for (int up = 0; up < 6; ++up) {
             const Light light = light_of(kind, random);
-            EXPECT_EQ(moved(light, {}, static_cast<UpAxis>(up), model()), light);
+            EXPECT_EQ(moved(light, {}, static_cast<UpAxis>(up), lit_model()), light);
         }
     for (const Light& light : default_lights())
-        EXPECT_EQ(moved(light, {}, UpAxis::plus_y, model()), light);
+        EXPECT_EQ(moved(light, {}, UpAxis::plus_y, lit_model()), light);
 }
 
 TEST(MoveLight, AddsToAzimuthAndElevationAndKeepsTheDistance) {
     test::Random random(2);
-    const geom::Mesh mesh = model();
+    const geom::Mesh mesh = lit_model();
     for (int round = 0; round < 300; ++round) {
         const auto up = static_cast<UpAxis>(round % 6);
         const Light light = light_of(kKinds[1 + round % 3], random);
@@ -75,7 +75,7 @@ TEST(MoveLight, FollowsTheCamerasConvention) {
     // Azimuth 0 is the front, +z; 90 is the right, +x; elevation 90 is above.
     Light light;
     light.kind = LightKind::point;
-    const geom::Mesh mesh = model();
+    const geom::Mesh mesh = lit_model();
     light.position = mesh.centre + DVec3(0, 0, 2);
     LightMove move;
     move.azimuth = 90 * kAngleUnitsPerDegree;
@@ -98,7 +98,7 @@ TEST(MoveLight, OfTheCameraMovesAboutTheEyesAxes) {
     LightMove move;
     move.azimuth = 90 * kAngleUnitsPerDegree;
     for (int up = 0; up < 6; ++up) {
-        const Light turned = moved(head, move, static_cast<UpAxis>(up), model());
+        const Light turned = moved(head, move, static_cast<UpAxis>(up), lit_model());
         EXPECT_NEAR(turned.towards.x, 1, 1e-12);
         EXPECT_NEAR(turned.towards.z, 0, 1e-12);
     }

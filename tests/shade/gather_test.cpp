@@ -15,7 +15,7 @@ namespace {
 
 using scanout::test::Random;
 
-constexpr int kSide = 48;
+constexpr int kGatheredSide = 48;
 
 // The samples that stand for pixels, in the order of shading; a stage has no other memory.
 std::map<std::pair<int, int>, std::pair<int, int>>& shaded() {
@@ -42,7 +42,7 @@ struct Drawn {
     Drawn(Jobs& jobs, const geom::Mesh& mesh, const raster::ScreenTransform& transform,
           int samples) {
         raster::GeometryOptions options;
-        options.width = options.height = kSide;
+        options.width = options.height = kGatheredSide;
         options.samples = samples;
         geometry.run(jobs, mesh, transform, options);
         tile.reset(geometry.tile_area(0), samples);
@@ -75,7 +75,7 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
     Jobs jobs(1);
     Random random(1);
     const scene::View view = view_from_origin();
-    const raster::ScreenTransform transform(view, kSide, kSide);
+    const raster::ScreenTransform transform(view, kGatheredSide, kGatheredSide);
     int at_centre[2] = {}, elsewhere[2] = {};
     for (int i = 0; i < 3000; ++i) {
         geom::Mesh mesh;
@@ -97,11 +97,11 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
         FrameState frame;
         frame.own_triangles = i / 2 % 2 == 0; // on both ways from a triangle to lanes
         const GatherInput in = input_of(mesh, view, transform, all, stages, frame);
-        image::Image picture(kSide, kSide);
+        image::Image picture(kGatheredSide, kGatheredSide);
         shaded().clear();
         Gatherer().shade(all.tile, in, picture);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
+        for (int y = 0; y < kGatheredSide; ++y)
+            for (int x = 0; x < kGatheredSide; ++x) {
                 const auto found = shaded().find({x, y});
                 int first = 0;
                 while (first < samples && all.tile.id(x, y, first) != 0)
@@ -167,7 +167,7 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
     Jobs jobs(1);
     Random random(2);
     const scene::View view = view_from_origin();
-    const raster::ScreenTransform transform(view, kSide, kSide);
+    const raster::ScreenTransform transform(view, kGatheredSide, kGatheredSide);
     Gatherer listed, by_rows; // from tile to tile, as in frames
     const Stage* stages[] = {&kSpeckled};
     FrameState frame;
@@ -178,8 +178,8 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
         ASSERT_TRUE(all.geometry.all_unclipped());
         GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         in.background = {10, 200, 30, 128};
-        image::Image one(kSide, kSide), other(kSide, kSide);
-        LinearPicture one_light(kSide, kSide), other_light(kSide, kSide);
+        image::Image one(kGatheredSide, kGatheredSide), other(kGatheredSide, kGatheredSide);
+        LinearPicture one_light(kGatheredSide, kGatheredSide), other_light(kGatheredSide, kGatheredSide);
         in.linear = &one_light;
         const std::uint64_t lanes = listed.shade(all.tile, in, one);
         in.looks.only_material = -1;

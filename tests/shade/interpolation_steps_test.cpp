@@ -9,7 +9,7 @@
 namespace scanout::shade::test {
 namespace {
 
-constexpr int kWidth = 512; // pixels
+constexpr int kScreenWidth = 512; // pixels
 
 // A triangle on the screen by its corners in 1/256 pixel and the inverse of their distances.
 Primitive triangle(const DVec2 (&p)[3], const double (&inverse_w)[3]) {
@@ -103,13 +103,13 @@ TEST(InterpolationSteps, HaveTheErrorsOfTheLadder) {
         for (std::size_t i = 0; i < 4; ++i) {
             // From left to right the distance grows by the ratio; the row lies on one edge.
             Primitive t =
-                triangle({{0, 128}, {kWidth * 256, 128}, {0, 60000}}, {1, 1 / ratios[i], 1});
+                triangle({{0, 128}, {kScreenWidth * 256, 128}, {0, 60000}}, {1, 1 / ratios[i], 1});
             t.uv[0][0] = 0;
             t.uv[0][1] = 1;
             t.uv[0][2] = 0;
-            const std::vector<float> got = row.u(name, t, 0, 0, kWidth);
+            const std::vector<float> got = row.u(name, t, 0, 0, kScreenWidth);
             double worst = 0;
-            for (int x = 0; x < kWidth; ++x)
+            for (int x = 0; x < kScreenWidth; ++x)
                 worst = std::max(worst, std::abs(double{got[static_cast<std::size_t>(x)]} -
                                                  exact(t, x * 256 + 128, 128, t.uv[0])));
             EXPECT_LE(worst, errors[i] * 1.05) << name << " at " << ratios[i];

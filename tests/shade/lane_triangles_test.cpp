@@ -22,7 +22,7 @@ namespace {
 
 using scanout::test::Random;
 
-constexpr int kSide = 2000; // pixels
+constexpr int kScreenSide = 2000; // pixels
 
 #ifdef SCANOUT_SANITIZED
 constexpr int kRounds = 8;
@@ -58,7 +58,7 @@ std::int64_t area(std::span<const raster::ScreenVertex> v, std::uint32_t triangl
 }
 
 // A block's lanes with triangles of their own, at random samples near them.
-struct Lanes {
+struct TriangleLanes {
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::unique_ptr<LaneTriangles> triangles = std::make_unique<LaneTriangles>();
 
@@ -80,8 +80,8 @@ std::uint32_t bits(float value) {
 }
 
 // At a lane of `set_up`, which has moved from where it was in `before`.
-void expect_same(const GatherInput& in, const Primitive& p, const Lanes& before,
-                 const Lanes& set_up, int lane) {
+void expect_same(const GatherInput& in, const Primitive& p, const TriangleLanes& before,
+                 const TriangleLanes& set_up, int lane) {
     const LaneTriangles& t = *set_up.triangles;
     const int n = t.of_lane[lane];
     const std::int32_t x = before.block->x[lane], y = before.block->y[lane];
@@ -132,7 +132,7 @@ void expect_same(const GatherInput& in, const Primitive& alone, const Primitive&
 }
 
 // As many at once as there are lanes, which fill registers or do not.
-void check_together(const GatherInput& in, const Lanes& lanes, Gatherer::Primitives& alone) {
+void check_together(const GatherInput& in, const TriangleLanes& lanes, Gatherer::Primitives& alone) {
     auto primitives = std::make_unique<Gatherer::Primitives>();
     const int count = lanes.block->count;
     for (int lane = 0; lane < count; ++lane) {
@@ -147,7 +147,7 @@ void check_together(const GatherInput& in, const Lanes& lanes, Gatherer::Primiti
 
 // The block's lanes at triangles that are set up once; lanes `own` to `end` at their own.
 std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives& once,
-                                    const Lanes& set_up, int own, int end) {
+                                    const TriangleLanes& set_up, int own, int end) {
     auto block = std::make_unique<Block>(*set_up.block);
     const scene::Material material;
     block->material = &material;
@@ -166,7 +166,7 @@ std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives&
 
 // What stages read; lanes of both kinds side by side in the block.
 void expect_same_attributes(const GatherInput& in, Gatherer::Primitives& once,
-                            const Lanes& set_up) {
+                            const TriangleLanes& set_up) {
     const int count = set_up.block->count;
     const auto expected = interpolated(in, once, set_up, 0, 0);
     const auto got = interpolated(in, once, set_up, count / 5, count - count / 7);
@@ -189,11 +189,11 @@ struct Counts {
     int lanes = 0, moved = 0, large = 0, turned = 0;
 };
 
-void check(const GatherInput& in, const Lanes& lanes, Counts& counts) {
+void check(const GatherInput& in, const TriangleLanes& lanes, Counts& counts) {
     auto once = std::make_unique<Gatherer::Primitives>();
     const int count = lanes.block->count;
     scanout::test::on_every_target([&](const std::string&) {
-        const Lanes own{std::make_unique<Block>(*lanes.block),
+        const TriangleLanes own{std::make_unique<Block>(*lanes.block),
                         std::make_unique<LaneTriangles>(*lanes.triangles)};
         // In two parts, so that registers are not full, and do not begin where blocks do.
         const int part = count / 3;
@@ -231,10 +231,10 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         }
         view.linear[1][0] = random.in(-0.2, 0.2);
         view.translation.x = random.in(-0.1, 0.1);
-        const raster::ScreenTransform transform(view, kSide, kSide);
+        const raster::ScreenTransform transform(view, kScreenSide, kScreenSide);
         raster::Geometry geometry;
         raster::GeometryOptions options;
-        options.width = options.height = kSide;
+        options.width = options.height = kScreenSide;
         geometry.run(jobs, mesh, transform, options);
         FrameState frame;
         frame.attributes = {.normal = true, .uv = true, .colour = true, .position = true};
@@ -254,7 +254,7 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         in.mirrored = view.mirrored;
         const auto vertices = geometry.vertices();
         const TriangleSource source = triangle_source(in);
-        Lanes lanes;
+        TriangleLanes lanes;
         for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(triangles); ++id) {
             if (!is_whole(source, id) || area(vertices, id) == 0) continue;
             // Some show in more lanes than a register has.

@@ -79,8 +79,8 @@ struct Triangle {
     }
 };
 
-struct Mapped {
-    explicit Mapped(Random& random, double size = 0.3) {
+struct MappedPoint {
+    explicit MappedPoint(Random& random, double size = 0.3) {
         for (int i = 0; i < kUsed; ++i) {
             triangle[static_cast<std::size_t>(i)] = Triangle::random(random, size);
             const Triangle& t = triangle[static_cast<std::size_t>(i)];
@@ -126,7 +126,7 @@ TEST(Mapping, GivesTheCoordinatesAndSlopesOfThePlaceItself) {
         const auto& exact = mapping.second;
         Real worst = 0, worst_slope = 0;
         for (int round = 0; round < 100; ++round) {
-            Mapped m(random);
+            MappedPoint m(random);
             m.run(mapping.first);
             for (int i = 0; i < kUsed; ++i) {
                 const Point p = m.point(i);
@@ -158,7 +158,7 @@ TEST(Mapping, HasFiniteSlopesOnTheAxisAndAcrossTheSeam) {
     Random random(2);
     for (const char* name : {"sphere", "cylinder"}) {
         for (int round = 0; round < 50; ++round) {
-            Mapped m(random, 0.3);
+            MappedPoint m(random, 0.3);
             for (int i = 0; i < kUsed; ++i) {
                 // All on the axis, or a face through it, or just beside the seam.
                 auto& object = m.triangle[static_cast<std::size_t>(i)].primitive.object;
@@ -197,7 +197,7 @@ TEST(Mapping, HasFiniteSlopesOnTheAxisAndAcrossTheSeam) {
 
 TEST(Mapping, BoxTakesTheSideThatTheTriangleFacesAndMirrorsNone) {
     Random random(3);
-    Mapped m(random);
+    MappedPoint m(random);
     const struct {
         Vec3 facing;
         Vec3 u, v; // directions in which they grow: a turn over two units
@@ -226,7 +226,7 @@ TEST(Mapping, BoxTakesTheSideThatTheTriangleFacesAndMirrorsNone) {
 TEST(Mapping, OfASampleThatNoWeightIsLeftForLiesWithinItsTriangle) {
     Random random(4);
     for (const char* name : {"plane", "box", "cylinder", "sphere"}) {
-        Mapped m(random);
+        MappedPoint m(random);
         for (Triangle& t : m.triangle) {
             t.primitive.clipped = true;
             for (int k = 0; k < 3; ++k) {

@@ -10,8 +10,8 @@
 namespace scanout::shade::test {
 namespace {
 
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNaNTexel = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfTexel = std::numeric_limits<float>::infinity();
 
 scene::Texture noise(int width, int height, std::uint64_t seed) {
     Random random(seed);
@@ -231,7 +231,7 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
     const float before_0 = -std::numeric_limits<float>::denorm_min();
     const Case cases[] = {{0, 0, 0},        {-0.0F, 0, 0},    {1, 0, 3},     {0.9999999F, 3, 3},
                           {0.25F, 1, 1},    {-0.25F, 3, 0},   {-1, 0, 0},    {2, 0, 3},
-                          {kNaN, 0, 0},     {kInf, 0, 3},     {-kInf, 0, 0}, {1e30F, 0, 3},
+                          {kNaNTexel, 0, 0},     {kInfTexel, 0, 3},     {-kInfTexel, 0, 0}, {1e30F, 0, 3},
                           {-1e30F, 0, 0},   {before_0, 0, 0}, {1e9F, 0, 3},  {-1e-9F, 0, 0},
                           {100000.5F, 2, 3}};
     for (const Case& c : cases) {
@@ -525,7 +525,7 @@ TEST(Texture, FootprintsWithoutEndReadTheSmallestLevel) {
     const scene::Texture texture = noise(64, 64, 16);
     Sampler sampler(texture);
     const float mean = sampler.chain.texels[sampler.chain.texels.size() - 4];
-    for (const float slope : {kInf, -kInf, kNaN, 1e30F, 1000.0F}) {
+    for (const float slope : {kInfTexel, -kInfTexel, kNaNTexel, 1e30F, 1000.0F}) {
         sampler.set_slopes(0, {{slope, slope}, {slope, slope}});
         for (const std::string& filter : filters()) {
             if (filter == "nearest" || filter == "bilinear") continue;
@@ -549,7 +549,7 @@ TEST(Texture, MirroredIsTheTurnedPictureInEverySecondTile) {
                 << filter << ' ' << uv.x << ' ' << uv.y;
     }
     // 1 and -0 are edges; what has no place reads the corner.
-    for (const float u : {kNaN, kInf, -kInf, 1e30F, 0.0F, -0.0F, 2.0F, -2.0F})
+    for (const float u : {kNaNTexel, kInfTexel, -kInfTexel, 1e30F, 0.0F, -0.0F, 2.0F, -2.0F})
         EXPECT_EQ(mirrored.one("nearest", u, u), mirrored.one("nearest", 0, 0)) << u;
     EXPECT_EQ(mirrored.one("nearest", 1, 1), mirrored.one("nearest", 0.9999F, 0.9999F));
 }

@@ -20,7 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr LightKind kKinds[] = {LightKind::directional, LightKind::point, LightKind::spot};
+constexpr LightKind kShadowedKinds[] = {LightKind::directional, LightKind::point, LightKind::spot};
 
 scene::Light caster(LightKind kind) {
     scene::Light light = test::light_of(kind, 0.9);
@@ -65,7 +65,7 @@ test::Shot shipped(const std::string& name) {
 
 // Its light from any side; one at a place is often within the model's box. Every fifth is mirrored.
 void turn(test::Shot& s, int round, test::Random& random) {
-    scene::Light light = caster(kKinds[round % 3]);
+    scene::Light light = caster(kShadowedKinds[round % 3]);
     light.towards = random.in_cube(1);
     const geom::Mesh& mesh = s.scene.mesh;
     light.position = mesh.centre + random.in_cube(round % 2 == 0 ? 0.7 : 3) *
@@ -114,7 +114,7 @@ bool backs_show(const test::Shot& s, Frame frame) {
     return maps(s, frame) != fronts;
 }
 
-TEST(FrontFaceShadows, OfAClosedMeshAreAllThatALightOutsideSees) {
+TEST(ShadowFronts, OfAClosedMeshAreAllThatALightOutsideSees) {
     test::Random random(5);
     int alone = 0, both = 0, needed = 0;
     for (test::Shot& s : std::vector{bodies(), knobs(), shipped("spot"), shipped("rabbit")})
@@ -141,8 +141,8 @@ Facing needs(const test::Shot& s) {
     return facing;
 }
 
-TEST(FrontFaceShadows, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
-    for (const LightKind kind : kKinds) {
+TEST(ShadowFronts, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
+    for (const LightKind kind : kShadowedKinds) {
         test::Shot s = bodies();
         s.options.lights = {caster(kind)};
         s.options.lights[0].position = {1.5, 1.8, 0.9};
@@ -172,7 +172,7 @@ TEST(FrontFaceShadows, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
 }
 
 // Before the near plane of a lamp's maps a front would be left out, and a back behind it seen.
-TEST(FrontFaceShadows, AreNotAllThatALampSeesThatNearlyTouchesOne) {
+TEST(ShadowFronts, AreNotAllThatALampSeesThatNearlyTouchesOne) {
     test::Shot s = bodies();
     s.options.lights = {caster(LightKind::point)};
     for (const double above : {1e-7, 1e-3}) {
@@ -181,7 +181,7 @@ TEST(FrontFaceShadows, AreNotAllThatALampSeesThatNearlyTouchesOne) {
     }
 }
 
-TEST(FrontFaceShadows, AreToldByThePlan) {
+TEST(ShadowFronts, AreToldByThePlan) {
     SceneFacts facts;
     facts.triangles = 10;
     facts.topology.closed = true;
