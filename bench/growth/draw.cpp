@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "base/jobs.h"
 #include "base/stopwatch.h"
-#include "frame/kept_plan.h"
+#include "frame/plan_cache.h"
 #include "frame/renderer.h"
 #include "io/load.h"
 #include "measure/median.h"
@@ -75,7 +75,7 @@ double sums_milliseconds(Jobs& jobs, int parts) {
 Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
     Jobs jobs(asked.threads);
     frame::Renderer renderer(jobs);
-    frame::KeptPlan kept(frame::facts(scene));
+    frame::PlanCache kept(frame::facts(scene));
     frame::FrameOptions options;
     options.width = asked.width;
     options.height = asked.height;

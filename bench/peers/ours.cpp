@@ -43,17 +43,17 @@ void Ours::draw_depth(const scene::View& view) {
     options.occlusion = &occlusion_;
     geometry_.run(jobs_, scene_.mesh,
                   raster::ScreenTransform(view, options_.width, options_.height), options);
-    bare_.begin({options_.width, options_.height, raster::kTileSize, geometry_.tiles(), {}});
+    cleared_.begin({options_.width, options_.height, raster::kTileSize, geometry_.tiles(), {}});
     jobs_.for_each(geometry_.tiles(), [&](int number, int worker) {
         const image::Rect area = geometry_.tile_area(number);
         const auto row = [&](int y) {
             return depth_.data() + static_cast<std::size_t>(y) * width + area.x0;
         };
         const bool empty = geometry_.is_empty(number);
-        if (empty && !bare_.is_bare(number))
+        if (empty && !cleared_.is_cleared(number))
             for (int y = area.y0; y < area.y1; ++y)
                 std::fill_n(row(y), area.width(), 0.0F);
-        bare_.set_bare(number, empty);
+        cleared_.set_cleared(number, empty);
         if (empty) return;
         raster::VisibilityTile& tile = tiles_[static_cast<std::size_t>(worker)];
         tile.reset(area, 1, {}, raster::TileFormat::depth_only);

@@ -3,8 +3,8 @@
 
 #include "base/jobs.h"
 #include "bench/peers/load.h"
-#include "frame/bare_tiles.h"
-#include "frame/kept_plan.h"
+#include "frame/cleared_tiles.h"
+#include "frame/plan_cache.h"
 #include "frame/renderer.h"
 #include "raster/stage/geometry.h"
 
@@ -37,7 +37,7 @@ private:
     const scene::Scene& scene_;
     bool depth_only_;
     frame::FrameOptions options_;
-    frame::KeptPlan plan_;
+    frame::PlanCache plan_;
     frame::Renderer renderer_;
     const image::Image* picture_ = nullptr;
     raster::Geometry geometry_;
@@ -46,7 +46,7 @@ private:
     std::vector<raster::DeferredTriangles> deferred_; // scratch, one a worker
     LargeArray<float> room_;
     std::span<float> depth_; // in that, from the start of a line of the cache
-    frame::BareTiles bare_;
+    frame::ClearedTiles cleared_;
 };
 
 } // namespace scanout::bench

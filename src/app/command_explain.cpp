@@ -43,9 +43,9 @@ Result<Exit> run_explain(const Settings& settings) {
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));
     bar.reset();
-    print_warnings(explanation.in_vain, settings);
-    model.warnings.insert(model.warnings.end(), explanation.in_vain.begin(),
-                          explanation.in_vain.end());
+    print_warnings(explanation.ignored_options, settings);
+    model.warnings.insert(model.warnings.end(), explanation.ignored_options.begin(),
+                          explanation.ignored_options.end());
     if (settings.json != "-")
         for (const std::string& line : explain_table(model, explanation))
             say(line, stdout);

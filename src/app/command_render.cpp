@@ -7,8 +7,8 @@
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
-#include "frame/in_vain.h"
-#include "frame/kept_plan.h"
+#include "frame/ignored_options.h"
+#include "frame/plan_cache.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 
@@ -93,9 +93,9 @@ private:
         if (settings_.verbose)
             for (const frame::Decision& decision : plan.decisions)
                 say(to_string(decision));
-        const std::vector<std::string> in_vain = frame::asked_in_vain(plan);
-        print_warnings(in_vain, settings_);
-        report.warnings.insert(report.warnings.end(), in_vain.begin(), in_vain.end());
+        const std::vector<std::string> ignored = frame::ignored_options(plan);
+        print_warnings(ignored, settings_);
+        report.warnings.insert(report.warnings.end(), ignored.begin(), ignored.end());
     }
 
     std::uint64_t hash_of(const image::Image& picture) const {
@@ -126,7 +126,7 @@ private:
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
-    frame::KeptPlan plan_;
+    frame::PlanCache plan_;
     frame::Renderer renderer_;
 };
 

@@ -6,6 +6,7 @@
 #include "frame/back_faces.h"
 #include "frame/minification.h"
 #include "frame/options.h"
+#include "frame/shadow_plane.h"
 #include "scene/scene.h"
 
 #include <array>
@@ -20,21 +21,6 @@ namespace scanout::frame {
 
 // Materials by index. Primitives without a material count as one of their own, the last.
 using MaterialSet = std::vector<bool>;
-
-// On what projected shadows fall: the points of mesh coordinates with normal . p = offset.
-struct Ground {
-    DVec3 normal{0}; // unit
-    double offset = 0;
-    std::size_t triangles = 0; // that lie in it; 0: there is nothing to see a shadow on
-    bool asked = false;        // by the user
-    friend bool operator==(const Ground&, const Ground&) = default;
-};
-// The side of the model's box, along the file's axes, that holds the largest flat area: the floor
-// of most scenes, whichever axis is up.
-Ground ground(const geom::Mesh& mesh);
-Ground ground(const geom::Mesh& mesh, const FilePlane& plane);
-// By triangle: 1 where it lies in the ground.
-std::vector<std::uint8_t> in_ground(const geom::Mesh& mesh, const Ground& ground);
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
@@ -56,7 +42,7 @@ struct SceneFacts {
     // Kd times vertex colour, and the same times map_Kd: no primitive reflects more; at most 1.
     float brightest = 1, brightest_mapped = 1;
     bool black_by_maps = false; // no material reflects light evenly: what has a Kd has a black map
-    Ground ground;
+    ShadowPlane shadow_plane;
 
     // The effects that are a matter of the material, by their name in the plan: which materials
     // call for them. `explain` counts the pixels that show one of these.
@@ -68,7 +54,7 @@ struct SceneFacts {
         MaterialSets materials_of;
     } by_ks;
 };
-// shadow_plane: what the user wants as the ground, in place of the one that is found.
+// shadow_plane: the user's, in place of the one that is found.
 SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shadow_plane = {});
 
 } // namespace scanout::frame

@@ -51,7 +51,7 @@ struct TransparencyPlan {
 // What throws shadows, and how.
 struct ShadowPlan {
     const shade::Stage* stage = nullptr; // of the frame's stages; null: there is no pass either
-    Ground ground;                       // on which projected shadows fall
+    ShadowPlane plane;                   // on which projected shadows fall
     // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
     // Empty: all throw whole shadows.
     std::vector<raster::AlphaMode> casters;

@@ -176,7 +176,7 @@ bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFa
     if (topology.convex_components.empty() || plan.options.cull == Cull::front || view.inside)
         return true;
     return !std::all_of(of_lights.begin(), of_lights.end(),
-                        [](const LightFacts& light) { return light.parts_apart; });
+                        [](const LightFacts& light) { return light.shadows_disjoint; });
 }
 
 // Is some triangle neither blended, as things stand, nor clear?
@@ -205,7 +205,7 @@ struct Casting {
             ++lights;
             sized += light.size > 0 ? 1 : 0;
             directional = directional || light.kind == scene::LightKind::directional;
-            if (!of_lights[i].fronts_first) continue;
+            if (!of_lights[i].only_front_faces) continue;
             ++outside;
             in_maps[i] = raster::Facing::front;
         }
@@ -227,7 +227,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     const Casting casting(plan, of_lights);
     TRY(const std::string name,
         choose("shadow", plan.options.shadow, casting.sized > 0 ? "map_soft" : "map_pcf"));
-    const bool floor = name != "projected" || facts.ground.triangles > 0;
+    const bool floor = name != "projected" || facts.shadow_plane.triangles > 0;
     const bool falls = name == "attached" || shadows_itself(plan, facts, view, of_lights);
     const bool at_pixels = name == "attached" || !shading.needs.corners;
     const bool throws = name == "attached" || something_throws(plan.options, facts);
@@ -242,7 +242,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : !falls     ? "the model is flat or convex: it throws none on itself"
         : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
                                    shading.card.name)
-        : !floor && facts.ground.asked
+        : !floor && facts.shadow_plane.by_user
             ? "no triangle lies in the plane of --shadow-plane, to project shadows onto"
         : !floor ? "no triangle lies flat on a side of the model's box, to project shadows onto"
                  : fmt::format("{} light{}: {}", casting.lights,
@@ -263,7 +263,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     if (casting.directional) planner.stage("light", "directional");
     planner.stage("shadow", name);
     plan.shadow.stage = plan.stages.back();
-    plan.shadow.ground = facts.ground;
+    plan.shadow.plane = facts.shadow_plane;
     plan.shadow.in_maps = casting.in_maps;
     return {};
 }

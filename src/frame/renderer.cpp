@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "base/stopwatch.h"
-#include "frame/bare_tiles.h"
+#include "frame/cleared_tiles.h"
 #include "frame/lights.h"
 #include "frame/shadow_pass.h"
 #include "frame/stencil_marks.h"
@@ -101,7 +101,7 @@ struct Renderer::State {
     raster::OcclusionHistory occlusion; // of the view
     shade::MipChains mips;
     image::Image back_buffer;
-    BareTiles bare;                   // of it
+    ClearedTiles cleared;                   // of it
     shade::WidePicture wide;          // of filters that reach into neighbours
     std::vector<image::Plane> planes; // of a convolution
 
@@ -272,8 +272,8 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     const image::Rect area = {samples.x0 / aa.scale, samples.y0 / aa.scale, samples.x1 / aa.scale,
                               samples.y1 / aa.scale};
     const bool empty = f.visibility == nullptr && geometry.is_empty(tile);
-    if (!empty || !bare.is_bare(tile)) clear(area, f.plan.options.background, back_buffer);
-    bare.set_bare(tile, empty);
+    if (!empty || !cleared.is_cleared(tile)) clear(area, f.plan.options.background, back_buffer);
+    cleared.set_cleared(tile, empty);
     if (empty) return;
     worker.visibility.reset(samples, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
@@ -370,7 +370,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     }
     const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
                   input.visibility, input.shadows};
-    bare.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
+    cleared.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
                 geometry.tiles(), plan.options.background});
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         TileWorker& worker = workers[static_cast<std::size_t>(number)];
@@ -409,7 +409,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const FrameOptions& o = plan.options;
     if (s.back_buffer.width() != o.width || s.back_buffer.height() != o.height) {
         s.back_buffer = image::Image::unwritten(o.width, o.height);
-        s.bare.forget();
+        s.cleared.forget();
     }
     const Stopwatch total;
     s.mips.update(scene, plan.mips, s.jobs);
@@ -454,7 +454,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     else
         release(s.planes);
     if (plan.stencil != nullptr || plan.convolution != nullptr || aa.weight != nullptr)
-        s.bare.forget(); // these write beside the tiles that show something
+        s.cleared.forget(); // these write beside the tiles that show something
     s.stats = {};
     s.stats.total_ms = total.milliseconds();
     s.stats.geometry_ms = geometry_ms;

@@ -93,7 +93,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     options.alpha_modes = in.plan.shadow.casters;
     if (options.alpha_modes.empty()) options.occlusion = &out.occlusion;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
-    out.bare.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
+    out.cleared.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
     const shade::LayerInput layers = layer_input(in.plan);
     shade::GatherInput gather;
     gather.mesh = &in.scene.mesh;
@@ -112,10 +112,10 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
             return out.depth.data() + static_cast<std::size_t>(y) * side + area.x0;
         };
         const bool empty = geometry_.is_empty(number);
-        if (empty && !out.bare.is_bare(number))
+        if (empty && !out.cleared.is_cleared(number))
             for (int y = area.y0; y < area.y1; ++y)
                 std::fill_n(row(y), area.width(), 0.0F);
-        out.bare.set_bare(number, empty);
+        out.cleared.set_cleared(number, empty);
         if (empty) return;
         Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
         raster::VisibilityTile& tile = worker.tile;

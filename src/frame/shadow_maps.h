@@ -4,7 +4,7 @@
 
 #include "base/jobs.h"
 #include "base/large_array.h"
-#include "frame/bare_tiles.h"
+#include "frame/cleared_tiles.h"
 #include "frame/light_view.h"
 #include "frame/plan.h"
 #include "raster/stage/geometry.h"
@@ -43,7 +43,7 @@ private:
     };
     struct Depths {
         LargeArray<float> depth;
-        BareTiles bare; // of it
+        ClearedTiles cleared; // of it
         raster::OcclusionHistory occlusion;
     };
     void draw(const ShadowScene& in, const LightView& from, raster::Facing keep, Depths& out);

@@ -13,10 +13,10 @@ namespace {
 
 using raster::VisibilityTile;
 
-ViewPlane in_view(const Ground& ground, const scene::View& view) {
+ViewPlane in_view(const ShadowPlane& of_mesh, const scene::View& view) {
     ViewPlane plane;
-    plane.normal = normalized(view.normal * ground.normal);
-    const DVec3 point = view.linear * (ground.normal * ground.offset) + view.translation;
+    plane.normal = normalized(view.normal * of_mesh.normal);
+    const DVec3 point = view.linear * (of_mesh.normal * of_mesh.offset) + view.translation;
     plane.offset = -dot3(plane.normal, point);
     return plane;
 }
@@ -34,21 +34,21 @@ std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
 } // namespace
 
 void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan, bool projected) {
-    const std::optional<Ground> ground = projected ? std::optional(plan.ground) : std::nullopt;
-    if (scene.revision != 0 && casters_.revision == scene.revision && casters_.ground == ground &&
+    const std::optional<ShadowPlane> plane = projected ? std::optional(plan.plane) : std::nullopt;
+    if (scene.revision != 0 && casters_.revision == scene.revision && casters_.plane == plane &&
         casters_.layers == plan.casters)
         return;
     const geom::Mesh& mesh = scene.mesh;
     casters_ = {};
     casters_.revision = scene.revision;
     casters_.layers = plan.casters;
-    casters_.ground = ground;
+    casters_.plane = plane;
     casters_.casts = casting(mesh, plan.casters);
     if (!projected) {
         casters_.welded = weld(mesh, casters_.casts);
         return;
     }
-    casters_.receives = in_ground(mesh, *ground);
+    casters_.receives = in_shadow_plane(mesh, *plane);
     for (std::size_t i = 0; i < casters_.casts.size(); ++i) // what lies in it throws none on it
         if (casters_.receives[i] != 0) casters_.casts[i] = 0;
 }
@@ -69,7 +69,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         release(edges_);
         casters_ = {};
     }
-    const ViewPlane ground = projected ? in_view(in.plan.shadow.ground, in.view) : ViewPlane();
+    const ViewPlane plane = projected ? in_view(in.plan.shadow.plane, in.view) : ViewPlane();
     std::array<std::size_t, scene::kMaxLights + 1> first_map{};
     for (std::size_t k = 0; k < count; ++k) {
         const scene::ViewLight& light = lights.lights()[k];
@@ -87,7 +87,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         if (volume)
             shadow_volumes(thrown, casters_.welded, edges_, polygons_[k]);
         else if (projected)
-            projected_shadows(thrown, ground, polygons_[k]);
+            projected_shadows(thrown, plane, polygons_[k]);
         else
             maps_.add(in, light, in.plan.options.shadow_size, shadow.soft);
         first_map[k + 1] = maps_.maps().size();

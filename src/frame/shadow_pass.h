@@ -38,7 +38,7 @@ private:
     struct Casters {
         std::uint64_t revision = 0;
         std::vector<raster::AlphaMode> layers;
-        std::optional<Ground> ground;              // of projected shadows
+        std::optional<ShadowPlane> plane;          // of projected shadows
         std::vector<std::uint8_t> casts, receives; // by triangle; empty: all receive
         Welded welded;                             // of volumes
     };

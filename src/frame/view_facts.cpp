@@ -2,8 +2,7 @@
 
 #include "base/check.h"
 #include "frame/bounding_sphere.h"
-#include "frame/shadow_fronts.h"
-#include "frame/shadow_reach.h"
+#include "frame/shadow_cull_facts.h"
 
 namespace scanout::frame {
 namespace {
@@ -27,8 +26,9 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
     found.reaches = !may_miss || may_be_lit(seen, view);
     if (!casts || !found.reaches) return found;
     const ShadowTexels map{options.shadow_size, options.shadow_filter};
-    found.parts_apart = stand_apart(facts.topology.convex_components, seen, view, map);
-    found.fronts_first = meets_fronts_first(facts.topology, seen, view);
+    found.shadows_disjoint =
+        shadows_are_disjoint(facts.topology.convex_components, seen, view, map);
+    found.only_front_faces = only_front_faces_cast(facts.topology, seen, view);
     return found;
 }
 

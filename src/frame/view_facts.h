@@ -14,9 +14,9 @@ namespace scanout::frame {
 
 // Of a light that is not black.
 struct LightFacts {
-    bool reaches = true;       // some of it falls on the model
-    bool parts_apart = true;   // none of the mesh's bodies throws a shadow on another
-    bool fronts_first = false; // whatever its shadow map holds is a front
+    bool reaches = true;           // some of it falls on the model
+    bool shadows_disjoint = true;  // no component casts a shadow on another
+    bool only_front_faces = false; // its shadow map needs no back faces
     friend bool operator==(const LightFacts&, const LightFacts&) = default;
 };
 

@@ -2,7 +2,7 @@
 
 #include "base/stopwatch.h"
 #include "frame/bytes.h"
-#include "frame/in_vain.h"
+#include "frame/ignored_options.h"
 #include "frame/techniques.h"
 #include "image/compare.h"
 #include "image/flip.h"
@@ -77,7 +77,7 @@ Result<void> Explainer::begin() {
     so_far_.width = options_.width;
     so_far_.height = options_.height;
     so_far_.techniques = plan_.techniques;
-    so_far_.in_vain = frame::asked_in_vain(plan_);
+    so_far_.ignored_options = frame::ignored_options(plan_);
     TRY_VOID(count_pixels());
     TRY(so_far_.special, special_rows());
     frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);

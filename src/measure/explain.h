@@ -68,8 +68,8 @@ struct Explanation {
     double covered_share = 0;  // of the pixels, whose centre shows something
     // The rows that are on and would not be for a grey triangle: none means a plain scene.
     int special = 0;
-    std::vector<EffectRow> rows;      // as in the plan
-    std::vector<std::string> in_vain; // what is asked for and cannot be shown, a line each
+    std::vector<EffectRow> rows;              // as in the plan
+    std::vector<std::string> ignored_options; // what is asked for and cannot be shown, a line each
     std::vector<const Technique*> techniques;
     std::optional<double> milliseconds; // of the frame as it is, median
 };

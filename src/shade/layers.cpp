@@ -62,7 +62,7 @@ void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInp
         for (int s = 0; s < visibility.samples(); ++s) {
             for (int y = box.y0; y < box.y1; ++y) {
                 for (int x = box.x0; x < box.x1; ++x) {
-                    if (!probe_.shows(x, y, s)) continue;
+                    if (!probe_.covers(x, y, s)) continue;
                     candidates_.push_back({triangle, probe_.depth(x, y, s),
                                            static_cast<std::uint16_t>(pixel_of(visibility, x, y)),
                                            static_cast<std::uint8_t>(s)});
@@ -174,7 +174,7 @@ bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triang
         for (int x = box.x0; x < box.x1; ++x) {
             unsigned mask = 0;
             for (int s = 0; s < pixels_.samples; ++s)
-                mask |= static_cast<unsigned>(probe_.shows(x, y, s)) << s;
+                mask |= static_cast<unsigned>(probe_.covers(x, y, s)) << s;
             if (mask == 0) continue;
             const auto depths = static_cast<std::uint32_t>(list.depth.size());
             for (unsigned left = mask; left != 0; left &= left - 1)

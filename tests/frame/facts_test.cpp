@@ -16,12 +16,12 @@ namespace {
 using testing::ElementsAre;
 
 TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
-    EXPECT_EQ(ground(geom::Mesh()).triangles, 0U);
+    EXPECT_EQ(find_shadow_plane(geom::Mesh()).triangles, 0U);
     for (int up = 0; up < 3; ++up) {
         for (const float side : {-1.0F, 1.0F}) {
             geom::Mesh mesh = test::empty_mesh();
             test::add_sphere(mesh, Vec3(0), 0.3F, 12, 6);
-            EXPECT_EQ(ground(mesh).triangles, 0U);
+            EXPECT_EQ(find_shadow_plane(mesh).triangles, 0U);
             std::array<Vec3, 4> floor;
             for (std::size_t i = 0; i < 4; ++i) {
                 floor[i][up] = side * 0.4F;
@@ -29,16 +29,16 @@ TEST(Facts, FindTheFloorWhicheverAxisIsUp) {
                 floor[i][(up + 2) % 3] = i < 2 ? -1.0F : 1.0F;
             }
             test::add_quad(mesh, floor, {0, 0, 1});
-            const Ground found = ground(mesh);
+            const ShadowPlane found = find_shadow_plane(mesh);
             DVec3 axis(0);
             axis[up] = 1;
             EXPECT_EQ(found.normal, axis);
             EXPECT_EQ(found.offset, double{side * 0.4F});
             EXPECT_EQ(found.triangles, 2U);
-            EXPECT_FALSE(found.asked);
+            EXPECT_FALSE(found.by_user);
             std::vector<std::uint8_t> in(mesh.triangles(), 0);
             in[in.size() - 1] = in[in.size() - 2] = 1;
-            EXPECT_EQ(in_ground(mesh, found), in);
+            EXPECT_EQ(in_shadow_plane(mesh, found), in);
         }
     }
 }
@@ -52,17 +52,17 @@ TEST(Facts, TheUsersGroundIsThePlaneOfTheFileAtAnyLengthOfItsNormal) {
     test::add_square(mesh, 1, 0);
     const std::vector<std::uint8_t> leaning = {1, 1, 0, 0};
     for (const double length : {1.0, -3.0, 1e-200, 1e200}) {
-        const Ground found = ground(mesh, {DVec3(0, 1, 2) * length, 18 * length});
-        EXPECT_TRUE(found.asked);
+        const ShadowPlane found = find_shadow_plane(mesh, {DVec3(0, 1, 2) * length, 18 * length});
+        EXPECT_TRUE(found.by_user);
         EXPECT_EQ(found.triangles, 2U) << length;
         EXPECT_NEAR(dot3(found.normal, found.normal), 1, 1e-12);
-        EXPECT_EQ(in_ground(mesh, found), leaning) << length;
-        EXPECT_EQ(ground(mesh, {DVec3(0, 1, 2) * length, 18.01 * length}).triangles, 0U);
+        EXPECT_EQ(in_shadow_plane(mesh, found), leaning) << length;
+        EXPECT_EQ(find_shadow_plane(mesh, {DVec3(0, 1, 2) * length, 18.01 * length}).triangles, 0U);
     }
     scene::Scene scene;
     scene.mesh = mesh;
-    EXPECT_TRUE(facts(scene, FilePlane{{0, 1, 2}, 18}).ground.asked);
-    EXPECT_EQ(facts(scene).ground, ground(mesh));
+    EXPECT_TRUE(facts(scene, FilePlane{{0, 1, 2}, 18}).shadow_plane.by_user);
+    EXPECT_EQ(facts(scene).shadow_plane, find_shadow_plane(mesh));
 }
 
 TEST(Facts, CountWhatTheDataCallsFor) {

@@ -145,10 +145,10 @@ TEST(Plan, RunsShadowsOnlyWhereALightCastsThem) {
     EXPECT_THAT(techniques(plan_of(facts, options)), testing::Contains("shadow attached"));
     options.shadow = "projected"; // there is no floor
     EXPECT_THAT(shadow(), StartsWith("shadow off: no triangle lies flat"));
-    facts.ground.asked = true;
+    facts.shadow_plane.by_user = true;
     EXPECT_THAT(shadow(),
                 StartsWith("shadow off: no triangle lies in the plane of --shadow-plane"));
-    facts.ground.triangles = 2;
+    facts.shadow_plane.triangles = 2;
     EXPECT_THAT(shadow(), StartsWith("shadow projected: 1 light casts"));
     options.effects = {{"shadow", false}};
     EXPECT_TRUE(plan_of(facts, options).decision("shadow")->forced);

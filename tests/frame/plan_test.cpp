@@ -1,4 +1,4 @@
-#include "frame/in_vain.h"
+#include "frame/ignored_options.h"
 #include "frame/plan.h"
 #include "frame/plans.h"
 #include "support/scenes.h"
@@ -126,20 +126,20 @@ TEST(Plan, AnAxisIsNoEffect) {
 TEST(Plan, KnowsWhatIsAskedOfItInVain) {
     SceneFacts facts;
     facts.triangles = 10;
-    const auto in_vain = [&](const FrameOptions& options) {
-        return asked_in_vain(plan_of(facts, options));
+    const auto ignored = [&](const FrameOptions& options) {
+        return ignored_options(plan_of(facts, options));
     };
     FrameOptions options;
-    EXPECT_THAT(in_vain(options), testing::IsEmpty());
+    EXPECT_THAT(ignored(options), testing::IsEmpty());
     options.effects = {{"point_light", true}, {"spot_light", false}};
     options.shadow = "volume"; // nothing casts
-    EXPECT_THAT(in_vain(options),
+    EXPECT_THAT(ignored(options),
                 testing::UnorderedElementsAre(StartsWith("point_light"), StartsWith("shadow")));
     options.lights = {test::light_of(scene::LightKind::point, 1)};
     options.lights.back().casts = true;
-    EXPECT_THAT(in_vain(options), testing::IsEmpty());
+    EXPECT_THAT(ignored(options), testing::IsEmpty());
     options.shading = "flat";
-    EXPECT_THAT(in_vain(options), ElementsAre(StartsWith("shadow")));
+    EXPECT_THAT(ignored(options), ElementsAre(StartsWith("shadow")));
 }
 
 TEST(Plan, GivesAReasonForEveryDecision) {

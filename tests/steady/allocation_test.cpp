@@ -1,7 +1,7 @@
 // While a model turns, nothing is allocated from the view to the picture: not by us, and not by
 // oneTBB below us.
 #include "base/jobs.h"
-#include "frame/kept_plan.h"
+#include "frame/plan_cache.h"
 #include "frame/renderer.h"
 #include "frame/techniques.h"
 #include "io/load.h"
@@ -121,7 +121,7 @@ private:
     const scene::Scene& scene_;
     FrameOptions options_;
     int frames_;
-    KeptPlan plan_;
+    PlanCache plan_;
     Renderer renderer_;
 };
 

@@ -76,14 +76,14 @@ ClippedBlockSigns block_signs(const ClippedBlockEdges& e) {
 
 void blocks_of_clipped(const TilePlanes& tile, const BlockBounds& bounds, BlockList& out) {
     float nearest[BlockList::kBlocks];
-    const bool ask = tile.rule.is_default() && tile.hi_z != nullptr;
-    std::uint64_t live = ask ? reject_blocks<true>(tile, bounds, nearest)
-                             : reject_blocks<false>(tile, bounds, nearest);
+    const bool use_hi_z = tile.rule.is_default() && tile.hi_z != nullptr;
+    std::uint64_t live = use_hi_z ? reject_blocks<true>(tile, bounds, nearest)
+                                  : reject_blocks<false>(tile, bounds, nearest);
     out.count = 0;
     for (; live != 0; live &= live - 1) {
         const int block = __builtin_ctzll(live);
         const int x = block % BlockList::kRow, y = block / BlockList::kRow;
-        if (ask && occludes_after_refresh(tile, x, y, nearest[block])) continue;
+        if (use_hi_z && occludes_after_refresh(tile, x, y, nearest[block])) continue;
         out.x[out.count] = x;
         out.y[out.count++] = y;
     }
@@ -148,10 +148,10 @@ private:
             b.edge[k] = static_cast<float>((corner + highest) / terms + BlockBounds::kMargin);
             b.across[k] = static_cast<float>(across / terms);
             b.down[k] = static_cast<float>(down / terms);
-            nearest += corner * clipped_.share[k] +
-                       BlockBounds::kMargin * terms * std::abs(clipped_.share[k]);
-            per_across += across * clipped_.share[k];
-            per_down += down * clipped_.share[k];
+            nearest += corner * clipped_.depth_factor[k] +
+                       BlockBounds::kMargin * terms * std::abs(clipped_.depth_factor[k]);
+            per_across += across * clipped_.depth_factor[k];
+            per_down += down * clipped_.depth_factor[k];
         }
         nearest += std::max(per_across, 0.0) + std::max(per_down, 0.0);
         b.most = static_cast<float>(clipped_.most * (1 + BlockBounds::kMargin));
@@ -200,12 +200,12 @@ private:
             if (!plane) find_depths(e, b.inside, depths);
             const std::size_t first = s * std::size_t{kTileSize} * kTileSize +
                                       static_cast<std::size_t>(by * kSide * kTileSize + bx * kSide);
-            drawn |= show(b, first);
+            drawn |= write(b, first);
         }
         return drawn;
     }
     // first: of the block's pixels, in the planes.
-    bool show(const ClippedBlock& b, std::size_t first) const {
+    bool write(const ClippedBlock& b, std::size_t first) const {
         float* const depth = tile_.depth + first;
         if (tile_.id == nullptr) return SIMD_CALL(draw_block_depth, b, depth);
         std::uint32_t* const id = tile_.id + first;
@@ -249,7 +249,7 @@ private:
         depth = clipped_.depth_of(e);
         double cancels = static_cast<double>(kBlock) * clipped_.terms;
         for (std::size_t k = 0; k < 3; ++k)
-            cancels += std::abs(e[k] * clipped_.share[k]);
+            cancels += std::abs(e[k] * clipped_.depth_factor[k]);
         const double down = std::min(clipped_.per_x, 0.0) + std::min(clipped_.per_y, 0.0);
         const double least = std::max(clipped_.least, depth + static_cast<double>(kBlock) * down);
         return cancels <= least * 0x1p22;

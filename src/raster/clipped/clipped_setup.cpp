@@ -27,10 +27,10 @@ ClippedSetup::ClippedSetup(const ClippedTriangle& of, const SampleExtent& sample
       box(pixel_bounds(of, kAnySize, kAnySize, samples)), extent(samples) {
     const double size = size_of(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
-        share[k] = triangle.vertex[k].z / size;
+        depth_factor[k] = triangle.vertex[k].z / size;
         a[k] = static_cast<double>(edges.a[k]);
         b[k] = static_cast<double>(edges.b[k]);
-        terms += (std::abs(a[k]) + std::abs(b[k])) * std::abs(share[k]);
+        terms += (std::abs(a[k]) + std::abs(b[k])) * std::abs(depth_factor[k]);
         least = std::min(least, triangle.vertex[k].depth);
         most = std::max(most, triangle.vertex[k].depth);
     }

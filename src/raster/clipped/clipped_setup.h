@@ -20,17 +20,17 @@ struct ClippedSetup {
     ClippedTriangle triangle;
     ExactEdges edges;
     Reach of_tile, of_block;
-    double a[3], b[3];   // of the edges, rounded
-    double share[3];     // depth is E_0 share_0 + E_1 share_1 + E_2 share_2
-    double per_x, per_y; // of depth, 1/256 pixel
-    double terms = 0;    // bound of the terms that may cancel in these slopes
-    double least, most;  // depth of the vertices
-    image::Rect box;     // pixels that it may touch, of a picture of any size
-    SampleExtent extent; // of the pattern of all these tiles
+    double a[3], b[3];      // of the edges, rounded
+    double depth_factor[3]; // depth is the sum of E_i depth_factor_i
+    double per_x, per_y;    // of depth, 1/256 pixel
+    double terms = 0;       // bound of the terms that may cancel in these slopes
+    double least, most;     // depth of the vertices
+    image::Rect box;        // pixels that it may touch, of a picture of any size
+    SampleExtent extent;    // of the pattern of all these tiles
     ClippedSetup(const ClippedTriangle& triangle, const SampleExtent& extent);
 
     double depth_of(const double (&e)[3]) const {
-        return (e[0] * share[0] + e[1] * share[1]) + e[2] * share[2];
+        return (e[0] * depth_factor[0] + e[1] * depth_factor[1]) + e[2] * depth_factor[2];
     }
 };
 

@@ -26,8 +26,8 @@ SIMD_INLINE void add_rows(const StencilSetup& t, SampleOffset offset, const floa
             const int at = (y - t.top) * kTileSize + (x - t.left);
             F32x8 counted = to_f32(select(inside, weight, none));
             if (kBehind) {
-                const F64x8 here =
-                    (e0 * F64x8(t.share[0]) + e1 * F64x8(t.share[1])) + e2 * F64x8(t.share[2]);
+                const F64x8 here = (e0 * F64x8(t.depth_factor[0]) + e1 * F64x8(t.depth_factor[1])) +
+                                   e2 * F64x8(t.depth_factor[2]);
                 const F64x8 seen = to_f64(load<F32x8>(depth + at)) * F64x8(1 + kSameDepth);
                 const F32x8 behind = to_f32(select(here <= seen, one, none));
                 const auto own = load<I32x8>(id + at) == I32x8(t.id);
@@ -73,7 +73,7 @@ void add_to_stencil(const StencilPlanes& tile, const StencilTriangle& counted, S
         s.b[k] = static_cast<double>(edges.b[k]);
         s.c[k] = static_cast<double>(edges.c[k]);
         s.least[k] = static_cast<double>(-edges.bias[k]);
-        s.share[k] = t.depth[k] / static_cast<double>(edges.area);
+        s.depth_factor[k] = t.depth[k] / static_cast<double>(edges.area);
     }
     for (std::size_t i = 0; i < tile.pattern.size(); ++i) {
         const std::size_t plane = i * kTileSize * kTileSize;

@@ -29,7 +29,7 @@ struct StencilPlanes {
 // A triangle set up for one tile.
 struct StencilSetup {
     double a[3], b[3], c[3], least[3]; // edge functions, and from what value on they are inside
-    double share[3];                   // depth of a vertex / area
+    double depth_factor[3];            // depth of a vertex / area
     int x0, y0, x1, y1;                // pixels; x0 a multiple of 8 from the tile's corner
     int left, top;                     // of the tile
     float weight;

@@ -14,7 +14,7 @@ SIMD_BEGIN(scanout::raster)
 
 // TriangleSetup in registers: of several triangles, or of one in all lanes.
 struct SetupLanes {
-    F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], share[3], per_x, per_y;
+    F64x8 a[3], b[3], c[3], bias[3], lowest[3], highest[3], depth_factor[3], per_x, per_y;
     I32x8 x0, y0, x1, y1;
 };
 template <class Read>
@@ -27,7 +27,7 @@ SIMD_INLINE SetupLanes setup_lanes(const TriangleSetup& w, const Read& read) {
         lanes.bias[k] = read(w.bias[k]);
         lanes.lowest[k] = read(w.lowest[k]);
         lanes.highest[k] = read(w.highest[k]);
-        lanes.share[k] = read(w.share[k]);
+        lanes.depth_factor[k] = read(w.depth_factor[k]);
     }
     lanes.per_x = read(w.per_x);
     lanes.per_y = read(w.per_y);
@@ -227,7 +227,7 @@ SIMD_INLINE AtBlocks at_blocks(const TilePlanes& tile, const SetupLanes& w, I32x
     const F64x8 corner_y = to_f64(shift_left<kSubpixelBits>(at.top + I32x8(tile.area.y0)));
     SIMD_FOR (int k = 0; k < 3; ++k)
         at.edge[k] = (w.a[k] * corner_x + w.b[k] * corner_y) + w.c[k];
-    at.depth = depth_of(at.edge, w.share);
+    at.depth = depth_of(at.edge, w.depth_factor);
     return at;
 }
 
@@ -241,8 +241,8 @@ SIMD_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
 
 // Of the live lanes those whose block the triangle may touch and hi_z does not reject.
 template <bool kDefault>
-SIMD_INLINE std::uint32_t seen(const TilePlanes& tile, const SetupLanes& w, const AtBlocks& at,
-                               std::uint32_t live) {
+SIMD_INLINE std::uint32_t visible_lanes(const TilePlanes& tile, const SetupLanes& w,
+                                        const AtBlocks& at, std::uint32_t live) {
     SIMD_FOR (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
     if (!kDefault || live == 0 || tile.hi_z == nullptr) return live;

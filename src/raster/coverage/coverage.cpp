@@ -22,8 +22,9 @@ SIMD_INLINE void draw_few_blocks(const TilePlanes& tile, const TriangleSetup& w,
     I32x8 x = x0, y = shift_right<3>(lanes.y0);
     while (live != 0) {
         const AtBlocks blocks = at_blocks(tile, lanes, x, y);
-        const std::uint32_t show = seen<is_default(kWrite)>(tile, lanes, blocks, live);
-        if (show != 0) draw_float_depth_blocks<kWrite>(tile, lanes, blocks, show, w.id + i, drawn);
+        const std::uint32_t visible = visible_lanes<is_default(kWrite)>(tile, lanes, blocks, live);
+        if (visible != 0)
+            draw_float_depth_blocks<kWrite>(tile, lanes, blocks, visible, w.id + i, drawn);
         x = x + 1;
         const MaskX8 next = x >= x1;
         x = select(next, x0, x);
@@ -54,7 +55,7 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const TriangleSetup&
         return first +
                (maximum(across, zero) + maximum(down, zero)) * F64x8(double{BlockList::kRow});
     };
-    std::uint32_t seen = 0;
+    std::uint32_t visible = 0;
     for (int i = 0; i < TriangleSetup::kTriangles; i += kLanesX8) {
         const auto read = [&](const double* from) SIMD_LAMBDA { return load<F64x8>(from + i); };
         F64x8 depth = 0.0;
@@ -66,7 +67,7 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const TriangleSetup&
             const F64x8 terms = (abs(corner) + abs(high)) +
                                 F64x8(double{BlockList::kRow}) * (abs(across) + abs(down));
             const F64x8 edge = (corner + high) + terms * margin;
-            depth = depth + (corner + terms * margin) * read(w.share[k]);
+            depth = depth + (corner + terms * margin) * read(w.depth_factor[k]);
             here = here & (highest(edge, across, down) >= zero);
             store(to_f32(edge), out.edge[k] + i);
             store(to_f32(across), out.across[k] + i);
@@ -80,9 +81,9 @@ SIMD_INLINE std::uint32_t bounds_of(const TilePlanes& tile, const TriangleSetup&
         store(to_f32(across), out.depth_across + i);
         store(to_f32(down), out.depth_down + i);
         store(to_f32(read(w.nearest) * F64x8(1 + 0x1p-20)), out.most + i);
-        seen |= bits(here) << i;
+        visible |= bits(here) << i;
     }
-    return seen;
+    return visible;
 }
 
 SIMD_INLINE BlockBounds bounds_at(const TriangleSetup& w, const BoundsLanes& lanes, int i) {
@@ -108,9 +109,9 @@ SIMD_INLINE BlockBounds bounds_at(const TriangleSetup& w, const BoundsLanes& lan
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_many_blocks(const TilePlanes& tile, const TriangleSetup& w,
                                   std::uint32_t large, I32& drawn) {
-    const bool ask = is_default(kWrite) && tile.hi_z != nullptr;
+    const bool use_hi_z = is_default(kWrite) && tile.hi_z != nullptr;
     BoundsLanes bounds;
-    for (large &= bounds_of(tile, w, ask ? far_depth_of_tile(tile) : 0.0F, bounds); large != 0;
+    for (large &= bounds_of(tile, w, use_hi_z ? far_depth_of_tile(tile) : 0.0F, bounds); large != 0;
          large &= large - 1) {
         const int i = __builtin_ctz(large);
         std::uint64_t blocks =

@@ -165,9 +165,9 @@ SIMD_INLINE void draw_double_depth_block(const TilePlanes& tile, const TriangleS
     constexpr int kSide = PixelBlock::kSide, kAcross = kSide / kLanesX8;
     const int left = block % BlockList::kRow * kSide, top = block / BlockList::kRow * kSide;
     const double x = (tile.area.x0 + left) * kSubpixel, y = (tile.area.y0 + top) * kSubpixel;
-    F64x8 share[3], bias[3], down[3];
+    F64x8 depth_factor[3], bias[3], down[3];
     SIMD_FOR (int k = 0; k < 3; ++k) {
-        share[k] = w.share[k][i];
+        depth_factor[k] = w.depth_factor[k][i];
         bias[k] = w.bias[k][i];
         down[k] = w.b[k][i] * kSubpixel;
     }
@@ -185,7 +185,7 @@ SIMD_INLINE void draw_double_depth_block(const TilePlanes& tile, const TriangleS
         }
         for (int row = 0; row < kSide; ++row)
             SIMD_FOR (int r = 0; r < kAcross; ++r) {
-                const F32x8 z = to_f32(depth_of(e[r], share));
+                const F32x8 z = to_f32(depth_of(e[r], depth_factor));
                 // Rounding keeps the sign of a whole number.
                 const F32x8 inmost = to_f32(
                     minimum(minimum(e[r][0] + bias[0], e[r][1] + bias[1]), e[r][2] + bias[2]));

@@ -51,7 +51,7 @@ SIMD_INLINE std::uint64_t reject_blocks(const TilePlanes& tile, const BlockBound
                                         float* nearest) {
     constexpr int kRow = BlockList::kRow;
     static_assert(kRow == PixelBlock::kSide);
-    const bool ask = kDefault && tile.hi_z != nullptr;
+    const bool use_hi_z = kDefault && tile.hi_z != nullptr;
     const auto lanes = [](float first, float across, float down, int r) SIMD_LAMBDA {
         return F32(first) + (to_f32(columns(r)) * F32(across) + to_f32(rows()) * F32(down));
     };
@@ -68,11 +68,11 @@ SIMD_INLINE std::uint64_t reject_blocks(const TilePlanes& tile, const BlockBound
     SIMD_FOR (int y = 0; y < kRow; y += kRows) {
         SIMD_FOR (int r = 0; r < kRegisters; ++r) {
             const int first = y * kRow + r * kLanes;
-            auto seen = (edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero);
+            auto visible = (edge[0][r] >= zero) & (edge[1][r] >= zero) & (edge[2][r] >= zero);
             const F32 here = minimum(depth[r], most);
-            if (ask) seen = seen & !(here < load<F32>(tile.hi_z + first));
+            if (use_hi_z) visible = visible & !(here < load<F32>(tile.hi_z + first));
             if (nearest != nullptr) store(here, nearest + first);
-            live |= std::uint64_t{bits(seen)} << first;
+            live |= std::uint64_t{bits(visible)} << first;
             depth[r] = depth[r] + farther;
             SIMD_FOR (int k = 0; k < 3; ++k)
                 edge[k][r] = edge[k][r] + down[k];

@@ -23,12 +23,12 @@ struct TriangleSetup {
     double a[3][kTriangles], b[3][kTriangles], c[3][kTriangles], bias[3][kTriangles];
     // How far E + bias may lie below and above E at a block's corner.
     double lowest[3][kTriangles], highest[3][kTriangles];
-    double share[3][kTriangles], per_x[kTriangles], per_y[kTriangles]; // DepthPlane
+    double depth_factor[3][kTriangles], per_x[kTriangles], per_y[kTriangles]; // DepthPlane
     double nearest[kTriangles]; // depth of the nearest vertex
-    std::int32_t x0[kTriangles], y0[kTriangles], x1[kTriangles],
-        y1[kTriangles]; // pixels of the tile that it may touch
-    std::uint32_t live, float_depth,
-        small; // bit i: triangle i; small: it touches four blocks at most
+    // The pixels of the tile that it may touch.
+    std::int32_t x0[kTriangles], y0[kTriangles], x1[kTriangles], y1[kTriangles];
+    // Bit i: triangle i. small: it touches four blocks at most.
+    std::uint32_t live, float_depth, small;
 };
 
 struct LaneVertex {
@@ -61,18 +61,18 @@ SIMD_INLINE void set_up_bounds(const LaneVertex (&v)[3], const TilePlanes& tile,
     store(minimum(end(v[2].y, extent.low.y), area.y1) - I32x8(area.y0), w.y1 + i);
 }
 
-// Depth from the edge functions' values, or its step from their steps. share: a vertex's depth
-// divided by twice the area.
+// Depth from the edge functions' values, or its step from their steps. depth_factor: a vertex's
+// depth divided by twice the area.
 template <class D>
-SIMD_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&share)[3]) {
-    return (edge[0] * share[0] + edge[1] * share[1]) + edge[2] * share[2];
+SIMD_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&depth_factor)[3]) {
+    return (edge[0] * depth_factor[0] + edge[1] * depth_factor[1]) + edge[2] * depth_factor[2];
 }
 
 // The plane of depth over the screen, and which of the lanes have float depth
 // (raster/coverage/coverage.h).
 template <class D>
 struct DepthPlane {
-    Double<D> share[3]; // as depth_of wants them
+    Double<D> depth_factor[3]; // as depth_of wants them
     Double<D> per_x, per_y;
     std::uint32_t float_depth;
 };
@@ -86,9 +86,9 @@ SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<
     DepthPlane<D> plane;
     const Wide inverse = Wide(1.0) / area; // one division: the slowest operation here
     SIMD_FOR (int k = 0; k < 3; ++k)
-        plane.share[k] = depth[k] * inverse;
-    plane.per_x = depth_of(a, plane.share) * Wide(kSubpixel);
-    plane.per_y = depth_of(b, plane.share) * Wide(kSubpixel);
+        plane.depth_factor[k] = depth[k] * inverse;
+    plane.per_x = depth_of(a, plane.depth_factor) * Wide(kSubpixel);
+    plane.per_y = depth_of(b, plane.depth_factor) * Wide(kSubpixel);
     const Wide least = minimum(minimum(depth[0], depth[1]), depth[2]);
     constexpr double kBlock = PixelBlock::kSide;
     auto float_depth =
@@ -97,7 +97,7 @@ SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<
     if (cancels) {
         Wide terms = 0.0; // of the sums, across a block
         SIMD_FOR (int k = 0; k < 3; ++k)
-            terms = terms + (abs(a[k]) + abs(b[k])) * plane.share[k];
+            terms = terms + (abs(a[k]) + abs(b[k])) * plane.depth_factor[k];
         float_depth = float_depth & (Wide(kBlock * kSubpixel) * terms <= least * Wide(0x1p20));
     }
     plane.float_depth = bits(float_depth);
@@ -174,7 +174,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         const F64x8 depth[3] = {v[0].depth, v[1].depth, v[2].depth};
         const auto plane = depth_plane(depth, a, b, area);
         SIMD_FOR (int k = 0; k < 3; ++k)
-            store(plane.share[k], w.share[k] + i);
+            store(plane.depth_factor[k], w.depth_factor[k] + i);
         store(maximum(maximum(v[0].depth, v[1].depth), v[2].depth), w.nearest + i);
         store(plane.per_x, w.per_x + i);
         store(plane.per_y, w.per_y + i);

@@ -191,10 +191,10 @@ SIMD_INLINE void list(const FoundLanes& found, int registers, std::uint32_t firs
 
 // Prefetches the vertices of triangles so many registers ahead: one vertex each, as neighbours lie
 // in the same cache lines.
-constexpr int kSoon = 2;
+constexpr int kRegistersAhead = 2;
 SIMD_INLINE void prefetch_vertices(const ScreenVertex* vertices, const std::uint32_t* index) {
     for (int lane = 0; lane < kLanes; ++lane)
-        __builtin_prefetch(vertices + index[(kSoon * kLanes + lane) * 3]);
+        __builtin_prefetch(vertices + index[(kRegistersAhead * kLanes + lane) * 3]);
 }
 
 void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uint32_t* index,
@@ -208,7 +208,7 @@ void cull_all(const CullOptions& o, const ScreenVertex* vertices, const std::uin
             // A register takes too long for the hardware prefetcher to stay ahead.
             const std::uint32_t* of_lanes = index + std::ptrdiff_t{i} * 3;
             prefetch<kLanes * kIndices>(of_lanes, kAhead * kIndices);
-            if (i + (kSoon + 1) * kLanes <= count) prefetch_vertices(vertices, of_lanes);
+            if (i + (kRegistersAhead + 1) * kLanes <= count) prefetch_vertices(vertices, of_lanes);
             cull_lanes(o, vertices_of(vertices, of_lanes), kLanes, r, found);
         }
         if (r < FoundLanes::kRegisters && i < count) {

@@ -15,7 +15,7 @@ inline std::uint32_t id_of(DepthAndId of) {
 }
 
 // Front to back; depths that differ by less than 2^-16 of themselves in any order. A tile has a few
-// dozen: up to kMaxRanked are ranked, more are sorted.
+// dozen: up to kMaxRanked are ranked, more are sorted. Sorting all took 2 % of a building more.
 inline constexpr int kMaxRanked = 64;
 void sort_front_to_back(std::vector<DepthAndId>& triangles);
 

@@ -21,15 +21,15 @@ void OcclusionHistory::begin_frame(std::size_t clusters) {
     if (period_ == kNever) period_ = kOften;
     ++frame_;
     // Results of the last frame's queries: clusters beside the picture have none.
-    std::size_t hidden = 0, shown = 0;
+    std::size_t occluded = 0, visible = 0;
     for (std::uint8_t& state : state_) {
-        hidden += state == kQueried ? 1 : 0;
-        shown += state == kQueriedVisible ? 1 : 0;
+        occluded += state == kQueried ? 1 : 0;
+        visible += state == kQueriedVisible ? 1 : 0;
         if (state == kQueried) state = kOccluded;
         if (state == kQueriedVisible) state = kDrawn;
     }
-    if (shown > hidden) period_ = std::min(period_ * 2, kSeldom);
-    if (hidden > 3 * shown) period_ = std::max(period_ / 2, kOften);
+    if (visible > occluded) period_ = std::min(period_ * 2, kSeldom);
+    if (occluded > 3 * visible) period_ = std::max(period_ / 2, kOften);
 }
 
 OcclusionHistory::Action OcclusionHistory::next_action(std::size_t cluster) {

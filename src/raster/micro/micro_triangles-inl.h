@@ -29,14 +29,14 @@ struct MicroTriangles {
 };
 template <int kMax>
 struct MicroBatch {
-    static constexpr int kRoom = 64 / kLanes; // registers, each at one sample
-    MicroTriangles<kMax> micro[kRoom];
+    static constexpr int kCapacity = 64 / kLanes; // registers, each at one sample
+    MicroTriangles<kMax> micro[kCapacity];
     int count = 0;
 };
 
 template <DepthWrite kWrite, int kMax>
 SIMD_INLINE void draw_micro_batch(const TilePlanes& tile, MicroBatch<kMax>& batch, I32x8& drawn) {
-    bool shows = false;
+    bool written = false;
     for (const MicroTriangles<kMax>* s = batch.micro; s != batch.micro + batch.count; ++s) {
         float* const depth = tile.depth + s->plane;
         std::uint32_t* const id = id_after<kWrite>(tile.id, s->plane);
@@ -51,12 +51,12 @@ SIMD_INLINE void draw_micro_batch(const TilePlanes& tile, MicroBatch<kMax>& batc
                 } else if (z > old || (z == old && s->id[lane] < id[to])) {
                     depth[to] = z;
                     id[to] = s->id[lane];
-                    shows = true;
+                    written = true;
                 }
             }
     }
     // Where depth alone is stored nobody needs to know which covered samples passed.
-    if (shows || (kWrite == DepthWrite::depth_only && batch.count > 0)) drawn = I32x8(-1);
+    if (written || (kWrite == DepthWrite::depth_only && batch.count > 0)) drawn = I32x8(-1);
     batch.count = 0;
 }
 
@@ -78,7 +78,7 @@ struct MicroFloatDepth {
                     if (across > 0) corner[k] = corner[k] + s.edges.a[k] * I32(kBlock);
                     if (down > 0) corner[k] = corner[k] + s.edges.b[k] * I32(kBlock);
                 }
-                const F64 depth = depth_of(corner, s.plane.share);
+                const F64 depth = depth_of(corner, s.plane.depth_factor);
                 base[down][across] = to_f32(depth);
                 rest[down][across] = to_f32(depth - to_f64(base[down][across]));
             }
@@ -110,7 +110,7 @@ struct MicroDoubleDepth {
     SIMD_INLINE F32 at(const I32 (&edge)[3], I32, I32, F32, F32) const {
         const I32 unbiased[3] = {edge[0] - s.edges.bias[0], edge[1] - s.edges.bias[1],
                                  edge[2] - s.edges.bias[2]};
-        return to_f32(depth_of(unbiased, s.plane.share));
+        return to_f32(depth_of(unbiased, s.plane.depth_factor));
     }
 };
 
@@ -164,7 +164,7 @@ SIMD_INLINE void add_micro(const TilePlanes& tile, const SmallSetup<F32::Tag>& s
     for (const SampleOffset* at = tile.pattern.data();
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
-        if (batch.count == batch.kRoom) draw_micro_batch<kWrite>(tile, batch, drawn);
+        if (batch.count == batch.kCapacity) draw_micro_batch<kWrite>(tile, batch, drawn);
         MicroTriangles<kMax>& out = batch.micro[batch.count++];
         out.plane = plane;
         cover_micro(s, live, depths, first, *at, out);

@@ -37,7 +37,7 @@ SIMD_INLINE void set_up_row_edges(const TilePlanes& tile, const SmallEdgesX8& ed
 struct DoubleDepthRows {
     std::int32_t across[kLanesX8], down[kLanesX8], pixel_offset[kLanesX8]; // pixels
     std::int32_t per_x[3][kLanesX8], per_y[3][kLanesX8], bias[3][kLanesX8];
-    double share[3][kLanesX8];
+    double depth_factor[3][kLanesX8];
     std::int32_t first[kMaxSamples][3][kLanesX8]; // the edges at the first pixel's samples
 };
 
@@ -46,15 +46,15 @@ struct DoubleDepthRows {
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_double_depth_rows(const TilePlanes& tile, const DoubleDepthRows& s, int lane,
                                         std::uint32_t primitive, I32x8& drawn) {
-    F64x8 share[3], down_wide[3];
+    F64x8 depth_factor[3], down_wide[3];
     I32x8 down[3];
     SIMD_FOR (int k = 0; k < 3; ++k) {
-        share[k] = s.share[k][lane];
+        depth_factor[k] = s.depth_factor[k][lane];
         down[k] = s.per_y[k][lane];
         down_wide[k] = static_cast<double>(s.per_y[k][lane]);
     }
     const int across = s.across[lane], rows = s.down[lane];
-    I32x8 shows = 0;
+    I32x8 written = 0;
     std::ptrdiff_t first = s.pixel_offset[lane]; // pixel of the plane
     for (std::size_t n = 0; n < tile.pattern.size();
          ++n, first += std::ptrdiff_t{kTileSize} * kTileSize)
@@ -73,15 +73,15 @@ SIMD_INLINE void draw_double_depth_rows(const TilePlanes& tile, const DoubleDept
             for (int row = 0; row < rows;
                  ++row, depth += kTileSize, id = id_after<kWrite>(id, kTileSize)) {
                 const MaskX8 inside = (edge[0] | edge[1] | edge[2]) > I32x8(-1);
-                write_samples<kWrite>({}, inside, to_f32(depth_of(exact, share)), primitive, depth,
-                                      id, shows);
+                write_samples<kWrite>({}, inside, to_f32(depth_of(exact, depth_factor)), primitive,
+                                      depth, id, written);
                 SIMD_FOR (int k = 0; k < 3; ++k) {
                     edge[k] = edge[k] + down[k];
                     exact[k] = exact[k] + down_wide[k];
                 }
             }
         }
-    drawn = drawn | shows;
+    drawn = drawn | written;
 }
 
 // live: of the lanes.
@@ -97,7 +97,7 @@ HWY_NOINLINE void draw_double_depth(const TilePlanes& tile, const SmallSetupX8& 
         store(shift_left<kSubpixelBits>(s.edges.a[k]), rows.per_x[k]);
         store(shift_left<kSubpixelBits>(s.edges.b[k]), rows.per_y[k]);
         store(s.edges.bias[k], rows.bias[k]);
-        store(s.plane.share[k], rows.share[k]);
+        store(s.plane.depth_factor[k], rows.depth_factor[k]);
     }
     set_up_row_edges(tile, s.edges, lanes.x0 - lanes.left, lanes.y0 - lanes.top, rows.first);
     for (; live != 0; live &= live - 1) {
@@ -133,7 +133,7 @@ SIMD_INLINE std::uint32_t set_up_block_depths(const TilePlanes& tile, const Smal
         step[k] = shift_left<kSubpixelBits>(s.edges.a[k]);
         edge[k] = s.edges.c[k] + step[k] * (left - lanes.left);
     }
-    std::uint32_t seen = tile.hi_z == nullptr ? live : 0;
+    std::uint32_t visible = tile.hi_z == nullptr ? live : 0;
     I32x8 top = lanes.top;
     for (int down = 0; down < kMaxBlocks; ++down) {
         const std::uint32_t here = live & bits(top < lanes.y1);
@@ -143,41 +143,29 @@ SIMD_INLINE std::uint32_t set_up_block_depths(const TilePlanes& tile, const Smal
             I32x8 corner[3];
             SIMD_FOR (int k = 0; k < 3; ++k)
                 corner[k] = across == 0 ? edge[k] : edge[k] + step[k] * I32x8(kSide);
-            const F64x8 depth = depth_of(corner, s.plane.share);
+            const F64x8 depth = depth_of(corner, s.plane.depth_factor);
             const F32x8 base = to_f32(depth);
             store(base, out.base[down][across]);
             store(to_f32(depth - to_f64(base)), out.rest[down][across]);
             if (tile.hi_z == nullptr) continue;
             const I32x8 block = top + shift_right<3>(across == 0 ? left : right); // eight a row
             const I32x8 safe = minimum(block, kBlocks * kBlocks - 1); // of lanes past their end
-            seen |= in_column[across] & bits(nearest_in(depth, s.plane.per_x, s.plane.per_y) >=
-                                             gather(tile.hi_z, safe));
+            visible |= in_column[across] & bits(nearest_in(depth, s.plane.per_x, s.plane.per_y) >=
+                                                gather(tile.hi_z, safe));
         }
         top = top + I32x8(kSide);
         SIMD_FOR (int k = 0; k < 3; ++k)
             edge[k] = edge[k] + shift_left<kSubpixelBits>(s.edges.b[k]) * I32x8(kSide);
     }
-    return seen;
+    return visible;
 }
-
-// The pattern: one sample, known at compile time, or several.
-struct OneSample {
-    SampleOffset only;
-    static constexpr std::size_t size() { return 1; }
-    SIMD_INLINE SampleOffset operator[](std::size_t) const { return only; }
-};
-struct ManySamples {
-    const std::span<const SampleOffset> all;
-    SIMD_INLINE std::size_t size() const { return all.size(); }
-    SIMD_INLINE SampleOffset operator[](std::size_t n) const { return all.data()[n]; }
-};
 
 // Row by row, at one sample after the other: from the second sample on the number of rows is
 // predicted.
-template <DepthWrite kWrite, class Samples>
-SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const Samples& samples,
-                                    const FloatDepthBlocks& b, const SmallRows& s, int lane,
-                                    std::uint32_t primitive, I32x8& drawn) {
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const FloatDepthBlocks& b,
+                                    const SmallRows& s, int lane, std::uint32_t primitive,
+                                    I32x8& drawn) {
     constexpr int kSide = PixelBlock::kSide;
     const F32x8 per_pixel_x = b.per_pixel_x[lane], per_pixel_y = b.per_pixel_y[lane];
     I32x8 from_first[3][kAcross], down[3];
@@ -194,11 +182,11 @@ SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const Samples& sampl
         const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
         from_first[0][r] = select(number < I32x8(s.across[lane]), from_first[0][r], outside);
     }
-    I32x8 shows = 0;
+    I32x8 written = 0;
     std::ptrdiff_t first = b.pixel_offset[lane]; // pixel of the plane
-    for (std::size_t n = 0; n < samples.size();
+    for (std::size_t n = 0; n < tile.pattern.size();
          ++n, first += std::ptrdiff_t{kTileSize} * kTileSize) {
-        const SampleOffset at = samples[n];
+        const SampleOffset at = tile.pattern.data()[n];
         const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
         I32x8 edge[3][kAcross];
         F32x8 across[kAcross];
@@ -227,7 +215,7 @@ SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const Samples& sampl
                     const MaskX8 inside = (edge[0][r] | edge[1][r] | edge[2][r]) > I32x8(-1);
                     write_samples<kWrite>({}, inside, base[r] + (rest[r] + (across[r] + down_here)),
                                           primitive, depth + r * kLanesX8,
-                                          id_after<kWrite>(id, r * kLanesX8), shows);
+                                          id_after<kWrite>(id, r * kLanesX8), written);
                     SIMD_FOR (int k = 0; k < 3; ++k)
                         edge[k][r] = edge[k][r] + down[k];
                 }
@@ -236,7 +224,7 @@ SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const Samples& sampl
             y = y - F32x8(kSide);
         }
     }
-    drawn = drawn | shows;
+    drawn = drawn | written;
 }
 
 template <DepthWrite kWrite>
@@ -246,8 +234,8 @@ SIMD_INLINE void draw_columns(const TilePlanes& tile, const SmallSetupX8& s, I32
     const SmallLanesX8& lanes = s.lanes;
     const I32x8 x1 = minimum(lanes.x1, x0 + I32x8(kSide));
     SmallRows rows;
-    const std::uint32_t seen = set_up_block_depths(tile, s, x0, x1, live, rows);
-    if (seen == 0) return;
+    std::uint32_t visible = set_up_block_depths(tile, s, x0, x1, live, rows);
+    if (visible == 0) return;
     store(x1 - x0, rows.across);
     store(lanes.y1 - lanes.y0, rows.down);
     store(x0 & I32x8(kSide - 1), rows.column);
@@ -259,16 +247,10 @@ SIMD_INLINE void draw_columns(const TilePlanes& tile, const SmallSetupX8& s, I32
         store(shift_left<kSubpixelBits>(s.edges.b[k]), b.per_y[k]);
     }
     set_up_row_edges(tile, s.edges, x0 - lanes.left, lanes.y0 - lanes.top, rows.first);
-    const auto draw = [&](const auto& samples) SIMD_LAMBDA {
-        for (std::uint32_t rest = seen; rest != 0; rest &= rest - 1) {
-            const int lane = __builtin_ctz(rest);
-            draw_triangle_rows<kWrite>(tile, samples, b, rows, lane, lanes.id[lane], drawn);
-        }
-    };
-    if (tile.pattern.size() == 1)
-        draw(OneSample{tile.pattern.front()});
-    else
-        draw(ManySamples{tile.pattern});
+    for (; visible != 0; visible &= visible - 1) {
+        const int lane = __builtin_ctz(visible);
+        draw_triangle_rows<kWrite>(tile, b, rows, lane, lanes.id[lane], drawn);
+    }
 }
 
 template <DepthWrite kWrite>

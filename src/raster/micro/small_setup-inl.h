@@ -163,9 +163,9 @@ SIMD_INLINE void edges_at_pixel(const SmallEdges<D>& e, Int<D> column, Int<D> ro
 }
 
 template <class D>
-SIMD_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&share)[3]) {
+SIMD_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&depth_factor)[3]) {
     const Double<D> exact[3] = {to_f64(edge[0]), to_f64(edge[1]), to_f64(edge[2])};
-    return depth_of(exact, share);
+    return depth_of(exact, depth_factor);
 }
 
 // Edge functions at the samples of one pattern index, biased: the sign tells inside from outside.

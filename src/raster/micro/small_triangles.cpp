@@ -48,7 +48,7 @@ void sort_all(BinnedTriangle* triangles, int count) {
         sort_chunk(triangles + i, count - i < kMaxSorted ? count - i : kMaxSorted);
 }
 
-// Of the blocks that parts may touch the one with the farthest depth.
+// The farthest depth in hi_z of the blocks that triangles may touch.
 SIMD_INLINE F32x8 far_depth_of_blocks(const TilePlanes& tile, I32x8 where) {
     using P = BinnedTriangle;
     constexpr int kBlocks = kTileSize / PixelBlock::kSide;
@@ -66,7 +66,7 @@ SIMD_INLINE F32x8 far_depth_of_blocks(const TilePlanes& tile, I32x8 where) {
     return farthest;
 }
 
-// Parts that lie behind all that is seen in their blocks go; those that are left are counted.
+// Copies the triangles that hi_z does not reject; returns how many.
 int reject_occluded(const TilePlanes& tile, const BinnedList& list, BinnedTriangle* out) {
     const auto* real = reinterpret_cast<const double*>(list.vertices.data());
     const auto all = static_cast<int>(list.triangles.size());
@@ -205,9 +205,10 @@ bool draw_small_hi_z(const TilePlanes& tile, const BinnedList& list,
                      std::vector<BinnedTriangle>& scratch) {
     if (scratch.size() < list.triangles.size()) scratch.resize(list.triangles.size());
     const int left = SIMD_CALL(reject_occluded, tile, list, scratch.data());
-    const auto seen =
+    const auto visible =
         std::span<const BinnedTriangle>(scratch).first(static_cast<std::size_t>(left));
-    return draw_small_triangles(tile, {list.vertices, list.index, seen, SmallKind::rows, list.id});
+    return draw_small_triangles(tile,
+                                {list.vertices, list.index, visible, SmallKind::rows, list.id});
 }
 
 } // namespace scanout::raster

@@ -69,7 +69,7 @@ HWY_NOINLINE Lanes transform_any(const ScreenTransform& t, const ClipLanes& c) {
 }
 
 // Constants of the view that vertices on the screen need.
-struct Usual {
+struct OnScreenTerms {
     double guard;    // the guard band at its narrowest, pixels
     double per_near; // about 1 / near_w
 };
@@ -78,13 +78,13 @@ struct Usual {
 // w might snap differently. These are not divided: they are products with the depth, a quotient
 // already. That errs by less than 2^-50 of them, which is less than 2^-27 of a step: only what lies
 // so near the middle between two steps needs divisions of its own.
-SIMD_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, const ClipLanes& c,
-                                 Lanes& out) {
-    const F64 reach = F64(usual.guard) * c.w, near = t.box.near_w, most = 0x1p900;
+SIMD_INLINE bool transform_on_screen(const OnScreenTerms& terms, const ScreenTransform& t,
+                                     const ClipLanes& c, Lanes& out) {
+    const F64 reach = F64(terms.guard) * c.w, near = t.box.near_w, most = 0x1p900;
     const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) & (abs(c.y) <= reach) &
                         (abs(c.z) <= F64(kMaxDepth) * near); // no NaN is
     out.depth = t.perspective ? near / c.w : c.z;
-    const F64 over_w = t.perspective ? out.depth * F64(usual.per_near) : F64(1.0);
+    const F64 over_w = t.perspective ? out.depth * F64(terms.per_near) : F64(1.0);
     const F64 shift = 0x1.8p52;
     out.pixel_x = c.x * over_w;
     out.pixel_y = c.y * over_w;
@@ -98,14 +98,14 @@ SIMD_INLINE bool transform_usual(const Usual& usual, const ScreenTransform& t, c
     return true;
 }
 
-SIMD_INLINE void transform_lanes(const Usual& usual, const ScreenTransform& t,
+SIMD_INLINE void transform_lanes(const OnScreenTerms& terms, const ScreenTransform& t,
                                  const float* position, ScreenVertex* out, int first, int count) {
     out += first;
     F32 x, y, z;
     load_interleaved(position, x, y, z);
     const ClipLanes clip = to_clip(t, to_f64(x), to_f64(y), to_f64(z));
     Lanes v;
-    if (!transform_usual(usual, t, clip, v)) v = transform_any(t, clip);
+    if (!transform_on_screen(terms, t, clip, v)) v = transform_any(t, clip);
     static_assert(offsetof(ScreenVertex, y) == 4 && offsetof(ScreenVertex, depth) == 8);
     if (count == kLanes) {
         store_interleaved(v.x, v.y, v.depth, out);
@@ -130,20 +130,20 @@ void transform_all(const ScreenTransform& t, const float* position, ScreenVertex
     constexpr std::size_t kAhead = 96; // vertices
     const double narrowest =
         std::min(std::min(-t.box.left, t.box.right), std::min(-t.box.top, t.box.bottom));
-    const Usual usual{narrowest, 1 / t.box.near_w};
+    const OnScreenTerms terms{narrowest, 1 / t.box.near_w};
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) {
         // A register takes too long for the hardware prefetcher to stay ahead.
         const float* of_lanes = position + std::ptrdiff_t{i} * 3;
         prefetch<kLanes * sizeof(Vec3)>(of_lanes, kAhead * sizeof(Vec3));
         prefetch<kLanes * sizeof(ScreenVertex)>(out + i, kAhead * sizeof(ScreenVertex));
-        transform_lanes(usual, t, of_lanes, out, i, kLanes);
+        transform_lanes(terms, t, of_lanes, out, i, kLanes);
     }
     if (i == count) return;
     float rest[kLanes * 3] = {};
     for (int k = 0; k < (count - i) * 3; ++k)
         rest[k] = position[i * 3 + k];
-    transform_lanes(usual, t, rest, out, i, count - i);
+    transform_lanes(terms, t, rest, out, i, count - i);
 }
 
 SIMD_END

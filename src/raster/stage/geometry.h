@@ -59,7 +59,7 @@ public:
     void draw(int tile, VisibilityTile& out, DeferredTriangles* scratch = nullptr);
     // The same in two steps: triangles, then lines and points on the triangles that are visible.
     void draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* scratch = nullptr);
-    void draw_lines(int tile, const VisibilityTile& shown, VisibilityTile& out) const;
+    void draw_lines(int tile, const VisibilityTile& visible, VisibilityTile& out) const;
     // Triangles with this alpha mode that may touch the tile, by id.
     void of_mode(int tile, AlphaMode mode, std::vector<std::uint32_t>& out) const;
     // Draws one triangle; returns the pixels that it may have changed, none if it is not visible.

@@ -84,11 +84,11 @@ void Geometry::draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* 
 void Geometry::draw_back_facing(int tile, VisibilityTile& out) const {
     bool found = false;
     for (const WorkerBins& worker : workers_) {
-        const std::span<const BinnedTriangle> backs =
+        const std::span<const BinnedTriangle> back_facing =
             worker.bins[static_cast<std::size_t>(tile)].small_of(SmallKind::back_facing);
-        const BinnedList list = list_of(backs, SmallKind::rows);
-        if (backs.size() < kMinHiZTriangles) {
-            if (!backs.empty()) out.draw_small(list);
+        const BinnedList list = list_of(back_facing, SmallKind::rows);
+        if (back_facing.size() < kMinHiZTriangles) {
+            if (!back_facing.empty()) out.draw_small(list);
             continue;
         }
         if (!std::exchange(found, true)) out.build_hi_z();
@@ -137,14 +137,14 @@ void Geometry::draw_deferred(int tile, VisibilityTile& out, DeferredTriangles& d
             out.draw_small(list_of(deferred.small[kind], static_cast<SmallKind>(kind)));
 }
 
-void Geometry::draw_lines(int tile, const VisibilityTile& shown, VisibilityTile& out) const {
+void Geometry::draw_lines(int tile, const VisibilityTile& visible, VisibilityTile& out) const {
     if (mesh_->lines() == 0 && mesh_->points() == 0) return;
     const auto at = static_cast<std::size_t>(tile);
     const auto bare = [&](const WorkerBins& worker) {
         return worker.bins[at].segments.empty() && worker.bins[at].points.empty();
     };
     if (std::all_of(workers_.begin(), workers_.end(), bare)) return;
-    out.keep_support(shown);
+    out.keep_support(visible);
     const LineSupport support(*mesh_, vertices(), *transform_);
     for (const WorkerBins& worker : workers_) {
         for (const std::uint32_t i : worker.bins[at].segments)

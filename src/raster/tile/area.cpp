@@ -34,7 +34,7 @@ void AreaTile::add(const Triangle& t) {
         source.edges.a[k] = e.a[k];
         source.edges.b[k] = e.b[k];
         source.edges.c[k] = e.c[k];
-        source.share[k] = t.depth[k] / static_cast<double>(e.area);
+        source.depth_factor[k] = t.depth[k] / static_cast<double>(e.area);
     }
     sources_.push_back(source);
 }
@@ -48,7 +48,7 @@ void AreaTile::add(const raster::ClippedTriangle& clipped) {
                   {v[0].y, v[0].x, v[1].y, v[1].x}};
     const double size = size_of(clipped);
     for (std::size_t k = 0; k < 3; ++k)
-        source.share[k] = v[k].z / size;
+        source.depth_factor[k] = v[k].z / size;
     sources_.push_back(source);
 }
 
@@ -94,9 +94,9 @@ AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
     Linear depth{0, 0, 0};
     const std::array<Linear, 3> edge = edges_in(s, x, y);
     for (std::size_t k = 0; k < 3; ++k) {
-        depth.at += edge[k].at * s.share[k];
-        depth.x += edge[k].x * s.share[k];
-        depth.y += edge[k].y * s.share[k];
+        depth.at += edge[k].at * s.depth_factor[k];
+        depth.x += edge[k].x * s.depth_factor[k];
+        depth.y += edge[k].y * s.depth_factor[k];
     }
     return depth;
 }

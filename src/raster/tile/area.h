@@ -53,7 +53,7 @@ public:
 private:
     struct Source { // a triangle that was added
         ExactEdges edges;
-        std::array<double, 3> share; // depth is the sum of edge times share
+        std::array<double, 3> depth_factor; // depth is the sum of E_i depth_factor_i
         std::uint32_t id;
         image::Rect box;
         std::array<std::int64_t, 4> order; // of triangles with the same id

@@ -29,9 +29,9 @@ bool LineSupport::in_plane_of(std::uint32_t triangle, std::uint32_t vertex) cons
     // Half a step of each axis' largest coordinate at both ends of a difference.
     const DVec3 error = larger(larger(size(a), size(b)), larger(size(c), size(p))) * 0x1p-23;
     const DVec3 e = b - a, f = c - a, d = p - a, normal = cross3(e, f), sum = size(e) + size(f);
-    const DVec3 turned(sum.y * error.z + sum.z * error.y, sum.z * error.x + sum.x * error.z,
-                       sum.x * error.y + sum.y * error.x);
-    return std::abs(dot3(d, normal)) <= dot3(size(d), turned) + dot3(size(normal), error);
+    const DVec3 cross_error(sum.y * error.z + sum.z * error.y, sum.z * error.x + sum.x * error.z,
+                            sum.x * error.y + sum.y * error.x);
+    return std::abs(dot3(d, normal)) <= dot3(size(d), cross_error) + dot3(size(normal), error);
 }
 
 // Is it of one of the faces whose first triangles, ascending, these are?

@@ -100,10 +100,10 @@ void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
         if (along < 0 || along > length) continue;
         const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
         const auto other = static_cast<int>(across >> kSubpixelBits);
-        const double share = static_cast<double>(along) / static_cast<double>(length);
+        const double t = static_cast<double>(along) / static_cast<double>(length);
         const double middle = pixel + 0.5;
-        const double beside = (minor[lo] + static_cast<double>(rise) * share) / kSubpixel;
-        const double depth = s.depth[lo] * (1 - share) + s.depth[hi] * share;
+        const double beside = (minor[lo] + static_cast<double>(rise) * t) / kSubpixel;
+        const double depth = s.depth[lo] * (1 - t) + s.depth[hi] * t;
         if (along_x)
             write_fragment({pixel, other, middle, beside, depth, s.id}, support, under);
         else

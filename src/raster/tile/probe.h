@@ -18,7 +18,7 @@ public:
     // The pixels of the picture that may hold a sample of the triangle which shows; empty when none
     // does. Valid until the next call.
     image::Rect draw(const Geometry& geometry, std::uint32_t triangle);
-    bool shows(int x, int y, int sample) const { return copy_.id(x, y, sample) == id_; }
+    bool covers(int x, int y, int sample) const { return copy_.id(x, y, sample) == id_; }
     std::size_t bytes() const { return copy_.bytes(); }
     float depth(int x, int y, int sample) const { return copy_.depth(x, y, sample); }
 

@@ -55,9 +55,9 @@ bool VisibilityTile::draw(const Triangle& t) {
 bool VisibilityTile::draw(const TriangleList& triangles) {
     check_lanes(triangles);
     others_ = true;
-    const bool shows = draw_triangles(planes(), triangles);
-    touched_ |= shows;
-    return shows;
+    const bool visible = draw_triangles(planes(), triangles);
+    touched_ |= visible;
+    return visible;
 }
 
 bool VisibilityTile::draw_small(const BinnedList& triangles) {
@@ -65,25 +65,25 @@ bool VisibilityTile::draw_small(const BinnedList& triangles) {
     TilePlanes to = planes();
     // Nothing is tested against hi_z where nothing occludes, where triangles are too few for it to
     // pay, or where all are micro-triangles.
-    bool occludes =
+    bool occluders =
         touched_ && triangles.triangles.size() >= hi_z_.size() && triangles.kind == SmallKind::rows;
-    if (occludes) {
+    if (occluders) {
         build_hi_z();
-        occludes = std::any_of(hi_z_.begin(), hi_z_.end(), [](float f) { return f > 0; });
+        occluders = std::any_of(hi_z_.begin(), hi_z_.end(), [](float f) { return f > 0; });
     }
-    if (!occludes) to.hi_z = nullptr;
-    const bool shows = draw_small_triangles(to, triangles);
-    if (shows) small_lists_.push_back(triangles);
-    touched_ |= shows;
-    return shows;
+    if (!occluders) to.hi_z = nullptr;
+    const bool visible = draw_small_triangles(to, triangles);
+    if (visible) small_lists_.push_back(triangles);
+    touched_ |= visible;
+    return visible;
 }
 
 bool VisibilityTile::draw_small_hi_z(const BinnedList& triangles) {
     check_lanes(triangles);
-    const bool shows = raster::draw_small_hi_z(planes(), triangles, seen_);
-    others_ |= shows; // in few tiles: looking for all of them there would not pay
-    touched_ |= shows;
-    return shows;
+    const bool visible = raster::draw_small_hi_z(planes(), triangles, hi_z_scratch_);
+    others_ |= visible; // in few tiles: looking for all of them there would not pay
+    touched_ |= visible;
+    return visible;
 }
 
 bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
@@ -92,17 +92,17 @@ bool VisibilityTile::draw(std::span<const SnappedTriangle> triangles) {
     std::array<std::uint32_t, kMax * 3> which;
     std::array<std::uint32_t, kMax> id;
     std::iota(which.begin(), which.end(), 0U);
-    bool shows = false;
+    bool visible = false;
     for (; !triangles.empty(); triangles = triangles.subspan(std::min(triangles.size(), kMax))) {
         const std::size_t count = std::min(triangles.size(), kMax);
         for (std::size_t i = 0; i < count; ++i) {
             std::copy_n(triangles[i].vertex.begin(), 3, vertex.data() + i * 3);
             id[i] = triangles[i].id;
         }
-        shows |= draw(
+        visible |= draw(
             TriangleList{vertex, which, std::span(which).first(count), std::span(id).first(count)});
     }
-    return shows;
+    return visible;
 }
 
 bool VisibilityTile::draw_clipped(const ClippedTriangle& clipped) {
@@ -112,9 +112,9 @@ bool VisibilityTile::draw_clipped(const ClippedTriangle& clipped) {
 bool VisibilityTile::draw_clipped(const ClippedSetup& clipped) {
     check_lanes(clipped.triangle);
     others_ = true;
-    const bool shows = raster::draw_clipped(planes(), clipped);
-    touched_ |= shows;
-    return shows;
+    const bool visible = raster::draw_clipped(planes(), clipped);
+    touched_ |= visible;
+    return visible;
 }
 
 void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels) {

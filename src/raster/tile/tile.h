@@ -134,7 +134,7 @@ private:
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
     std::array<float, (kTileSize / 8) * (kTileSize / 8)> hi_z_{}; // TilePlanes
-    std::vector<BinnedTriangle> seen_;                            // scratch of draw_small_hi_z
+    std::vector<BinnedTriangle> hi_z_scratch_;                    // scratch of draw_small_hi_z
     std::vector<float> support_depth_; // empty until lines or points come
     std::vector<std::uint32_t> support_id_;
 };

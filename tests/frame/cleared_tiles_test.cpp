@@ -29,7 +29,7 @@ frame::FrameOptions next(frame::FrameOptions options, Random& random) {
     return options;
 }
 
-TEST(BareTiles, FramesAreThoseOfANewRenderer) {
+TEST(ClearedTiles, FramesAreThoseOfANewRenderer) {
     Random random(11);
     const FileModel model = file_soup(random, 60, false);
     Jobs jobs(2);

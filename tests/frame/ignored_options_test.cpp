@@ -1,5 +1,5 @@
 // What a user asks for and does not get is said in a line, and only that.
-#include "frame/in_vain.h"
+#include "frame/ignored_options.h"
 #include "image/compare.h"
 #include "support/scenes.h"
 #include "support/transparent_scenes.h"
@@ -18,21 +18,21 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> in_vain(const Shot& s) {
+std::vector<std::string> ignored(const Shot& s) {
     const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
                                        s.options.height);
     const auto plan = frame::plan(s.options, frame::facts(s.scene, s.options.shadow_plane), *view);
     EXPECT_TRUE(plan) << s.name;
-    return plan ? frame::asked_in_vain(*plan) : std::vector<std::string>();
+    return plan ? frame::ignored_options(*plan) : std::vector<std::string>();
 }
 
 // One option, and what it asks for.
-struct AskedInVain {
+struct IgnoredOption {
     const char* option;
     std::function<void(FrameOptions&)> ask;
 };
-const std::vector<AskedInVain>& all_options() {
-    static const std::vector<AskedInVain> options = {
+const std::vector<IgnoredOption>& all_options() {
+    static const std::vector<IgnoredOption> options = {
         {"--texture", [](FrameOptions& o) { o.texture = "nearest"; }},
         {"--wrap", [](FrameOptions& o) { o.wrap = "mirror"; }},
         {"--mapping", [](FrameOptions& o) { o.mapping = "cylinder"; }},
@@ -52,21 +52,21 @@ const std::vector<AskedInVain>& all_options() {
 }
 
 // How the line about it begins.
-std::string said_of(const AskedInVain& asked) {
+std::string said_of(const IgnoredOption& asked) {
     return asked.option == std::string("--shadow volume") ? "shadow off" : asked.option;
 }
 
-TEST(InVain, AnOptionThatAPlainSceneHasNoUseForIsNamed) {
+TEST(IgnoredOptions, AnOptionThatAPlainSceneHasNoUseForIsNamed) {
     Shot s = solids("plain");
-    EXPECT_THAT(in_vain(s), IsEmpty());
-    for (const AskedInVain& asked : all_options()) {
+    EXPECT_THAT(ignored(s), IsEmpty());
+    for (const IgnoredOption& asked : all_options()) {
         Shot other = s;
         asked.ask(other.options);
-        EXPECT_THAT(in_vain(other), ElementsAre(HasSubstr(said_of(asked)))) << asked.option;
+        EXPECT_THAT(ignored(other), ElementsAre(HasSubstr(said_of(asked)))) << asked.option;
     }
 }
 
-TEST(InVain, WhatIsSaidToChangeNothingChangesNoBit) {
+TEST(IgnoredOptions, WhatIsSaidToChangeNothingChangesNoBit) {
     int said = 0;
     std::vector<Shot> shots = golden_shots();
     shots.push_back(glossy("metal alone", "auto"));
@@ -80,10 +80,10 @@ TEST(InVain, WhatIsSaidToChangeNothingChangesNoBit) {
     for (const Shot& s : shots) {
         if (s.options.stencil != "auto") continue;
         const image::Image picture = draw(s);
-        for (const AskedInVain& asked : all_options()) {
+        for (const IgnoredOption& asked : all_options()) {
             Shot other = s;
             asked.ask(other.options);
-            const std::vector<std::string> lines = in_vain(other);
+            const std::vector<std::string> lines = ignored(other);
             if (std::none_of(lines.begin(), lines.end(), [&](const std::string& line) {
                     return line.starts_with(said_of(asked));
                 }))
@@ -162,7 +162,7 @@ std::vector<Undone> undone() {
          ask("stencil", "overdraw")}};
 }
 
-TEST(InVain, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
+TEST(IgnoredOptions, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
     for (const Undone& pair : undone()) {
         int said = 0;
         std::vector<Shot> shots = golden_shots();
@@ -175,7 +175,7 @@ TEST(InVain, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
             pair.undoing(s.options);
             both.options = s.options;
             pair.asked(both.options);
-            const std::vector<std::string> lines = in_vain(both);
+            const std::vector<std::string> lines = ignored(both);
             if (std::none_of(lines.begin(), lines.end(),
                              [&](const std::string& line) { return line.starts_with(pair.line); }))
                 continue;
@@ -187,10 +187,10 @@ TEST(InVain, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
     }
 }
 
-TEST(InVain, WhatIsForTrianglesChangesNoLinesAndPoints) {
+TEST(IgnoredOptions, WhatIsForTrianglesChangesNoLinesAndPoints) {
     Shot s = wires("wires");
     ASSERT_EQ(s.scene.mesh.triangles(), 0U);
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     const image::Image picture = draw(s);
     const auto expect = [&](const char* axis, const char* name, bool vain) {
         Shot other = s;
@@ -198,7 +198,7 @@ TEST(InVain, WhatIsForTrianglesChangesNoLinesAndPoints) {
             other.options.cull = frame::Cull::back;
         else
             EXPECT_TRUE(frame::ask(other.options, axis, name));
-        const std::vector<std::string> lines = in_vain(other);
+        const std::vector<std::string> lines = ignored(other);
         EXPECT_EQ(lines.size(), vain ? 1U : 0U) << axis << ' ' << name;
         for (const std::string& line : lines)
             EXPECT_THAT(line, HasSubstr("changes nothing"));
@@ -213,16 +213,16 @@ TEST(InVain, WhatIsForTrianglesChangesNoLinesAndPoints) {
     expect("shading", "flat", true);
     s.options.samples = 8;
     EXPECT_EQ(draw(s), picture);
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--samples 8 changes nothing: lines and")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("--samples 8 changes nothing: lines and")));
     s.options.aa = "supersampling_4";
     s.options.samples = 1;
     const image::Image mixed = draw(s);
     s.options.blend_space = "encoded";
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     EXPECT_NE(draw(s), mixed);
 }
 
-TEST(InVain, WithoutForeshorteningAllInterpolationsAreAlike) {
+TEST(IgnoredOptions, WithoutForeshorteningAllInterpolationsAreAlike) {
     int said = 0;
     for (Shot s : golden_shots()) {
         s.options.interpolate = "auto";
@@ -230,7 +230,7 @@ TEST(InVain, WithoutForeshorteningAllInterpolationsAreAlike) {
         const image::Image flat = draw(s);
         for (const char* name : {"affine", "affine_16", "adaptive"}) {
             s.options.interpolate = name;
-            const std::vector<std::string> lines = in_vain(s);
+            const std::vector<std::string> lines = ignored(s);
             const std::string option = std::string("--interpolate ") + name;
             for (const std::string& line : lines)
                 said += line.starts_with(option + " changes nothing") ? 1 : 0;
@@ -240,79 +240,79 @@ TEST(InVain, WithoutForeshorteningAllInterpolationsAreAlike) {
     EXPECT_GT(said, 300);
 }
 
-TEST(InVain, WithNothingInViewDepthsChangeNothing) {
+TEST(IgnoredOptions, WithNothingInViewDepthsChangeNothing) {
     Shot s = solids("away");
     s.camera.eye = DVec3(0, 0, 5);
     s.camera.target = DVec3(0, 0, 9);
     const image::Image empty = draw(s);
     s.options.depth = "fixed_16";
     s.options.depth_test = "less";
-    EXPECT_THAT(in_vain(s),
+    EXPECT_THAT(ignored(s),
                 ElementsAre(HasSubstr("--depth fixed_16 changes nothing: nothing of the model"),
                             HasSubstr("--depth-test less changes nothing: nothing of the model")));
     EXPECT_EQ(draw(s), empty);
 }
 
-TEST(InVain, MapsOfAModelWithoutCoordinatesAreNamedOnce) {
+TEST(IgnoredOptions, MapsOfAModelWithoutCoordinatesAreNamedOnce) {
     Shot s = covered_solids("bare", "auto", "auto");
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     s.scene.mesh.uv.clear();
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("the model has no texture coordinates")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("the model has no texture coordinates")));
     Shot boxed = s, unused = s;
     boxed.options.mapping = "box";
-    EXPECT_THAT(in_vain(boxed), IsEmpty());
+    EXPECT_THAT(ignored(boxed), IsEmpty());
     for (std::int32_t& material : unused.scene.mesh.material)
         material = -1;
-    EXPECT_THAT(in_vain(unused), IsEmpty()) << "no triangle has the material";
+    EXPECT_THAT(ignored(unused), IsEmpty()) << "no triangle has the material";
 }
 
-TEST(InVain, PairsThatDoNotGoTogetherAreNamed) {
+TEST(IgnoredOptions, PairsThatDoNotGoTogetherAreNamed) {
     Shot s = solids("lit");
     s.options.lights = {light_of(scene::LightKind::directional, 1)};
     s.options.lights[0].casts = true;
     s.options.shadow_plane = {DVec3(0, 1, 0), 0};
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--shadow-plane changes nothing")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("--shadow-plane changes nothing")));
     s.options.shadow_plane.reset();
     s.options.shadow = "volume";
     s.options.shadow_size = 2048;
     s.options.shadow_filter = 5;
     s.options.lights[0].size = 3;
-    EXPECT_THAT(in_vain(s),
+    EXPECT_THAT(ignored(s),
                 ElementsAre(HasSubstr("--shadow-size 2048"), HasSubstr("--shadow-filter 5"),
                             HasSubstr("the size of a light softens no shadow: --shadow volume")));
     s.options.shadow = "map_soft";
     s.options.shadow_filter = 3;
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     s.options.lights[0].casts = false;
     s.options.shadow = "auto";
     s.options.shadow_size = FrameOptions().shadow_size;
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("softens no shadow: it casts none")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("softens no shadow: it casts none")));
     s.options.lights[0].casts = true;
     s.options.lights[0].size = 0;
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     const image::Image sharp = draw(s);
     s.options.shadow = "map_soft";
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--shadow map_soft changes nothing: no light")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("--shadow map_soft changes nothing: no light")));
     EXPECT_EQ(draw(s), sharp);
 }
 
-TEST(InVain, ATechniqueThatAnotherReplacesIsNamed) {
+TEST(IgnoredOptions, ATechniqueThatAnotherReplacesIsNamed) {
     Shot s = bowl("bare", frame::Cull::none);
     s.scene.materials[0].opacity = 0.5F;
     s.options.aa = "area";
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--aa area is not possible: areas know no "
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("--aa area is not possible: areas know no "
                                                   "transparency, which this scene has; samples_16 "
                                                   "in its place")));
     s.options.aa = "auto";
     s.options.samples = 4;
-    EXPECT_THAT(in_vain(s), IsEmpty());
+    EXPECT_THAT(ignored(s), IsEmpty());
     s.options.blend = "add";
-    EXPECT_THAT(in_vain(s), IsEmpty()) << "something blends";
+    EXPECT_THAT(ignored(s), IsEmpty()) << "something blends";
     s.options.transparency = "cut_out";
-    EXPECT_THAT(in_vain(s), ElementsAre(HasSubstr("--blend add changes nothing")));
+    EXPECT_THAT(ignored(s), ElementsAre(HasSubstr("--blend add changes nothing")));
     Shot bare = covered_solids("bare", "checker", "uv");
     bare.scene.mesh.uv.clear();
-    EXPECT_THAT(in_vain(bare), ElementsAre(HasSubstr("--mapping uv is not possible: the model has "
+    EXPECT_THAT(ignored(bare), ElementsAre(HasSubstr("--mapping uv is not possible: the model has "
                                                      "no uv; box in its place")));
 }
 

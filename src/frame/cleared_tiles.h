@@ -1,5 +1,5 @@
-// Tiles of the back buffer that hold the background alone since an earlier frame: where nothing is
-// drawn again, nothing needs to be cleared.
+// Fast clear: tiles of the back buffer that hold the background alone since an earlier frame. Where
+// nothing is drawn again, nothing needs to be cleared.
 #pragma once
 
 #include "image/image.h"
@@ -10,7 +10,7 @@
 
 namespace scanout::frame {
 
-class BareTiles {
+class ClearedTiles {
 public:
     // What makes tiles of two frames the same pixels.
     struct Layout {
@@ -21,19 +21,19 @@ public:
     void begin(const Layout& layout) {
         if (layout_ == layout) return;
         layout_ = layout;
-        bare_.assign(static_cast<std::size_t>(layout.tiles), 0);
+        cleared_.assign(static_cast<std::size_t>(layout.tiles), 0);
     }
     // Something but the tiles has written to the back buffer.
     void forget() { layout_.reset(); }
 
-    bool is_bare(int tile) const { return bare_[static_cast<std::size_t>(tile)] != 0; }
-    void set_bare(int tile, bool bare) {
-        bare_[static_cast<std::size_t>(tile)] = bare ? 1 : 0; // a byte a tile: workers' own
+    bool is_cleared(int tile) const { return cleared_[static_cast<std::size_t>(tile)] != 0; }
+    void set_cleared(int tile, bool cleared) {
+        cleared_[static_cast<std::size_t>(tile)] = cleared ? 1 : 0; // a byte a tile: workers' own
     }
 
 private:
     std::optional<Layout> layout_;
-    std::vector<std::uint8_t> bare_;
+    std::vector<std::uint8_t> cleared_;
 };
 
 } // namespace scanout::frame

@@ -10,6 +10,6 @@ namespace scanout::frame {
 
 // Of effects that are forced on, techniques and numbers that nothing in this frame reads, and of
 // maps that have no place on the model.
-std::vector<std::string> asked_in_vain(const FramePlan& plan);
+std::vector<std::string> ignored_options(const FramePlan& plan);
 
 } // namespace scanout::frame

@@ -114,7 +114,7 @@ bool backs_show(const test::Shot& s, Frame frame) {
     return maps(s, frame) != fronts;
 }
 
-TEST(ShadowFronts, OfAClosedMeshAreAllThatALightOutsideSees) {
+TEST(FrontFaceShadows, OfAClosedMeshAreAllThatALightOutsideSees) {
     test::Random random(5);
     int alone = 0, both = 0, needed = 0;
     for (test::Shot& s : std::vector{bodies(), knobs(), shipped("spot"), shipped("rabbit")})
@@ -141,7 +141,7 @@ Facing needs(const test::Shot& s) {
     return facing;
 }
 
-TEST(ShadowFronts, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
+TEST(FrontFaceShadows, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
     for (const LightKind kind : kShadowedKinds) {
         test::Shot s = bodies();
         s.options.lights = {caster(kind)};
@@ -172,7 +172,7 @@ TEST(ShadowFronts, AreNotAllOfWhatIsOpenOrInsideOutOrHoldsTheLight) {
 }
 
 // Before the near plane of a lamp's maps a front would be left out, and a back behind it seen.
-TEST(ShadowFronts, AreNotAllThatALampSeesThatNearlyTouchesOne) {
+TEST(FrontFaceShadows, AreNotAllThatALampSeesThatNearlyTouchesOne) {
     test::Shot s = bodies();
     s.options.lights = {caster(LightKind::point)};
     for (const double above : {1e-7, 1e-3}) {
@@ -181,7 +181,7 @@ TEST(ShadowFronts, AreNotAllThatALampSeesThatNearlyTouchesOne) {
     }
 }
 
-TEST(ShadowFronts, AreToldByThePlan) {
+TEST(FrontFaceShadows, AreToldByThePlan) {
     SceneFacts facts;
     facts.triangles = 10;
     facts.topology.closed = true;

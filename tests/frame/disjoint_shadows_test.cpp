@@ -1,7 +1,7 @@
 // Shadows that one body cannot throw on another are not looked for: against those that are drawn
 // all the same.
 #include "frame/plan.h"
-#include "frame/shadow_reach.h"
+#include "frame/shadow_cull_facts.h"
 #include "math/rotation.h"
 #include "support/scenes.h"
 
@@ -46,7 +46,7 @@ geom::Mesh some_bodies(test::Random& random) {
     return faceted(mesh);
 }
 
-TEST(ShadowReach, WhatStandsApartThrowsNoShadowOnOneAnother) {
+TEST(DisjointShadows, WhatStandsApartThrowsNoShadowOnOneAnother) {
     test::Random random(77);
     int apart = 0, shading = 0;
     for (int round = 0; round < 1200; ++round) {
@@ -81,7 +81,7 @@ TEST(ShadowReach, WhatStandsApartThrowsNoShadowOnOneAnother) {
     EXPECT_GT(shading, 50);
 }
 
-TEST(ShadowReach, IsToldFromBoxesAndTheLight) {
+TEST(DisjointShadows, IsToldFromBoxesAndTheLight) {
     scene::View view;
     view.near_distance = 0.01;
     view.translation = {0, 0, -3};
@@ -91,24 +91,25 @@ TEST(ShadowReach, IsToldFromBoxesAndTheLight) {
     const ShadowTexels map{1024, 3};
     scene::ViewLight light;
     light.towards = {0, 1, 0};
-    EXPECT_TRUE(stand_apart(both, light, view, map));
-    EXPECT_TRUE(stand_apart({&left, 1}, light, view, map));
+    EXPECT_TRUE(shadows_are_disjoint(both, light, view, map));
+    EXPECT_TRUE(shadows_are_disjoint({&left, 1}, light, view, map));
     light.towards = {1, 0, 0}; // from the right: one stands in the other's light
-    EXPECT_FALSE(stand_apart(both, light, view, map));
+    EXPECT_FALSE(shadows_are_disjoint(both, light, view, map));
     light.towards = {0, 1, 0};
-    EXPECT_FALSE(stand_apart(both, light, view, {32, 9})) << "the filter is as wide as the gap";
+    EXPECT_FALSE(shadows_are_disjoint(both, light, view, {32, 9}))
+        << "the filter is as wide as the gap";
     light.size = 0.1F;
-    EXPECT_FALSE(stand_apart(both, light, view, map));
+    EXPECT_FALSE(shadows_are_disjoint(both, light, view, map));
     light.size = 0;
     light.kind = LightKind::point;
     light.position = {0, 0, -3}; // between them
-    EXPECT_TRUE(stand_apart(both, light, view, map));
+    EXPECT_TRUE(shadows_are_disjoint(both, light, view, map));
     light.position = {3, 0, -3}; // beyond the right one
-    EXPECT_FALSE(stand_apart(both, light, view, map));
+    EXPECT_FALSE(shadows_are_disjoint(both, light, view, map));
     light.position = {3, 2, -3};
-    EXPECT_TRUE(stand_apart(both, light, view, map));
+    EXPECT_TRUE(shadows_are_disjoint(both, light, view, map));
     view.near_distance = 0; // not known
-    EXPECT_FALSE(stand_apart(both, light, view, map));
+    EXPECT_FALSE(shadows_are_disjoint(both, light, view, map));
 }
 
 } // namespace

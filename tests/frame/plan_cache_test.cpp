@@ -1,5 +1,5 @@
-// A kept plan is the plan: whatever views and options came before.
-#include "frame/kept_plan.h"
+// A cached plan is the plan: whatever views and options came before.
+#include "frame/plan_cache.h"
 #include "io/load.h"
 
 #include <tuple>
@@ -78,17 +78,17 @@ std::vector<FrameOptions> asked() {
     return all;
 }
 
-TEST(KeptPlan, IsThePlanOfEveryViewAndAllOptions) {
+TEST(PlanCache, IsThePlanOfEveryViewAndAllOptions) {
     for (const char* const name : {"spot/spot.obj", "spider/spider.obj",
                                    "cornell_box/cornell_box.obj", "angle_block/angle_block.stl"}) {
         const scene::Scene scene = model(name);
         const SceneFacts found = facts(scene);
-        KeptPlan kept(found);
+        PlanCache cache(found);
         for (const FrameOptions& options : asked())
             for (int number = 0; number < 60; ++number) {
                 SCOPED_TRACE(fmt::format("{}, view {}", name, number));
                 const scene::View view = numbered_view(scene, number, options);
-                const auto now = kept.plan(options, view);
+                const auto now = cache.plan(options, view);
                 ASSERT_TRUE(now) << now.error().what;
                 expect_same(**now, *plan(options, found, view));
             }
@@ -96,34 +96,34 @@ TEST(KeptPlan, IsThePlanOfEveryViewAndAllOptions) {
 }
 
 // Of one view after the other, so that what one leaves behind would be seen in the next.
-TEST(KeptPlan, FollowsOptionsThatChangeWithEveryView) {
+TEST(PlanCache, FollowsOptionsThatChangeWithEveryView) {
     const scene::Scene scene = model("spot/spot.obj");
     const SceneFacts found = facts(scene);
     const std::vector<FrameOptions> all = asked();
-    KeptPlan kept(found);
+    PlanCache cache(found);
     for (int number = 0; number < 60; ++number) {
         const FrameOptions& options = all[static_cast<std::size_t>(number) % all.size()];
         const scene::View view = numbered_view(scene, number / 2, options);
-        expect_same(**kept.plan(options, view), *plan(options, found, view));
+        expect_same(**cache.plan(options, view), *plan(options, found, view));
     }
 }
 
-TEST(KeptPlan, FailsAsThePlanDoesAndRecovers) {
+TEST(PlanCache, FailsAsThePlanDoesAndRecovers) {
     const scene::Scene scene = model("spot/spot.obj");
-    KeptPlan kept(facts(scene));
+    PlanCache cache(facts(scene));
     FrameOptions wrong;
     wrong.shading = "nonsense";
     FrameOptions dark;
     dark.lights.resize(scene::kMaxLights + 1);
     const scene::View view = numbered_view(scene, 0, wrong);
-    ASSERT_TRUE(kept.plan({}, view));
+    ASSERT_TRUE(cache.plan({}, view));
     for (const FrameOptions& options : {wrong, dark, wrong}) {
-        const auto refused = kept.plan(options, view);
+        const auto refused = cache.plan(options, view);
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().what, plan(options, facts(scene), view).error().what);
     }
-    ASSERT_TRUE(kept.plan({}, view));
-    expect_same(**kept.plan({}, view), *plan({}, facts(scene), view));
+    ASSERT_TRUE(cache.plan({}, view));
+    expect_same(**cache.plan({}, view), *plan({}, facts(scene), view));
 }
 
 } // namespace

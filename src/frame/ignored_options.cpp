@@ -1,4 +1,4 @@
-#include "frame/in_vain.h"
+#include "frame/ignored_options.h"
 
 #include "frame/planner.h"
 
@@ -178,7 +178,7 @@ void add_details(const FramePlan& plan, Lines& lines) {
 
 } // namespace
 
-std::vector<std::string> asked_in_vain(const FramePlan& plan) {
+std::vector<std::string> ignored_options(const FramePlan& plan) {
     Lines lines;
     for (const Decision& d : plan.decisions) {
         if (d.choice)

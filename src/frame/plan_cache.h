@@ -1,5 +1,5 @@
-// Plans from frame to frame: what frame::plan() says, without making it anew, and without
-// allocating anything, while options and view facts are those of an earlier frame.
+// A cache of plans: says what frame::plan() says, but plans nothing anew, and allocates nothing,
+// while options and view facts are those of an earlier frame.
 #pragma once
 
 #include "frame/plan.h"
@@ -10,16 +10,16 @@
 
 namespace scanout::frame {
 
-class KeptPlan {
+class PlanCache {
 public:
-    explicit KeptPlan(SceneFacts facts = {}) : facts_(std::move(facts)) {}
+    explicit PlanCache(SceneFacts facts = {}) : facts_(std::move(facts)) {}
     const SceneFacts& facts() const { return facts_; }
 
     // Like frame::plan(), its failures as well. The plan stays valid until the next call.
     Result<const FramePlan*> plan(const FrameOptions& options, const scene::View& view);
 
 private:
-    struct Kept {
+    struct Entry {
         ViewFacts view;
         FramePlan plan; // without the filters of textures, which each view decides
     };
@@ -27,7 +27,7 @@ private:
 
     SceneFacts facts_;
     FrameOptions options_;
-    std::vector<Kept> kept_; // of these options
+    std::vector<Entry> entries_; // of these options
     FramePlan plan_;
 };
 
