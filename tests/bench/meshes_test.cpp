@@ -69,7 +69,7 @@ frame::FrameOptions options() {
     return o;
 }
 
-TEST(Meshes, have_as_many_triangles_as_they_are_said_to) {
+TEST(Meshes, HaveAsManyTrianglesAsTheyAreSaidTo) {
     for (const MeshCard& card : meshes()) {
         if (card.name == "bunny") continue; // not ours, and not everywhere
         const auto mesh = make_polygons(card.name);
@@ -79,7 +79,7 @@ TEST(Meshes, have_as_many_triangles_as_they_are_said_to) {
     }
 }
 
-TEST(Meshes, of_a_knot_are_closed_and_wound_outwards) {
+TEST(Meshes, OfAKnotAreClosedAndWoundOutwards) {
     for (const std::size_t triangles : {200U, 1000U, 20000U}) {
         for (const geom::PolygonMesh& mesh : {knot(triangles), dragon(triangles)}) {
             EXPECT_NEAR(static_cast<double>(mesh.faces()), static_cast<double>(triangles),
@@ -95,7 +95,7 @@ TEST(Meshes, of_a_knot_are_closed_and_wound_outwards) {
 }
 
 // Stanford's dragon: 6.4 degrees, 1.12 vertices.
-TEST(Meshes, the_dragons_stand_in_is_as_smooth_and_as_scattered_as_a_scan) {
+TEST(Meshes, TheDragonsStandInIsAsSmoothAndAsScatteredAsAScan) {
     const auto mesh = make_polygons("dragon");
     ASSERT_TRUE(mesh) << mesh.error().what;
     const auto place = [&](std::size_t corner) { return mesh->positions[vertex(*mesh, corner)]; };
@@ -133,7 +133,7 @@ TEST(Meshes, the_dragons_stand_in_is_as_smooth_and_as_scattered_as_a_scan) {
     EXPECT_NEAR(static_cast<double>(used) / static_cast<double>(batches * kInTurn), 1.12, 0.05);
 }
 
-TEST(Meshes, the_teapot_stands_as_newell_drew_it) {
+TEST(Meshes, TheTeapotStandsAsNewellDrewIt) {
     const geom::PolygonMesh mesh = teapot();
     DVec3 low(1e9), high(-1e9);
     for (const DVec3& p : mesh.positions)
@@ -150,7 +150,7 @@ TEST(Meshes, the_teapot_stands_as_newell_drew_it) {
     EXPECT_GT(volume(mesh), 0);
 }
 
-TEST(Meshes, the_dragons_stand_in_has_a_third_of_a_million_visible_pixels) {
+TEST(Meshes, TheDragonsStandInHasAThirdOfAMillionVisiblePixels) {
     auto mesh = make_mesh("dragon");
     ASSERT_TRUE(mesh) << mesh.error().what;
     scene::Scene scene;
@@ -163,7 +163,7 @@ TEST(Meshes, the_dragons_stand_in_has_a_third_of_a_million_visible_pixels) {
     EXPECT_LT(16 * seen, 400000);
 }
 
-TEST(Meshes, the_crate_hides_all_that_is_in_it) {
+TEST(Meshes, TheCrateHidesAllThatIsInIt) {
     auto mesh = make_mesh("crate");
     ASSERT_TRUE(mesh) << mesh.error().what;
     scene::Scene scene;
@@ -184,7 +184,7 @@ TEST(Meshes, the_crate_hides_all_that_is_in_it) {
 }
 
 // Blended surfaces are all counted: this is how many lie behind each pixel, backs included.
-TEST(Meshes, the_building_has_many_layers_all_around) {
+TEST(Meshes, TheBuildingHasManyLayersAllAround) {
     auto mesh = make_mesh("building");
     ASSERT_TRUE(mesh) << mesh.error().what;
     scene::Scene scene;
@@ -204,7 +204,7 @@ TEST(Meshes, the_building_has_many_layers_all_around) {
     }
 }
 
-TEST(Meshes, come_back_from_the_files_that_they_are_written_to) {
+TEST(Meshes, ComeBackFromTheFilesThatTheyAreWrittenTo) {
     const geom::PolygonMesh mesh = teapot();
     Warnings warnings;
     const auto obj = io::read_obj(obj_text(mesh), "teapot.obj", warnings);
@@ -221,7 +221,7 @@ TEST(Meshes, come_back_from_the_files_that_they_are_written_to) {
     }
 }
 
-TEST(Meshes, names_that_are_none_are_refused_in_one_line) {
+TEST(Meshes, NamesThatAreNoneAreRefusedInOneLine) {
     for (const char* name :
          {"", "dragons", "knot:", "knot:x", "knot:99", "knot:99999999999999999999"}) {
         const auto mesh = make_polygons(name);

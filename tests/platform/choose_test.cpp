@@ -30,7 +30,7 @@ Result<std::unique_ptr<KmsDisplay>> open_cards(const std::vector<FakeCard*>& car
     return open_first(paths, open, options, seat);
 }
 
-TEST(ChooseCard, takes_the_first_that_can_show_something_and_says_why_the_others_cannot) {
+TEST(ChooseCard, TakesTheFirstThatCanShowSomethingAndSaysWhyTheOthersCannot) {
     FakeCard good, render_only, unplugged, taken, no_dumb;
     render_only.failing = "connectors";
     render_only.error = EOPNOTSUPP;
@@ -73,7 +73,7 @@ TEST(ChooseCard, takes_the_first_that_can_show_something_and_says_why_the_others
         EXPECT_TRUE(card->everything_freed());
 }
 
-TEST(ChooseCard, a_mode_that_is_no_mode_is_a_usage_error_at_once) {
+TEST(ChooseCard, AModeThatIsNoModeIsAUsageErrorAtOnce) {
     FakeCard a, b;
     const TestSeat seat;
     for (const char* mode :
@@ -84,7 +84,7 @@ TEST(ChooseCard, a_mode_that_is_no_mode_is_a_usage_error_at_once) {
     }
 }
 
-TEST(ChooseMode, the_preferred_mode_else_the_most_pixels_then_the_highest_refresh) {
+TEST(ChooseMode, ThePreferredModeElseTheMostPixelsThenTheHighestRefresh) {
     Connector connector;
     connector.name = "HDMI-A-1";
     connector.modes = {mode_of(640, 480, 60), mode_of(1920, 1080, 50), mode_of(1920, 1080, 60),
@@ -101,7 +101,7 @@ TEST(ChooseMode, the_preferred_mode_else_the_most_pixels_then_the_highest_refres
     EXPECT_EQ(missing.error().what, "HDMI-A-1 has no mode 1920x1080@75: see `scanout list modes`");
 }
 
-TEST(ChooseMode, refresh_counts_the_whole_frame_with_its_blanking) {
+TEST(ChooseMode, RefreshCountsTheWholeFrameWithItsBlanking) {
     drmModeModeInfo mode{};
     mode.clock = 148500; // 1920x1080 as televisions have it
     mode.htotal = 2200;
@@ -114,7 +114,7 @@ TEST(ChooseMode, refresh_counts_the_whole_frame_with_its_blanking) {
     EXPECT_EQ(refresh_hz(mode), 59.0);
 }
 
-TEST(ChooseConnector, by_name_or_the_first_connected_one) {
+TEST(ChooseConnector, ByNameOrTheFirstConnectedOne) {
     FakeCard card;
     card.connectors = {connector_of(1, "VGA-1", false), connector_of(2, "HDMI-A-1"),
                        connector_of(3, "DP-1")};
@@ -130,7 +130,7 @@ TEST(ChooseConnector, by_name_or_the_first_connected_one) {
     EXPECT_FALSE(choose(device, {})) << "a connector without modes shows nothing";
 }
 
-TEST(ChooseCrtc, leaves_the_crtc_of_another_display_to_it_unless_there_is_no_other) {
+TEST(ChooseCrtc, LeavesTheCrtcOfAnotherDisplayToItUnlessThereIsNoOther) {
     FakeCard card;
     card.connectors = {connector_of(1, "HDMI-A-1"), connector_of(2, "DP-1")};
     card.connectors[0].crtcs = {50};

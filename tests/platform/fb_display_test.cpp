@@ -119,7 +119,7 @@ std::vector<image::PixelFormat> formats() {
     return all;
 }
 
-TEST(FbDisplay, writes_every_pixel_exactly_and_no_other_byte_in_every_format_padding_and_offset) {
+TEST(FbDisplay, WritesEveryPixelExactlyAndNoOtherByteInEveryFormatPaddingAndOffset) {
     ASSERT_GE(formats().size(), 10U);
     constexpr int kWidth = 13, kHeight = 5;
     for (const image::PixelFormat& format : formats())
@@ -157,7 +157,7 @@ TEST(FbDisplay, writes_every_pixel_exactly_and_no_other_byte_in_every_format_pad
                 }
 }
 
-TEST(FbDisplay, copies_damaged_pixels_only_and_the_whole_after_a_switch_of_the_console) {
+TEST(FbDisplay, CopiesDamagedPixelsOnlyAndTheWholeAfterASwitchOfTheConsole) {
     const image::PixelFormat format;
     FakeFb fb(13, 5, format);
     TestSeat seat;
@@ -187,7 +187,7 @@ TEST(FbDisplay, copies_damaged_pixels_only_and_the_whole_after_a_switch_of_the_c
     EXPECT_EQ(shown(), picture(13, 5, 3));
 }
 
-TEST(FbDisplay, refuses_what_it_cannot_draw_with_one_line_that_names_the_device) {
+TEST(FbDisplay, RefusesWhatItCannotDrawWithOneLineThatNamesTheDevice) {
     const image::PixelFormat format;
     const std::vector<std::pair<std::function<void(FakeFb&)>, std::string>> cases{
         {[](FakeFb& fb) {
@@ -233,7 +233,7 @@ TEST(FbDisplay, refuses_what_it_cannot_draw_with_one_line_that_names_the_device)
     }
 }
 
-TEST(FbDisplay, a_colour_table_is_straight_while_we_draw_and_put_back_afterwards) {
+TEST(FbDisplay, AColourTableIsStraightWhileWeDrawAndPutBackAfterwards) {
     FakeFb fb(13, 5, {16, {11, 5}, {5, 6}, {0, 5}, {0, 0}});
     fb.fixed.visual = FB_VISUAL_DIRECTCOLOR;
     const TestSeat seat;
@@ -248,7 +248,7 @@ TEST(FbDisplay, a_colour_table_is_straight_while_we_draw_and_put_back_afterwards
     EXPECT_EQ(fb.colors.red[31], 7);
 }
 
-TEST(FbDisplay, knows_its_refresh_from_the_pixel_clock_and_assumes_60_without_one) {
+TEST(FbDisplay, KnowsItsRefreshFromThePixelClockAndAssumes60WithoutOne) {
     const image::PixelFormat format;
     FakeFb fb(640, 480, format);
     EXPECT_EQ(layout_of(fb.variable, fb.fixed)->refresh_hz, 60);
@@ -262,7 +262,7 @@ TEST(FbDisplay, knows_its_refresh_from_the_pixel_clock_and_assumes_60_without_on
     EXPECT_NEAR(layout_of(fb.variable, fb.fixed)->refresh_hz, 59.94, 0.01);
 }
 
-TEST(OpenDevice, says_what_is_wrong_with_the_path) {
+TEST(OpenDevice, SaysWhatIsWrongWithThePath) {
     const auto missing = open_device("/dev/no-such-fb");
     ASSERT_FALSE(missing);
     EXPECT_EQ(missing.error().what, "/dev/no-such-fb: No such file or directory");

@@ -24,7 +24,7 @@ Keyboard keyboard(const char* layout) {
     return *std::move(made);
 }
 
-TEST(Keyboard, tells_the_keysym_of_the_layout_and_the_unshifted_one) {
+TEST(Keyboard, TellsTheKeysymOfTheLayoutAndTheUnshiftedOne) {
     Keyboard us = keyboard("us");
     const port::Event plain = us.key(KEY_1, true);
     EXPECT_EQ(plain.kind, port::EventKind::key);
@@ -43,7 +43,7 @@ TEST(Keyboard, tells_the_keysym_of_the_layout_and_the_unshifted_one) {
     EXPECT_EQ(german.layout(), "de");
 }
 
-TEST(Keyboard, control_and_alt_are_told_as_they_are_held_and_let_go) {
+TEST(Keyboard, ControlAndAltAreToldAsTheyAreHeldAndLetGo) {
     Keyboard us = keyboard("us");
     us.key(KEY_LEFTCTRL, true);
     us.key(KEY_LEFTALT, true);
@@ -57,27 +57,27 @@ TEST(Keyboard, control_and_alt_are_told_as_they_are_held_and_let_go) {
     EXPECT_FALSE(us.key(KEY_C, true).alt) << "nothing is held after a reset";
 }
 
-TEST(Keyboard, letters_repeat_and_modifiers_do_not) {
+TEST(Keyboard, LettersRepeatAndModifiersDoNot) {
     Keyboard us = keyboard("us");
     EXPECT_TRUE(us.key(KEY_A, true).repeats);
     EXPECT_TRUE(us.key(KEY_LEFT, true).repeats);
     EXPECT_FALSE(us.key(KEY_LEFTSHIFT, true).repeats);
 }
 
-TEST(Keyboard, a_layout_that_does_not_exist_becomes_us_and_says_so) {
+TEST(Keyboard, ALayoutThatDoesNotExistBecomesUsAndSaysSo) {
     Keyboard fallback = keyboard("no-such-layout");
     EXPECT_EQ(fallback.key(KEY_Q, true).keysym, std::uint32_t{XKB_KEY_q});
     EXPECT_EQ(fallback.layout(), "us (XKB_DEFAULT_LAYOUT=no-such-layout cannot be used)");
 }
 
-TEST(Keyboard, every_code_a_device_could_send_is_answered) {
+TEST(Keyboard, EveryCodeADeviceCouldSendIsAnswered) {
     Keyboard us = keyboard("us");
     for (std::uint32_t code = 0; code < 0x300; ++code)
         for (const bool pressed : {true, false})
             EXPECT_EQ(us.key(code, pressed).keycode, code);
 }
 
-TEST(ConsoleSwitch, is_ctrl_alt_and_a_function_key_and_nothing_else) {
+TEST(ConsoleSwitch, IsCtrlAltAndAFunctionKeyAndNothingElse) {
     Keyboard us = keyboard("us");
     EXPECT_EQ(console_switch(us.key(KEY_F3, true)), std::nullopt);
     us.key(KEY_F3, false);
@@ -107,7 +107,7 @@ RC_GTEST_PROP(Scroll, loses_nothing_of_a_wheel_that_turns_one_way, ()) {
     RC_ASSERT(told == static_cast<int>(turned));
 }
 
-TEST(Scroll, a_notch_is_120_either_way_and_a_turn_starts_anew) {
+TEST(Scroll, ANotchIs120EitherWayAndATurnStartsAnew) {
     Scroll scroll;
     EXPECT_EQ(scroll.wheel(120)->scroll, 120);
     EXPECT_EQ(scroll.wheel(-120)->scroll, -120);
@@ -118,7 +118,7 @@ TEST(Scroll, a_notch_is_120_either_way_and_a_turn_starts_anew) {
     EXPECT_EQ(scroll.wheel(1e300)->scroll, 1000000) << "nonsense is cut, not overflowed";
 }
 
-TEST(Pointer, buttons_and_positions_are_translated) {
+TEST(Pointer, ButtonsAndPositionsAreTranslated) {
     EXPECT_EQ(button_of(BTN_LEFT), port::Button::left);
     EXPECT_EQ(button_of(BTN_MIDDLE), port::Button::middle);
     EXPECT_EQ(button_of(BTN_RIGHT), port::Button::right);
@@ -128,7 +128,7 @@ TEST(Pointer, buttons_and_positions_are_translated) {
     EXPECT_EQ(motion(-3, 7).x, -3.0);
 }
 
-TEST(DeviceFacts, read_as_a_list) {
+TEST(DeviceFacts, ReadAsAList) {
     EXPECT_EQ(describe({.name = "QEMU Virtio Mouse",
                         .letters = false,
                         .motion = true,
@@ -150,7 +150,7 @@ struct TypedKey {
     bool shift = false, control = false, alt = false;
 };
 
-TEST(TerminalKeys, bytes_and_escape_sequences_become_keys) {
+TEST(TerminalKeys, BytesAndEscapeSequencesBecomeKeys) {
     const std::vector<TypedKey> keys{
         {"q", XKB_KEY_q},
         {"Q", XKB_KEY_Q, true},
@@ -200,7 +200,7 @@ RC_GTEST_PROP(TerminalKeys, any_bytes_give_balanced_keys, (const std::string& by
         RC_ASSERT(events[i].pressed == (i % 2 == 0));
 }
 
-TEST(Signals, that_end_a_program_are_quit_events_and_the_stop_key_is_suspend) {
+TEST(Signals, ThatEndAProgramAreQuitEventsAndTheStopKeyIsSuspend) {
     auto signals = Signals::create();
     ASSERT_TRUE(signals);
     const auto next = [&](int signal) {

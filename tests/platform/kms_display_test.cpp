@@ -80,7 +80,7 @@ RC_GTEST_PROP(KmsDisplay, shows_every_frame_exactly_whatever_the_damage_and_the_
     RC_ASSERT(rig.card.front_writes == 0);
 }
 
-TEST(KmsDisplay, copies_damaged_pixels_only_to_each_buffer_what_it_has_missed) {
+TEST(KmsDisplay, CopiesDamagedPixelsOnlyToEachBufferWhatItHasMissed) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     const image::Image one = noise(8, 4, 1), two = noise(8, 4, 2);
@@ -100,7 +100,7 @@ TEST(KmsDisplay, copies_damaged_pixels_only_to_each_buffer_what_it_has_missed) {
     EXPECT_EQ(rig.card.front_writes, 0);
 }
 
-TEST(KmsDisplay, damage_of_many_frames_is_kept_within_bounds_and_drawn_whole) {
+TEST(KmsDisplay, DamageOfManyFramesIsKeptWithinBoundsAndDrawnWhole) {
     FakeCard card;
     FakeDevice device(card);
     const image::PixelFormat format;
@@ -117,7 +117,7 @@ TEST(KmsDisplay, damage_of_many_frames_is_kept_within_bounds_and_drawn_whole) {
         EXPECT_EQ(card.screen(format).at(i, i % 4), noise(8, 4, 2).at(i, i % 4));
 }
 
-TEST(KmsDisplay, waits_for_the_flip_before_it_draws_again) {
+TEST(KmsDisplay, WaitsForTheFlipBeforeItDrawsAgain) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     rig.card.hold_events = true;
@@ -132,7 +132,7 @@ TEST(KmsDisplay, waits_for_the_flip_before_it_draws_again) {
     EXPECT_EQ(rig.card.front_writes, 0);
 }
 
-TEST(KmsDisplayDeathTest, presenting_before_the_flip_is_our_own_mistake) {
+TEST(KmsDisplayDeathTest, PresentingBeforeTheFlipIsOurOwnMistake) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     rig.card.hold_events = true;
@@ -140,7 +140,7 @@ TEST(KmsDisplayDeathTest, presenting_before_the_flip_is_our_own_mistake) {
     EXPECT_DEATH((void)rig.present_whole(2), "ready");
 }
 
-TEST(KmsDisplay, a_flip_without_an_event_counts_as_done_and_the_late_event_is_ignored) {
+TEST(KmsDisplay, AFlipWithoutAnEventCountsAsDoneAndTheLateEventIsIgnored) {
     Rig rig;
     ASSERT_TRUE(rig.open({.flip = milliseconds(20)}));
     rig.card.hold_events = true;
@@ -159,7 +159,7 @@ TEST(KmsDisplay, a_flip_without_an_event_counts_as_done_and_the_late_event_is_ig
     EXPECT_EQ(rig.card.front_writes, 0);
 }
 
-TEST(KmsDisplay, a_busy_card_is_asked_again) {
+TEST(KmsDisplay, ABusyCardIsAskedAgain) {
     Rig rig;
     ASSERT_TRUE(rig.open({.busy = milliseconds(2)}));
     rig.card.failing = "flip";
@@ -175,7 +175,7 @@ TEST(KmsDisplay, a_busy_card_is_asked_again) {
     EXPECT_EQ(rig.shown(), noise(8, 4, 1));
 }
 
-TEST(KmsDisplay, is_paced_only_when_the_driver_counts_refreshes) {
+TEST(KmsDisplay, IsPacedOnlyWhenTheDriverCountsRefreshes) {
     for (const std::uint32_t step : {0U, 1U}) {
         Rig rig;
         rig.card.sequence_step = step;
@@ -186,7 +186,7 @@ TEST(KmsDisplay, is_paced_only_when_the_driver_counts_refreshes) {
     }
 }
 
-TEST(KmsDisplay, after_a_switch_of_the_console_sets_the_mode_and_shows_the_whole_frame) {
+TEST(KmsDisplay, AfterASwitchOfTheConsoleSetsTheModeAndShowsTheWholeFrame) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     for (int i = 0; i < 3; ++i)
@@ -209,7 +209,7 @@ TEST(KmsDisplay, after_a_switch_of_the_console_sets_the_mode_and_shows_the_whole
     EXPECT_EQ(rig.shown(), noise(8, 4, 6));
 }
 
-TEST(KmsDisplay, a_card_taken_away_before_the_seat_says_so_is_no_error) {
+TEST(KmsDisplay, ACardTakenAwayBeforeTheSeatSaysSoIsNoError) {
     for (const Errno error : {EACCES, EPERM}) {
         Rig rig;
         ASSERT_TRUE(rig.open());
@@ -226,7 +226,7 @@ TEST(KmsDisplay, a_card_taken_away_before_the_seat_says_so_is_no_error) {
     }
 }
 
-TEST(KmsDisplay, a_card_taken_for_good_is_tried_again_after_a_while) {
+TEST(KmsDisplay, ACardTakenForGoodIsTriedAgainAfterAWhile) {
     Rig rig;
     ASSERT_TRUE(rig.open({.lost = milliseconds(10)}));
     rig.card.failing = "flip";
@@ -240,7 +240,7 @@ TEST(KmsDisplay, a_card_taken_for_good_is_tried_again_after_a_while) {
     EXPECT_EQ(rig.shown(), noise(8, 4, 2));
 }
 
-TEST(KmsDisplay, an_unplugged_connector_gets_its_mode_again_when_it_is_back) {
+TEST(KmsDisplay, AnUnpluggedConnectorGetsItsModeAgainWhenItIsBack) {
     for (const Errno error : {ENOENT, EINVAL}) {
         Rig rig;
         ASSERT_TRUE(rig.open({.lost = milliseconds(10)}));
@@ -258,7 +258,7 @@ TEST(KmsDisplay, an_unplugged_connector_gets_its_mode_again_when_it_is_back) {
     }
 }
 
-TEST(KmsDisplay, a_driver_without_flips_is_drawn_on_in_place_and_told_what_changed) {
+TEST(KmsDisplay, ADriverWithoutFlipsIsDrawnOnInPlaceAndToldWhatChanged) {
     Rig rig;
     rig.card.failing = "flip";
     rig.card.error = EINVAL;
@@ -271,7 +271,7 @@ TEST(KmsDisplay, a_driver_without_flips_is_drawn_on_in_place_and_told_what_chang
     EXPECT_FALSE(rig.display->paced());
 }
 
-TEST(KmsDisplay, puts_back_what_was_on_the_screen) {
+TEST(KmsDisplay, PutsBackWhatWasOnTheScreen) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     ASSERT_TRUE(rig.present_whole(1));
@@ -280,7 +280,7 @@ TEST(KmsDisplay, puts_back_what_was_on_the_screen) {
     EXPECT_TRUE(rig.card.everything_freed());
 }
 
-TEST(KmsDisplay, leaves_the_screen_alone_when_it_is_not_its_own) {
+TEST(KmsDisplay, LeavesTheScreenAloneWhenItIsNotItsOwn) {
     Rig rig;
     ASSERT_TRUE(rig.open());
     rig.seat.set(false);
@@ -290,7 +290,7 @@ TEST(KmsDisplay, leaves_the_screen_alone_when_it_is_not_its_own) {
     EXPECT_TRUE(rig.card.everything_freed());
 }
 
-TEST(KmsDisplay, every_call_that_fails_at_start_is_one_clear_line_and_frees_everything) {
+TEST(KmsDisplay, EveryCallThatFailsAtStartIsOneClearLineAndFreesEverything) {
     for (const char* call :
          {"connectors", "take_master", "crtc", "create_dumb", "add_framebuffer", "map", "set_crtc"})
         for (const int after : {0, 1}) {
@@ -309,7 +309,7 @@ TEST(KmsDisplay, every_call_that_fails_at_start_is_one_clear_line_and_frees_ever
         }
 }
 
-TEST(KmsDisplay, falls_back_to_16_bits_where_the_driver_has_no_32) {
+TEST(KmsDisplay, FallsBackTo16BitsWhereTheDriverHasNo32) {
     Rig rig;
     rig.card.only_16_bits = true;
     ASSERT_TRUE(rig.open());

@@ -66,7 +66,7 @@ int status_of(const Pty& pty, const std::function<void(std::unique_ptr<ConsoleIn
 #endif
 #endif
 
-TEST(Restore, on_every_signal_of_a_fault_and_the_process_still_dies_of_it) {
+TEST(Restore, OnEverySignalOfAFaultAndTheProcessStillDiesOfIt) {
     for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSYS, SIGTRAP}) {
         const Pty pty;
         const int status = status_of(pty, [&](auto&) { ::raise(signal); });
@@ -81,7 +81,7 @@ TEST(Restore, on_every_signal_of_a_fault_and_the_process_still_dies_of_it) {
 }
 
 #ifndef SANITIZER_TAKES_FAULTS
-TEST(Restore, on_a_real_fault_and_on_a_stack_overflow) {
+TEST(Restore, OnARealFaultAndOnAStackOverflow) {
     const Pty fault;
     int status = status_of(fault, [](auto&) {
         volatile int* volatile nowhere = nullptr;
@@ -104,7 +104,7 @@ TEST(Restore, on_a_real_fault_and_on_a_stack_overflow) {
 
 #endif
 
-TEST(Restore, on_exit_on_terminate_and_on_destruction) {
+TEST(Restore, OnExitOnTerminateAndOnDestruction) {
     const Pty exited;
     EXPECT_EQ(WEXITSTATUS(status_of(exited, [](auto&) { std::exit(3); })), 3);
     EXPECT_TRUE(exited.restored());
@@ -117,13 +117,13 @@ TEST(Restore, on_exit_on_terminate_and_on_destruction) {
     EXPECT_TRUE(destroyed.restored());
 }
 
-TEST(Restore, a_process_that_is_killed_restores_nothing_so_this_test_can_fail) {
+TEST(Restore, AProcessThatIsKilledRestoresNothingSoThisTestCanFail) {
     const Pty pty;
     status_of(pty, [](auto&) { ::kill(::getpid(), SIGKILL); });
     EXPECT_FALSE(pty.restored());
 }
 
-TEST(Terminal, reads_keys_without_blocking_and_a_hang_up_is_quit) {
+TEST(Terminal, ReadsKeysWithoutBlockingAndAHangUpIsQuit) {
     Pty pty;
     const Fd saved_input(::dup(STDIN_FILENO));
     ::dup2(pty.theirs.get(), STDIN_FILENO);
@@ -145,7 +145,7 @@ TEST(Terminal, reads_keys_without_blocking_and_a_hang_up_is_quit) {
     ::dup2(saved_input.get(), STDIN_FILENO);
 }
 
-TEST(Terminal, refuses_an_input_that_is_none) {
+TEST(Terminal, RefusesAnInputThatIsNone) {
     const pid_t child = ::fork();
     if (child == 0) {
         ::setsid(); // no controlling terminal either

@@ -29,7 +29,7 @@ RC_GTEST_PROP(HeadlessDisplay, shows_the_frame_as_a_display_of_its_format_would,
     RC_ASSERT(display->frames() == 1U);
 }
 
-TEST(HeadlessDisplay, takes_damaged_pixels_only_after_the_first_frame) {
+TEST(HeadlessDisplay, TakesDamagedPixelsOnlyAfterTheFirstFrame) {
     auto display = HeadlessDisplay::create(9, 7, {});
     ASSERT_TRUE(display);
     const image::Image one = picture(9, 7, 1), two = picture(9, 7, 2);
@@ -60,7 +60,7 @@ RC_GTEST_PROP(CopyDamage, damage_gives_the_same_bytes_as_the_whole_frame, ()) {
     RC_ASSERT(by_parts == by_whole);
 }
 
-TEST(HeadlessDisplay, refuses_sizes_and_formats_that_no_display_has) {
+TEST(HeadlessDisplay, RefusesSizesAndFormatsThatNoDisplayHas) {
     for (const auto& [width, height] :
          {std::pair{0, 5}, {5, 0}, {-1, 5}, {16385, 5}, {5, 1 << 30}}) {
         const auto display = HeadlessDisplay::create(width, height, {});
@@ -70,7 +70,7 @@ TEST(HeadlessDisplay, refuses_sizes_and_formats_that_no_display_has) {
     EXPECT_FALSE(HeadlessDisplay::create(4, 4, {.bits_per_pixel = 8}));
 }
 
-TEST(CopyDamage, cuts_damage_to_the_frame_and_writes_no_byte_beside_it) {
+TEST(CopyDamage, CutsDamageToTheFrameAndWritesNoByteBesideIt) {
     const image::Image frame = picture(5, 4, 1);
     const image::PixelFormat format;
     constexpr std::size_t kPitch = 27;
@@ -86,7 +86,7 @@ TEST(CopyDamage, cuts_damage_to_the_frame_and_writes_no_byte_beside_it) {
 }
 
 // It goes there in pieces, each with the dither of its place.
-TEST(CopyDamage, writes_rows_of_any_width) {
+TEST(CopyDamage, WritesRowsOfAnyWidth) {
     const image::PixelFormat format = *image::pixel_format("rgb565");
     for (const int width : {1023, 1024, 1025, 2049, 4101}) {
         const image::Image frame = picture(width, 2, 1);
