@@ -39,7 +39,7 @@ Result<Exit> run_explain(const Settings& settings) {
     measure::ExplainOptions how;
     how.times = !settings.no_times;
     how.display = settings.pixel_format;
-    how.progress = [&](double share) { bar->show(share); };
+    how.progress = [&](double fraction) { bar->show(fraction); };
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));
     bar.reset();

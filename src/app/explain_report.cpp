@@ -52,11 +52,11 @@ Cells cells(const EffectRow& row) {
     return c;
 }
 
-using Shown = std::array<bool, kHeads.size()>; // columns
+using Columns = std::array<bool, kHeads.size()>; // columns
 
 // Names to the left, numbers to the right; the last column as it is.
 std::string line_of(const Cells& c, const std::array<std::size_t, kHeads.size()>& width,
-                    const Shown& shown) {
+                    const Columns& shown) {
     std::string line = fmt::format("{:<{}}  {:<{}}", c[0], width[0], c[1], width[1]);
     for (std::size_t i = 2; i + 1 < c.size(); ++i)
         if (shown[i]) line += fmt::format("  {:>{}}", c[i], width[i]);
@@ -64,7 +64,7 @@ std::string line_of(const Cells& c, const std::array<std::size_t, kHeads.size()>
 }
 
 // The heads, and a line for each row.
-std::vector<std::string> table_of(const std::vector<EffectRow>& rows, const Shown& shown) {
+std::vector<std::string> table_of(const std::vector<EffectRow>& rows, const Columns& shown) {
     std::vector<Cells> table = {{}};
     std::copy(kHeads.begin(), kHeads.end(), table.front().begin());
     for (const EffectRow& row : rows)
@@ -124,7 +124,7 @@ std::vector<std::string> explain_table(const LoadedModel& model, const Explanati
     if (e.milliseconds) lines.back() += fmt::format("  {:.2f} ms", *e.milliseconds);
     if (e.special == 0)
         lines.emplace_back("nothing special is called for: plain surfaces in their own colour");
-    Shown shown;
+    Columns shown;
     shown.fill(true);
     shown[kTimeColumn] = e.milliseconds.has_value();
     const std::vector<std::string> table = table_of(e.rows, shown);
@@ -139,7 +139,7 @@ namespace {
 using Entry = std::vector<std::string>;
 
 // A row whose text from the letter `reason` on may be broken: beside its figures where there is
-// room for some words in a line, else under them.
+// Room for some words in a line, else under them.
 Entry entry_of(const std::string& row, std::size_t reason, std::size_t letters) {
     constexpr std::size_t kLeast = 40, kIndent = 4;
     if (row.size() <= letters) return {row};
@@ -159,13 +159,13 @@ Entry entry_of(const std::string& row, std::size_t reason, std::size_t letters) 
 // As many entries a page as fit between the head and the last lines.
 ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, std::string last,
                    std::size_t letters, std::size_t lines, std::size_t page) {
-    const std::size_t room = std::max<std::size_t>(lines, 4) - 3;
+    const std::size_t capacity = std::max<std::size_t>(lines, 4) - 3;
     std::vector<std::vector<std::string>> pages(1);
     for (const Entry& entry : entries) {
-        if (!pages.back().empty() && pages.back().size() + entry.size() > room)
+        if (!pages.back().empty() && pages.back().size() + entry.size() > capacity)
             pages.emplace_back();
         pages.back().insert(pages.back().end(), entry.begin(), entry.end());
-        pages.back().resize(std::min(pages.back().size(), room));
+        pages.back().resize(std::min(pages.back().size(), capacity));
     }
     const std::size_t shown = std::clamp<std::size_t>(page, 1, pages.size());
     ScreenPage result{{head}, pages.size()};
@@ -184,7 +184,7 @@ ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, s
 ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t letters,
                         std::size_t lines, std::size_t page) {
     constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
-    Shown shown;
+    Columns shown;
     shown.fill(true);
     shown[kTimeColumn] = e.milliseconds.has_value() || measured < e.rows.size();
     if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels

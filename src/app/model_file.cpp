@@ -26,8 +26,8 @@ Result<LoadedModel> load_model_with_messages(const std::string& path, const Sett
                                              Jobs& jobs) {
     Result<LoadedModel> model = [&] {
         ProgressBar bar("reading " + path, settings.quiet);
-        return load_model(path, jobs, [&](double share) {
-            bar.show(share);
+        return load_model(path, jobs, [&](double fraction) {
+            bar.show(fraction);
             return true;
         });
     }();

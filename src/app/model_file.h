@@ -21,7 +21,7 @@ struct LoadedModel {
     io::LoadTimes load_times; // its parts
 };
 
-// `progress` is called with the share of the work that is done; false cancels.
+// `progress` is called with the fraction of the work that is done; false cancels.
 Result<LoadedModel> load_model(const std::string& path, Jobs& jobs,
                                const std::function<bool(double)>& progress);
 

@@ -35,8 +35,8 @@ ProgressBar::~ProgressBar() {
     if (shown_ >= 0) write_("");
 }
 
-void ProgressBar::show(double share) {
-    const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
+void ProgressBar::show(double fraction) {
+    const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
     if (!write_ || percent == shown_ || watch_.milliseconds() < patience_) return;
     shown_ = percent;
     const std::size_t full = kBar * static_cast<std::size_t>(percent) / 100;

@@ -25,7 +25,7 @@ public:
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
 
-    void show(double share); // 0 to 1
+    void show(double fraction); // 0 to 1
 
 private:
     std::string what_;

@@ -43,8 +43,8 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& explan
 // The cards, in the order of techniques.h.
 std::string techniques_json();
 
-// The value at which `share` (0 to 1) of the values are reached: nearest rank. 0 for none.
-double percentile(std::vector<double> values, double share);
+// The value at which `fraction` (0 to 1) of the values are reached: nearest rank. 0 for none.
+double percentile(std::vector<double> values, double fraction);
 
 // Where --json says; nothing without it.
 Result<void> write_report(const Settings& settings, const std::string& json);

@@ -10,7 +10,7 @@
 namespace scanout::frame {
 namespace {
 
-constexpr double kRoom = 1.05;
+constexpr double kMargin = 1.05;
 
 } // namespace
 
@@ -18,15 +18,15 @@ BoundingSphere bounding_sphere(const scene::View& view) {
     double scale = 0; // the model is scaled along its axes, then turned
     for (int axis = 0; axis < 3; ++axis)
         scale = std::max(scale, length(view.linear[axis]));
-    return {view.translation, scale * kRoom};
+    return {view.translation, scale * kMargin};
 }
 
-bool may_be_seen(const scene::View& view) {
+bool may_be_visible(const scene::View& view) {
     if (!(view.near_distance > 0)) return true;
     const auto [at, radius] = bounding_sphere(view);
     const bool parallel = view.projection == scene::Projection::orthographic;
     const auto beside = [&, &at = at, &radius = radius](double across, double half) {
-        const double edge = half * kRoom;
+        const double edge = half * kMargin;
         return parallel ? std::abs(across) - radius > edge
                         : std::abs(across) + edge * at.z > radius * scanout::sqrt(1 + edge * edge);
     };

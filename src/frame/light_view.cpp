@@ -40,13 +40,13 @@ struct Bounds {
 };
 
 // Calls f with corners of triangles, in light space. Left out are those of clusters for which
-// skips(middle, reach) holds, f having seen the others so far: no corner is farther from the middle
-// than the reach, along each axis.
+// skips(middle, extent) holds, f having seen the others so far: no corner is farther from the
+// middle than the extent, along each axis.
 template <class Skips, class F>
-void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& turn,
-                 const DVec3& move, Skips&& skips, F&& f) {
-    const DMat3 linear = turn * view.linear;
-    const DVec3 offset = turn * view.translation + move;
+void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& rotation,
+                 const DVec3& translation, Skips&& skips, F&& f) {
+    const DMat3 linear = rotation * view.linear;
+    const DVec3 offset = rotation * view.translation + translation;
     const std::span<const std::uint32_t> index = mesh.index_in_spatial_order();
     const auto call = [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
@@ -61,9 +61,9 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
     const auto skipped = [&](const auto& sphere) {
         constexpr double kRounding = 0x1p-40;
         const DVec3 middle = linear * sphere.centre + offset;
-        const DVec3 reach = stretch * (sphere.radius * (1 + kRounding)) +
-                            (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
-        return skips(middle, reach);
+        const DVec3 extent = stretch * (sphere.radius * (1 + kRounding)) +
+                             (glm::abs(middle) + glm::abs(offset) + stretch) * kRounding;
+        return skips(middle, extent);
     };
     using geom::Clusters;
     const std::span<const geom::Cluster> cluster = mesh.clusters.cluster;
@@ -83,18 +83,18 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& t
 }
 
 // half_x, half_y: what fits into the map's inner part, at distance 1 in perspective.
-LightView view_of(const scene::View& view, const DMat3& turn, const DVec3& move, double half_x,
-                  double half_y, int size, int margin) {
+LightView view_of(const scene::View& view, const DMat3& rotation, const DVec3& translation,
+                  double half_x, double half_y, int size, int margin) {
     LightView made;
-    made.turn = turn;
-    made.move = move;
+    made.rotation = rotation;
+    made.translation = translation;
     made.size = size;
     const double inner = size / 2.0 - margin;
     made.texels_x = inner / half_x;
     made.texels_y = inner / half_y;
     made.half = size / 2.0;
-    made.view.linear = turn * view.linear;
-    made.view.translation = turn * view.translation + move;
+    made.view.linear = rotation * view.linear;
+    made.view.translation = rotation * view.translation + translation;
     made.view.half_width = made.half / made.texels_x;
     made.view.half_height = made.half / made.texels_y;
     return made;
@@ -102,17 +102,17 @@ LightView view_of(const scene::View& view, const DMat3& turn, const DVec3& move,
 
 LightView parallel(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                    int size, int margin) {
-    const DMat3 turn = looking_from(normalized(DVec3(light.towards)));
+    const DMat3 rotation = looking_from(normalized(DVec3(light.towards)));
     Bounds bounds;
-    const auto within = [&](const DVec3& middle, const DVec3& reach) {
-        return bounds.hold(middle - reach) && bounds.hold(middle + reach);
+    const auto within = [&](const DVec3& middle, const DVec3& extent) {
+        return bounds.hold(middle - extent) && bounds.hold(middle + extent);
     };
-    for_corners(mesh, view, turn, DVec3(0), within, [&](const DVec3& p) { bounds.add(p); });
+    for_corners(mesh, view, rotation, DVec3(0), within, [&](const DVec3& p) { bounds.add(p); });
     const DVec3 middle = (bounds.low + bounds.high) / 2.0;
     // Nothing is so small or flat that its map would leave the range of floats.
     const DVec3 half = (bounds.high - bounds.low) / 2.0 * kFarShare +
                        DVec3(std::max(radius_of(view) * 0x1p-20, 0x1p-60));
-    LightView made = view_of(view, turn, -middle, half.x, half.y, size, margin);
+    LightView made = view_of(view, rotation, -middle, half.x, half.y, size, margin);
     made.view.projection = scene::Projection::orthographic;
     made.view.depth_origin = -half.z;
     made.view.depth_scale = 1 / (2 * half.z);
@@ -124,10 +124,10 @@ double near_of(const scene::ViewLight& light, const scene::View& view) {
     return std::max(scanout::sqrt(dot3(way, way)), radius_of(view) * 0x1p-6) * kNearShare;
 }
 
-LightView from_place(const scene::ViewLight& light, const scene::View& view, const DMat3& turn,
+LightView from_place(const scene::ViewLight& light, const scene::View& view, const DMat3& rotation,
                      double tan_x, double tan_y, int size, int margin) {
     LightView made =
-        view_of(view, turn, -(turn * place_of(light, view)), tan_x, tan_y, size, margin);
+        view_of(view, rotation, -(rotation * place_of(light, view)), tan_x, tan_y, size, margin);
     made.view.projection = scene::Projection::perspective;
     made.view.near_distance = near_of(light, view);
     return made;
@@ -136,18 +136,19 @@ LightView from_place(const scene::ViewLight& light, const scene::View& view, con
 // The tangents of the half angles that hold the model; beyond kWidestTan where part of it stands
 // beside or behind the light.
 DVec2 tangents(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
-               const DMat3& turn) {
+               const DMat3& rotation) {
     DVec2 widest(0);
-    const auto within = [&](const DVec3& middle, const DVec3& reach) {
-        const double nearest = -(middle.z + reach.z) * (1 - 0x1p-40);
-        return nearest > 0 && std::abs(middle.x) + reach.x < widest.x * nearest &&
-               std::abs(middle.y) + reach.y < widest.y * nearest;
+    const auto within = [&](const DVec3& middle, const DVec3& extent) {
+        const double nearest = -(middle.z + extent.z) * (1 - 0x1p-40);
+        return nearest > 0 && std::abs(middle.x) + extent.x < widest.x * nearest &&
+               std::abs(middle.y) + extent.y < widest.y * nearest;
     };
-    for_corners(mesh, view, turn, -(turn * place_of(light, view)), within, [&](const DVec3& p) {
-        const bool ahead = p.z < 0;
-        widest.x = std::max(widest.x, ahead ? std::abs(p.x) / -p.z : 2 * kWidestTan);
-        widest.y = std::max(widest.y, ahead ? std::abs(p.y) / -p.z : 2 * kWidestTan);
-    });
+    for_corners(mesh, view, rotation, -(rotation * place_of(light, view)), within,
+                [&](const DVec3& p) {
+                    const bool ahead = p.z < 0;
+                    widest.x = std::max(widest.x, ahead ? std::abs(p.x) / -p.z : 2 * kWidestTan);
+                    widest.y = std::max(widest.y, ahead ? std::abs(p.y) / -p.z : 2 * kWidestTan);
+                });
     return widest * kFarShare + DVec2(0x1p-20);
 }
 
@@ -183,8 +184,8 @@ void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const sc
         return out.push_back(parallel(light, mesh, view, size, margin));
     const bool spot = light.kind == scene::LightKind::spot;
     const DVec3 ahead = spot ? DVec3(light.axis) : view.translation - place_of(light, view);
-    const DMat3 turn = looking_from(normalized(-ahead));
-    DVec2 tan = tangents(light, mesh, view, turn);
+    const DMat3 rotation = looking_from(normalized(-ahead));
+    DVec2 tan = tangents(light, mesh, view, rotation);
     if (spot && light.cos_outer > 0.5F) { // the cone, where it is narrower
         const double cosine = light.cos_outer;
         const double cone =
@@ -192,7 +193,7 @@ void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const sc
         tan = {std::min(tan.x, cone), std::min(tan.y, cone)};
     }
     if (std::max(tan.x, tan.y) <= kWidestTan)
-        return out.push_back(from_place(light, view, turn, tan.x, tan.y, size, margin));
+        return out.push_back(from_place(light, view, rotation, tan.x, tan.y, size, margin));
     for (int axis = 0; axis < 3; ++axis) {
         for (const double side : {-1.0, 1.0}) {
             DVec3 back(0);

@@ -12,8 +12,8 @@ namespace scanout::frame {
 
 struct LightView {
     scene::View view;                  // for the raster: of the mesh, in light space
-    DMat3 turn{1};                     // view space of the eye -> light space, a rotation
-    DVec3 move{0};                     // then added
+    DMat3 rotation{1};                 // view space of the eye -> light space
+    DVec3 translation{0};              // then added
     int size = 0;                      // texels a side
     double texels_x = 0, texels_y = 0; // a unit: everywhere, or in perspective at distance 1
     double half = 0;                   // of a receiver's distance from the middle, texels

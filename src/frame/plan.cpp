@@ -10,7 +10,7 @@ namespace {
 
 // Maps change what light falls on, so they come before it; what a surface gives off by itself is
 // added to what it reflects, and no shadow darkens it.
-void put_in_order(std::vector<const shade::Stage*>& stages) {
+void sort_stages(std::vector<const shade::Stage*>& stages) {
     constexpr std::string_view kOrder[] = {"interpolate", "mapping",  "map",      "light", "shadow",
                                            "shading",     "emission", "exposure", "tone"};
     const auto place = [&](const shade::Stage* stage) {
@@ -63,8 +63,8 @@ Result<void> check_numbers(const FrameOptions& o) {
         return fail(Exit::usage, "--light: {} lights; there may be {}", o.lights.size(),
                     scene::kMaxLights);
     if (o.shadow_size < kMinShadowSize || o.shadow_size > kMaxShadowSize)
-        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size,
-                    kMinShadowSize, kMaxShadowSize);
+        return fail(Exit::usage, "--shadow-size {}: choose {} to {}", o.shadow_size, kMinShadowSize,
+                    kMaxShadowSize);
     if (o.shadow_filter < 1 || o.shadow_filter > kMaxShadowFilter)
         return fail(Exit::usage, "--shadow-filter {}: choose 1 to {}", o.shadow_filter,
                     kMaxShadowFilter);
@@ -106,7 +106,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     TRY_VOID(plan_edges(options, facts, planner, plan));
     TRY_VOID(plan_output(options, facts, planner, plan));
     TRY_VOID(plan_sampling(planner, plan, facts));
-    put_in_order(plan.stages);
+    sort_stages(plan.stages);
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));

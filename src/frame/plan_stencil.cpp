@@ -15,7 +15,7 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
     const std::string all = fmt::format("{} triangles, {} lines and {} points", facts.triangles,
                                         facts.lines, facts.points);
     std::string because = "nobody asked for an outline or for counts";
-    if (found->marks == Stencil::Marks::shown)
+    if (found->marks == Stencil::Marks::visible)
         because = fmt::format("{} pixels round what is shown of {}", kOutlineWidth, all);
     else if (found->marks == Stencil::Marks::covering)
         because = fmt::format("counts what lies over each pixel of {}", all);

@@ -34,7 +34,7 @@ struct TileWorker {
 
 namespace {
 
-Visibility nothing_seen(int width, int height, int samples) {
+Visibility empty_visibility(int width, int height, int samples) {
     const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
                               static_cast<std::size_t>(samples);
     return {width, height, samples, std::vector<std::uint32_t>(count), std::vector<float>(count)};
@@ -101,7 +101,7 @@ struct Renderer::State {
     raster::OcclusionHistory occlusion; // of the view
     shade::MipChains mips;
     image::Image back_buffer;
-    ClearedTiles cleared;                   // of it
+    ClearedTiles cleared;             // of it
     shade::WidePicture wide;          // of filters that reach into neighbours
     std::vector<image::Plane> planes; // of a convolution
 
@@ -300,10 +300,10 @@ void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& wor
     if (worker.layers != nullptr) worker.layers->note_pixels(nullptr);
     if (geometry.is_empty(tile)) return;
     if (f.plan.aa->exact)
-        mark_shown(worker.areas, *marks);
+        mark_visible(worker.areas, *marks);
     else
-        mark_shown(worker.visibility, worker.layers != nullptr ? &blended : nullptr,
-                   f.plan.aa->scale, *marks);
+        mark_visible(worker.visibility, worker.layers != nullptr ? &blended : nullptr,
+                     f.plan.aa->scale, *marks);
 }
 
 void Renderer::State::count_work() {
@@ -371,7 +371,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
                   input.visibility, input.shadows};
     cleared.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
-                geometry.tiles(), plan.options.background});
+                   geometry.tiles(), plan.options.background});
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         TileWorker& worker = workers[static_cast<std::size_t>(number)];
         if (marks == nullptr)
@@ -434,7 +434,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
         shadow_pass(s.shadows, {s.jobs, scene, view, plan, s.mips}, transform, tile_size, lights);
     const double geometry_ms = total.milliseconds();
 
-    if (visibility != nullptr) *visibility = nothing_seen(width, height, aa.samples);
+    if (visibility != nullptr) *visibility = empty_visibility(width, height, aa.samples);
     if (linear != nullptr) *linear = shade::LinearPicture(width, height);
     if (plan.stencil == nullptr)
         s.marks.reset();

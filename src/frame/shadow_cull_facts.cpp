@@ -64,7 +64,7 @@ bool plane_between_from(const DVec3& place, const ViewBox& a, const ViewBox& b, 
 } // namespace
 
 bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLight& light,
-                          const scene::View& view, const ShadowTexels& map) {
+                          const scene::View& view, const ShadowMapTexels& map) {
     if (boxes.size() < 2) return true;
     if (light.kind == scene::LightKind::ambient) return true;
     const int texels = map.filter + 4;

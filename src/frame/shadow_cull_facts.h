@@ -9,7 +9,7 @@
 
 namespace scanout::frame {
 
-struct ShadowTexels {
+struct ShadowMapTexels {
     int size = 0;   // texels a side of a map
     int filter = 0; // texels a side that the filter of one receiver reads
 };
@@ -18,7 +18,7 @@ struct ShadowTexels {
 // of a directional light, or the position of another, and no filter of a map mixes texels of both.
 // Boxes in mesh coordinates. Never true of a light with a size, nor in a view that is not known.
 bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLight& light,
-                          const scene::View& view, const ShadowTexels& map);
+                          const scene::View& view, const ShadowMapTexels& map);
 
 // Back faces need not be drawn into the light's shadow map, for what is nearest to the light is
 // front-facing everywhere: the mesh is closed and wound outwards (MeshTopology::fronts_hide_backs,

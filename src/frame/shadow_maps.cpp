@@ -14,8 +14,8 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
     shade::ShadowMap map;
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c)
-            map.turn[r][c] = static_cast<float>(from.turn[c][r]);
-        map.move[r] = static_cast<float>(from.move[r] * unit);
+            map.turn[r][c] = static_cast<float>(from.rotation[c][r]);
+        map.move[r] = static_cast<float>(from.translation[r] * unit);
     }
     const scene::View& view = from.view;
     map.perspective = view.projection == scene::Projection::perspective;

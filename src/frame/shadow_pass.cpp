@@ -54,7 +54,7 @@ void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan,
 }
 
 void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& transform,
-                     const TileGrid& grid, FrameLights& lights) {
+                     const ScreenTiles& grid, FrameLights& lights) {
     CHECK(in.plan.shadow.stage != nullptr);
     const std::string_view technique = in.plan.shadow.stage->card.name;
     const bool volume = technique == "volume", projected = technique == "projected";
@@ -83,11 +83,11 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         shadow.casts = true;
         shadow.shape = light.shape;
         shadow.soft = technique == "map_soft" && light.size > 0;
-        const Thrown thrown{in.scene.mesh, casters_.casts, light, in.view, transform, grid};
+        const ShadowCaster caster{in.scene.mesh, casters_.casts, light, in.view, transform, grid};
         if (volume)
-            shadow_volumes(thrown, casters_.welded, edges_, polygons_[k]);
+            shadow_volumes(caster, casters_.welded, edges_, polygons_[k]);
         else if (projected)
-            projected_shadows(thrown, plane, polygons_[k]);
+            projected_shadows(caster, plane, polygons_[k]);
         else
             maps_.add(in, light, in.plan.options.shadow_size, shadow.soft);
         first_map[k + 1] = maps_.maps().size();
@@ -96,19 +96,19 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         lights_[k].maps = maps_.maps().subspan(first_map[k], first_map[k + 1] - first_map[k]);
 }
 
-const shade::TileShadow* ShadowPass::count(int tile, int worker, const VisibilityTile& seen) {
+const shade::TileShadow* ShadowPass::count(int tile, int worker, const VisibilityTile& visible) {
     if (polygons_.empty()) return nullptr;
-    const std::size_t size = VisibilityTile::kPlane * static_cast<std::size_t>(seen.samples());
+    const std::size_t size = VisibilityTile::kPlane * static_cast<std::size_t>(visible.samples());
     std::vector<float>& counts = counts_[static_cast<std::size_t>(worker)];
     counts.assign(size * polygons_.size(), 0.0F);
     shade::TileShadow& made = tiles_[static_cast<std::size_t>(worker)];
     made = {};
-    made.tile = &seen;
+    made.tile = &visible;
     made.receives = casters_.receives;
     for (std::size_t k = 0; k < polygons_.size(); ++k) {
         if (!lights_[k].casts) continue;
         float* planes = counts.data() + size * k;
-        polygons_[k].count(tile, seen, planes);
+        polygons_[k].count(tile, visible, planes);
         made.count[k] = planes;
         made.polygons[k] = polygons_[k].in_tile(tile);
     }

@@ -23,12 +23,12 @@ public:
         : maps_(threads), counts_(static_cast<std::size_t>(threads)),
           tiles_(static_cast<std::size_t>(threads)) {}
     // Lights that cast vary from then on. The scene must outlive the frame.
-    void run(const ShadowScene& in, const raster::ScreenTransform& transform, const TileGrid& grid,
-             FrameLights& lights);
+    void run(const ShadowScene& in, const raster::ScreenTransform& transform,
+             const ScreenTiles& grid, FrameLights& lights);
     std::span<const shade::LightShadow> lights() const { return lights_; }
     // Counts over a tile's samples, for the stage; null where the plan's technique reads maps. The
     // result is the worker's until its next call.
-    const shade::TileShadow* count(int tile, int worker, const raster::VisibilityTile& seen);
+    const shade::TileShadow* count(int tile, int worker, const raster::VisibilityTile& visible);
     // Of maps and polygons; what each worker counts in for one tile is not in it.
     std::size_t bytes() const;
 

@@ -57,7 +57,7 @@ bool has_edges(const std::array<std::uint32_t, 3>& v) {
     return v[0] != v[1] && v[1] != v[2] && v[2] != v[0];
 }
 
-void bin(const TileGrid& grid, ShadowPolygons& polygons) {
+void bin(const ScreenTiles& grid, ShadowPolygons& polygons) {
     const auto tiles = [&](int pixels) { return (pixels + grid.tile_size - 1) / grid.tile_size; };
     const int across = tiles(grid.width);
     polygons.tiles.resize(static_cast<std::size_t>(across) *
@@ -224,14 +224,14 @@ void ShadowPolygons::clear() {
         tile.clear();
 }
 
-void ShadowPolygons::count(int tile, const raster::VisibilityTile& seen, float* counts) const {
-    const raster::StencilPlanes planes{seen.area(), seen.pattern(), seen.depths(0).data(),
-                                       seen.ids(0).data(), counts};
+void ShadowPolygons::count(int tile, const raster::VisibilityTile& visible, float* counts) const {
+    const raster::StencilPlanes planes{visible.area(), visible.pattern(), visible.depths(0).data(),
+                                       visible.ids(0).data(), counts};
     for (const std::uint32_t i : tiles[static_cast<std::size_t>(tile)])
         add_to_stencil(planes, triangles[i], where);
 }
 
-void shadow_volumes(const Thrown& t, const Welded& welded, std::vector<ShadowEdge>& edges,
+void shadow_volumes(const ShadowCaster& t, const Welded& welded, std::vector<ShadowEdge>& edges,
                     ShadowPolygons& out) {
     out.clear();
     out.where = raster::StencilWhere::behind;
@@ -240,7 +240,7 @@ void shadow_volumes(const Thrown& t, const Welded& welded, std::vector<ShadowEdg
     bin(t.grid, out);
 }
 
-void projected_shadows(const Thrown& t, const ViewPlane& plane, ShadowPolygons& out) {
+void projected_shadows(const ShadowCaster& t, const ViewPlane& plane, ShadowPolygons& out) {
     out.clear();
     out.where = raster::StencilWhere::everywhere;
     const bool parallel = t.light.kind == scene::LightKind::directional;

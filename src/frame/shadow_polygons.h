@@ -16,18 +16,18 @@
 namespace scanout::frame {
 
 // The picture and its tiles, numbered along rows.
-struct TileGrid {
+struct ScreenTiles {
     int width = 0, height = 0, tile_size = 0, samples = 1;
 };
 
 // What throws a shadow, from where, and onto what screen.
-struct Thrown {
+struct ShadowCaster {
     const geom::Mesh& mesh;
     std::span<const std::uint8_t> casts; // by triangle
     const scene::ViewLight& light;
     const scene::View& view;
     const raster::ScreenTransform& transform;
-    const TileGrid& grid;
+    const ScreenTiles& grid;
 };
 
 // Vertices at one place taken as one (HARD-CASES 45). It follows from the mesh and from which of
@@ -57,7 +57,7 @@ struct ShadowPolygons {
     // Forgets the polygons; memory is kept.
     void clear();
     // Adds to the tile's counts.
-    void count(int tile, const raster::VisibilityTile& seen, float* counts) const;
+    void count(int tile, const raster::VisibilityTile& visible, float* counts) const;
 };
 
 // The borders of the space that the triangles hide from the light: the triangles themselves, the
@@ -65,8 +65,8 @@ struct ShadowPolygons {
 // behind a point, those that leave the space less those that enter it are how often the point is
 // hidden. Of a closed mesh that the light stands outside of the triangles that face it, otherwise
 // all; edges between two of them have no side. `edges` is room.
-void shadow_volumes(const Thrown& thrown, const Welded& welded, std::vector<ShadowEdge>& edges,
-                    ShadowPolygons& out);
+void shadow_volumes(const ShadowCaster& caster, const Welded& welded,
+                    std::vector<ShadowEdge>& edges, ShadowPolygons& out);
 
 // A plane of view space, normal . p + offset = 0.
 struct ViewPlane {
@@ -75,6 +75,6 @@ struct ViewPlane {
 };
 
 // What the triangles between the light and the plane throw onto it.
-void projected_shadows(const Thrown& thrown, const ViewPlane& plane, ShadowPolygons& out);
+void projected_shadows(const ShadowCaster& caster, const ViewPlane& plane, ShadowPolygons& out);
 
 } // namespace scanout::frame

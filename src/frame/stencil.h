@@ -44,7 +44,7 @@ private:
 struct Stencil {
     enum class Marks : std::uint8_t {
         nothing,
-        shown,   // 1 where a pixel shows something of the model, at whatever sample
+        visible, // 1 where a pixel shows something of the model, at whatever sample
         covering // how many primitives lie over the pixel's centre, 255 at most
     };
     Technique card;

@@ -4,8 +4,8 @@
 
 namespace scanout::frame {
 
-void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended, int scale,
-                StencilBuffer& out) {
+void mark_visible(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended,
+                  int scale, StencilBuffer& out) {
     const image::Rect& area = tile.area();
     for (int y = area.y0; y < area.y1; ++y) {
         const auto row = out.row(y / scale);
@@ -20,7 +20,7 @@ void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels*
     }
 }
 
-void mark_shown(raster::AreaTile& tile, StencilBuffer& out) {
+void mark_visible(raster::AreaTile& tile, StencilBuffer& out) {
     const image::Rect& area = tile.area();
     for (int y = area.y0; y < area.y1; ++y)
         for (int x = area.x0; x < area.x1; ++x)

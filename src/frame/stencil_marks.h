@@ -10,10 +10,10 @@ namespace scanout::frame {
 
 // What a tile shows. A pixel of the picture is a square of `scale` pixels of the tile on each side,
 // all within it. blended: pixels that also show something; null: none.
-void mark_shown(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended, int scale,
-                StencilBuffer& out);
+void mark_visible(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended,
+                  int scale, StencilBuffer& out);
 // The same by areas.
-void mark_shown(raster::AreaTile& tile, StencilBuffer& out);
+void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 
 // Counts what lies over the pixels of a tile, hidden or not; of what the geometry culled, nothing.
 // The geometry must have taken all for opaque. scratch is drawn over, order is room.

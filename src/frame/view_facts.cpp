@@ -22,13 +22,13 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
     const bool casts = light.casts && light.kind != scene::LightKind::ambient;
     const bool may_miss = light.kind == scene::LightKind::spot && view.near_distance > 0;
     if (!casts && !may_miss) return found;
-    const scene::ViewLight seen = in_view(light, view, facts);
-    found.reaches = !may_miss || may_be_lit(seen, view);
+    const scene::ViewLight placed = in_view(light, view, facts);
+    found.reaches = !may_miss || may_be_lit(placed, view);
     if (!casts || !found.reaches) return found;
-    const ShadowTexels map{options.shadow_size, options.shadow_filter};
+    const ShadowMapTexels map{options.shadow_size, options.shadow_filter};
     found.shadows_disjoint =
-        shadows_are_disjoint(facts.topology.convex_components, seen, view, map);
-    found.only_front_faces = only_front_faces_cast(facts.topology, seen, view);
+        shadows_are_disjoint(facts.topology.convex_components, placed, view, map);
+    found.only_front_faces = only_front_faces_cast(facts.topology, placed, view);
     return found;
 }
 
@@ -37,7 +37,7 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
 ViewFacts view_facts(const FrameOptions& options, const SceneFacts& facts,
                      const scene::View& view) {
     ViewFacts found;
-    found.in_view = may_be_seen(view);
+    found.in_view = may_be_visible(view);
     found.orthographic = view.projection == scene::Projection::orthographic;
     if (!found.in_view) return found;
     found.inside = may_be_inside(facts.topology, view);

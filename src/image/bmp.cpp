@@ -102,13 +102,13 @@ Result<void> check_layout(const Source& file, const Bmp& bmp) {
     return {};
 }
 
-void put_u32(Bytes& out, std::uint32_t value) {
+void append_u32(Bytes& out, std::uint32_t value) {
     for (int i = 0; i < 4; ++i)
         out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }
 
 // The palette with 256 entries of four bytes: an index past the file's palette finds black.
-Result<void> put_palette(const Source& file, const Bmp& bmp, Bytes& out) {
+Result<void> append_palette(const Source& file, const Bmp& bmp, Bytes& out) {
     const std::size_t entry = bmp.header == 12 ? 3 : 4;
     const std::size_t begin = kFileHeader + bmp.header;
     const std::size_t count = std::min<std::size_t>((bmp.pixels - begin) / entry, 256);
@@ -122,20 +122,20 @@ Result<void> put_palette(const Source& file, const Bmp& bmp, Bytes& out) {
     return {};
 }
 
-void put_header(const Bmp& bmp, Bytes& out) {
+void append_header(const Bmp& bmp, Bytes& out) {
     const std::size_t palette = bmp.bits <= 8 ? std::size_t{256} * 4 : 0;
     out = {'B', 'M'};
-    put_u32(out, 0); // file size and what follows: stb_image does not read them
-    put_u32(out, 0);
-    put_u32(out, static_cast<std::uint32_t>(kFileHeader + kV4Header + palette));
-    put_u32(out, kV4Header);
-    put_u32(out, static_cast<std::uint32_t>(bmp.width));
-    put_u32(out, static_cast<std::uint32_t>(bmp.top_down ? -bmp.height : bmp.height));
-    put_u32(out, 1u | static_cast<std::uint32_t>(bmp.bits) << 16); // one plane
-    put_u32(out, bmp.compression == kPlain ? kPlain : kBitFields);
+    append_u32(out, 0); // file size and what follows: stb_image does not read them
+    append_u32(out, 0);
+    append_u32(out, static_cast<std::uint32_t>(kFileHeader + kV4Header + palette));
+    append_u32(out, kV4Header);
+    append_u32(out, static_cast<std::uint32_t>(bmp.width));
+    append_u32(out, static_cast<std::uint32_t>(bmp.top_down ? -bmp.height : bmp.height));
+    append_u32(out, 1u | static_cast<std::uint32_t>(bmp.bits) << 16); // one plane
+    append_u32(out, bmp.compression == kPlain ? kPlain : kBitFields);
     out.resize(kFileHeader + 40);
     for (const std::uint32_t mask : bmp.masks)
-        put_u32(out, mask);
+        append_u32(out, mask);
     out.resize(kFileHeader + kV4Header);
 }
 
@@ -149,8 +149,8 @@ Result<Image> decode_bmp(const Source& file) {
     Bytes plain;
     const std::size_t pixel_bytes = bmp.stride() * static_cast<std::size_t>(bmp.height);
     plain.reserve(kFileHeader + kV4Header + std::size_t{256} * 4 + pixel_bytes);
-    put_header(bmp, plain);
-    if (bmp.bits <= 8) TRY_VOID(put_palette(file, bmp, plain));
+    append_header(bmp, plain);
+    if (bmp.bits <= 8) TRY_VOID(append_palette(file, bmp, plain));
     const std::size_t begin = plain.size();
     const auto rows =
         file.bytes.subspan(bmp.pixels, std::min(pixel_bytes, file.bytes.size() - bmp.pixels));

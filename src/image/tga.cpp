@@ -80,23 +80,23 @@ std::size_t pixel_data_bytes(const Source& file, const Tga& tga) {
     return at - tga.pixels;
 }
 
-void put_u16(Bytes& out, std::uint32_t value) {
+void append_u16(Bytes& out, std::uint32_t value) {
     out.push_back(static_cast<std::uint8_t>(value));
     out.push_back(static_cast<std::uint8_t>(value >> 8));
 }
 
 // A header without identification; of the colour map, only what the pixels use, counted from 0.
-void put_header(const Source& file, const Tga& tga, Bytes& out) {
+void append_header(const Source& file, const Tga& tga, Bytes& out) {
     const bool mapped = tga.kind == 1;
     const std::uint32_t entries = mapped ? tga.map_first + tga.map_length : 0;
     out = {0, mapped, static_cast<std::uint8_t>(tga.kind + (tga.run_length ? 8u : 0u))};
-    put_u16(out, 0);
-    put_u16(out, entries);
+    append_u16(out, 0);
+    append_u16(out, entries);
     out.push_back(static_cast<std::uint8_t>(mapped ? tga.map_bits : 0));
-    put_u16(out, 0);
-    put_u16(out, 0);
-    put_u16(out, tga.width);
-    put_u16(out, tga.height);
+    append_u16(out, 0);
+    append_u16(out, 0);
+    append_u16(out, tga.width);
+    append_u16(out, tga.height);
     out.push_back(static_cast<std::uint8_t>(tga.bits));
     out.push_back(static_cast<std::uint8_t>(tga.descriptor & kTopDown));
     if (!mapped) return;
@@ -128,7 +128,7 @@ Result<Image> decode_tga(const Source& file) {
         return fail(Exit::unreadable, "{}: ends early: it holds fewer than its {}x{} pixels",
                     file.name, tga.width, tga.height);
     Bytes plain;
-    put_header(file, tga, plain);
+    append_header(file, tga, plain);
     const auto pixels = file.bytes.subspan(tga.pixels, needed);
     plain.insert(plain.end(), pixels.begin(), pixels.end());
     TRY(Image image, decode_by_stb(plain, file.name));

@@ -89,8 +89,8 @@ Result<void> Explainer::begin() {
     for (const frame::Decision& decision : plan_.decisions) {
         EffectRow row;
         row.decision = decision;
-        if (const auto share = shares_.find(decision.effect); share != shares_.end())
-            row.pixel_share = share->second;
+        if (const auto fraction = shares_.find(decision.effect); fraction != shares_.end())
+            row.pixel_share = fraction->second;
         if (decision.effect == "two_sided" && decision.on()) row.faces_away = faces_away_;
         if (const auto held = bytes.find(decision.effect); held != bytes.end())
             row.bytes = held->second;

@@ -1,5 +1,5 @@
-// Why a frame looks as it does: each effect of its plan with the fact that decided it, its share of
-// the picture, its price in time and memory, and what would change if it were switched the other
+// Why a frame looks as it does: each effect of its plan with the fact that decided it, its fraction
+// of the picture, its price in time and memory, and what would change if it were switched the other
 // way: for what is on the error of leaving it out, for what is off the proof that nothing is
 // missing.
 #pragma once
@@ -46,8 +46,8 @@ struct FacesAway {
 
 struct EffectRow {
     frame::Decision decision;
-    // The share of the picture's pixels whose nearest surface calls for the effect, 0 to 1; nothing
-    // where that is not a matter of the material.
+    // The fraction of the picture's pixels whose nearest surface calls for the effect, 0 to 1;
+    // nothing where that is not a matter of the material.
     std::optional<double> pixel_share;
     std::optional<FacesAway> faces_away; // of two_sided where it is on
     std::uint64_t bytes = 0;             // that the effect holds
@@ -80,7 +80,7 @@ struct ExplainOptions {
     bool times = true;
     double seconds_a_row = 0.25; // of measuring time, about
     std::size_t fewest_pairs = 3;
-    std::function<void(double share)> progress;
+    std::function<void(double fraction)> progress;
 };
 
 // Draws the frame with each effect switched. Fails like frame::plan.

@@ -91,37 +91,38 @@ const std::vector<Light>& default_lights() {
 
 ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) {
     const Placer placer{light, view, mesh};
-    ViewLight seen;
-    seen.kind = light.kind;
-    seen.shape = light.shape;
-    seen.casts = light.casts && light.kind != LightKind::ambient;
-    seen.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMaxPower));
-    if (light.kind == LightKind::ambient) return seen;
+    ViewLight placed;
+    placed.kind = light.kind;
+    placed.shape = light.shape;
+    placed.casts = light.casts && light.kind != LightKind::ambient;
+    placed.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMaxPower));
+    if (light.kind == LightKind::ambient) return placed;
     if (light.kind == LightKind::directional) {
-        seen.towards = Vec3(placer.direction(light.towards));
+        placed.towards = Vec3(placer.direction(light.towards));
         const double rim = std::clamp(light.size, 0.0, kMaxRimDegrees);
-        seen.size = static_cast<float>(sin_degrees(rim) / cos_degrees(rim));
-        return seen;
+        placed.size = static_cast<float>(sin_degrees(rim) / cos_degrees(rim));
+        return placed;
     }
     const DVec3 position = placer.place(light.position);
     const DVec3 to_centre = view.world_origin - position;
     const double unit = to_floats(view);
-    seen.position = Vec3(position * unit);
-    seen.reach =
+    placed.position = Vec3(position * unit);
+    placed.reach =
         static_cast<float>(std::max(scanout::sqrt(dot3(to_centre, to_centre)), 1.0) * unit);
-    seen.size = static_cast<float>(placer.size() * unit);
+    placed.size = static_cast<float>(placer.size() * unit);
     // Its square must not be 0: shares are divided by it.
-    seen.nearest = static_cast<float>(std::max(std::max(placer.size(), kNearest) * unit, 0x1p-50));
+    placed.nearest =
+        static_cast<float>(std::max(std::max(placer.size(), kNearest) * unit, 0x1p-50));
     if (light.kind == LightKind::spot) {
-        seen.axis = Vec3(normalized(placer.aim() - position, DVec3(0, 0, -1)));
+        placed.axis = Vec3(normalized(placer.aim() - position, DVec3(0, 0, -1)));
         // A cone of half a turn holds what rounding leaves behind the light, too.
         const auto cosine = [](double degrees) {
             return degrees < 180 ? static_cast<float>(cos_degrees(degrees)) : -2.0F;
         };
-        seen.cos_inner = cosine(light.inner_degrees);
-        seen.cos_outer = cosine(light.outer_degrees);
+        placed.cos_inner = cosine(light.inner_degrees);
+        placed.cos_outer = cosine(light.outer_degrees);
     }
-    return seen;
+    return placed;
 }
 
 } // namespace scanout::scene

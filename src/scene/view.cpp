@@ -88,7 +88,7 @@ void set_normal_matrix(View& view) {
 }
 
 void set_projection(View& view, const CameraOptions& camera, double tan_half, double aspect,
-                    double distance, double reach) {
+                    double distance, double radius) {
     view.projection = camera.projection;
     view.centre_distance = -view.translation.z;
     const bool perspective = camera.projection == Projection::perspective;
@@ -99,22 +99,22 @@ void set_projection(View& view, const CameraOptions& camera, double tan_half, do
     view.near_distance = distance * 0x1p-14;
     // Without perspective it changes nothing how far away the model stands; from very far its own
     // depth would be lost in the sum.
-    if (!perspective && std::abs(view.translation.z) > reach * 0x1p20) {
+    if (!perspective && std::abs(view.translation.z) > radius * 0x1p20) {
         view.world_origin.z -= view.translation.z;
         view.translation.z = 0;
     }
-    view.depth_origin = view.translation.z - reach;
-    view.depth_scale = 1 / (2 * reach);
+    view.depth_origin = view.translation.z - radius;
+    view.depth_scale = 1 / (2 * radius);
 }
 
 // Whether all that is made of the view stays a number: floats hold depth, at most this small, and
 // doubles products of three coordinates.
-Result<void> check_ratios(const View& view, double distance, double reach) {
+Result<void> check_ratios(const View& view, double distance, double radius) {
     constexpr double kLeast = 0x1p-120;
-    const double far = std::max(view.centre_distance, 0.0) + reach;
+    const double far = std::max(view.centre_distance, 0.0) + radius;
     const bool fits = view.projection == Projection::perspective
                           ? view.near_distance >= far * kLeast
-                          : view.half_height >= reach * kLeast;
+                          : view.half_height >= radius * kLeast;
     if (fits) return {};
     return fail(Exit::usage,
                 "a camera {} bounding radii from its target is too close for a model that reaches "
@@ -201,7 +201,7 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     TRY(const Stand stand, stand_of(mesh, camera, up, fit_distance));
     const double elevation =
         std::clamp(stand.elevation + units_to_degrees(orbit.elevation), -90.0, 90.0);
-    const DMat3 turn =
+    const DMat3 rotation =
         rotation_z(units_to_degrees(orbit.roll)) * rotation_x(elevation) *
         rotation_y(-(stand.azimuth + units_to_degrees(orbit.azimuth))); // world -> view
     const double distance = stand.distance / zoom_scale(orbit.zoom);
@@ -211,24 +211,24 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     const DMat3 placed = rotation_z(model.rotate_degrees.z) * rotation_y(model.rotate_degrees.y) *
                          rotation_x(model.rotate_degrees.x) * scale;
     const DMat3 posed = rotation_z(units_to_degrees(pose.roll)) *
-                        rotation_x(units_to_degrees(pose.pitch)) * turn *
+                        rotation_x(units_to_degrees(pose.pitch)) * rotation *
                         rotation_y(units_to_degrees(pose.yaw));
     View view;
     view.linear = posed * placed * up * (zoom_scale(pose.zoom) / mesh.radius);
-    view.translation = turn * (model.translate - stand.target) +
+    view.translation = rotation * (model.translate - stand.target) +
                        pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
                        pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - DVec3(0, 0, distance);
-    view.world_axes = turn * up;
-    view.world_origin = turn * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
+    view.world_axes = rotation * up;
+    view.world_origin = rotation * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
                         DVec3(0, 0, distance);
     TRY_VOID(check_size(view, distance));
     set_normal_matrix(view);
-    // The model's sphere in view space lies within `reach` of its centre: |linear p| <= 3 max |p|.
+    // The model's sphere in view space lies within `radius` of its centre: |linear p| <= 3 max |p|.
     const double largest = largest_entry(view.linear);
-    const double reach =
+    const double radius =
         largest * 3.001 + (largest > 0 ? std::min(largest * 0x1p-10, 0x1p-20) : 0x1p-20);
-    set_projection(view, camera, tan_half, aspect, distance, reach);
-    TRY_VOID(check_ratios(view, distance, reach));
+    set_projection(view, camera, tan_half, aspect, distance, radius);
+    TRY_VOID(check_ratios(view, distance, radius));
     return view;
 }
 

@@ -58,14 +58,14 @@ TEST(BoundingSphere, NothingThatAPictureShowsIsOutOfView) {
         };
         if (any_vertex(*view, 1, shown)) {
             ++seen;
-            EXPECT_TRUE(may_be_seen(*view)) << round;
-        } else if (!may_be_seen(*view)) {
+            EXPECT_TRUE(may_be_visible(*view)) << round;
+        } else if (!may_be_visible(*view)) {
             ++unseen;
         }
     }
     EXPECT_GT(seen, 500);
     EXPECT_GT(unseen, 500);
-    EXPECT_TRUE(may_be_seen(scene::View()));
+    EXPECT_TRUE(may_be_visible(scene::View()));
 }
 
 TEST(BoundingSphere, NothingThatASpotShinesOnIsBesideItsCone) {

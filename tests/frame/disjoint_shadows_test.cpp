@@ -88,7 +88,7 @@ TEST(DisjointShadows, IsToldFromBoxesAndTheLight) {
     const geom::Box left{DVec3(-0.9, -0.1, -0.1), DVec3(-0.7, 0.1, 0.1)},
         right{DVec3(0.7, -0.1, -0.1), DVec3(0.9, 0.1, 0.1)};
     const geom::Box both[] = {left, right};
-    const ShadowTexels map{1024, 3};
+    const ShadowMapTexels map{1024, 3};
     scene::ViewLight light;
     light.towards = {0, 1, 0};
     EXPECT_TRUE(shadows_are_disjoint(both, light, view, map));

@@ -41,7 +41,7 @@ TEST(LightView, IsTheSameToTheBitWithClustersAndWithout) {
         for (std::size_t i = 0; i < with.size(); ++i) {
             EXPECT_EQ(with[i].texels_x, without[i].texels_x) << round;
             EXPECT_EQ(with[i].texels_y, without[i].texels_y) << round;
-            EXPECT_EQ(with[i].move, without[i].move) << round;
+            EXPECT_EQ(with[i].translation, without[i].translation) << round;
             EXPECT_EQ(with[i].view.depth_scale, without[i].view.depth_scale) << round;
             EXPECT_EQ(with[i].view.translation, without[i].view.translation) << round;
         }

@@ -63,7 +63,7 @@ constinit const Stencil outline{{.axis = "stencil",
                                  .blurb = "a line of 2 pixels round all that is shown",
                                  .source = "McReynolds and Blythe 2005",
                                  .kind = Kind::model},
-                                Stencil::Marks::shown,
+                                Stencil::Marks::visible,
                                 show_outline};
 
 } // namespace scanout::frame::stencil
