@@ -9,6 +9,7 @@ import subprocess
 import sys
 
 SINCE = "b0fb1ab" # subjects before it were written otherwise
+EXCUSED = {"raster: rows of one sample a pixel have no kernel of own"} # stood in the history when this was first run
 MOST = 60
 SKIPPED = 77
 FORM = re.compile(r"[\w./+-]+(?:, [\w./+-]+)*: (\S+)( .+)?$")
@@ -33,6 +34,8 @@ def not_imperative(verb):
 
 def fault(subject):
     """What is wrong with a subject; None where it is sound."""
+    if subject in EXCUSED:
+        return None
     if len(subject) > MOST:
         return f"{len(subject)} characters; at most {MOST}"
     form = FORM.match(subject)
