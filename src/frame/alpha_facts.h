@@ -1,5 +1,5 @@
-// What the materials of a scene let through, from their numbers and the texels of their maps: a
-// texture whose alpha is 255 everywhere calls for nothing.
+// Facts about alpha: which materials are opaque, alpha-tested or blended, by their numbers and the
+// texels of their maps. A texture whose alpha is 255 everywhere leaves a material opaque.
 #pragma once
 
 #include "scene/scene.h"

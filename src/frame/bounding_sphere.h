@@ -1,4 +1,5 @@
-// What can be told of a view from the model's bounding sphere alone, before anything is drawn.
+// The model's bounding sphere against the view frustum and against spot lights' cones, before
+// anything is drawn.
 #pragma once
 
 #include "scene/light.h"
@@ -13,9 +14,9 @@ struct BoundingSphere {
 };
 BoundingSphere bounding_sphere(const scene::View& view);
 
-// A view without a near plane, as of a plan that knows none, is anywhere.
+// Frustum test; always true of a view without a near plane, as a plan that knows none has.
 bool may_be_visible(const scene::View& view);
-// Whether a spot's cone meets the model; all other lights reach everything.
+// Cone test: whether a spot's cone meets the sphere; all other lights reach everything.
 bool may_be_lit(const scene::ViewLight& light, const scene::View& view);
 
 } // namespace scanout::frame

@@ -1,4 +1,4 @@
-// How bright a scene can get: the fact that decides between cutting light off at 1 and a film's
+// An upper bound of a scene's light: decides between tone mapping by a clamp at 1 and by a filmic
 // curve.
 #pragma once
 

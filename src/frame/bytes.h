@@ -1,4 +1,4 @@
-// The memory that a frame's effects hold.
+// The memory that each effect of a frame holds.
 #pragma once
 
 #include "frame/plan.h"

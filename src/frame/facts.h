@@ -1,5 +1,5 @@
-// Facts about a scene, justified by its data and not by its file's words: what the plan decides
-// from. Counted once when a model is loaded.
+// Facts about a scene, by its data and not by what its file claims: what the plan decides from.
+// Gathered once when a model is loaded.
 #pragma once
 
 #include "frame/alpha_facts.h"
@@ -34,7 +34,7 @@ struct SceneFacts {
     bool uv = false;                                    // some face has texture coordinates
     bool vertex_colours = false, white_colours = false; // there are some; all of them are white
     AlphaFacts alpha;
-    // Whose material has the map, and in it something that can change a pixel.
+    // Triangles whose material has the map, and whose map can change a pixel.
     std::array<std::size_t, shade::kMaps> mapped_triangles{};
     shade::MapBits readable_maps = 0;   // some triangle's material has it, whatever it holds
     std::size_t emitting_triangles = 0; // Ke above 0, and map_Ke not black
@@ -44,8 +44,8 @@ struct SceneFacts {
     bool black_by_maps = false; // no material reflects light evenly: what has a Kd has a black map
     ShadowPlane shadow_plane;
 
-    // The effects that are a matter of the material, by their name in the plan: which materials
-    // call for them. `explain` counts the pixels that show one of these.
+    // The materials that call for an effect, by the effect's name in the plan. `explain` counts
+    // the pixels that show one of them.
     using MaterialSets = std::map<std::string, MaterialSet, std::less<>>;
     MaterialSets materials_of;
     // Of highlights, map_Ks and map_Ns where the user has physical materials reflect by these, too.

@@ -1,5 +1,5 @@
-// Where a light looks from when its shadow map is drawn: one view that just holds what throws
-// shadows, or six round about a light that stands among it.
+// The views of a light from which its shadow maps are drawn: one view that just holds the shadow
+// casters, or the six faces of a cube around a light that is among them.
 #pragma once
 
 #include "geom/mesh.h"
@@ -19,13 +19,13 @@ struct LightView {
     double half = 0;                   // of a receiver's distance from the middle, texels
 };
 
-// Where a light at a place stands, and how far view space reaches: in the view's own lengths.
+// The position of a point or spot light, and the extent of view space: in the view's own lengths.
 DVec3 place_of(const scene::ViewLight& light, const scene::View& view);
 double radius_of(const scene::View& view); // near the model's, at least
 
 // light: not ambient. size: texels a side of a single view; six have half as many each. margin:
-// texels around what throws shadows that stay empty, or on which two of six views overlap. What
-// stood in `out` goes.
+// texels around the shadow casters that stay empty, or on which two of six views overlap. Replaces
+// what `out` held.
 void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                  int size, int margin, std::vector<LightView>& out);
 

@@ -16,9 +16,9 @@ class FrameLights {
 public:
     FrameLights(const FramePlan& plan, const scene::View& view, const geom::Mesh& mesh);
 
-    // The light differs from lane to lane for another reason than its kind: a shadow.
+    // The light differs between pixels although its kind does not make it so: it casts a shadow.
     void set_varies(std::size_t light);
-    // What points into this object.
+    // Sets the spans of `frame` that point into this object.
     void describe(shade::FrameState& frame) const;
     std::span<const scene::ViewLight> lights() const { return std::span(lights_).first(count_); }
 

@@ -1,6 +1,6 @@
-// Which maps a scene calls for, by what their pictures hold and what they are multiplied with: a
-// normal map that is flat everywhere, a map_Ks that is white, a map_Kd under a black Kd change
-// nothing.
+// Facts about texture maps: which of them can change a pixel, by their texels and the factors of
+// the material. A normal map that is flat everywhere, a white map_Ks or a map_Kd under a black Kd
+// changes nothing.
 #pragma once
 
 #include "scene/scene.h"
@@ -26,7 +26,7 @@ public:
     bool matters_by_ks(const scene::Material& material, shade::Map map) const;
     // Whether all texels of a texture are one colour, so that every filter gives the same.
     bool constant(std::int32_t texture) const;
-    // Whether something is left of what a material says, after its maps.
+    // Whether the material's product of factor and map is above 0 somewhere.
     bool reflects(const scene::Material& material) const; // Kd
     bool shines(const scene::Material& material) const;   // a highlight
     bool shines_by_ks(const scene::Material& material) const;

@@ -1,5 +1,5 @@
-// Whether a view shows textures minified, more than a texel a pixel: only then are there mipmaps.
-// Told without drawing, from bounds that are gathered once.
+// Texture minification: how many texels a pixel spans in a view, at most. Above one, mip levels are
+// made. Found before drawing, from bounds that are gathered once.
 #pragma once
 
 #include "frame/eye.h"

@@ -1,5 +1,5 @@
-// The pass that draws shadow maps: the depth of the scene's triangles as each light that casts sees
-// them, by the same geometry and coverage as the picture. Williams 1978, [Primer 10].
+// The pass that draws shadow maps: the depth of the scene's triangles in the views of each light
+// that casts shadows, by the same geometry and coverage as the picture. Williams 1978, [Primer 10].
 #pragma once
 
 #include "base/jobs.h"
@@ -17,7 +17,7 @@
 
 namespace scanout::frame {
 
-// Of one frame: what throws its shadows. What it names must outlive the frame.
+// The shadow casters of one frame. What it refers to must outlive the frame.
 struct ShadowScene {
     Jobs& jobs;
     const scene::Scene& scene;
@@ -29,7 +29,7 @@ struct ShadowScene {
 class ShadowMaps {
 public:
     explicit ShadowMaps(int threads) : workers_(static_cast<std::size_t>(threads)) {}
-    // Appends the light's maps; spans of what was there are void.
+    // Appends the light's maps; spans of earlier maps become invalid.
     void add(const ShadowScene& in, const scene::ViewLight& light, int size, bool soft);
     void clear();
     std::span<const shade::ShadowMap> maps() const { return maps_; }

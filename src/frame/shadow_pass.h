@@ -1,5 +1,5 @@
-// Everything that a frame's shadows need beside their stage: maps before the tiles, or polygons
-// that are counted with each tile. There is none in a frame whose plan runs no shadow stage.
+// The shadow pass: shadow maps, drawn before the tiles, or shadow polygons (volumes, projected
+// shadows), counted with each tile. A frame whose plan runs no shadow stage has none.
 #pragma once
 
 #include "base/jobs.h"
@@ -26,15 +26,15 @@ public:
     void run(const ShadowScene& in, const raster::ScreenTransform& transform,
              const ScreenTiles& grid, FrameLights& lights);
     std::span<const shade::LightShadow> lights() const { return lights_; }
-    // Counts over a tile's samples, for the stage; null where the plan's technique reads maps. The
-    // result is the worker's until its next call.
+    // Stencil counts of a tile's samples, which the shadow stage reads; null where the plan's
+    // technique reads maps. The result is valid until the worker's next call.
     const shade::TileShadow* count(int tile, int worker, const raster::VisibilityTile& visible);
-    // Of maps and polygons; what each worker counts in for one tile is not in it.
+    // Of maps and polygons, without the planes in which workers count.
     std::size_t bytes() const;
 
 private:
-    // What follows from the scene and the plan, not from the view or the lights. Of a scene with
-    // the same revision (0: none has) it stays as it is.
+    // Depends on the scene and the plan, not on the view or the lights: cached while the scene's
+    // revision is the same (0: never).
     struct Casters {
         std::uint64_t revision = 0;
         std::vector<raster::AlphaMode> layers;

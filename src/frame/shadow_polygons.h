@@ -1,5 +1,6 @@
-// The polygons of a light's shadows on the screen, by tile: the borders of shadow volumes, or what
-// every triangle throws onto a plane. They are counted over the tile's samples after visibility.
+// The polygons of a light's shadows on the screen, binned by tile: the faces of shadow volumes, or
+// the triangles projected onto a plane. Stencil counts of a tile's samples are made of them, after
+// its visibility.
 #pragma once
 
 #include "raster/count/infinite_polygon.h"
@@ -15,12 +16,12 @@
 
 namespace scanout::frame {
 
-// The picture and its tiles, numbered along rows.
+// The tiles of the picture, numbered along rows.
 struct ScreenTiles {
     int width = 0, height = 0, tile_size = 0, samples = 1;
 };
 
-// What throws a shadow, from where, and onto what screen.
+// The triangles that cast shadows, the light, and the screen.
 struct ShadowCaster {
     const geom::Mesh& mesh;
     std::span<const std::uint8_t> casts; // by triangle
@@ -30,8 +31,8 @@ struct ShadowCaster {
     const ScreenTiles& grid;
 };
 
-// Vertices at one place taken as one (HARD-CASES 45). It follows from the mesh and from which of
-// its triangles throw shadows.
+// Vertices at one position welded into one (HARD-CASES 45). Depends on the mesh and on which of its
+// triangles cast shadows.
 struct Welded {
     std::vector<std::uint32_t> vertex; // of each vertex, the first at its place
     bool closed = false;               // every edge belongs to two triangles that wind the same way
@@ -54,17 +55,17 @@ struct ShadowPolygons {
         return {triangles, tiles[static_cast<std::size_t>(tile)], where};
     }
     std::size_t bytes() const;
-    // Forgets the polygons; memory is kept.
+    // Removes the polygons; keeps their memory.
     void clear();
     // Adds to the tile's counts.
     void count(int tile, const raster::VisibilityTile& visible, float* counts) const;
 };
 
-// The borders of the space that the triangles hide from the light: the triangles themselves, the
-// sides that the light draws from their edges, to infinity, and there their far ends. Counted
-// behind a point, those that leave the space less those that enter it are how often the point is
-// hidden. Of a closed mesh that the light stands outside of the triangles that face it, otherwise
-// all; edges between two of them have no side. `edges` is room.
+// Shadow volumes, counted by depth fail: the triangles as near caps, the silhouette edges extruded
+// from the light to infinity as sides, and the far caps. Behind a point, faces that leave a volume
+// less faces that enter one are how many casters hide the light from the point. A closed mesh with
+// the light outside needs the light-facing triangles alone, any other all; an edge between two of
+// them has no side. `edges` is scratch.
 void shadow_volumes(const ShadowCaster& caster, const Welded& welded,
                     std::vector<ShadowEdge>& edges, ShadowPolygons& out);
 
@@ -74,7 +75,7 @@ struct ViewPlane {
     double offset = 0;
 };
 
-// What the triangles between the light and the plane throw onto it.
+// The triangles between the light and the plane, projected onto the plane.
 void projected_shadows(const ShadowCaster& caster, const ViewPlane& plane, ShadowPolygons& out);
 
 } // namespace scanout::frame

@@ -8,19 +8,19 @@
 
 namespace scanout::frame {
 
-// What a tile shows. A pixel of the picture is a square of `scale` pixels of the tile on each side,
-// all within it. blended: pixels that also show something; null: none.
+// Marks the pixels of a tile that show something. A pixel of the picture is a square of `scale`
+// pixels of the tile on each side, all within it. blended: more such pixels; null: none.
 void mark_visible(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended,
                   int scale, StencilBuffer& out);
 // The same by areas.
 void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 
-// Counts what lies over the pixels of a tile, hidden or not; of what the geometry culled, nothing.
-// The geometry must have taken all for opaque. scratch is drawn over, order is room.
+// Counts the triangles that cover each pixel of a tile (overdraw), hidden or not, but not those
+// that were culled. The geometry must have taken all for opaque. `scratch` and `order` are scratch.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
                     raster::Geometry::ById& order, StencilBuffer& out);
 
-// All rows, after all marks.
+// Draws all rows; to be called after all marks are set.
 void show_marks(Jobs& jobs, const Stencil& stencil, const StencilBuffer& marks,
                 image::Image& picture);
 

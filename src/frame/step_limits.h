@@ -1,4 +1,4 @@
-// What `--interpolate adaptive` may get wrong in a scene: 1/256 texel, and half a code of colour.
+// The error bounds of `--interpolate adaptive` in a scene: 1/256 texel, and half a code of colour.
 #pragma once
 
 #include "frame/plan.h"

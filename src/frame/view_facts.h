@@ -1,6 +1,6 @@
-// Facts about a view of a scene: what a plan asks of it, but for the size of textures
-// (minification.h). They are few cases, found without drawing, and seldom change while a model
-// turns: as long as they are the same, so is the plan.
+// Facts about a view of a scene, found before drawing: all that a plan reads of the view but for
+// minification. They seldom change while a model turns, and while they are the same, so is the plan
+// (temporal coherence: plan_cache.h).
 #pragma once
 
 #include "frame/back_faces.h"
@@ -12,7 +12,7 @@
 
 namespace scanout::frame {
 
-// Of a light that is not black.
+// About a light that is not black.
 struct LightFacts {
     bool reaches = true;           // some of it falls on the model
     bool shadows_disjoint = true;  // no component casts a shadow on another
