@@ -1,5 +1,5 @@
-// The table of contents: one line an axis, cheapest first. One name = one file
-// src/<module>/<axis>/<name>.cpp = one row everywhere: command line, lists, goldens, tests.
+// The table of contents: every axis, and on each its techniques, cheapest first. One name = one
+// row of src/<module>/<axis> = one entry everywhere: command line, lists, goldens, tests.
 #pragma once
 
 #define SCANOUT_INTERPOLATE(X) X(affine) X(affine_16) X(affine_8) X(adaptive) X(perspective)
@@ -36,3 +36,60 @@
 #define SCANOUT_ENCODE(X) X(square_root) X(power_2_2) X(srgb)
 #define SCANOUT_DITHER(X) X(none) X(bayer)
 #define SCANOUT_CONVOLUTION(X) X(low_pass) X(high_pass)
+
+// X(module, axis, list of techniques, type of their rows, choice, help of the option --axis).
+// Choice: asked (by name; "auto" where nobody asks), listed (by one of a few names that the help
+// lists; the first where nobody asks), planned (no option: the scene, or another option, decides).
+// clang-format off
+#define SCANOUT_AXES(X)                                                                            \
+    X(shade, interpolate, SCANOUT_INTERPOLATE, Stage, asked,                                       \
+      "how often what triangles carry is divided by distance (`list techniques`)")                 \
+    X(shade, texture, SCANOUT_TEXTURE, Filter, asked,                                              \
+      "how textures are read (`list techniques`)")                                                 \
+    X(shade, wrap, SCANOUT_WRAP, Wrapping, asked,                                                  \
+      "what lies beyond a texture's edges (`list techniques`); auto: what the material says")      \
+    X(shade, mapping, SCANOUT_MAPPING, Stage, asked,                                               \
+      "how textures lie on the model (`list techniques`); auto: by its uv; without any its maps "  \
+      "are left out, and a --source lies as on a box")                                             \
+    X(shade, source, SCANOUT_SOURCE, Source, asked,                                                \
+      "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own") \
+    X(shade, map, SCANOUT_MAP, Stage, planned, "")                                                 \
+    X(shade, light, SCANOUT_LIGHT, Stage, planned, "")                                             \
+    X(shade, shadow, SCANOUT_SHADOW, Stage, asked,                                                 \
+      "how lights that cast throw shadows (`list techniques`); auto: map_soft where one has a "    \
+      "size, else map_pcf")                                                                        \
+    X(shade, reflection, SCANOUT_REFLECTION, Stage, asked,                                         \
+      "how surfaces reflect (`list techniques`)")                                                  \
+    X(shade, shading, SCANOUT_SHADING, Stage, asked,                                               \
+      "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)")     \
+    X(shade, sides, SCANOUT_SIDES, LitSides, planned, "")                                          \
+    X(raster, cull, SCANOUT_CULL, CullRow, listed,                                                 \
+      "leave out the faces that are seen from behind, or from the front (`list techniques`)")      \
+    X(raster, depth, SCANOUT_DEPTH, DepthFormatRow, asked,                                         \
+      "how depth is kept (`list techniques`); auto: reversed")                                     \
+    X(raster, depth_test, SCANOUT_DEPTH_TEST, DepthTestRow, asked,                                 \
+      "which of several surfaces that are not blended is seen (`list techniques`); auto: "         \
+      "greater, the nearest")                                                                      \
+    X(shade, blend, SCANOUT_BLEND, Blend, asked,                                                   \
+      "how such surfaces meet what lies behind (`list techniques`); auto: over")                   \
+    X(frame, stencil, SCANOUT_STENCIL, Stencil, asked,                                             \
+      "mark pixels: draw a line round the model, or show how many surfaces lie over each other "   \
+      "(`list techniques`); auto: none")                                                           \
+    X(shade, transparency, SCANOUT_TRANSPARENCY, Transparency, asked,                              \
+      "how surfaces that let light through are drawn (`list techniques`); auto: exact, and "       \
+      "cut_out where alpha is 0 or 1 alone")                                                       \
+    X(frame, aa, SCANOUT_AA, AntiAliasing, asked,                                                  \
+      "how edges are smoothed (`list techniques`); auto is what --samples says")                   \
+    X(shade, exposure, SCANOUT_EXPOSURE, Stage, planned, "")                                       \
+    X(shade, tone, SCANOUT_TONE, Stage, asked,                                                     \
+      "what becomes of light above 1 (`list techniques`)")                                         \
+    X(shade, blend_space, SCANOUT_BLEND_SPACE, BlendSpace, asked,                                  \
+      "in what the samples of a pixel are mixed (`list techniques`)")                              \
+    X(shade, encode, SCANOUT_ENCODE, Encoding, asked,                                              \
+      "how light becomes codes (`list techniques`)")                                               \
+    X(image, dither, SCANOUT_DITHER, Dither, asked,                                                \
+      "how light between two codes is shown (`list techniques`); auto: none in 8 bits, bayer "     \
+      "where the display (or --pixel-format) has fewer")                                           \
+    X(image, convolution, SCANOUT_CONVOLUTION, Convolution, asked,                                 \
+      "filter the finished picture (`list techniques`); auto is no filter")
+// clang-format on

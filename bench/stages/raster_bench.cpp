@@ -8,6 +8,7 @@
 #include "raster/culling/cull.h"
 #include "raster/stage/geometry.h"
 #include "raster/tile/tile.h"
+#include "rows.h"
 #include "scene/view.h"
 #include "tests/support/random.h"
 
@@ -83,8 +84,9 @@ void cull(benchmark::State& state, const std::string& name) {
         left = 0;
         for (std::size_t first = 0; first < mesh.triangles(); first += kPart) {
             const std::size_t n = std::min(kPart, mesh.triangles() - first);
-            raster::cull(options, vertices, std::span(mesh.index).subspan(first * 3, n * 3),
-                         static_cast<std::uint32_t>(first), found);
+            raster::cull_triangles(options, vertices,
+                                   std::span(mesh.index).subspan(first * 3, n * 3),
+                                   static_cast<std::uint32_t>(first), found);
             left += found.visible_count + found.to_clip_count;
             benchmark::DoNotOptimize(found.visible.data());
             benchmark::ClobberMemory();
@@ -240,9 +242,9 @@ const bool kRegistered = [] {
             ->Unit(benchmark::kMicrosecond);
     };
     add("steep", {}, Depth::steep);
-    for (const raster::DepthTestRow* row : raster::depth_tests())
+    for (const raster::DepthTestRow* row : raster::depth_test::kRows)
         add("flat/" + std::string(row->card.name), {row->test}, Depth::flat);
-    for (const raster::DepthFormatRow* row : raster::depth_formats())
+    for (const raster::DepthFormatRow* row : raster::depth::kRows)
         if (row->standard)
             add("flat/" + std::string(row->card.name),
                 {raster::DepthTest::greater, row->standard, row->steps}, Depth::flat);

@@ -5,6 +5,7 @@
 #include "bench/meshes/meshes.h"
 #include "frame/plan.h"
 #include "frame/renderer.h"
+#include "rows.h"
 #include "scene/view.h"
 #include "shade/mip_chain.h"
 #include "shade/output.h"
@@ -375,11 +376,11 @@ const bool kRegistered = [] {
         if (stage->card.axis == "interpolate" || stage->card.axis == "shading")
             add("knot:100000", stage);
     }
-    for (const shade::Filter* filter : shade::filters())
+    for (const shade::Filter* filter : shade::texture::kRows)
         add("building", filter);
-    for (const shade::Source* source : shade::sources())
+    for (const shade::Source* source : shade::source::kRows)
         if (source->sample != nullptr) add("building", source);
-    for (const shade::Encoding* encoding : shade::encodings())
+    for (const shade::Encoding* encoding : shade::encode::kRows)
         benchmark::RegisterBenchmark(("encode/" + std::string(encoding->card.name)).c_str(), encode,
                                      encoding);
     return true;

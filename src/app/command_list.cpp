@@ -4,7 +4,7 @@
 #include "app/nearest.h"
 #include "app/options.h"
 #include "app/report.h"
-#include "frame/techniques.h"
+#include "frame/catalogue.h"
 #include "image/pixel_format.h"
 #include "io/load.h"
 #include "platform/drm/display.h"

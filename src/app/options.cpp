@@ -155,8 +155,56 @@ void choose_view(Settings& s, std::size_t index) {
     s.camera.elevation_degrees = view->elevation_degrees;
 }
 
+// Of each axis of src/techniques.h that has an option.
+struct AxisOption {
+    std::string_view axis;
+    Slot slot;
+    std::string_view choices, help;
+};
+constexpr std::string_view without_end(std::string_view words) {
+    return words.substr(0, words.size() - 1);
+}
+#define SCANOUT_WORD(name) #name " "
+#define SCANOUT_AXIS_asked(axis, LIST, help) {#axis, &frame::FrameOptions::axis, "", help},
+#define SCANOUT_AXIS_listed(axis, LIST, help)                                                      \
+    {#axis, Choice([](Settings& s, std::size_t i) {                                                \
+         s.frame.axis = static_cast<decltype(s.frame.axis)>(i);                                    \
+     }),                                                                                           \
+     without_end(LIST(SCANOUT_WORD)), help},
+#define SCANOUT_AXIS_planned(axis, LIST, help)
+#define SCANOUT_AXIS(module, axis, LIST, Row, choice, help) SCANOUT_AXIS_##choice(axis, LIST, help)
+constexpr AxisOption kAxes[] = {SCANOUT_AXES(SCANOUT_AXIS)};
+#undef SCANOUT_WORD
+#undef SCANOUT_AXIS
+#undef SCANOUT_AXIS_asked
+#undef SCANOUT_AXIS_listed
+#undef SCANOUT_AXIS_planned
+
+constexpr bool is_option_of(std::string_view option, std::string_view axis) {
+    return std::equal(option.begin(), option.end(), axis.begin(), axis.end(),
+                      [](char a, char b) { return a == b || (a == '-' && b == '_'); });
+}
+// The option of an axis, which is named as it is, with - for _.
+constexpr Option axis_option(std::string_view name) {
+    const AxisOption& a =
+        *std::find_if(std::begin(kAxes), std::end(kAxes),
+                      [&](const AxisOption& axis) { return is_option_of(name, axis.axis); });
+    const bool listed = !a.choices.empty();
+    return {name,
+            0,
+            listed ? "" : "NAME",
+            a.choices,
+            listed ? a.choices.substr(0, a.choices.find(' ')) : "auto",
+            0,
+            0,
+            Group::picture,
+            kDraw,
+            a.slot,
+            a.help};
+}
+
 // Rows: name, letter, value, choices, default, least, most, group, commands, slot, help.
-const std::array kOptions = std::to_array<Option>({
+constexpr std::array kOptions = std::to_array<Option>({
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
      Text([](Settings& s) -> std::string& { return s.output; }),
      "where the picture goes; - is standard output; {n} in the name is its number"},
@@ -183,78 +231,34 @@ const std::array kOptions = std::to_array<Option>({
     {"samples", 0, "", "1 2 4 8 16", "1", 0, 0, Group::picture, kDraw,
      Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
      "coverage samples a pixel: more make smoother edges; --aa samples_N says the same"},
-    {"aa", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.aa; }),
-     "how edges are smoothed (`list techniques`); auto is what --samples says"},
+    axis_option("aa"),
     {"background", 0, "COLOUR", "", "#303338", 0, 0, Group::picture, kDraw, Parsed(read_background),
      "#rrggbb or a name (black white grey slate red green blue sky transparent)"},
-    {"cull", 0, "", "none back front", "none", 0, 0, Group::picture, kDraw,
-     Choice([](Settings& s, std::size_t i) { s.frame.cull = static_cast<frame::Cull>(i); }),
-     "leave out the faces that are seen from behind, or from the front (`list techniques`)"},
-    {"interpolate", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.interpolate; }),
-     "how often what triangles carry is divided by distance (`list techniques`)"},
-    {"texture", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.texture; }),
-     "how textures are read (`list techniques`)"},
-    {"wrap", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.wrap; }),
-     "what lies beyond a texture's edges (`list techniques`); auto: what the material says"},
-    {"source", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.source; }),
-     "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own"},
-    {"mapping", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.mapping; }),
-     "how textures lie on the model (`list techniques`); auto: by its uv; without any its maps are "
-     "left out, and a --source lies as on a box"},
-    {"reflection", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.reflection; }),
-     "how surfaces reflect (`list techniques`)"},
-    {"transparency", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.transparency; }),
-     "how surfaces that let light through are drawn (`list techniques`); auto: exact, and cut_out "
-     "where alpha is 0 or 1 alone"},
-    {"blend", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.blend; }),
-     "how such surfaces meet what lies behind (`list techniques`); auto: over"},
-    {"depth", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.depth; }),
-     "how depth is kept (`list techniques`); auto: reversed"},
-    {"depth-test", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.depth_test; }),
-     "which of several surfaces that are not blended is seen (`list techniques`); auto: greater, "
-     "the nearest"},
-    {"stencil", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.stencil; }),
-     "mark pixels: draw a line round the model, or show how many surfaces lie over each other "
-     "(`list techniques`); auto: none"},
+    axis_option("cull"),
+    axis_option("interpolate"),
+    axis_option("texture"),
+    axis_option("wrap"),
+    axis_option("source"),
+    axis_option("mapping"),
+    axis_option("reflection"),
+    axis_option("transparency"),
+    axis_option("blend"),
+    axis_option("depth"),
+    axis_option("depth-test"),
+    axis_option("stencil"),
     {"alpha-cut", 0, "ALPHA", "", "0.5", 0, 1, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
      "cut-out surfaces show where their alpha is at least this"},
     {"exposure", 0, "STOPS", "", "0", -frame::kMaxStops, frame::kMaxStops, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.exposure; }),
      "brighten or darken all light: times 2 for every stop"},
-    {"tone", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.tone; }),
-     "what becomes of light above 1 (`list techniques`)"},
-    {"blend-space", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.blend_space; }),
-     "in what the samples of a pixel are mixed (`list techniques`)"},
-    {"encode", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.encode; }),
-     "how light becomes codes (`list techniques`)"},
-    {"dither", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.dither; }),
-     "how light between two codes is shown (`list techniques`); auto: none in 8 bits, bayer where "
-     "the display (or --pixel-format) has fewer"},
+    axis_option("tone"),
+    axis_option("blend-space"),
+    axis_option("encode"),
+    axis_option("dither"),
 
-    {"shading", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.shading; }),
-     "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)"},
-    {"shadow", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.shadow; }),
-     "how lights that cast throw shadows (`list techniques`); auto: map_soft where one has a size, "
-     "else map_pcf"},
+    axis_option("shading"),
+    axis_option("shadow"),
     {"shadow-size", 0, "N", "", "1024", frame::kMinShadowSize, frame::kMaxShadowSize,
      Group::picture, kDraw, Integer([](Settings& s) -> int& { return s.frame.shadow_size; }),
      "texels a side of a shadow map; a point light inside the model has six of half that"},
@@ -275,9 +279,7 @@ const std::array kOptions = std::to_array<Option>({
      "80) "
      ":shape=sphere|square :shadow=on|off :frame=world|camera :name=",
      false, true},
-    {"convolution", 0, "NAME", "", "auto", 0, 0, Group::picture, kDraw,
-     Text([](Settings& s) -> std::string& { return s.frame.convolution; }),
-     "filter the finished picture (`list techniques`); auto is no filter"},
+    axis_option("convolution"),
 
     {"effect", 0, "NAME=on|off|auto", "", "", 0, 0, Group::picture, kDraw, Parsed(read_effect),
      "force an effect on or off (`scanout explain` names them, with the reason for each); may be "
@@ -366,6 +368,10 @@ const std::array kOptions = std::to_array<Option>({
     {"quiet", 'q', "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.quiet; }), "no warnings, no progress"},
 });
+static_assert(std::all_of(std::begin(kAxes), std::end(kAxes), [](const AxisOption& a) {
+    return std::any_of(kOptions.begin(), kOptions.end(),
+                       [&](const Option& option) { return is_option_of(option.name, a.axis); });
+}));
 
 Result<void> outside(const Option& option, std::string_view text) {
     return fail(Exit::usage, "must be {} to {}, not {}", option.least, option.most, text);
@@ -396,12 +402,14 @@ struct Applier {
         slot(settings) = value;
         return {};
     }
-    Result<void> operator()(Text slot) const {
+    Result<void> words_for(std::string& place) const {
         if (text.empty())
             return fail(Exit::usage, "wants {}, not nothing; is a variable empty?", option.value);
-        slot(settings) = text;
+        place = text;
         return {};
     }
+    Result<void> operator()(Text slot) const { return words_for(slot(settings)); }
+    Result<void> operator()(Asked slot) const { return words_for(settings.frame.*slot); }
     Result<void> operator()(Choice slot) const {
         const std::vector<std::string_view> allowed = words(option.choices);
         const auto found = std::find(allowed.begin(), allowed.end(), text);

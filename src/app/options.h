@@ -30,9 +30,10 @@ using Integer = int& (*)(Settings&);
 using BigInteger = std::int64_t& (*)(Settings&);
 using Real = double& (*)(Settings&);
 using Text = std::string& (*)(Settings&);
+using Asked = std::string frame::FrameOptions::*;                  // a technique by name
 using Choice = void (*)(Settings&, std::size_t index);             // index into `choices`
 using Parsed = Result<void> (*)(Settings&, std::string_view text); // reads the text itself
-using Slot = std::variant<Switch, Integer, BigInteger, Real, Text, Choice, Parsed>;
+using Slot = std::variant<Switch, Integer, BigInteger, Real, Text, Asked, Choice, Parsed>;
 
 struct Option {
     std::string_view name;         // without dashes

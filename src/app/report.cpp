@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "base/write_file.h"
-#include "frame/techniques.h"
+#include "frame/catalogue.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 

@@ -20,8 +20,4 @@ struct AntiAliasing {
     double (*weight)(double distance) = nullptr;
 };
 
-// In the order of techniques.h; null where there is no such name.
-std::span<const AntiAliasing* const> anti_aliasings();
-const AntiAliasing* find_anti_aliasing(std::string_view name);
-
 } // namespace scanout::frame

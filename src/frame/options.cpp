@@ -9,58 +9,55 @@ namespace scanout::frame {
 
 namespace {
 
-constexpr std::string_view kSides[] = {"auto", "back", "front"}; // [Cull]
+#define SCANOUT_NAME(name) #name,
+constexpr std::string_view kCulls[] = {SCANOUT_CULL(SCANOUT_NAME)}; // [Cull]
+#undef SCANOUT_NAME
 
-// What is asked for on an axis; null where it has no option. Of const options, a const string.
-template <class Options>
-auto find_axis(Options& o, std::string_view axis) -> decltype(&o.texture) {
-    const std::pair<std::string_view, decltype(&o.texture)> axes[] = {
-        {"interpolate", &o.interpolate},
-        {"texture", &o.texture},
-        {"wrap", &o.wrap},
-        {"source", &o.source},
-        {"mapping", &o.mapping},
-        {"reflection", &o.reflection},
-        {"shading", &o.shading},
-        {"shadow", &o.shadow},
-        {"transparency", &o.transparency},
-        {"blend", &o.blend},
-        {"stencil", &o.stencil},
-        {"depth", &o.depth},
-        {"depth_test", &o.depth_test},
-        {"aa", &o.aa},
-        {"tone", &o.tone},
-        {"blend_space", &o.blend_space},
-        {"encode", &o.encode},
-        {"dither", &o.dither},
-        {"convolution", &o.convolution}};
-    for (const auto& [name, asked] : axes)
-        if (name == axis) return asked;
+// Null where the axis is not asked.
+std::string FrameOptions::*asked_on(std::string_view axis) {
+    for (const AskedAxis& row : asked_axes())
+        if (row.axis == axis) return row.asked;
     return nullptr;
 }
 
 } // namespace
 
+std::span<const AskedAxis> asked_axes() {
+#define SCANOUT_ROW_asked(axis) {#axis, &FrameOptions::axis},
+#define SCANOUT_ROW_listed(axis)
+#define SCANOUT_ROW_planned(axis)
+#define SCANOUT_ROW(module, axis, LIST, Row, choice, help) SCANOUT_ROW_##choice(axis)
+    static constexpr AskedAxis kAxes[] = {SCANOUT_AXES(SCANOUT_ROW)};
+#undef SCANOUT_ROW
+#undef SCANOUT_ROW_asked
+#undef SCANOUT_ROW_listed
+#undef SCANOUT_ROW_planned
+    return kAxes;
+}
+
 bool ask(FrameOptions& options, std::string_view axis, std::string_view technique) {
     if (axis == "cull") {
-        const auto* const side = std::find(std::begin(kSides), std::end(kSides), technique);
-        if (side == std::end(kSides)) return false;
-        options.cull = static_cast<Cull>(side - std::begin(kSides));
+        const auto* const found = std::find(std::begin(kCulls), std::end(kCulls),
+                                            is_auto(technique) ? kCulls[0] : technique);
+        if (found == std::end(kCulls)) return false;
+        options.cull = static_cast<Cull>(found - std::begin(kCulls));
         return true;
     }
-    std::string* asked = find_axis(options, axis);
+    std::string FrameOptions::*const asked = asked_on(axis);
     if (asked == nullptr) return false;
-    *asked = technique;
-    if (axis == "aa") options.samples = 1; // another way to ask for the same
+    options.*asked = technique;
+    if (asked == &FrameOptions::aa) options.samples = 1; // another way to ask for the same
     return true;
 }
 
 std::string asked_for(const FrameOptions& options, std::string_view axis) {
-    if (axis == "cull") return std::string(kSides[static_cast<std::size_t>(options.cull)]);
-    if (axis == "aa" && options.aa == "auto" && options.samples != 1)
+    if (axis == "cull")
+        return std::string(options.cull == Cull{} ? "auto"
+                                                  : kCulls[static_cast<std::size_t>(options.cull)]);
+    std::string FrameOptions::*const asked = asked_on(axis);
+    if (asked == &FrameOptions::aa && is_auto(options.aa) && options.samples != 1)
         return fmt::format("samples_{}", options.samples);
-    const std::string* asked = find_axis(options, axis);
-    return asked != nullptr ? *asked : "auto";
+    return asked != nullptr ? options.*asked : "auto";
 }
 
 std::string option_of(std::string_view axis) {

@@ -5,6 +5,7 @@
 #include "image/dither.h"
 #include "math/transcendental.h"
 #include "raster/culling/cull.h"
+#include "rows.h"
 
 #include <algorithm>
 
@@ -35,7 +36,7 @@ bool nothing_bends(const FramePlan& plan, const SceneFacts& facts, double bright
 
 Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
-    const Technique& culling = raster::cullings()[static_cast<std::size_t>(o.cull)]->card;
+    const Technique& culling = raster::cull::kRows[static_cast<std::size_t>(o.cull)]->card;
     const std::string cull(culling.name);
     planner.choice("cull", cull, asked_for(o, "cull"),
                    facts.triangles == 0   ? "lines and points have no sides"
@@ -47,9 +48,9 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     TRY(const std::string depth, choose("depth", o.depth, "reversed"));
     TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
     TRY(const std::string blend, choose("blend", o.blend, "over"));
-    const auto* format = raster::find_depth_format(depth);
-    const auto* compare = raster::find_depth_test(test);
-    const auto* mix = shade::find_blend(blend);
+    const auto* format = find_row(raster::depth::kRows, depth);
+    const auto* compare = find_row(raster::depth_test::kRows, test);
+    const auto* mix = find_row(shade::blend::kRows, blend);
     CHECK(format != nullptr && compare != nullptr && mix != nullptr);
     const bool drawn = facts.triangles + facts.lines + facts.points > 0;
     const char* const nothing = "nothing is drawn that could be hidden";
@@ -114,21 +115,21 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
     const std::string number =
         options.samples == 1 ? "none" : fmt::format("samples_{}", options.samples);
     TRY(std::string name, choose("aa", options.aa, number));
-    std::string because(find_anti_aliasing(name)->card.blurb);
+    std::string because(find_row(frame::aa::kRows, name)->card.blurb);
     if (name == "none" && by_number)
         because = "smoother edges are a matter of taste: nobody asked for them";
-    if (find_anti_aliasing(name)->exact && !plan.transparency.layers.empty()) {
+    if (find_row(frame::aa::kRows, name)->exact && !plan.transparency.layers.empty()) {
         name = "samples_16";
         because = "areas know no transparency, which this scene has";
-    } else if (find_anti_aliasing(name)->exact && !plan.visible.is_default()) {
+    } else if (find_row(frame::aa::kRows, name)->exact && !plan.visible.is_default()) {
         name = "samples_16";
         because = "areas know the nearest surface alone, in exact depth";
-    } else if (find_anti_aliasing(name)->exact && plan.shadow.stage != nullptr &&
+    } else if (find_row(frame::aa::kRows, name)->exact && plan.shadow.stage != nullptr &&
                plan.shadow.stage->card.name == "volume") {
         name = "samples_16";
         because = "areas know no stencil, which shadow volumes count in";
     }
-    plan.aa = find_anti_aliasing(name);
+    plan.aa = find_row(frame::aa::kRows, name);
     CHECK(plan.aa != nullptr);
     plan.options.samples = plan.aa->samples;
     if (plan.aa->scale * std::max(options.width, options.height) > kMaxSide)
@@ -156,14 +157,14 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
                    mixed);
     TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
     planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
-    plan.output.blend_space = shade::find_blend_space(space);
-    plan.output.encoding = shade::find_encoding(encoding);
+    plan.output.blend_space = find_row(shade::blend_space::kRows, space);
+    plan.output.encoding = find_row(shade::encode::kRows, encoding);
     CHECK(plan.output.blend_space != nullptr && plan.output.encoding != nullptr);
     if (mixed) plan.techniques.push_back(&plan.output.blend_space->card);
     plan.techniques.push_back(&plan.output.encoding->card);
     if (options.convolution != "auto") {
         TRY(const std::string name, choose("convolution", options.convolution, ""));
-        plan.convolution = image::find_convolution(name);
+        plan.convolution = find_row(image::convolution::kRows, name);
         CHECK(plan.convolution != nullptr);
     }
     const bool filtered = plan.convolution != nullptr;
@@ -177,7 +178,7 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
     planner.choice("dither", dither, options.dither,
                    narrow ? fmt::format("{} bits show their steps", options.bits)
                           : "8 bits hide their steps");
-    const image::Dither* found = image::find_dither(dither);
+    const image::Dither* found = find_row(image::dither::kRows, dither);
     CHECK(found != nullptr);
     // Once, where codes become those that are shown: of fewer bits they are made of whole codes.
     plan.output.dither = found->ordered && !narrow;

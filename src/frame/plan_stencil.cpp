@@ -1,6 +1,7 @@
 // Whether the frame marks pixels, and what is left of a frame whose picture is the marks.
 #include "base/check.h"
 #include "frame/planner.h"
+#include "rows.h"
 
 #include <algorithm>
 
@@ -10,7 +11,7 @@ namespace scanout::frame {
 
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     TRY(const std::string name, choose("stencil", plan.options.stencil, "none"));
-    const Stencil* found = find_stencil(name);
+    const Stencil* found = find_row(frame::stencil::kRows, name);
     CHECK(found != nullptr);
     const std::string all = fmt::format("{} triangles, {} lines and {} points", facts.triangles,
                                         facts.lines, facts.points);
@@ -29,7 +30,7 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
 void plan_counts(FramePlan& plan) {
     FramePlan counts;
     counts.options = plan.options;
-    counts.aa = find_anti_aliasing("none");
+    counts.aa = find_row(frame::aa::kRows, "none");
     counts.stencil = plan.stencil;
     for (const Technique* card : plan.techniques)
         if (card->axis == "cull" || card->axis == "stencil") counts.techniques.push_back(card);

@@ -1,6 +1,7 @@
 // Which materials let light through.
 #include "base/check.h"
 #include "frame/planner.h"
+#include "rows.h"
 
 #include <algorithm>
 
@@ -28,14 +29,14 @@ bool usual(const std::string& asked, std::string_view name) {
 
 // The nearest surface is seen, and a pixel shows no more than its own samples.
 bool nearest_alone(const FrameOptions& o) {
-    const AntiAliasing* const aa = find_anti_aliasing(o.aa);
+    const AntiAliasing* const aa = find_row(frame::aa::kRows, o.aa);
     return usual(o.depth_test, "greater") && (aa == nullptr || aa->weight == nullptr);
 }
 
 // Forced on where nothing calls for it, opaque triangles take the way of what is cut out, or of
 // what is blended, and look the same: where pixels are made of samples, which areas are not...
 bool opaque_may_be_cut(const FrameOptions& o) {
-    const AntiAliasing* const aa = find_anti_aliasing(o.aa);
+    const AntiAliasing* const aa = find_row(frame::aa::kRows, o.aa);
     return aa == nullptr || !aa->exact;
 }
 // ...and where the nearest surface also covers all behind it, in whatever order they come.
@@ -83,7 +84,7 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     if (facts.triangles == 0 || !(cut || blend)) return {};
     TransparencyPlan& t = plan.transparency;
     const auto alpha_mode_by = [&](const std::string& name) {
-        const shade::Transparency* found = shade::find_transparency(name);
+        const shade::Transparency* found = find_row(shade::transparency::kRows, name);
         CHECK(found != nullptr);
         (found->cuts ? t.cut_out : t.blended) = found;
         return found->cuts ? raster::AlphaMode::cut_out : raster::AlphaMode::blended;

@@ -2,6 +2,7 @@
 #include "base/check.h"
 #include "frame/map_facts.h"
 #include "frame/planner.h"
+#include "rows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -62,8 +63,8 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
         if (surface.clamp) ++clamped;
     }
     const auto use = [&](std::string_view wrapping) {
-        plan.techniques.push_back(&shade::find_wrapping(wrapping)->card);
-        return shade::find_wrapping(wrapping)->wrap;
+        plan.techniques.push_back(&find_row(shade::wrap::kRows, wrapping)->card);
+        return find_row(shade::wrap::kRows, wrapping)->wrap;
     };
     if (asked != "auto" && maps > 0) plan.wrap = use(name);
     if (asked == "auto" && clamped < maps) use("repeat");
@@ -116,7 +117,7 @@ Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& f
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& options = plan.options;
     TRY(const std::string name, choose("source", options.source, "image"));
-    const shade::Source* source = shade::find_source(name);
+    const shade::Source* source = find_row(shade::source::kRows, name);
     CHECK(source != nullptr);
     if (source->sample != nullptr && facts.triangles > 0) plan.source = source;
     const std::size_t textured = facts.mapped_triangles[shade::kDiffuseMap];
@@ -224,7 +225,8 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     if (!colour && !alpha) return;
     const FrameOptions& options = plan.options;
     const bool automatic = options.texture == "auto";
-    const shade::Filter* filter = shade::find_filter(automatic ? "trilinear" : options.texture);
+    const shade::Filter* filter =
+        find_row(shade::texture::kRows, automatic ? "trilinear" : options.texture);
     CHECK(filter != nullptr);
     Minification most;
     std::optional<bool> plain; // whether each texture that is read is of one colour
@@ -254,7 +256,8 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     const bool mipmaps = decide(*row, options, "on", filter->needs.footprint && !plan.mips.empty());
     if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
     if (filter->needs.footprint && plan.mips.empty())
-        filter = shade::find_filter(automatic && plain.value_or(false) ? "nearest" : "bilinear");
+        filter = find_row(shade::texture::kRows,
+                          automatic && plain.value_or(false) ? "nearest" : "bilinear");
     use(*filter, colour, alpha, plan);
 }
 

@@ -1,7 +1,7 @@
 #include "frame/planner.h"
 
 #include "base/check.h"
-#include "frame/techniques.h"
+#include "frame/catalogue.h"
 
 namespace scanout::frame {
 Result<std::string> choose(std::string_view axis, const std::string& asked,
@@ -9,8 +9,8 @@ Result<std::string> choose(std::string_view axis, const std::string& asked,
     const std::string_view name = asked == "auto" ? automatic : std::string_view(asked);
     for (const Technique* technique : techniques())
         if (technique->axis == axis && technique->name == name) return std::string(name);
-    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto{}", option_of(axis),
-                asked, names_of(axis));
+    return fail(Exit::usage, "--{} {}: there is no such technique; choose auto {}", option_of(axis),
+                asked, fmt::join(names_on(axis), " "));
 }
 
 bool decide(Decision& row, const FrameOptions& options, std::string technique, bool needed) {

@@ -8,6 +8,7 @@
 #include "frame/stencil_marks.h"
 #include "frame/step_limits.h"
 #include "raster/stage/geometry.h"
+#include "rows.h"
 #include "shade/gather.h"
 #include "shade/layers.h"
 #include "shade/shadow.h"
@@ -418,7 +419,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const raster::ScreenTransform transform(view, width, height);
     raster::GeometryOptions options{width,
                                     height,
-                                    raster::cullings()[static_cast<std::size_t>(o.cull)]->keep,
+                                    raster::cull::kRows[static_cast<std::size_t>(o.cull)]->keep,
                                     view.mirrored,
                                     aa.samples,
                                     aa.exact,

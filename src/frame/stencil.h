@@ -55,8 +55,4 @@ struct Stencil {
 
 inline constexpr int kOutlineWidth = 2; // pixels
 
-// In the order of techniques.h; null where there is no such name.
-std::span<const Stencil* const> stencils();
-const Stencil* find_stencil(std::string_view name);
-
 } // namespace scanout::frame

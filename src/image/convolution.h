@@ -25,10 +25,6 @@ struct Convolution {
     }
 };
 
-// In the order of techniques.h; null where there is no such name.
-std::span<const Convolution* const> convolutions();
-const Convolution* find_convolution(std::string_view name);
-
 // What varies slowly, by the binomial weights 1 4 6 4 1 / 16 on each axis; and the rest. Together
 // they are the plane; of a constant the first is that constant, the second 0, to the bit. In place;
 // the other planes are room.

@@ -16,10 +16,6 @@ struct Dither {
     Technique card;
     bool ordered; // with dither_offset, instead of to the nearest
 };
-// In the order of techniques.h; null where there is no such name.
-std::span<const Dither* const> dithers();
-const Dither* find_dither(std::string_view name);
-
 inline constexpr unsigned kDitherSide = 8;
 inline constexpr unsigned kDitherSteps = kDitherSide * kDitherSide;
 

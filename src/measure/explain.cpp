@@ -2,8 +2,8 @@
 
 #include "base/stopwatch.h"
 #include "frame/bytes.h"
+#include "frame/catalogue.h"
 #include "frame/ignored_options.h"
-#include "frame/techniques.h"
 #include "image/compare.h"
 #include "image/flip.h"
 #include "measure/median.h"

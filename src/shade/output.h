@@ -52,10 +52,4 @@ struct Output {
     }
 };
 
-// In the order of techniques.h; null where there is no such name.
-std::span<const Encoding* const> encodings();
-std::span<const BlendSpace* const> blend_spaces();
-const Encoding* find_encoding(std::string_view name);
-const BlendSpace* find_blend_space(std::string_view name);
-
 } // namespace scanout::shade

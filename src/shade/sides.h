@@ -12,10 +12,5 @@ struct LitSides {
     Technique card;
     Sides leaning, upright; // where some normal leans to the back of its face, and where none does
 };
-std::span<const LitSides* const> lit_sides(); // in the order of techniques.h
-
-namespace sides {
-extern const LitSides one_sided, two_sided;
-}
 
 } // namespace scanout::shade

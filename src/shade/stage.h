@@ -296,15 +296,8 @@ struct Source {
     void (*sample)(Block& block);
 };
 
-// Every stage, filter, wrapping and source there is, in the order of techniques.h; null where there
-// is no such name.
+// Every stage there is, in the order of techniques.h; null where there is no such name.
 std::span<const Stage* const> stages();
-std::span<const Filter* const> filters();
-std::span<const Wrapping* const> wrappings();
-std::span<const Source* const> sources();
 const Stage* find_stage(std::string_view axis, std::string_view name);
-const Filter* find_filter(std::string_view name);
-const Wrapping* find_wrapping(std::string_view name);
-const Source* find_source(std::string_view name);
 
 } // namespace scanout::shade

@@ -67,10 +67,4 @@ struct Blend {
     float (*compose)(float behind, float behind_alpha, float colour, float alpha) = nullptr;
 };
 
-// In the order of techniques.h.
-std::span<const Blend* const> blends();
-const Blend* find_blend(std::string_view name); // null where there is none
-std::span<const Transparency* const> transparencies();
-const Transparency* find_transparency(std::string_view name); // null where there is none
-
 } // namespace scanout::shade

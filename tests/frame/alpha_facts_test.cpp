@@ -1,5 +1,6 @@
 // What is transparent is told by numbers and texels, never by the presence of a statement.
 #include "frame/plan.h"
+#include "rows.h"
 #include "support/scenes.h"
 
 #include <cmath>
@@ -106,8 +107,8 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
     EXPECT_THAT(p.transparency.layers,
                 ElementsAre(AlphaMode::opaque, AlphaMode::opaque, AlphaMode::cut_out,
                             AlphaMode::blended, AlphaMode::nothing));
-    EXPECT_EQ(p.transparency.cut_out, shade::find_transparency("cut_out"));
-    EXPECT_EQ(p.transparency.blended, shade::find_transparency("exact"));
+    EXPECT_EQ(p.transparency.cut_out, find_row(shade::transparency::kRows, "cut_out"));
+    EXPECT_EQ(p.transparency.blended, find_row(shade::transparency::kRows, "exact"));
     EXPECT_EQ(p.transparency.stages.size(), 2U);
     EXPECT_THAT(to_string(*p.decision("cut_out")),
                 StartsWith("cut_out cut_out: 2 of 5 materials (4 of 10 triangles)"));

@@ -3,6 +3,7 @@
 #include "image/compare.h"
 #include "math/srgb.h"
 #include "oracle/coverage.h"
+#include "rows.h"
 #include "support/scenes.h"
 
 #include <cmath>
@@ -256,7 +257,7 @@ TEST(AntiAliasing, BySupersamplingIsTheMeanOfALargerPicture) {
 }
 
 TEST(AntiAliasing, OfOneColourIsThatColour) {
-    for (const frame::AntiAliasing* aa : frame::anti_aliasings()) {
+    for (const frame::AntiAliasing* aa : frame::aa::kRows) {
         Flat flat{std::string(aa->card.name)};
         flat.add({DVec3(-100, -100, 0.5), DVec3(300, -100, 0.5), DVec3(-100, 300, 0.5)},
                  {0.25F, 0.5F, 0.75F});
@@ -273,7 +274,7 @@ TEST(AntiAliasing, OfOneColourIsThatColour) {
 
 TEST(AntiAliasing, OfGlassIsWhatOneSampleShows) {
     image::Image first;
-    for (const frame::AntiAliasing* aa : frame::anti_aliasings()) {
+    for (const frame::AntiAliasing* aa : frame::aa::kRows) {
         Flat flat{std::string(aa->card.name)};
         flat.shot.options.background = {200, 30, 90, 255};
         flat.add({DVec3(-100, -100, 0.4), DVec3(300, -100, 0.4), DVec3(-100, 300, 0.4)},

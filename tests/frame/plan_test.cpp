@@ -1,6 +1,7 @@
 #include "frame/ignored_options.h"
 #include "frame/plan.h"
 #include "frame/plans.h"
+#include "rows.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -67,7 +68,7 @@ TEST(Plan, RunsWhatTheUserNames) {
     EXPECT_THAT(stages(plan_of(facts, options)),
                 ElementsAre("interpolate perspective", "map diffuse", "light ambient",
                             "shading per_pixel"));
-    EXPECT_EQ(plan_of(facts, options).filter, shade::find_filter("nearest"));
+    EXPECT_EQ(plan_of(facts, options).filter, find_row(shade::texture::kRows, "nearest"));
 }
 
 TEST(Plan, ChoosesAModelForEachKindOfSurface) {
@@ -246,16 +247,16 @@ TEST(Plan, PicksHowCodesAreMade) {
     SceneFacts facts;
     facts.triangles = 1;
     const FramePlan usual = plan_of(facts);
-    EXPECT_EQ(usual.output.encoding, shade::find_encoding("srgb"));
-    EXPECT_EQ(usual.output.blend_space, shade::find_blend_space("linear"));
+    EXPECT_EQ(usual.output.encoding, find_row(shade::encode::kRows, "srgb"));
+    EXPECT_EQ(usual.output.blend_space, find_row(shade::blend_space::kRows, "linear"));
     EXPECT_FALSE(usual.output.dither);
     FrameOptions options;
     options.encode = "square_root";
     options.blend_space = "encoded";
     options.dither = "bayer";
     const FramePlan naive = plan_of(facts, options);
-    EXPECT_EQ(naive.output.encoding, shade::find_encoding("square_root"));
-    EXPECT_EQ(naive.output.blend_space, shade::find_blend_space("encoded"));
+    EXPECT_EQ(naive.output.encoding, find_row(shade::encode::kRows, "square_root"));
+    EXPECT_EQ(naive.output.blend_space, find_row(shade::blend_space::kRows, "encoded"));
     EXPECT_TRUE(naive.output.dither);
     EXPECT_EQ(usual.decision("dither")->technique, "none");
     options.bits = 5; // dithered where they are made of whole codes, and not before
@@ -363,7 +364,7 @@ TEST(Plan, ComputesTexturesWhereTheUserAsks) {
     const FramePlan plan = plan_of(facts, options);
     EXPECT_THAT(stages(plan), ElementsAre("interpolate perspective", "mapping box", "map diffuse",
                                           "light ambient", "shading per_pixel"));
-    EXPECT_EQ(plan.source, shade::find_source("checker"));
+    EXPECT_EQ(plan.source, find_row(shade::source::kRows, "checker"));
     EXPECT_EQ(plan.filter, nullptr);
     EXPECT_TRUE(plan.attributes.footprint);
     options.effects = {{"texture", false}};

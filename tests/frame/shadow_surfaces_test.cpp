@@ -1,9 +1,9 @@
 // Shadows and surfaces that let light through, shadows that no pass makes, and shadows of scenes of
 // any size.
 #include "image/compare.h"
+#include "support/axes.h"
 #include "support/scenes.h"
 #include "support/transparent_scenes.h"
-#include "techniques.h"
 
 #include <algorithm>
 
@@ -12,9 +12,7 @@ namespace {
 
 using scene::LightKind;
 
-#define SCANOUT_NAME(name) #name,
-const std::vector<std::string> kTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
-#undef SCANOUT_NAME
+const Names& kTechniques = names_on("shadow");
 
 // A floor that faces the eye, and before it a square of another material.
 Shot before_a_floor(const scene::Material& material, float left, float right) {

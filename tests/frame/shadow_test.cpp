@@ -2,8 +2,8 @@
 #include "frame/shadow_shares.h"
 #include "image/compare.h"
 #include "oracle/rays.h"
+#include "support/axes.h"
 #include "support/scenes.h"
-#include "techniques.h"
 
 #include <cmath>
 #include <map>
@@ -14,9 +14,7 @@ namespace {
 
 using scene::LightKind;
 
-#define SCANOUT_NAME(name) #name,
-const std::vector<std::string> kShadowTechniques = {SCANOUT_SHADOW(SCANOUT_NAME)};
-#undef SCANOUT_NAME
+const Names& kShadowTechniques = names_on("shadow");
 
 // What a ray through a pixel finds, and whether light reaches it there.
 class Oracle {

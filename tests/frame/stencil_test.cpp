@@ -4,6 +4,7 @@
 #include "frame/stencil.h"
 #include "oracle/coverage.h"
 #include "raster/screen/primitive.h"
+#include "rows.h"
 #include "support/scenes.h"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ std::vector<image::Rgba8> colours_of_counts() {
     for (int count = 0; count < 256; ++count)
         marks.row(0)[static_cast<std::size_t>(count)] = static_cast<std::uint8_t>(count);
     image::Image row(256, 1);
-    frame::find_stencil("overdraw")->show(marks, 0, row);
+    find_row(frame::stencil::kRows, "overdraw")->show(marks, 0, row);
     return {row.pixels().begin(), row.pixels().end()};
 }
 

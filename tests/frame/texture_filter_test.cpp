@@ -2,6 +2,7 @@
 // horizon (HARD-CASES 40, L4), and the bound that decides whether a view needs mipmaps.
 #include "frame/minification.h"
 #include "math/srgb.h"
+#include "rows.h"
 #include "support/random.h"
 #include "support/scenes.h"
 
@@ -99,7 +100,7 @@ TEST(TextureFilter, AnisotropicKeepsWithinItsErrorUpToTheHorizonAndEveryRungIsBe
         p = {255, 255, 255, 255};
     const image::Image lit = draw(white);
     double before = 1;
-    for (const shade::Filter* filter : shade::filters()) {
+    for (const shade::Filter* filter : shade::texture::kRows) {
         const std::string name(filter->card.name);
         const image::Image got = draw(floor_to_the_horizon(name));
         double sum = 0;

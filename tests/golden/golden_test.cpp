@@ -6,8 +6,8 @@
 #include "image/compare.h"
 #include "image/hash.h"
 #include "io/load.h"
+#include "support/axes.h"
 #include "support/scenes.h"
-#include "techniques.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -61,34 +61,7 @@ TEST(GoldenImages, ShowEveryTechniqueOfTheTable) {
     std::map<std::string, image::Image> pictures;
     for (const Shot& s : golden_shots())
         ASSERT_TRUE(pictures.emplace(s.name, draw(s)).second) << s.name << " twice";
-#define SCANOUT_NAME(name) #name,
-    const std::pair<std::string, std::vector<std::string>> axes[] = {
-        {"aa", {SCANOUT_AA(SCANOUT_NAME)}},
-        {"interpolate", {SCANOUT_INTERPOLATE(SCANOUT_NAME)}},
-        {"texture", {SCANOUT_TEXTURE(SCANOUT_NAME)}},
-        {"mapping", {SCANOUT_MAPPING(SCANOUT_NAME)}},
-        {"source", {SCANOUT_SOURCE(SCANOUT_NAME)}},
-        {"map", {SCANOUT_MAP(SCANOUT_NAME)}},
-        {"wrap", {SCANOUT_WRAP(SCANOUT_NAME)}},
-        {"light", {SCANOUT_LIGHT(SCANOUT_NAME)}},
-        {"shadow", {SCANOUT_SHADOW(SCANOUT_NAME)}},
-        {"reflection", {SCANOUT_REFLECTION(SCANOUT_NAME)}},
-        {"shading", {SCANOUT_SHADING(SCANOUT_NAME)}},
-        {"sides", {SCANOUT_SIDES(SCANOUT_NAME)}},
-        {"depth", {SCANOUT_DEPTH(SCANOUT_NAME)}},
-        {"depth_test", {SCANOUT_DEPTH_TEST(SCANOUT_NAME)}},
-        {"blend", {SCANOUT_BLEND(SCANOUT_NAME)}},
-        {"stencil", {SCANOUT_STENCIL(SCANOUT_NAME)}},
-        {"transparency", {SCANOUT_TRANSPARENCY(SCANOUT_NAME)}},
-        {"convolution", {SCANOUT_CONVOLUTION(SCANOUT_NAME)}},
-        {"exposure", {SCANOUT_EXPOSURE(SCANOUT_NAME)}},
-        {"tone", {SCANOUT_TONE(SCANOUT_NAME)}},
-        {"blend_space", {SCANOUT_BLEND_SPACE(SCANOUT_NAME)}},
-        {"encode", {SCANOUT_ENCODE(SCANOUT_NAME)}},
-        {"dither", {SCANOUT_DITHER(SCANOUT_NAME)}},
-        {"cull", {SCANOUT_CULL(SCANOUT_NAME)}}};
-#undef SCANOUT_NAME
-    for (const auto& [axis, names] : axes) {
+    for (const auto& [axis, names] : axes()) {
         std::string neighbour;
         const int tolerance = axis == "dither" ? 0 : 2; // a code at most
         for (const std::string& name : names) {

@@ -8,7 +8,7 @@ import pathlib
 import re
 import sys
 
-AXIS = re.compile(r"^[ \t]*#[ \t]*define[ \t]+SCANOUT_(\w+)\(X\)(.*)$", re.M)
+AXIS = re.compile(r"^[ \t]*#[ \t]*define[ \t]+SCANOUT_(?!AXES\b)(\w+)\(X\)(.*)$", re.M)
 COMMENT = re.compile(r"/\*.*?\*/|//[^\n]*", re.S)
 
 

@@ -1,6 +1,7 @@
 // Low-pass and high-pass: what they promise of planes, and of pictures.
 #include "image/convolution.h"
 #include "pictures.h"
+#include "rows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Plane high_of(Plane plane) {
 // In room that a larger picture has left.
 Image convolved(std::string_view name, Image picture) {
     std::vector<Plane> room(7, noise(60, 50));
-    find_convolution(name)->run(picture, room);
+    find_row(image::convolution::kRows, name)->run(picture, room);
     return picture;
 }
 
@@ -85,8 +86,8 @@ TEST(Convolutions, KeepOrBlackenAFlatPicture) {
     const Image flat(9, 7, {200, 3, 77, 128});
     EXPECT_EQ(convolved("low_pass", flat), flat);
     EXPECT_EQ(convolved("high_pass", flat), Image(9, 7, {0, 0, 0, 255}));
-    EXPECT_EQ(find_convolution("band_pass"), nullptr);
-    for (const Convolution* convolution : convolutions())
+    EXPECT_EQ(find_row(image::convolution::kRows, "band_pass"), nullptr);
+    for (const Convolution* convolution : image::convolution::kRows)
         EXPECT_TRUE(convolved(convolution->card.name, Image()).empty());
 }
 

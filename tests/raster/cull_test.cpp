@@ -58,9 +58,9 @@ std::set<std::uint32_t> visible(const RandomSoup& soup, int samples, Facing keep
     const auto pattern = sample_pattern(samples);
     const SampleExtent extent = extent_of(pattern);
     CullResult found;
-    cull({kWidth, kHeight, keep, mirrored, extent,
-          samples_only ? pattern : std::span<const SampleOffset>()},
-         soup.vertices, soup.index, 1000, found);
+    cull_triangles({kWidth, kHeight, keep, mirrored, extent,
+                    samples_only ? pattern : std::span<const SampleOffset>()},
+                   soup.vertices, soup.index, 1000, found);
     EXPECT_EQ(found.to_clip_count, 0U);
     std::set<std::uint32_t> ids;
     for (std::size_t i = 0; i < found.visible_count; ++i) {
@@ -184,8 +184,8 @@ TEST(Cull, NamesWhatIsCut) {
         }
         scanout::test::on_every_target([&](const std::string&) {
             CullResult found;
-            cull({kWidth, kHeight, Facing::any, false, extent_of(sample_pattern(1)), {}},
-                 all.vertices, all.index, 1000, found);
+            cull_triangles({kWidth, kHeight, Facing::any, false, extent_of(sample_pattern(1)), {}},
+                           all.vertices, all.index, 1000, found);
             found.to_clip.resize(found.to_clip_count);
             EXPECT_EQ(found.to_clip, wanted) << count;
             for (std::size_t i = 0; i < found.visible_count; ++i)

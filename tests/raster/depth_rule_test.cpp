@@ -3,6 +3,7 @@
 // loses.
 #include "raster/clipped/clipped_triangle.h"
 #include "raster/exact.h"
+#include "rows.h"
 #include "support/targets.h"
 
 #include <algorithm>
@@ -91,8 +92,8 @@ TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
             tile.draw(t);
             alone.push_back(planes(tile));
         }
-        for (const DepthTestRow* test : depth_tests()) {
-            for (const DepthFormatRow* format : depth_formats()) {
+        for (const DepthTestRow* test : raster::depth_test::kRows) {
+            for (const DepthFormatRow* format : raster::depth::kRows) {
                 std::vector<Kept> expected(alone[0].size());
                 for (std::size_t i = 0; i < triangles.size(); ++i) {
                     for (std::size_t p = 0; p < expected.size(); ++p) {
@@ -125,8 +126,8 @@ TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
 // A triangle that leaves the screen keeps the same rule.
 TEST(DepthRule, HoldsForPiecesToo) {
     Random random(2);
-    for (const DepthTestRow* test : depth_tests()) {
-        for (const DepthFormatRow* format : depth_formats()) {
+    for (const DepthTestRow* test : raster::depth_test::kRows) {
+        for (const DepthFormatRow* format : raster::depth::kRows) {
             for (int round = 0; round < 20; ++round) {
                 std::array<ExactPoint, 3> corner;
                 for (ExactPoint& p : corner) {
@@ -186,7 +187,7 @@ TEST(DepthFormats, LoseTheShareOfPairsThatTheTableSays) {
                          {"float_32", {19, 33, 48, 62, 76}},
                          {"reversed", {0, 0, 0, 0, 0}}};
     for (const Row& row : table) {
-        const DepthFormatRow* format = find_depth_format(row.name);
+        const DepthFormatRow* format = find_row(raster::depth::kRows, row.name);
         ASSERT_NE(format, nullptr) << row.name;
         for (std::size_t i = 0; i < std::size(gaps); ++i) {
             const double got = lost(*format, gaps[i]);
@@ -202,7 +203,7 @@ TEST(DepthFormats, LoseTheShareOfPairsThatTheTableSays) {
 // less than this share of its distance may not be told apart from it.
 TEST(DepthFormats, HaveStepsAroundTheTargetOfTheSharesThatTheirCardsSay) {
     const auto share = [](const char* name) {
-        const DepthFormatRow& format = *find_depth_format(name);
+        const DepthFormatRow& format = *find_row(raster::depth::kRows, name);
         const DepthRule rule{DepthTest::greater, format.standard, format.steps};
         const auto kept = [&](double distance) {
             return rule.stored(static_cast<float>(0x1p-14 / distance));

@@ -1,5 +1,6 @@
 // The modes of blending that compose colours, against the formula of Cabanier and Andronikos 2015
 // in double; and what they leave as it is, to the bit.
+#include "rows.h"
 #include "shade/transparency.h"
 #include "support/random.h"
 
@@ -14,13 +15,13 @@ namespace {
 using test::Random;
 
 auto composing(std::string_view name) {
-    const Blend* blend = find_blend(name);
+    const Blend* blend = find_row(shade::blend::kRows, name);
     EXPECT_TRUE(blend != nullptr && blend->compose != nullptr && blend->meet == nullptr) << name;
     return blend->compose;
 }
 
 TEST(Blend, MeetsByItsAlphaOrComposesByItsColour) {
-    for (const Blend* blend : blends())
+    for (const Blend* blend : shade::blend::kRows)
         EXPECT_NE(blend->meet == nullptr, blend->compose == nullptr) << blend->card.name;
 }
 

@@ -1,6 +1,7 @@
 // Blocks of lanes filled by the tests themselves, for one stage at a time.
 #pragma once
 
+#include "rows.h"
 #include "shade/stage.h"
 #include "support/meshes.h"
 #include "support/random.h"
@@ -68,7 +69,7 @@ inline void run_stage(std::string_view axis, std::string_view name, Block& block
                       const FrameState& frame) {
     const Stage& chosen = axis == "texture" ? stage("map", "diffuse") : stage(axis, name);
     FrameState state = frame;
-    if (axis == "texture") state.filter = find_filter(name);
+    if (axis == "texture") state.filter = find_row(shade::texture::kRows, name);
     const Block before = block;
     const int touched = std::min((block.count + 15) / 16 * 16, kPaddedBlock);
     std::unique_ptr<Block> first;

@@ -1,6 +1,7 @@
 // The checks of test builds (SCANOUT_CHECK_LANES) fire: NaN or infinity in a live lane ends the
 // program with the name of the stage that left it there; in a dead lane it does not.
 #include "raster/stage/geometry.h"
+#include "rows.h"
 #include "shade/block.h"
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
@@ -61,7 +62,7 @@ protected:
         frame_.lights = lights_;
         frame_.varies = varies_;
         frame_.attributes.maps = bit_of(kDiffuseMap);
-        frame_.filter = find_filter("bilinear");
+        frame_.filter = find_row(shade::texture::kRows, "bilinear");
         frame_.reflection.fill(&stage("reflection", "blinn_phong"));
         materials_[0].specular = Vec3(1);
         materials_[0].shininess = 10;
@@ -327,7 +328,7 @@ TEST_F(ShadeLanesDeathTest, SumsBeyondTheLastPixelAreDead) {
 
 // What no block of lanes holds: each place that makes such values looks at them itself.
 TEST_F(ShadeLanesDeathTest, MeansThatAreNotFiniteEndTheProgramBeforeTheyAreEncoded) {
-    const Output output{find_encoding("srgb")};
+    const Output output{find_row(shade::encode::kRows, "srgb")};
     std::uint32_t codes[kBlockSize + kPaddedBlock];
     const auto resolve = [&](float red) {
         PixelSums sums;

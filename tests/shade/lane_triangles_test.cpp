@@ -2,6 +2,7 @@
 // once, and that one the same whether it is set up alone or with others: a million random
 // triangles, on every target; under a sanitizer a sixth of them, which go through the same code.
 #include "base/jobs.h"
+#include "rows.h"
 #include "shade/gather.h"
 #include "shade/lane_triangles.h"
 #include "shade/primitives.h"
@@ -240,7 +241,7 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         frame.attributes = {.normal = true, .uv = true, .colour = true, .position = true};
         frame.attributes.footprint = true;
         frame.attributes.facing = round % 7 < 3;
-        frame.source = find_source("checker"); // wants u and v
+        frame.source = find_row(shade::source::kRows, "checker"); // wants u and v
         for (auto& row : frame.normal_matrix)
             for (float& m : row)
                 m = static_cast<float>(random.in(-1, 1));

@@ -1,5 +1,6 @@
 // The maps of a material: what each changes, and that its neutral element changes no bit. Normals
 // and bumps: HARD-CASES 30, 31.
+#include "rows.h"
 #include "shade/block.h"
 #include "support/lights.h"
 
@@ -20,7 +21,7 @@ struct Mapped {
         material.roughness = 0.6F;
         material.metalness = 0.8F;
         block->map[map] = {&texture, &(material.*map_slots()[map].map), nullptr, Wrap::repeat};
-        frame.filter = find_filter("bilinear");
+        frame.filter = find_row(shade::texture::kRows, "bilinear");
         frame.orthographic = true;
         face(0, {0, 0, 1}, {0, 0, 1});
         for (int i = 0; i < kBlockSize; ++i) {

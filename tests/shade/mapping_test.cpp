@@ -1,5 +1,6 @@
 // Coordinates made from the place on the model, and their slopes, against long double; at the seam
 // and at the poles nothing is without end.
+#include "rows.h"
 #include "shade/block.h"
 
 #include <array>
@@ -99,7 +100,7 @@ struct MappedPoint {
         block->count = block->runs = kUsed;
         frame.attributes.uv = frame.attributes.footprint = frame.attributes.object = true;
         frame.mapped = true;
-        frame.source = find_source("checker"); // something reads them
+        frame.source = find_row(shade::source::kRows, "checker"); // something reads them
     }
     void run(const char* name) { run_stage("mapping", name, *block, frame); }
     Point point(int i, Real dx = 0, Real dy = 0) const {

@@ -3,6 +3,7 @@
 #include "block.h"
 #include "image/dither.h"
 #include "math/srgb.h"
+#include "rows.h"
 #include "shade/output.h"
 #include "shade/resolve.h"
 
@@ -63,7 +64,7 @@ std::vector<float> steps() {
 TEST(Encode, IsTheNearestCodeOfItsCurveAndNeverFalls) {
     const std::vector<float> light = steps();
     for (const Rule& rule : kRules) {
-        const std::vector<int> got = codes(*find_encoding(rule.name), light);
+        const std::vector<int> got = codes(*find_row(shade::encode::kRows, rule.name), light);
         double worst = 0, beside = 0;
         for (std::size_t i = 0; i < light.size(); ++i) {
             const double x = light[i];
@@ -84,7 +85,7 @@ TEST(Encode, ClampsAndTakesNoNumberForBlack) {
     constexpr float kInfinity = std::numeric_limits<float>::infinity();
     const std::vector<float> light = {-1,      -0.0F, -kInfinity, std::nanf(""),
                                       1.0001F, 300,   kInfinity,  1e-40F};
-    for (const Encoding* encoding : encodings())
+    for (const Encoding* encoding : shade::encode::kRows)
         EXPECT_EQ(codes(*encoding, light), std::vector<int>({0, 0, 0, 0, 255, 255, 255, 0}))
             << encoding->card.name;
 }
@@ -92,7 +93,7 @@ TEST(Encode, ClampsAndTakesNoNumberForBlack) {
 TEST(Encode, GivesEveryCodeBackFromItsLight) {
     std::vector<int> all(256);
     std::iota(all.begin(), all.end(), 0);
-    for (const Encoding* encoding : encodings()) {
+    for (const Encoding* encoding : shade::encode::kRows) {
         std::vector<float> light;
         for (const int code : all)
             light.push_back(encoding->decode(static_cast<std::uint8_t>(code)));
@@ -110,7 +111,7 @@ TEST(Encode, DitheredIsTheUnroundedCodeOnAverageAndAtMostOneBeside) {
     for (int i = 1; i < 500; ++i)
         light.push_back(static_cast<float>(i * i) / 250000);
     for (const Rule& rule : kRules) {
-        const Encoding& encoding = *find_encoding(rule.name);
+        const Encoding& encoding = *find_row(shade::encode::kRows, rule.name);
         std::vector<double> mean(light.size(), 0.0);
         for (unsigned place = 0; place < 64; ++place) {
             const std::vector<float> offset(light.size() + 16,
@@ -143,7 +144,8 @@ TEST(Dither, HasEveryThresholdOnceAndMeansAHalf) {
 
 // Of two codes, in 16 samples of which `first` show the first.
 int mixed(const char* space, int code_1, int code_2, int first) {
-    const Output output{find_encoding("srgb"), find_blend_space(space)};
+    const Output output{find_row(shade::encode::kRows, "srgb"),
+                        find_row(shade::blend_space::kRows, space)};
     const Encoding& encoding = output.of_mixture();
     PixelSums sums;
     sums.reset(1);

@@ -1,5 +1,6 @@
 // Laws that reflection models keep, whatever their formula.
 #include "shade/block.h"
+#include "support/axes.h"
 #include "support/lights.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 using scanout::test::directional;
 using scene::ViewLight;
 
-const char* const kModels[] = {"lambert", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"};
+const scanout::test::Names& kModels = scanout::test::names_on("reflection");
 
 scene::Material physical(float roughness, float metalness) {
     scene::Material m = scanout::test::plain(Vec3(1));
@@ -257,7 +258,7 @@ TEST(ReflectionLaws, GgxIsTheFormula) {
 TEST(ReflectionLaws, EveryModelIsLinearInTheAlbedo) {
     Random random(4);
     const scene::Material shiny = scanout::test::plain(Vec3(1), Vec3(0.4F), 25);
-    for (const char* model : kModels) {
+    for (const std::string& model : kModels) {
         for (int round = 0; round < 100; ++round) {
             const DVec3 l = at_angles(random.in(0, 1.5), random.in(0, 6.3)),
                         e = at_angles(random.in(0, 1.5), random.in(0, 6.3));
@@ -274,7 +275,7 @@ TEST(ReflectionLaws, EveryModelIsLinearInTheAlbedo) {
 TEST(ReflectionLaws, NoHighlightIsLambertToTheBit) {
     Random random(5);
     const Vec3 black(0), white(1);
-    for (const char* model : kModels) {
+    for (const std::string& model : kModels) {
         for (const auto& [ks, ns] : {std::pair{black, 50.0F}, {white, 0.0F}}) {
             const scene::Material m = scanout::test::plain(Vec3(1), ks, ns);
             for (int round = 0; round < 20; ++round) {
@@ -288,7 +289,7 @@ TEST(ReflectionLaws, NoHighlightIsLambertToTheBit) {
 }
 
 TEST(ReflectionLaws, WhatIsWildStaysFinite) {
-    for (const char* model : kModels) {
+    for (const std::string& model : kModels) {
         for (const scene::Material& m :
              {scanout::test::plain(Vec3(1), Vec3(1e6F), 1e6F), physical(0, 1), physical(1, 0),
               physical(0, 0), scanout::test::plain(Vec3(1), Vec3(1), 1e-30F)}) {

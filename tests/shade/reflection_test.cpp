@@ -1,3 +1,4 @@
+#include "rows.h"
 #include "shade/block.h"
 #include "support/lights.h"
 
@@ -217,12 +218,12 @@ TEST(DefaultLights, AreUnitAndInFrontOfTheModel) {
 TEST(Catalogue, FindsEveryStageAndFilterByItsNameAlone) {
     for (const Stage* stage : stages())
         EXPECT_EQ(find_stage(stage->card.axis, stage->card.name), stage) << stage->card.name;
-    for (const Filter* filter : filters())
-        EXPECT_EQ(find_filter(filter->card.name), filter) << filter->card.name;
+    for (const Filter* filter : shade::texture::kRows)
+        EXPECT_EQ(find_row(shade::texture::kRows, filter->card.name), filter) << filter->card.name;
     EXPECT_EQ(find_stage("texture", "lambert"), nullptr);
     EXPECT_EQ(find_stage("reflection", ""), nullptr);
     EXPECT_EQ(find_stage("", "lambert"), nullptr);
-    EXPECT_EQ(find_filter("lambert"), nullptr);
+    EXPECT_EQ(find_row(shade::texture::kRows, "lambert"), nullptr);
 }
 
 } // namespace

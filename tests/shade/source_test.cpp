@@ -1,4 +1,5 @@
 // Computed textures: the same everywhere, without a seam, and no finer than a pixel can show.
+#include "rows.h"
 #include "shade/block.h"
 #include "shade/source/permutation.h"
 
@@ -20,7 +21,7 @@ struct Sampled {
     }
     // On every target alike.
     void sample(const char* name) {
-        const Source* source = find_source(name);
+        const Source* source = find_row(shade::source::kRows, name);
         ASSERT_NE(source, nullptr);
         std::vector<float> first;
         scanout::test::on_every_target([&](const std::string&) {
@@ -39,7 +40,7 @@ struct Sampled {
 
 std::vector<std::string> computed() {
     std::vector<std::string> names;
-    for (const Source* source : sources())
+    for (const Source* source : shade::source::kRows)
         if (source->sample != nullptr) names.emplace_back(source->card.name);
     return names;
 }

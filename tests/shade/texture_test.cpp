@@ -1,3 +1,4 @@
+#include "rows.h"
 #include "shade/block.h"
 #include "shade/mip_chain.h"
 #include "support/srgb_formula.h"
@@ -85,7 +86,7 @@ std::vector<Vec2> random_uv(Random& random, double size) {
 
 std::vector<std::string> filters() {
     std::vector<std::string> names;
-    for (const Filter* filter : shade::filters())
+    for (const Filter* filter : shade::texture::kRows)
         names.emplace_back(filter->card.name);
     return names;
 }
@@ -420,7 +421,7 @@ TEST(Texture, TrilinearReadsTheSameBitsBesideLanesThatAreNotMinified) {
     scene::Texture texture = noise(37, 64, 18);
     for (image::Rgba8& p : texture.image.pixels())
         p.a = static_cast<std::uint8_t>(random.bits());
-    const Filter* const trilinear = find_filter("trilinear");
+    const Filter* const trilinear = find_row(shade::texture::kRows, "trilinear");
     scanout::test::on_every_target([&](const std::string& target) {
         for (int round = 0; round < 90; ++round) {
             Sampler all(texture, kWraps[round % 3]), half(texture, kWraps[round % 3]);
@@ -566,7 +567,7 @@ TEST(Texture, AlphaIsReadAloneByEveryFilter) {
     Sampler alpha(transparent), data(plain);
     data.chain = make_mip_chain(grey, TexelKind::data, Sampler::jobs());
     const std::vector<Vec2> uv = random_uv(random, 1);
-    for (const Filter* filter : shade::filters()) {
+    for (const Filter* filter : shade::texture::kRows) {
         for (int i = 0; i < kBlockSize; ++i) {
             const DVec3 x = random.in_cube(0.5), y = random.in_cube(0.5);
             const Slopes slopes{{x.x, x.y}, {y.x, y.y}};

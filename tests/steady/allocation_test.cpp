@@ -1,9 +1,9 @@
 // While a model turns, nothing is allocated from the view to the picture: not by us, and not by
 // oneTBB below us.
 #include "base/jobs.h"
+#include "frame/catalogue.h"
 #include "frame/plan_cache.h"
 #include "frame/renderer.h"
-#include "frame/techniques.h"
 #include "io/load.h"
 #include "simd/targets.h"
 #include "support/allocations.h"

@@ -1,6 +1,7 @@
 // Scenes in which it matters which of two surfaces is seen, and how finely depth is kept.
 #pragma once
 
+#include "support/axes.h"
 #include "support/shot.h"
 
 namespace scanout::test {
@@ -54,11 +55,10 @@ inline Shot depth_kept(std::string name, const std::string& format) {
 
 inline std::vector<Shot> depth_shots() {
     std::vector<Shot> shots;
-    for (const char* name : {"fixed_16", "fixed_24", "float_32", "reversed"})
-        shots.push_back(depth_kept(std::string("depth_") + name, name));
-    for (const char* name :
-         {"equal", "always", "never", "less", "less_equal", "greater_equal", "greater"})
-        shots.push_back(depth_tested(std::string("depth_test_") + name, name));
+    for (const std::string& name : names_on("depth"))
+        shots.push_back(depth_kept("depth_" + name, name));
+    for (const std::string& name : names_on("depth_test"))
+        shots.push_back(depth_tested("depth_test_" + name, name));
     return shots;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "geom/line_faces.h"
+#include "support/axes.h"
 #include "support/depth_scenes.h"
 #include "support/random.h"
 #include "support/shot.h"
@@ -236,28 +237,28 @@ inline void add_output_shots(std::vector<Shot>& shots) {
         shots.back().camera.azimuth_degrees = 120;
         shots.back().options.exposure = stops;
     }
-    for (const char* tone : {"clamp", "shoulder", "filmic"}) {
-        shots.push_back(solids("tone_" + std::string(tone)));
+    for (const std::string& tone : names_on("tone")) {
+        shots.push_back(solids("tone_" + tone));
         shots.back().options.tone = tone;
         shots.back().options.exposure = 2.5;
     }
-    for (const char* space : {"encoded", "linear"}) {
-        shots.push_back(star("blend_space_" + std::string(space)));
+    for (const std::string& space : names_on("blend_space")) {
+        shots.push_back(star("blend_space_" + space));
         shots.back().options.samples = 8;
         shots.back().options.blend_space = space;
     }
-    for (const char* encode : {"square_root", "power_2_2", "srgb"}) {
-        shots.push_back(glossy("encode_" + std::string(encode), "auto"));
+    for (const std::string& encode : names_on("encode")) {
+        shots.push_back(glossy("encode_" + encode, "auto"));
         shots.back().options.encode = encode;
         shots.back().options.exposure = -3; // they differ most in the dark
         shots.back().options.tone = "clamp";
     }
-    for (const char* convolution : {"low_pass", "high_pass"}) {
-        shots.push_back(solids("convolution_" + std::string(convolution)));
+    for (const std::string& convolution : names_on("convolution")) {
+        shots.push_back(solids("convolution_" + convolution));
         shots.back().options.convolution = convolution;
     }
-    for (const char* dither : {"none", "bayer"}) {
-        shots.push_back(glossy("dither_" + std::string(dither), "lambert"));
+    for (const std::string& dither : names_on("dither")) {
+        shots.push_back(glossy("dither_" + dither, "lambert"));
         shots.back().options.exposure = -5;
         shots.back().options.dither = dither;
     }
@@ -277,16 +278,15 @@ inline Shot wall(std::string name) {
 }
 
 inline void add_interpolation_shots(std::vector<Shot>& shots) {
-    for (const char* name : {"affine", "affine_16", "affine_8", "adaptive", "perspective"}) {
-        shots.push_back(wall("interpolate_" + std::string(name)));
+    for (const std::string& name : names_on("interpolate")) {
+        shots.push_back(wall("interpolate_" + name));
         shots.back().options.interpolate = name;
     }
 }
 
 inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
-    for (const char* name : {"none", "samples_2", "supersampling_2", "samples_4", "samples_8",
-                             "samples_16", "supersampling_4", "area", "tent", "gaussian"}) {
-        shots.push_back(star("aa_" + std::string(name)));
+    for (const std::string& name : names_on("aa")) {
+        shots.push_back(star("aa_" + name));
         shots.back().options.aa = name;
     }
 }
@@ -337,10 +337,10 @@ inline std::vector<Shot> map_shots() {
     shots.push_back(mapped_sphere("map_roughness", &Material::map_roughness, checkers()));
     shots.push_back(mapped_sphere("map_metalness", &Material::map_metalness, checkers()));
     shots.push_back(mapped_sphere("map_emission", &Material::map_emission, checkers()));
-    for (const char* source : {"image", "checker", "white_noise", "perlin_noise"})
-        shots.push_back(covered_solids(std::string("source_") + source, source, "auto"));
-    for (const char* mapping : {"uv", "plane", "box", "cylinder", "sphere"}) {
-        shots.push_back(covered_solids(std::string("mapping_") + mapping, "auto", mapping));
+    for (const std::string& source : names_on("source"))
+        shots.push_back(covered_solids("source_" + source, source, "auto"));
+    for (const std::string& mapping : names_on("mapping")) {
+        shots.push_back(covered_solids("mapping_" + mapping, "auto", mapping));
         shots.back().camera.azimuth_degrees = 50;
     }
     return shots;
@@ -348,11 +348,10 @@ inline std::vector<Shot> map_shots() {
 
 inline std::vector<Shot> golden_shots() {
     std::vector<Shot> shots;
-    for (const char* filter : {"nearest", "bilinear", "mipmap", "trilinear", "anisotropic_2",
-                               "anisotropic_4", "anisotropic_8", "anisotropic_16"})
-        shots.push_back(noisy_floor(std::string("texture_") + filter, filter));
-    for (const char* wrap : {"repeat", "mirror", "clamp"})
-        shots.push_back(wrapped_square(std::string("wrap_") + wrap, wrap));
+    for (const std::string& filter : names_on("texture"))
+        shots.push_back(noisy_floor("texture_" + filter, filter));
+    for (const std::string& wrap : names_on("wrap"))
+        shots.push_back(wrapped_square("wrap_" + wrap, wrap));
     shots.push_back(textured_cube("map_diffuse", "auto"));
     shots.back().camera.azimuth_degrees = 60;
     for (Shot& s : map_shots())
@@ -363,13 +362,13 @@ inline std::vector<Shot> golden_shots() {
          {scene::LightKind::directional, scene::LightKind::point, scene::LightKind::spot})
         shots.push_back(
             stage("light_" + std::string(name_of(kind)), {light_of(kind, 0.9), ambient}));
-    for (const char* model : {"lambert", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"})
-        shots.push_back(glossy(std::string("reflection_") + model, model));
+    for (const std::string& model : names_on("reflection"))
+        shots.push_back(glossy("reflection_" + model, model));
     shots.push_back(glossy("physical", "auto"));
     shots.back().scene.materials[0].roughness = 0.45F;
     shots.back().scene.materials[0].metalness = 0.8F;
-    for (const char* rung : {"flat", "gouraud", "per_pixel_raw", "per_pixel"}) {
-        shots.push_back(ball(std::string("shading_") + rung));
+    for (const std::string& rung : names_on("shading")) {
+        shots.push_back(ball("shading_" + rung));
         shots.back().options.shading = rung;
     }
     shots.push_back(bowl("two_sided_off", frame::Cull::none));
@@ -379,11 +378,12 @@ inline std::vector<Shot> golden_shots() {
         shots.back().camera.elevation_degrees = 55;
         shots.back().options.effects["two_sided"] = both;
     }
-    for (const char* technique : {"attached", "projected", "map", "map_pcf"})
-        shots.push_back(shadowed("shadow_" + std::string(technique), technique));
-    shots.back().options.shadow_filter = 5;
-    shots.push_back(shadowed("shadow_map_soft", "map_soft", scene::LightKind::directional, 8));
-    shots.push_back(shadowed("shadow_volume", "volume"));
+    for (const std::string& technique : names_on("shadow")) {
+        const double size = technique == "map_soft" ? 8 : 0;
+        shots.push_back(
+            shadowed("shadow_" + technique, technique, scene::LightKind::directional, size));
+        if (technique == "map_pcf") shots.back().options.shadow_filter = 5;
+    }
     for (const char* technique : {"map_pcf", "volume"}) {
         scene::Light lamp = light_of(scene::LightKind::directional, 0.9);
         lamp.casts = true;
@@ -395,9 +395,10 @@ inline std::vector<Shot> golden_shots() {
     shots.push_back(near_clip("floor"));
     shots.back().camera.eye = DVec3(0.3, 0.5, 1.2);
     shots.push_back(near_clip("near_clip"));
-    shots.push_back(bowl("cull_none", frame::Cull::none));
-    shots.push_back(bowl("cull_back", frame::Cull::back));
-    shots.push_back(bowl("cull_front", frame::Cull::front));
+    for (const std::string& name : names_on("cull")) {
+        shots.push_back(bowl("cull_" + name, frame::Cull::none));
+        frame::ask(shots.back().options, "cull", name);
+    }
     shots.push_back(solids("perspective"));
     shots.push_back(solids("orthographic"));
     shots.back().camera.projection = scene::Projection::orthographic;
@@ -409,8 +410,8 @@ inline std::vector<Shot> golden_shots() {
         shots.push_back(s);
     for (const Shot& s : transparent_shots())
         shots.push_back(s);
-    for (const char* name : {"none", "outline", "overdraw"}) {
-        shots.push_back(panes("stencil_" + std::string(name), "exact"));
+    for (const std::string& name : names_on("stencil")) {
+        shots.push_back(panes("stencil_" + name, "exact"));
         shots.back().camera.azimuth_degrees = 20;
         shots.back().options.stencil = name;
     }

@@ -1,6 +1,7 @@
 // Scenes with surfaces that let light through: panes and leaves.
 #pragma once
 
+#include "support/axes.h"
 #include "support/shot.h"
 
 namespace scanout::test {
@@ -86,10 +87,10 @@ inline Shot holed_cube(std::string name) {
 inline std::vector<Shot> transparent_shots() {
     std::vector<Shot> shots;
     shots.push_back(holed_cube("map_opacity"));
-    for (const char* name : {"cut_out", "sorted", "exact"})
-        shots.push_back(panes(std::string("transparency_") + name, name));
-    for (const char* name : {"none", "over", "add", "subtract", "multiply", "screen"}) {
-        shots.push_back(panes(std::string("blend_") + name, "exact"));
+    for (const std::string& name : names_on("transparency"))
+        shots.push_back(panes("transparency_" + name, name));
+    for (const std::string& name : names_on("blend")) {
+        shots.push_back(panes("blend_" + name, "exact"));
         shots.back().options.blend = name;
         shots.back().options.background = {150, 150, 150, 255};
     }

@@ -79,10 +79,4 @@ struct DepthFormatRow {
     double steps;
 };
 
-// In the order of techniques.h; null where there is no such name.
-std::span<const DepthTestRow* const> depth_tests();
-std::span<const DepthFormatRow* const> depth_formats();
-const DepthTestRow* find_depth_test(std::string_view name);
-const DepthFormatRow* find_depth_format(std::string_view name);
-
 } // namespace scanout::raster

@@ -1,7 +1,7 @@
 // Culling "back": half the work on closed models, and a look into rooms. [Primer 1.6].
 #include "raster/culling/cull.h"
 
-namespace scanout::raster::culling {
+namespace scanout::raster::cull {
 
 extern const CullRow back;
 constinit const CullRow back{{.axis = "cull",
@@ -11,4 +11,4 @@ constinit const CullRow back{{.axis = "cull",
                               .kind = Kind::model},
                              Facing::front};
 
-} // namespace scanout::raster::culling
+} // namespace scanout::raster::cull

@@ -1,7 +1,7 @@
 // Culling "front": the insides of closed models alone. [Primer 1.6].
 #include "raster/culling/cull.h"
 
-namespace scanout::raster::culling {
+namespace scanout::raster::cull {
 
 extern const CullRow front;
 constinit const CullRow front{{.axis = "cull",
@@ -11,4 +11,4 @@ constinit const CullRow front{{.axis = "cull",
                                .kind = Kind::model},
                               Facing::back};
 
-} // namespace scanout::raster::culling
+} // namespace scanout::raster::cull

@@ -1,7 +1,7 @@
 // Culling "none": what is closed hides its own backs, and files do not say what is.
 #include "raster/culling/cull.h"
 
-namespace scanout::raster::culling {
+namespace scanout::raster::cull {
 
 extern const CullRow none;
 constinit const CullRow none{{.axis = "cull",
@@ -11,4 +11,4 @@ constinit const CullRow none{{.axis = "cull",
                               .kind = Kind::model},
                              Facing::any};
 
-} // namespace scanout::raster::culling
+} // namespace scanout::raster::cull

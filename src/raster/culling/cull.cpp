@@ -234,8 +234,8 @@ bool keeps_facing(const CullOptions& options, bool clockwise) {
     return options.keep == Facing::any || (options.keep == Facing::front) == front;
 }
 
-void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
-          std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
+void cull_triangles(const CullOptions& options, std::span<const ScreenVertex> vertices,
+                    std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
     result.visible_count = result.to_clip_count = 0;
     const std::size_t room = index.size() / 3 + kRegisterPadding;
     if (result.visible.size() < room) {

@@ -18,7 +18,6 @@ struct CullRow {
     Technique card;
     Facing keep;
 };
-std::span<const CullRow* const> cullings(); // in the order of techniques.h
 
 struct CullOptions {
     int width = 0, height = 0; // of the picture
@@ -60,7 +59,7 @@ struct CullResult {
 };
 
 // index: three vertices each of the triangles first, first + 1, ...
-void cull(const CullOptions& options, std::span<const ScreenVertex> vertices,
-          std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result);
+void cull_triangles(const CullOptions& options, std::span<const ScreenVertex> vertices,
+                    std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result);
 
 } // namespace scanout::raster

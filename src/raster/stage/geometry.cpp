@@ -152,8 +152,9 @@ void Geometry::bin_small_part(const VisibleTriangle& t, int left, int top,
 
 void Geometry::bin_triangles(WorkerBins& worker, std::size_t begin, std::size_t end) const {
     CullResult& found = worker.found;
-    cull(cull_, vertices(), mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
-         static_cast<std::uint32_t>(begin), found);
+    cull_triangles(cull_, vertices(),
+                   mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
+                   static_cast<std::uint32_t>(begin), found);
     const auto visible = std::span<const VisibleTriangle>(found.visible).first(found.visible_count);
     bin_small_triangles(grid_, visible, worker.binning);
     const std::span<TileBin> bins = worker.bins;

@@ -99,7 +99,7 @@ void Geometry::draw_back_facing(int tile, VisibilityTile& out) const {
 void Geometry::cull_deferred(std::size_t cluster, const image::Rect& area, DeferredTriangles& out) {
     const std::size_t begin = cluster * geom::Clusters::kTriangles,
                       end = std::min(begin + geom::Clusters::kTriangles, mesh_->triangles());
-    cull(cull_, vertices(), mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
+    cull_triangles(cull_, vertices(), mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
          static_cast<std::uint32_t>(begin), out.found);
     CHECK_EQ(out.found.to_clip_count, std::size_t{0});
     std::uint64_t drawn = 0; // counted by the tile of the first pixel

@@ -4,6 +4,7 @@
 
 namespace scanout::shade::sides {
 
+extern const LitSides one_sided;
 constinit const LitSides one_sided{{.axis = "sides",
                                     .name = "one_sided",
                                     .blurb = "the side that the file's normals point to is lit",

@@ -6,6 +6,7 @@
 
 namespace scanout::shade::sides {
 
+extern const LitSides two_sided;
 constinit const LitSides two_sided{{.axis = "sides",
                                     .name = "two_sided",
                                     .blurb = "the side that the eye sees is lit",

@@ -4,7 +4,6 @@
 #include "base/technique.h"
 #include "shade/stage.h"
 
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,7 +13,6 @@ namespace scanout::frame {
 const std::vector<const Technique*>& techniques();
 // What a technique reads of each lane; nothing for those that are no stage and no filter.
 shade::Attributes reads(const Technique& technique);
-// The names on an axis, each with a space before it.
-std::string names_of(std::string_view axis);
+std::vector<std::string_view> names_on(std::string_view axis);
 
 } // namespace scanout::frame
