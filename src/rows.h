@@ -33,4 +33,11 @@ const Row* find_row(const Row* const (&rows)[kCount], std::string_view name) {
     return nullptr;
 }
 
+// The same; another one where there is none.
+template <class Row, std::size_t kCount>
+const Row& row_or(const Row* const (&rows)[kCount], std::string_view name, const Row& other) {
+    const Row* found = find_row(rows, name);
+    return found != nullptr ? *found : other;
+}
+
 } // namespace scanout

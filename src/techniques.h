@@ -54,13 +54,13 @@
     X(shade, source, SCANOUT_SOURCE, Source, asked,                                                \
       "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own") \
     X(shade, map, SCANOUT_MAP, Stage, planned, "")                                                 \
-    X(shade, light, SCANOUT_LIGHT, Stage, planned, "")                                             \
-    X(shade, shadow, SCANOUT_SHADOW, Stage, asked,                                                 \
+    X(shade, light, SCANOUT_LIGHT, LightStage, planned, "")                                             \
+    X(shade, shadow, SCANOUT_SHADOW, ShadowStage, asked,                                                 \
       "how lights that cast throw shadows (`list techniques`); auto: map_soft where one has a "    \
       "size, else map_pcf")                                                                        \
-    X(shade, reflection, SCANOUT_REFLECTION, Stage, asked,                                         \
+    X(shade, reflection, SCANOUT_REFLECTION, ReflectionStage, asked,                                         \
       "how surfaces reflect (`list techniques`)")                                                  \
-    X(shade, shading, SCANOUT_SHADING, Stage, asked,                                               \
+    X(shade, shading, SCANOUT_SHADING, ShadingStage, asked,                                               \
       "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)")     \
     X(shade, sides, SCANOUT_SIDES, LitSides, planned, "")                                          \
     X(raster, cull, SCANOUT_CULL, CullRow, listed,                                                 \
@@ -81,7 +81,7 @@
     X(frame, aa, SCANOUT_AA, AntiAliasing, asked,                                                  \
       "how edges are smoothed (`list techniques`); auto is what --samples says")                   \
     X(shade, exposure, SCANOUT_EXPOSURE, Stage, planned, "")                                       \
-    X(shade, tone, SCANOUT_TONE, Stage, asked,                                                     \
+    X(shade, tone, SCANOUT_TONE, ToneStage, asked,                                                     \
       "what becomes of light above 1 (`list techniques`)")                                         \
     X(shade, blend_space, SCANOUT_BLEND_SPACE, BlendSpace, asked,                                  \
       "in what the samples of a pixel are mixed (`list techniques`)")                              \

@@ -370,7 +370,7 @@ const bool kRegistered = [] {
     };
     for (const shade::Stage* stage : shade::stages()) {
         // Names without work of their own.
-        if (stage->run == nullptr || stage->card.name == "attached") continue;
+        if (stage->run == nullptr) continue;
         add("building", stage);
         // What is done once a triangle, where triangles are small.
         if (stage->card.axis == "interpolate" || stage->card.axis == "shading")

@@ -17,6 +17,7 @@ struct Technique {
     std::string_view blurb;  // one line
     std::string_view source; // whose it is: papers, books, standards of docs/REFERENCES.md
     Kind kind = Kind::model;
+    bool least = false; // of models: does less than the others on its axis
 };
 
 } // namespace scanout

@@ -18,6 +18,10 @@ struct AntiAliasing {
     // along one axis, in pixels, up to 1.5; the product of both axes. Null: all of the pixel's box
     // alike.
     double (*weight)(double distance) = nullptr;
+
+    // A pixel is the mean of its samples, and nothing else.
+    bool is_counted() const { return scale == 1 && !exact && weight == nullptr; }
+    bool takes_one() const { return is_counted() && samples == 1; }
 };
 
 } // namespace scanout::frame

@@ -1,6 +1,7 @@
 #include "frame/ignored_options.h"
 
 #include "frame/planner.h"
+#include "rows.h"
 
 #include <algorithm>
 #include <utility>
@@ -34,7 +35,7 @@ std::string nothing(const std::string& option, const std::string& because) {
 void add_effect(const FramePlan& plan, const Decision& d, Lines& lines) {
     const FrameOptions& o = plan.options;
     const bool on = asked_on(o, d.effect);
-    if (d.effect == "shadow" && o.shadow != "auto" && !(d.needed && d.on()))
+    if (d.effect == "shadow" && !is_auto(o.shadow) && !(d.needed && d.on()))
         lines.push_back(taken_out(plan, "shadow")
                             ? nothing("--shadow " + o.shadow, why_off(plan, "shadow", ""))
                             : to_string(d));
@@ -47,18 +48,23 @@ void add_effect(const FramePlan& plan, const Decision& d, Lines& lines) {
 // Effects that are on in name alone, for what another option says.
 void add_contradictions(const FramePlan& plan, Lines& lines) {
     const FrameOptions& o = plan.options;
+    const auto* const shadow = find_row(shade::shadow::kRows, o.shadow);
+    const auto* const model = find_row(shade::reflection::kRows, o.reflection);
+    const auto* const filter = find_row(shade::texture::kRows, o.texture);
+    const auto* const transparency = find_row(shade::transparency::kRows, o.transparency);
     const struct {
         std::string_view effect;
         bool in_vain;
         std::string because;
     } rows[] = {
-        {"shadow", o.shadow == "attached", "--shadow attached throws none; say another, or auto"},
-        {"highlight", o.reflection == "lambert",
-         "--reflection lambert has none; say another, or auto"},
-        {"mipmaps", o.texture == "nearest" || o.texture == "bilinear",
+        {"shadow", shadow != nullptr && shadow->by == shade::ShadowBy::facing,
+         fmt::format("--shadow {} throws none; say another, or auto", o.shadow)},
+        {"highlight", model != nullptr && !model->highlight,
+         fmt::format("--reflection {} has none; say another, or auto", o.reflection)},
+        {"mipmaps", filter != nullptr && !filter->needs.footprint,
          fmt::format("--texture {} reads none; say another, or auto", o.texture)},
-        {"blending", o.transparency == "cut_out",
-         "--transparency cut_out blends nothing; say another, or auto"},
+        {"blending", transparency != nullptr && transparency->cuts,
+         fmt::format("--transparency {} blends nothing; say another, or auto", o.transparency)},
         {"blending", blends_nothing(o), "--blend none blends nothing; say another, or auto"}};
     for (const auto& row : rows) {
         if (!row.in_vain || !asked_on(o, row.effect) || !plan.decision(row.effect)->on()) continue;
@@ -72,8 +78,8 @@ void add_contradictions(const FramePlan& plan, Lines& lines) {
 // A technique on an axis of its own. To leave something out is never in vain.
 void add_choice(const FramePlan& plan, const Decision& d, Lines& lines) {
     const std::string asked = asked_for(plan.options, d.effect);
-    if (asked == "auto" || asked == "none") return;
-    const bool by_number = d.effect == "aa" && plan.options.aa == "auto";
+    if (is_auto(asked) || asked == "none") return;
+    const bool by_number = d.effect == "aa" && is_auto(plan.options.aa);
     const std::string option = by_number ? fmt::format("--samples {}", plan.options.samples)
                                          : fmt::format("--{} {}", option_of(d.effect), asked);
     const bool texture = d.effect == "source" || d.effect == "wrap" || d.effect == "mapping";
@@ -115,17 +121,17 @@ void add_lights(const FramePlan& plan, Lines& lines) {
         if (std::find(lines.begin(), lines.end(), line) == lines.end())
             lines.push_back(std::move(line));
     }
-    const std::string_view shadow =
-        plan.shadow.stage == nullptr ? "off" : plan.shadow.stage->card.name;
+    const shade::ShadowStage* const shadow = plan.shadow.stage;
     const bool soft = casts_with_size(plan);
-    if (shadow == "map_soft" && !soft && plan.options.shadow != "auto")
-        lines.push_back("--shadow map_soft changes nothing: no light that casts has a size; it "
-                        "draws what map_pcf draws");
-    else if (shadow != "off" && shadow != "map_soft" && soft)
-        lines.push_back(fmt::format(
-            "the size of a light softens no shadow: --shadow {} is sharp, map_soft is not",
-            shadow));
-    else if (shadow == "off" && std::any_of(plan.lights.begin(), plan.lights.end(), has_size))
+    if (shadow != nullptr && shadow->soft && !soft && !is_auto(plan.options.shadow))
+        lines.push_back(fmt::format("--shadow {} changes nothing: no light that casts has a size; "
+                                    "it draws what {} draws",
+                                    shadow->card.name, shade::shadow::map_pcf.card.name));
+    else if (shadow != nullptr && !shadow->soft && soft)
+        lines.push_back(
+            fmt::format("the size of a light softens no shadow: --shadow {} is sharp, {} is not",
+                        shadow->card.name, shade::shadow::map_soft.card.name));
+    else if (shadow == nullptr && std::any_of(plan.lights.begin(), plan.lights.end(), has_size))
         lines.push_back("the size of a light softens no shadow: " + why_sharp(plan, soft));
 }
 
@@ -133,44 +139,46 @@ void add_lights(const FramePlan& plan, Lines& lines) {
 void add_details(const FramePlan& plan, Lines& lines) {
     const FrameOptions &o = plan.options, usual;
     const TransparencyPlan& t = plan.transparency;
-    const std::string_view shadow =
-        plan.shadow.stage == nullptr ? "off" : plan.shadow.stage->card.name;
+    const shade::ShadowStage* const shadow = plan.shadow.stage;
+    const auto* const model = find_row(shade::reflection::kRows, o.reflection);
+    const auto* const asked_shadow = find_row(shade::shadow::kRows, o.shadow);
     const auto because = [&](std::string_view effect) { return plan.decision(effect)->because; };
     const bool see_through = t.cut_out != nullptr || t.blended != nullptr;
     const Decision& highlight = *plan.decision("highlight");
     const shade::Filter* filter = plan.filter != nullptr ? plan.filter : t.filter;
-    const bool compares = plan.visible.test != raster::DepthTest::always &&
-                          plan.visible.test != raster::DepthTest::never &&
-                          plan.visible.test != raster::DepthTest::equal;
+    const bool compares =
+        row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).compares;
     const struct {
         bool in_vain;
         std::string option, because;
     } rows[] = {
-        {o.texture != "auto" && filter == nullptr, "--texture " + o.texture,
+        {!is_auto(o.texture) && filter == nullptr, "--texture " + o.texture,
          why_off(plan, "texture", "no texture is read")},
         // Without their own model physical materials lose what they say.
-        {o.reflection != "auto" && o.reflection != "lambert" && !plan.physical &&
+        {model != nullptr && model->highlight && model->matt == nullptr && !plan.physical &&
              !(highlight.needed && highlight.on()),
          "--reflection " + o.reflection, why_off(plan, "highlight", highlight.because)},
-        {o.transparency != "auto" && !see_through, "--transparency " + o.transparency,
+        {!is_auto(o.transparency) && !see_through, "--transparency " + o.transparency,
          why_off(plan, "blending", why_off(plan, "cut_out", "nothing is cut out or blended"))},
         {o.alpha_cut != usual.alpha_cut && t.cut_out == nullptr,
          fmt::format("--alpha-cut {}", o.alpha_cut),
          why_off(plan, "cut_out", "nothing is cut out")},
         {o.exposure != 0 && !plan.decision("exposure")->on(),
          fmt::format("--exposure {}", o.exposure), why_off(plan, "exposure", because("exposure"))},
-        {o.depth != "auto" && !compares && t.blended == nullptr && plan.decision("depth")->on(),
+        {!is_auto(o.depth) && !compares && t.blended == nullptr && plan.decision("depth")->on(),
          "--depth " + o.depth, fmt::format("--depth-test {} compares no depths", o.depth_test)},
-        {o.shadow_plane.has_value() && o.shadow != "projected", "--shadow-plane",
-         "it is for --shadow projected"},
-        {o.shadow_size != usual.shadow_size && !shadow.starts_with("map"),
+        {o.shadow_plane.has_value() &&
+             (asked_shadow == nullptr || asked_shadow->by != shade::ShadowBy::projection),
+         "--shadow-plane", "it is for --shadow projected"},
+        {o.shadow_size != usual.shadow_size &&
+             (shadow == nullptr || shadow->by != shade::ShadowBy::maps),
          fmt::format("--shadow-size {}", o.shadow_size), "no shadow map is drawn"},
-        {o.shadow_filter != usual.shadow_filter && shadow != "map_pcf" && shadow != "map_soft",
+        {o.shadow_filter != usual.shadow_filter && (shadow == nullptr || !shadow->filtered),
          fmt::format("--shadow-filter {}", o.shadow_filter),
          "it is for --shadow map_pcf and map_soft"}};
     for (const auto& row : rows)
         if (row.in_vain) lines.push_back(nothing(row.option, row.because));
-    if (o.texture != "auto" && filter != nullptr && filter->card.name != o.texture)
+    if (!is_auto(o.texture) && filter != nullptr && filter->card.name != o.texture)
         lines.push_back(fmt::format("--texture {} is not possible: {}; {} in its place", o.texture,
                                     why_off(plan, "mipmaps", because("mipmaps")),
                                     filter->card.name));

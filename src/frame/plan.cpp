@@ -8,18 +8,10 @@
 namespace scanout::frame {
 namespace {
 
-// Maps change what light falls on, so they come before it; what a surface gives off by itself is
-// added to what it reflects, and no shadow darkens it.
 void sort_stages(std::vector<const shade::Stage*>& stages) {
-    constexpr std::string_view kOrder[] = {"interpolate", "mapping",  "map",      "light", "shadow",
-                                           "shading",     "emission", "exposure", "tone"};
-    const auto place = [&](const shade::Stage* stage) {
-        const Technique& card = stage->card;
-        const std::string_view row = card.name == "emission" ? card.name : card.axis;
-        return std::find(std::begin(kOrder), std::end(kOrder), row) - std::begin(kOrder);
-    };
-    std::stable_sort(stages.begin(), stages.end(),
-                     [&](const auto* a, const auto* b) { return place(a) < place(b); });
+    std::stable_sort(
+        stages.begin(), stages.end(),
+        [](const shade::Stage* a, const shade::Stage* b) { return a->pass < b->pass; });
 }
 
 // Effects that the user names must exist.
@@ -78,16 +70,17 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     if (options.background.a == 0) plan.options.background = {0, 0, 0, 0}; // of no colour
     plan.only_material = facts.only_material;
     Planner planner(options, plan);
-    TRY(const std::string steps, choose("interpolate", options.interpolate, "perspective"));
+    const shade::Stage& exact = shade::interpolate::perspective;
+    TRY(const shade::Stage* const steps,
+        choose(shade::interpolate::kRows, options.interpolate, exact));
     const bool flat = view.orthographic;
-    planner.choice("interpolate", steps, options.interpolate,
+    planner.choice("interpolate", steps->card.name, options.interpolate,
                    facts.triangles == 0 ? "along lines colours are exact, whatever is asked"
                    : flat ? "nothing is foreshortened: but for rounding all ways are the same"
-                   : steps == "perspective"
-                       ? "a division a pixel is exact at any ratio of distances"
-                       : std::string(shade::find_stage("interpolate", steps)->card.blurb),
+                   : steps == &exact ? "a division a pixel is exact at any ratio of distances"
+                                     : std::string(steps->card.blurb),
                    facts.triangles > 0 && !flat);
-    planner.stage("interpolate", steps);
+    planner.stage(*steps);
 
     TRY_VOID(plan_texture(planner, plan, facts));
     TRY_VOID(plan_light(planner, plan, facts, view));

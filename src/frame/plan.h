@@ -23,12 +23,13 @@ namespace scanout::frame {
 
 // One row of the plan: what runs, and the fact that decides it.
 struct Decision {
-    std::string effect;    // "texture", "highlight", "shadow" ...
-    std::string technique; // "bilinear"; "on" where there is only one; "off"
-    std::string because;   // "30 of 40 triangles have a readable map_Kd"
-    bool needed = false;   // the scene calls for it; of a choice: it makes a difference
-    bool forced = false;   // the user decided
-    bool choice = false;   // an axis with an option of its own, not an effect
+    std::string effect;         // "texture", "highlight", "shadow" ...
+    std::string technique;      // "bilinear"; "on" where there is only one; "off"
+    std::string because;        // "30 of 40 triangles have a readable map_Kd"
+    bool needed = false;        // the scene calls for it; of a choice: it makes a difference
+    bool forced = false;        // the user decided
+    bool choice = false;        // an axis with an option of its own, not an effect
+    std::string_view axis = {}; // of an effect: that of its techniques; empty where it has only one
     bool on() const { return technique != "off"; }
     friend bool operator==(const Decision&, const Decision&) = default;
 };
@@ -50,8 +51,9 @@ struct TransparencyPlan {
 
 // What throws shadows, and how.
 struct ShadowPlan {
-    const shade::Stage* stage = nullptr; // of the frame's stages; null: there is no pass either
-    ShadowPlane plane;                   // on which projected shadows fall
+    // Of the frame's stages; null: there is no pass either.
+    const shade::ShadowStage* stage = nullptr;
+    ShadowPlane plane; // on which projected shadows fall
     // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
     // Empty: all throw whole shadows.
     std::vector<raster::AlphaMode> casters;

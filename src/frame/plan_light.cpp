@@ -30,8 +30,8 @@ std::vector<LightFacts> plan_lights(Planner& planner, FramePlan& plan, const Sce
                                     const ViewFacts& view, const shade::Stage& shading) {
     const FrameOptions& options = plan.options;
     std::vector<LightFacts> of_lights;
-    for (const auto kind : {scene::LightKind::ambient, scene::LightKind::directional,
-                            scene::LightKind::point, scene::LightKind::spot}) {
+    for (const shade::LightStage* const stage : shade::light::kRows) {
+        const scene::LightKind kind = stage->kind;
         std::string names;
         std::vector<scene::Light> shining;
         std::vector<LightFacts> of_shining;
@@ -62,51 +62,60 @@ std::vector<LightFacts> plan_lights(Planner& planner, FramePlan& plan, const Sce
         of_lights.insert(of_lights.end(), of_shining.begin(), of_shining.end());
         // A directional light is the same in all lanes: there is nothing to write.
         if (kind == scene::LightKind::directional) continue;
-        if (shading.needs.corners)
-            plan.corner_lights.push_back(planner.called("light", name_of(kind), {}));
-        else
-            planner.stage("light", name_of(kind));
+        if (shading.needs.corners) {
+            plan.corner_lights.push_back(stage);
+            planner.called(*stage, {});
+        } else {
+            planner.stage(*stage);
+        }
     }
     return of_lights;
+}
+
+bool is_same(const Technique& a, const Technique& b) {
+    return a.axis == b.axis && a.name == b.name;
 }
 
 // Which model reflects on each kind of surface.
 Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                              const shade::Stage& shading) {
     const std::string& asked = plan.options.reflection;
-    TRY(const std::string glossy, choose("reflection", asked, "blinn_phong"));
-    TRY(const std::string physical, choose("reflection", asked, "ggx"));
+    TRY(const shade::ReflectionStage* const glossy,
+        choose(shade::reflection::kRows, asked, shade::reflection::blinn_phong));
+    TRY(const shade::ReflectionStage* const physical,
+        choose(shade::reflection::kRows, asked, shade::reflection::ggx));
     const std::size_t shiny = facts.specular_triangles, rough = facts.physical_triangles;
     const std::size_t lobes = by_ks_alone(plan) ? facts.by_ks.specular_triangles : shiny;
     const bool highlight = planner.effect(
         "highlight",
-        rough == 0 || glossy == physical ? glossy
-        : rough == shiny                 ? physical
-                                         : glossy + " and " + physical,
-        lobes > 0 && glossy != "lambert" && has_directed_light(plan),
+        rough == 0 || glossy == physical ? std::string(glossy->card.name)
+        : rough == shiny                 ? std::string(physical->card.name)
+                         : fmt::format("{} and {}", glossy->card.name, physical->card.name),
+        lobes > 0 && glossy->highlight && has_directed_light(plan),
         lobes > 0 && !has_directed_light(plan)
             ? kNoDirection
             : fmt::format(
                   "{} of {} triangles have a highlight (Ks and Ns above 0, with their maps{})",
                   lobes, facts.triangles,
-                  rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()));
+                  rough > 0 ? fmt::format("; {} say Pr or Pm", rough) : std::string()),
+        glossy->card.axis);
     // Each model that some surface has, once; lines and points go the way of the matt ones.
-    const auto use = [&](scene::Surface surface, const std::string& name, bool used) {
-        const shade::Stage*& model = plan.reflection[static_cast<std::size_t>(surface)];
-        model = shade::find_stage("reflection", name);
-        CHECK(model != nullptr);
+    const auto use = [&](scene::Surface surface, const shade::Stage& model, bool used) {
+        plan.reflection[static_cast<std::size_t>(surface)] = &model;
         const auto& ran = plan.techniques;
-        if (!used || std::find(ran.begin(), ran.end(), &model->card) != ran.end()) return;
-        planner.called("reflection", name,
-                       shading.needs.corners ? shade::Attributes{} : model->needs);
+        if (!used || std::any_of(ran.begin(), ran.end(),
+                                 [&](const Technique* t) { return is_same(*t, model.card); }))
+            return;
+        planner.called(model, shading.needs.corners ? shade::Attributes{} : model.needs);
     };
     plan.physical = rough > 0;
     if (const MaterialSet* calling = materials_calling(facts, plan, "highlight"))
         std::transform(calling->begin(), calling->end(), std::back_inserter(plan.matt),
                        [](bool calls) { return calls ? 0 : 1; });
-    use(scene::Surface::matt, "lambert", shiny < facts.triangles || facts.triangles == 0);
-    use(scene::Surface::glossy, highlight ? glossy : "lambert", shiny > rough);
-    use(scene::Surface::physical, highlight ? physical : "lambert", rough > 0);
+    const shade::Stage& matt = glossy->matt != nullptr ? *glossy->matt : shade::reflection::lambert;
+    use(scene::Surface::matt, matt, shiny < facts.triangles || facts.triangles == 0);
+    use(scene::Surface::glossy, highlight ? *glossy : matt, shiny > rough);
+    use(scene::Surface::physical, highlight ? *physical : matt, rough > 0);
     return {};
 }
 
@@ -117,14 +126,13 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
     const Cull cull = options.cull;
     if (cull == Cull::front) return {true, "backs alone are drawn (--cull front)"};
     if (cull == Cull::back) return {false, "backs are left out (--cull back)"};
-    const auto usual = [](const std::string& asked, std::string_view name) {
-        return asked == "auto" || asked == name;
-    };
-    if (options.depth_test == "never" || options.depth_test == "equal")
+    const raster::DepthTestRow& test =
+        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
+    if (!test.shows)
         return {false, fmt::format("--depth-test {} shows nothing", options.depth_test)};
-    if (!usual(options.depth_test, "greater"))
+    if (test.test != raster::DepthTest::greater)
         return {true, fmt::format("--depth-test {} may show backs", options.depth_test)};
-    if (!usual(options.depth, "reversed"))
+    if (row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard)
         return {true, fmt::format("--depth {} may take backs for as near as what hides them",
                                   options.depth)};
     if (topology.inside_out > 0)
@@ -183,8 +191,10 @@ bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFa
 // Is some triangle neither blended, as things stand, nor clear?
 bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
     const auto asked = options.effects.find("blending");
-    const bool blends = options.transparency != "cut_out" && !blends_nothing(options) &&
-                        (asked == options.effects.end() || asked->second);
+    const bool cuts =
+        row_or(shade::transparency::kRows, options.transparency, shade::transparency::exact).cuts;
+    const bool blends =
+        !cuts && !blends_nothing(options) && (asked == options.effects.end() || asked->second);
     return facts.alpha.unseen_triangles + (blends ? facts.alpha.blended_triangles : 0) <
            facts.triangles;
 }
@@ -226,12 +236,14 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
                           const ViewFacts& view, const std::vector<LightFacts>& of_lights,
                           const shade::Stage& shading) {
     const Casting casting(plan, of_lights);
-    TRY(const std::string name,
-        choose("shadow", plan.options.shadow, casting.sized > 0 ? "map_soft" : "map_pcf"));
-    const bool floor = name != "projected" || facts.shadow_plane.triangles > 0;
-    const bool falls = name == "attached" || shadows_itself(plan, facts, view, of_lights);
-    const bool at_pixels = name == "attached" || !shading.needs.corners;
-    const bool throws = name == "attached" || something_throws(plan.options, facts);
+    TRY(const shade::ShadowStage* const stage,
+        choose(shade::shadow::kRows, plan.options.shadow,
+               casting.sized > 0 ? shade::shadow::map_soft : shade::shadow::map_pcf));
+    const bool attached = stage->by == shade::ShadowBy::facing;
+    const bool floor = stage->by != shade::ShadowBy::projection || facts.shadow_plane.triangles > 0;
+    const bool falls = attached || shadows_itself(plan, facts, view, of_lights);
+    const bool at_pixels = attached || !shading.needs.corners;
+    const bool throws = attached || something_throws(plan.options, facts);
     std::string because =
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
         : casting.lights == 0             ? "no light that reaches anything casts shadows"
@@ -253,17 +265,18 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
     if (called && facts.alpha.blended_triangles > 0)
         because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
-    const bool maps = name == "map" || name == "map_pcf" || name == "map_soft";
-    if (called && maps) because += casting.why_fronts();
-    if (!planner.effect("shadow", name, called, std::move(because)) || !possible) return {};
-    if (name == "attached") {
-        planner.technique("shadow", name);
+    if (called && stage->by == shade::ShadowBy::maps) because += casting.why_fronts();
+    if (!planner.effect("shadow", stage->card.name, called, std::move(because), stage->card.axis) ||
+        !possible)
+        return {};
+    if (attached) {
+        plan.techniques.push_back(&stage->card);
         return {};
     }
     // A directional light now differs from lane to lane, too.
-    if (casting.directional) planner.stage("light", "directional");
-    planner.stage("shadow", name);
-    plan.shadow.stage = plan.stages.back();
+    if (casting.directional) planner.stage(shade::light::directional);
+    planner.stage(*stage);
+    plan.shadow.stage = stage;
     plan.shadow.plane = facts.shadow_plane;
     plan.shadow.in_maps = casting.in_maps;
     return {};
@@ -276,8 +289,8 @@ bool some_light_shines(const FrameOptions& options) {
 }
 
 bool by_ks_alone(const FramePlan& plan) {
-    const std::string& asked = plan.options.reflection;
-    return asked != "auto" && asked != "ggx";
+    return !row_or(shade::reflection::kRows, plan.options.reflection, shade::reflection::ggx)
+                .physical;
 }
 
 bool has_directed_light(const FramePlan& plan) {
@@ -289,25 +302,24 @@ bool has_directed_light(const FramePlan& plan) {
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                         const ViewFacts& view) {
     const std::string& asked = plan.options.shading;
-    TRY(const std::string name, choose("shading", asked, "per_pixel"));
-    const shade::Stage* shading = shade::find_stage("shading", name);
-    CHECK(shading != nullptr);
+    TRY(const shade::ShadingStage* const shading,
+        choose(shade::shading::kRows, asked, shade::shading::per_pixel));
     const std::vector<LightFacts> of_lights = plan_lights(planner, plan, facts, view, *shading);
     plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, of_lights, *shading));
     const bool directed = has_directed_light(plan);
     const bool lit = why_unlit(plan, facts) == nullptr;
-    planner.choice("shading", lit ? name : "off", asked,
+    planner.choice("shading", lit ? shading->card.name : "off", asked,
                    !lit        ? why_unlit(plan, facts)
                    : !directed ? kNoDirection
                                : fmt::format("{} triangles are lit", facts.triangles),
                    lit);
-    planner.stage("shading", name);
+    planner.stage(*shading);
     // Nothing reads them, unless highlights are forced on.
     const bool normals = directed || plan.decision("highlight")->on() || shading->needs.corners;
     plan.attributes.normal = plan.attributes.normal && normals;
-    plan.corner_normals = normals && (name == "gouraud" || name == "per_pixel_raw");
+    plan.corner_normals = normals && shading->unit_vertex_normals;
     return {};
 }
 

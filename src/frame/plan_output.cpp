@@ -45,24 +45,22 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
                                           : "as asked",
                    facts.triangles > 0);
     if (o.cull != Cull::none) plan.techniques.push_back(&culling);
-    TRY(const std::string depth, choose("depth", o.depth, "reversed"));
-    TRY(const std::string test, choose("depth_test", o.depth_test, "greater"));
-    TRY(const std::string blend, choose("blend", o.blend, "over"));
-    const auto* format = find_row(raster::depth::kRows, depth);
-    const auto* compare = find_row(raster::depth_test::kRows, test);
-    const auto* mix = find_row(shade::blend::kRows, blend);
-    CHECK(format != nullptr && compare != nullptr && mix != nullptr);
+    TRY(const raster::DepthFormatRow* const format,
+        choose(raster::depth::kRows, o.depth, raster::depth::reversed));
+    TRY(const raster::DepthTestRow* const compare,
+        choose(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater));
+    TRY(const shade::Blend* const mix, choose(shade::blend::kRows, o.blend, shade::blend::over));
     const bool drawn = facts.triangles + facts.lines + facts.points > 0;
     const char* const nothing = "nothing is drawn that could be hidden";
-    planner.choice("depth", depth, o.depth, drawn ? std::string(format->card.blurb) : nothing,
-                   drawn);
-    planner.choice("depth_test", test, o.depth_test,
+    planner.choice("depth", format->card.name, o.depth,
+                   drawn ? std::string(format->card.blurb) : nothing, drawn);
+    planner.choice("depth_test", compare->card.name, o.depth_test,
                    drawn ? std::string(compare->card.blurb) : nothing, drawn);
     const bool blends = plan.transparency.blended != nullptr;
     const auto asked = o.effects.find("blending");
     const bool whole = facts.alpha.blended_triangles > 0 && blends_nothing(o) &&
                        (asked == o.effects.end() || asked->second);
-    planner.choice("blend", blends || whole ? blend : "off", o.blend,
+    planner.choice("blend", blends || whole ? mix->card.name : "off", o.blend,
                    blends || whole ? std::string(mix->card.blurb) : "nothing is blended",
                    blends || whole);
     plan.visible = {compare->test, format->standard, format->steps};
@@ -89,56 +87,61 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     const double brightest = double{pictures ? facts.brightest_mapped : facts.brightest} *
                              greatest_light(plan.lights) * double{plan.exposure};
     const bool bright = brightest > kBright && facts.triangles > 0;
-    TRY(const std::string tone, choose("tone", options.tone, bright ? "shoulder" : "clamp"));
+    TRY(const shade::ToneStage* const tone,
+        choose(shade::tone::kRows, options.tone,
+               bright ? shade::tone::shoulder : shade::tone::clamp));
     plan.white = static_cast<float>(std::max(brightest, 1.0));
     const bool burns = !bright && plan.decision("highlight")->on();
     const bool lamps = std::any_of(plan.lights.begin(), plan.lights.end(), [](const auto& light) {
         return light.kind == scene::LightKind::point || light.kind == scene::LightKind::spot;
     });
-    planner.choice("tone", tone, options.tone,
+    planner.choice("tone", tone->card.name, options.tone,
                    fmt::format("diffuse light is at most {:.2f}{}{}{}", brightest,
                                lamps ? " about the model's centre, nearer to a lamp more" : "",
                                plan.decision("emission")->on() ? ", Ke comes on top of it" : "",
                                burns ? ", and highlights may burn out" : ""),
-                   !(tone == "shoulder" && !lamps && nothing_bends(plan, facts, brightest)));
-    if (exposed) planner.stage("exposure", "stops");
-    if (tone != "clamp") planner.stage("tone", tone); // codes end at 1 anyway
+                   !(tone->exact_below_white && !lamps && nothing_bends(plan, facts, brightest)));
+    if (exposed) planner.stage(shade::exposure::stops);
+    if (tone->run != nullptr) planner.stage(*tone);
     return {};
 }
 
 Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                         FramePlan& plan) {
-    const bool by_number = options.aa == "auto";
+    const bool by_number = is_auto(options.aa);
     if (!by_number && options.samples != 1)
         return fail(Exit::usage, "--aa {} and --samples {}: give one of them", options.aa,
                     options.samples);
-    const std::string number =
-        options.samples == 1 ? "none" : fmt::format("samples_{}", options.samples);
-    TRY(std::string name, choose("aa", options.aa, number));
-    std::string because(find_row(frame::aa::kRows, name)->card.blurb);
-    if (name == "none" && by_number)
+    const auto numbered =
+        std::find_if(std::begin(aa::kRows), std::end(aa::kRows), [&](const AntiAliasing* by) {
+            return by->is_counted() && by->samples == options.samples;
+        });
+    CHECK(numbered != std::end(aa::kRows));
+    TRY(const AntiAliasing* by, choose(aa::kRows, options.aa, **numbered));
+    std::string because(by->card.blurb);
+    if (by->takes_one() && by_number)
         because = "smoother edges are a matter of taste: nobody asked for them";
-    if (find_row(frame::aa::kRows, name)->exact && !plan.transparency.layers.empty()) {
-        name = "samples_16";
-        because = "areas know no transparency, which this scene has";
-    } else if (find_row(frame::aa::kRows, name)->exact && !plan.visible.is_default()) {
-        name = "samples_16";
-        because = "areas know the nearest surface alone, in exact depth";
-    } else if (find_row(frame::aa::kRows, name)->exact && plan.shadow.stage != nullptr &&
-               plan.shadow.stage->card.name == "volume") {
-        name = "samples_16";
-        because = "areas know no stencil, which shadow volumes count in";
+    const char* const why_not =
+        !by->exact                          ? nullptr
+        : !plan.transparency.layers.empty() ? "areas know no transparency, which this scene has"
+        : !plan.visible.is_default()        ? "areas know the nearest surface alone, in exact depth"
+        : plan.shadow.stage != nullptr && plan.shadow.stage->by == shade::ShadowBy::volumes
+            ? "areas know no stencil, which shadow volumes count in"
+            : nullptr;
+    if (why_not != nullptr) {
+        by = &aa::samples_16;
+        because = why_not;
     }
-    plan.aa = find_row(frame::aa::kRows, name);
-    CHECK(plan.aa != nullptr);
-    plan.options.samples = plan.aa->samples;
-    if (plan.aa->scale * std::max(options.width, options.height) > kMaxSide)
-        return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most", name,
-                    kMaxSide / plan.aa->scale);
+    plan.aa = by;
+    plan.options.samples = by->samples;
+    if (by->scale * std::max(options.width, options.height) > kMaxSide)
+        return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most",
+                    by->card.name, kMaxSide / by->scale);
     const bool mixes = mixes_samples(plan, facts);
-    if (name != "none" && !mixes) because = "lines and points fill whole pixels";
+    if (!by->takes_one() && !mixes) because = "lines and points fill whole pixels";
+    const std::string name(by->card.name);
     planner.choice("aa", name, by_number && options.samples == 1 ? "auto" : name,
-                   std::move(because), name == "none" || mixes);
+                   std::move(because), by->takes_one() || mixes);
     plan.techniques.push_back(&plan.aa->card);
     return {};
 }
@@ -147,25 +150,26 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
                          FramePlan& plan) {
     const bool smooth = mixes_samples(plan, facts);
     const bool mixed = smooth || plan.transparency.blended != nullptr;
-    TRY(const std::string space, choose("blend_space", options.blend_space, "linear"));
-    planner.choice("blend_space", space, options.blend_space,
+    TRY(const shade::BlendSpace* const space,
+        choose(shade::blend_space::kRows, options.blend_space, shade::blend_space::linear));
+    planner.choice("blend_space", space->card.name, options.blend_space,
                    smooth  ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
                    : mixed ? "what is blended is mixed in it"
-                   : plan.aa->card.name == "none"
-                       ? "one sample a pixel: nothing is mixed"
-                       : "lines and points fill whole pixels: nothing is mixed",
+                   : plan.aa->takes_one() ? "one sample a pixel: nothing is mixed"
+                                          : "lines and points fill whole pixels: nothing is mixed",
                    mixed);
-    TRY(const std::string encoding, choose("encode", options.encode, "srgb"));
-    planner.choice("encode", encoding, options.encode, "displays and files take sRGB codes");
-    plan.output.blend_space = find_row(shade::blend_space::kRows, space);
-    plan.output.encoding = find_row(shade::encode::kRows, encoding);
-    CHECK(plan.output.blend_space != nullptr && plan.output.encoding != nullptr);
+    TRY(const shade::Encoding* const encoding,
+        choose(shade::encode::kRows, options.encode, shade::encode::srgb));
+    planner.choice("encode", encoding->card.name, options.encode,
+                   "displays and files take sRGB codes");
+    plan.output.blend_space = space;
+    plan.output.encoding = encoding;
     if (mixed) plan.techniques.push_back(&plan.output.blend_space->card);
     plan.techniques.push_back(&plan.output.encoding->card);
-    if (options.convolution != "auto") {
-        TRY(const std::string name, choose("convolution", options.convolution, ""));
-        plan.convolution = find_row(image::convolution::kRows, name);
-        CHECK(plan.convolution != nullptr);
+    if (!is_auto(options.convolution)) {
+        plan.convolution = find_row(image::convolution::kRows, options.convolution);
+        if (plan.convolution == nullptr)
+            return tl::unexpected(no_such_technique("convolution", options.convolution));
     }
     const bool filtered = plan.convolution != nullptr;
     planner.choice("convolution", filtered ? options.convolution : "off", options.convolution,
@@ -174,15 +178,15 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
                    filtered);
     if (filtered) plan.techniques.push_back(&plan.convolution->card);
     const bool narrow = options.bits < 8;
-    TRY(const std::string dither, choose("dither", options.dither, narrow ? "bayer" : "none"));
-    planner.choice("dither", dither, options.dither,
+    TRY(const image::Dither* const dither,
+        choose(image::dither::kRows, options.dither,
+               narrow ? image::dither::bayer : image::dither::none));
+    planner.choice("dither", dither->card.name, options.dither,
                    narrow ? fmt::format("{} bits show their steps", options.bits)
                           : "8 bits hide their steps");
-    const image::Dither* found = find_row(image::dither::kRows, dither);
-    CHECK(found != nullptr);
     // Once, where codes become those that are shown: of fewer bits they are made of whole codes.
-    plan.output.dither = found->ordered && !narrow;
-    if (found->ordered) plan.techniques.push_back(&found->card);
+    plan.output.dither = dither->ordered && !narrow;
+    if (dither->ordered) plan.techniques.push_back(&dither->card);
     return {};
 }
 

@@ -1,5 +1,4 @@
 // Whether the frame marks pixels, and what is left of a frame whose picture is the marks.
-#include "base/check.h"
 #include "frame/planner.h"
 #include "rows.h"
 
@@ -10,9 +9,7 @@
 namespace scanout::frame {
 
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    TRY(const std::string name, choose("stencil", plan.options.stencil, "none"));
-    const Stencil* found = find_row(frame::stencil::kRows, name);
-    CHECK(found != nullptr);
+    TRY(const Stencil* const found, choose(stencil::kRows, plan.options.stencil, stencil::none));
     const std::string all = fmt::format("{} triangles, {} lines and {} points", facts.triangles,
                                         facts.lines, facts.points);
     std::string because = "nobody asked for an outline or for counts";
@@ -20,7 +17,7 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
         because = fmt::format("{} pixels round what is shown of {}", kOutlineWidth, all);
     else if (found->marks == Stencil::Marks::covering)
         because = fmt::format("counts what lies over each pixel of {}", all);
-    planner.choice("stencil", name, plan.options.stencil, std::move(because));
+    planner.choice("stencil", found->card.name, plan.options.stencil, std::move(because));
     if (found->marks == Stencil::Marks::nothing) return {};
     plan.stencil = found;
     plan.techniques.push_back(&found->card);
@@ -30,7 +27,7 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
 void plan_counts(FramePlan& plan) {
     FramePlan counts;
     counts.options = plan.options;
-    counts.aa = find_row(frame::aa::kRows, "none");
+    counts.aa = &aa::none;
     counts.stencil = plan.stencil;
     for (const Technique* card : plan.techniques)
         if (card->axis == "cull" || card->axis == "stencil") counts.techniques.push_back(card);

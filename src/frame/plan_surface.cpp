@@ -1,5 +1,4 @@
 // Which materials let light through.
-#include "base/check.h"
 #include "frame/planner.h"
 #include "rows.h"
 
@@ -23,75 +22,82 @@ std::string alpha_from(const AlphaFacts& a) {
     return a.blended_by_maps == 0 ? d : fmt::format("{}, and {} in maps", d, a.blended_by_maps);
 }
 
-bool usual(const std::string& asked, std::string_view name) {
-    return asked == "auto" || asked == name;
+const shade::Blend& blend_of(const FrameOptions& o) {
+    return row_or(shade::blend::kRows, o.blend, shade::blend::over);
+}
+const shade::Transparency& transparency_of(const FrameOptions& o) {
+    return row_or(shade::transparency::kRows, o.transparency, shade::transparency::exact);
 }
 
 // The nearest surface is seen, and a pixel shows no more than its own samples.
 bool nearest_alone(const FrameOptions& o) {
-    const AntiAliasing* const aa = find_row(frame::aa::kRows, o.aa);
-    return usual(o.depth_test, "greater") && (aa == nullptr || aa->weight == nullptr);
+    return row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).test ==
+               raster::DepthTest::greater &&
+           row_or(aa::kRows, o.aa, aa::none).weight == nullptr;
 }
 
 // Forced on where nothing calls for it, opaque triangles take the way of what is cut out, or of
 // what is blended, and look the same: where pixels are made of samples, which areas are not...
 bool opaque_may_be_cut(const FrameOptions& o) {
-    const AntiAliasing* const aa = find_row(frame::aa::kRows, o.aa);
-    return aa == nullptr || !aa->exact;
+    return !row_or(aa::kRows, o.aa, aa::none).exact;
 }
 // ...and where the nearest surface also covers all behind it, in whatever order they come.
 bool opaque_may_blend(const FrameOptions& o) {
-    return opaque_may_be_cut(o) && nearest_alone(o) && usual(o.blend, "over") &&
-           o.transparency != "sorted";
+    return opaque_may_be_cut(o) && nearest_alone(o) &&
+           blend_of(o).hides == shade::Hides::by_alpha &&
+           transparency_of(o).sort_triangles == nullptr;
 }
 
 } // namespace
 
 bool blends_nothing(const FrameOptions& o) {
-    return o.blend == "none" && usual(o.transparency, "exact") && nearest_alone(o);
+    return blend_of(o).hides == shade::Hides::always && transparency_of(o).sort_sample != nullptr &&
+           nearest_alone(o);
 }
 
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& o = plan.options;
     const AlphaFacts& a = facts.alpha;
-    TRY(const std::string cut_name, choose("transparency", o.transparency, "cut_out"));
-    TRY(const std::string blend_name, choose("transparency", o.transparency, "exact"));
+    TRY(const shade::Transparency* const cuts_by,
+        choose(shade::transparency::kRows, o.transparency, shade::transparency::cut_out));
+    TRY(const shade::Transparency* const blends_by,
+        choose(shade::transparency::kRows, o.transparency, shade::transparency::exact));
     if (!(o.alpha_cut >= 0 && o.alpha_cut <= 1))
         return fail(Exit::usage, "--alpha-cut {}: choose 0 to 1", o.alpha_cut);
     const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
     const bool whole = blends_nothing(o) && a.blended_triangles > 0;
     const bool blends = a.blended_triangles > 0 && !whole;
     // What would be blended for no reason must not change what is blended for one.
-    const bool may_blend = opaque_may_blend(o), cuts_by_blending = cut_name != "cut_out";
+    const bool may_blend = opaque_may_blend(o), cuts_by_blending = !cuts_by->cuts;
     const bool cut_for_nothing =
         !cuts && (cuts_by_blending ? may_blend && !blends : opaque_may_be_cut(o));
     const bool blend_for_nothing = !blends && may_blend && !(cuts && cuts_by_blending);
     const std::string as_it_is = "; what is opaque stays as it is";
     bool cut = planner.effect(
-        "cut_out", cut_name, cuts,
+        "cut_out", cuts_by->card.name, cuts,
         cuts ? fmt::format("{} have alpha 0 in places, and else 1",
                            part(a.cut_out_materials + a.unseen_materials,
                                 a.cut_out_triangles + a.unseen_triangles, facts))
-             : "no triangle has alpha 0 in places, and else 1" + (cut_for_nothing ? "" : as_it_is));
+             : "no triangle has alpha 0 in places, and else 1" + (cut_for_nothing ? "" : as_it_is),
+        cuts_by->card.axis);
     bool blend = planner.effect(
-        "blending", blend_name, blends,
+        "blending", blends_by->card.name, blends,
         blends  ? fmt::format("{} have alpha between 0 and 1, {}",
                               part(a.blended_materials, a.blended_triangles, facts), alpha_from(a))
         : whole ? "--blend none shows the nearest surface whole"
-                : "no triangle's alpha is between 0 and 1" + (blend_for_nothing ? "" : as_it_is));
+                : "no triangle's alpha is between 0 and 1" + (blend_for_nothing ? "" : as_it_is),
+        blends_by->card.axis);
     cut = cut && (cuts || cut_for_nothing);
     blend = blend && (blends || blend_for_nothing);
     if (facts.triangles == 0 || !(cut || blend)) return {};
     TransparencyPlan& t = plan.transparency;
-    const auto alpha_mode_by = [&](const std::string& name) {
-        const shade::Transparency* found = find_row(shade::transparency::kRows, name);
-        CHECK(found != nullptr);
-        (found->cuts ? t.cut_out : t.blended) = found;
-        return found->cuts ? raster::AlphaMode::cut_out : raster::AlphaMode::blended;
+    const auto alpha_mode_by = [&](const shade::Transparency* by) {
+        (by->cuts ? t.cut_out : t.blended) = by;
+        return by->cuts ? raster::AlphaMode::cut_out : raster::AlphaMode::blended;
     };
-    const raster::AlphaMode cut_mode = cut ? alpha_mode_by(cut_name) : raster::AlphaMode::opaque;
+    const raster::AlphaMode cut_mode = cut ? alpha_mode_by(cuts_by) : raster::AlphaMode::opaque;
     const raster::AlphaMode blend_mode =
-        blend ? alpha_mode_by(blend_name) : raster::AlphaMode::opaque;
+        blend ? alpha_mode_by(blends_by) : raster::AlphaMode::opaque;
     t.opaque_blended = (blend && !blends && blend_mode == raster::AlphaMode::blended) ||
                        (cut && !cuts && cut_mode == raster::AlphaMode::blended);
     const raster::AlphaMode opaque_mode =
@@ -108,11 +114,10 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
         return maps.diffuse_map || maps.opacity_map;
     });
     if (!mapped) return {};
-    for (const auto& [axis, name] : {std::pair("interpolate", "perspective"), {"map", "opacity"}}) {
-        t.stages.push_back(shade::find_stage(axis, name));
-        CHECK(t.stages.back() != nullptr);
-        t.attributes = t.attributes | t.stages.back()->needs;
-        const Technique* const card = &t.stages.back()->card; // colours may be interpolated so, too
+    for (const shade::Stage* stage : {&shade::interpolate::perspective, &shade::map::opacity}) {
+        t.stages.push_back(stage);
+        t.attributes = t.attributes | stage->needs;
+        const Technique* const card = &stage->card; // colours may be interpolated so, too
         if (std::find(plan.techniques.begin(), plan.techniques.end(), card) ==
             plan.techniques.end())
             plan.techniques.push_back(card);

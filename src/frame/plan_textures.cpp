@@ -17,8 +17,9 @@ namespace {
 // Are there coordinates for maps? The model's own, or those that the user's choice makes: a model
 // without any is not dressed by a guess, unless what it wears is computed.
 bool has_coordinates(const FramePlan& plan, const SceneFacts& facts) {
-    const std::string& asked = plan.options.mapping;
-    return facts.uv || plan.source != nullptr || (asked != "auto" && asked != "uv");
+    const shade::Stage& own = shade::mapping::uv;
+    const shade::Stage& asked = row_or(shade::mapping::kRows, plan.options.mapping, own);
+    return facts.uv || plan.source != nullptr || asked.run != nullptr;
 }
 
 // Does some stage of the plan read the map, for colour or for alpha?
@@ -55,25 +56,26 @@ void use(const shade::Filter& filter, bool colour, bool alpha, FramePlan& plan) 
 // What lies beyond textures' edges: what each map says, unless the user does.
 Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.wrap;
-    TRY(const std::string name, choose("wrap", asked, "repeat"));
+    const shade::Wrapping &repeat = shade::wrap::repeat, &clamp = shade::wrap::clamp;
+    TRY(const shade::Wrapping* const chosen, choose(shade::wrap::kRows, asked, repeat));
     std::size_t maps = 0, clamped = 0;
     for (const TexturedSurface& surface : facts.textured_surfaces) {
         if (!is_read(surface, plan)) continue;
         ++maps;
         if (surface.clamp) ++clamped;
     }
-    const auto use = [&](std::string_view wrapping) {
-        plan.techniques.push_back(&find_row(shade::wrap::kRows, wrapping)->card);
-        return find_row(shade::wrap::kRows, wrapping)->wrap;
-    };
-    if (asked != "auto" && maps > 0) plan.wrap = use(name);
-    if (asked == "auto" && clamped < maps) use("repeat");
-    if (asked == "auto" && clamped > 0) use("clamp");
+    const bool automatic = is_auto(asked);
+    if (!automatic && maps > 0) {
+        plan.wrap = chosen->wrap;
+        plan.techniques.push_back(&chosen->card);
+    }
+    if (automatic && clamped < maps) plan.techniques.push_back(&repeat.card);
+    if (automatic && clamped > 0) plan.techniques.push_back(&clamp.card);
     planner.choice("wrap",
                    maps == 0         ? "off"
-                   : asked != "auto" ? name
-                   : clamped == 0    ? "repeat"
-                   : clamped == maps ? "clamp"
+                   : !automatic      ? chosen->card.name
+                   : clamped == 0    ? repeat.card.name
+                   : clamped == maps ? clamp.card.name
                                      : "repeat and clamp",
                    asked,
                    maps == 0 ? "no texture is read"
@@ -85,21 +87,20 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
 // Where u and v come from.
 Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.mapping;
-    TRY(std::string name, choose("mapping", asked, facts.uv ? "uv" : "box"));
-    const bool lacking = name == "uv" && !facts.uv;
-    if (lacking) name = "box";
+    const shade::Stage &own = shade::mapping::uv, &made = shade::mapping::box;
+    TRY(const shade::Stage* mapping, choose(shade::mapping::kRows, asked, facts.uv ? own : made));
+    const bool lacking = mapping->run == nullptr && !facts.uv;
+    if (lacking) mapping = &made;
     TransparencyPlan& t = plan.transparency;
     const bool colour = plan.source != nullptr || plan.attributes.maps != 0;
     const bool read = colour || !t.stages.empty();
-    plan.mapped = read && name != "uv";
-    planner.choice("mapping", read ? name : "off", lacking ? "auto" : asked,
+    plan.mapped = read && mapping->run != nullptr;
+    planner.choice("mapping", read ? mapping->card.name : "off", lacking ? "auto" : asked,
                    !read       ? "nothing reads coordinates"
                    : !facts.uv ? "the model has no uv"
                                : "the model has uv",
                    read);
     if (!plan.mapped) return {};
-    const shade::Stage* mapping = shade::find_stage("mapping", name);
-    CHECK(mapping != nullptr);
     plan.techniques.push_back(&mapping->card);
     if (colour) {
         plan.stages.insert(plan.stages.begin() + 1, mapping);
@@ -116,9 +117,9 @@ Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& f
 
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const FrameOptions& options = plan.options;
-    TRY(const std::string name, choose("source", options.source, "image"));
-    const shade::Source* source = find_row(shade::source::kRows, name);
-    CHECK(source != nullptr);
+    TRY(const shade::Source* const source,
+        choose(shade::source::kRows, options.source, shade::source::image));
+    const std::string_view name = source->card.name;
     if (source->sample != nullptr && facts.triangles > 0) plan.source = source;
     const std::size_t textured = facts.mapped_triangles[shade::kDiffuseMap];
     const bool coordinates = has_coordinates(plan, facts);
@@ -127,18 +128,17 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
         textured > 0 || (facts.readable_maps & shade::bit_of(shade::kDiffuseMap)) != 0;
     const bool lit = some_light_shines(options);
     const bool pictures = coordinates && textured > 0 && lit;
+    const Technique& filter =
+        row_or(shade::texture::kRows, options.texture, shade::texture::bilinear).card;
     const bool on = planner.effect(
-        "texture",
-        plan.source != nullptr      ? name
-        : options.texture == "auto" ? "bilinear"
-                                    : options.texture,
-        pictures || plan.source != nullptr,
+        "texture", plan.source != nullptr ? name : filter.name, pictures || plan.source != nullptr,
         plan.source != nullptr ? fmt::format("--source {} for all triangles", name)
         : pictures
             ? fmt::format("{} of {} triangles have a readable map_Kd", textured, facts.triangles)
         : coordinates && textured > 0 ? kNoLight
         : coordinates && readable     ? "every readable map_Kd is white where Kd is not black"
-                                  : "no triangle has a readable map_Kd and texture coordinates");
+                                      : "no triangle has a readable map_Kd and texture coordinates",
+        plan.source != nullptr ? "" : filter.axis);
     if (!on) plan.source = nullptr;
     // Forced on, a picture that changes nothing is read.
     const bool runs = on && (plan.source != nullptr || (coordinates && readable));
@@ -148,7 +148,7 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
                                           : "no texture is read",
                    runs);
     if (!runs) return {};
-    planner.stage("map", "diffuse");
+    planner.stage(shade::map::diffuse);
     if (plan.source == nullptr) return {};
     plan.attributes = plan.attributes | plan.source->needs;
     plan.attributes.maps = 0;
@@ -168,19 +168,21 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const char* const dull = pixels ? "no physical material reflects as one" : unlit;
     const struct {
         shade::Map map;
-        std::string_view stage, what;
+        const shade::Stage& stage;
+        std::string_view what;
         bool shown;
         const char* hidden;
     } rows[] = {
-        {shade::kNormalMap, "normal", "a norm that is not flat", pixels, unlit},
-        {shade::kBumpMap, "bump", "a map_bump of more than one height", pixels, unlit},
-        {shade::kSpecularMap, "specular", "a highlight and a map_Ks that is not white", shiny,
-         matt},
-        {shade::kShininessMap, "gloss", "a highlight and a map_Ns that is not white", shiny, matt},
-        {shade::kRoughnessMap, "roughness", "Pr above 0 and a map_Pr that is not white", physical,
-         dull},
-        {shade::kMetalnessMap, "metalness", "Pm above 0 and a map_Pm that is not white", physical,
-         dull}};
+        {shade::kNormalMap, shade::map::normal, "a norm that is not flat", pixels, unlit},
+        {shade::kBumpMap, shade::map::bump, "a map_bump of more than one height", pixels, unlit},
+        {shade::kSpecularMap, shade::map::specular, "a highlight and a map_Ks that is not white",
+         shiny, matt},
+        {shade::kShininessMap, shade::map::gloss, "a highlight and a map_Ns that is not white",
+         shiny, matt},
+        {shade::kRoughnessMap, shade::map::roughness, "Pr above 0 and a map_Pr that is not white",
+         physical, dull},
+        {shade::kMetalnessMap, shade::map::metalness, "Pm above 0 and a map_Pm that is not white",
+         physical, dull}};
     const auto mapped = [&](shade::Map map) {
         const bool by_ks = by_ks_alone(plan);
         return by_ks && map == shade::kSpecularMap    ? facts.by_ks.specular_maps
@@ -197,14 +199,14 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
                                        : row.hidden);
         if (on && row.shown && coordinates && facts.triangles > 0 &&
             (facts.readable_maps & shade::bit_of(row.map)) != 0)
-            planner.stage("map", row.stage);
+            planner.stage(row.stage);
     }
     const bool emission =
         planner.effect("emission", "on", facts.emitting_triangles > 0,
                        fmt::format("{} of {} triangles have Ke above 0, with map_Ke",
                                    facts.emitting_triangles, facts.triangles));
     if (!emission || facts.emitting_triangles == 0) return;
-    planner.stage("map", "emission");
+    planner.stage(shade::map::emission);
     if (coordinates && facts.mapped_triangles[shade::kEmissionMap] > 0)
         plan.attributes = plan.attributes |
                           shade::Attributes{.uv = true, .maps = shade::bit_of(shade::kEmissionMap)};
@@ -212,8 +214,8 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
 
 Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     TRY_VOID(plan_mapping(planner, plan, facts));
-    TRY_VOID(choose("texture", plan.options.texture, "trilinear")); // there is such a one
-    planner.effect("mipmaps", "on", false, "no texture is read");   // else plan_filter says why
+    TRY_VOID(choose(shade::texture::kRows, plan.options.texture, shade::texture::trilinear));
+    planner.effect("mipmaps", "on", false, "no texture is read"); // else plan_filter says why
     TRY_VOID(plan_wrap(planner, plan, facts));
     // Whatever reads coordinates, they are made, not fetched.
     if (plan.mapped) plan.attributes.uv = plan.transparency.attributes.uv = false;
@@ -224,10 +226,9 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     const bool colour = plan.attributes.maps != 0, alpha = !plan.transparency.stages.empty();
     if (!colour && !alpha) return;
     const FrameOptions& options = plan.options;
-    const bool automatic = options.texture == "auto";
+    const bool automatic = is_auto(options.texture);
     const shade::Filter* filter =
-        find_row(shade::texture::kRows, automatic ? "trilinear" : options.texture);
-    CHECK(filter != nullptr);
+        &row_or(shade::texture::kRows, options.texture, shade::texture::trilinear);
     Minification most;
     std::optional<bool> plain; // whether each texture that is read is of one colour
     for (const TexturedSurface& surface : facts.textured_surfaces) {
@@ -256,8 +257,8 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     const bool mipmaps = decide(*row, options, "on", filter->needs.footprint && !plan.mips.empty());
     if (!mipmaps || !filter->needs.footprint) plan.mips.clear();
     if (filter->needs.footprint && plan.mips.empty())
-        filter = find_row(shade::texture::kRows,
-                          automatic && plain.value_or(false) ? "nearest" : "bilinear");
+        filter = automatic && plain.value_or(false) ? &shade::texture::nearest
+                                                    : &shade::texture::bilinear;
     use(*filter, colour, alpha, plan);
 }
 

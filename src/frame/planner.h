@@ -4,35 +4,41 @@
 
 #include "frame/plan.h"
 #include "frame/view_facts.h"
+#include "rows.h"
 
 #include <string>
 #include <string_view>
 
 namespace scanout::frame {
 
-// What the user asked for on an axis, or the automatic choice, when the axis has it.
-Result<std::string> choose(std::string_view axis, const std::string& asked,
-                           std::string_view automatic);
+Error no_such_technique(std::string_view axis, const std::string& asked);
+
+// The row of an axis that the user asked for by name, or the automatic choice.
+template <class Row, std::size_t kCount>
+Result<const Row*> choose(const Row* const (&rows)[kCount], const std::string& asked,
+                          const Row& automatic) {
+    const Row* found = is_auto(asked) ? &automatic : find_row(rows, asked);
+    if (found == nullptr) return tl::unexpected(no_such_technique(rows[0]->card.axis, asked));
+    return found;
+}
 
 // Switches an effect's row: on when the scene needs it, unless the user forces it. Returns whether.
-bool decide(Decision& row, const FrameOptions& options, std::string technique, bool needed);
+bool decide(Decision& row, const FrameOptions& options, std::string_view technique, bool needed);
 
 // Builds a plan row by row.
 class Planner {
 public:
     Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
 
-    // A row of an effect that is decided (see above).
-    bool effect(std::string name, std::string technique, bool needed, std::string because);
+    // A row of an effect that is decided (see above); its techniques may be those of an axis.
+    bool effect(std::string name, std::string_view technique, bool needed, std::string because,
+                std::string_view axis = {});
     // Notes what was chosen on an axis that is no effect: its own option decides.
-    void choice(std::string axis, std::string technique, const std::string& asked,
+    void choice(std::string axis, std::string_view technique, const std::string& asked,
                 std::string because, bool needed = true);
-    void stage(std::string_view axis, std::string_view name);
+    void stage(const shade::Stage& stage);
     // A stage that another one calls; it reads `needs` of every lane.
-    const shade::Stage* called(std::string_view axis, std::string_view name,
-                               shade::Attributes needs);
-    // It runs without a stage.
-    const shade::Stage* technique(std::string_view axis, std::string_view name);
+    void called(const shade::Stage& stage, shade::Attributes needs);
 
 private:
     const FrameOptions& options_;

@@ -352,7 +352,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     shade::FrameState frame = frame_state(input.view, plan, input.lights);
     if (input.shadows != nullptr) frame.shadows = input.shadows->lights().data();
     std::optional<shade::StepLimits> steps;
-    if (plan.stages.front()->card.name == "adaptive") {
+    if (plan.attributes.steps) {
         steps = step_limits(input.scene, plan);
         frame.steps = &*steps;
     }

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
 
 namespace scanout::frame {
 namespace {
@@ -56,8 +55,9 @@ void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan,
 void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& transform,
                      const ScreenTiles& grid, FrameLights& lights) {
     CHECK(in.plan.shadow.stage != nullptr);
-    const std::string_view technique = in.plan.shadow.stage->card.name;
-    const bool volume = technique == "volume", projected = technique == "projected";
+    const shade::ShadowStage& stage = *in.plan.shadow.stage;
+    const bool volume = stage.by == shade::ShadowBy::volumes,
+               projected = stage.by == shade::ShadowBy::projection;
     const std::size_t count = lights.lights().size();
     maps_.clear();
     lights_.assign(count, {});
@@ -82,7 +82,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         shade::LightShadow& shadow = lights_[k];
         shadow.casts = true;
         shadow.shape = light.shape;
-        shadow.soft = technique == "map_soft" && light.size > 0;
+        shadow.soft = stage.soft && light.size > 0;
         const ShadowCaster caster{in.scene.mesh, casters_.casts, light, in.view, transform, grid};
         if (volume)
             shadow_volumes(caster, casters_.welded, edges_, polygons_[k]);

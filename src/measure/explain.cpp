@@ -5,9 +5,11 @@
 #include "frame/catalogue.h"
 #include "frame/ignored_options.h"
 #include "image/compare.h"
+#include "image/dither.h"
 #include "image/flip.h"
 #include "measure/median.h"
 #include "raster/screen/primitive.h"
+#include "rows.h"
 
 #include <algorithm>
 
@@ -29,22 +31,12 @@ std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t no
     return material < 0 ? none : static_cast<std::size_t>(material);
 }
 
-// The technique that does least: of rungs the cheapest, which stands first; light beyond 1 is cut
-// off, and textures repeat. Empty for axes on which no technique is less than the others.
+// The technique that does least: of rungs the cheapest, which stands first. Empty for axes on which
+// no technique is less than the others.
 std::string_view plainest_on(std::string_view axis) {
     for (const Technique* technique : frame::techniques())
-        if (technique->axis == axis &&
-            (technique->kind == Kind::rung || axis == "tone" || axis == "wrap"))
+        if (technique->axis == axis && (technique->kind == Kind::rung || technique->least))
             return technique->name;
-    return {};
-}
-
-// The axis whose techniques an effect has; empty where it has none to choose from.
-std::string_view axis_of(const frame::Decision& effect, const frame::FramePlan& plan) {
-    if (effect.effect == "texture") return plan.source != nullptr ? "" : "texture";
-    if (effect.effect == "highlight") return "reflection";
-    if (effect.effect == "shadow") return "shadow";
-    if (effect.effect == "cut_out" || effect.effect == "blending") return "transparency";
     return {};
 }
 
@@ -151,7 +143,7 @@ Result<int> Explainer::special_rows() const {
 // The options without what is asked for on an axis; nothing where nothing is.
 std::optional<frame::FrameOptions> Explainer::automatic(std::string_view axis) const {
     frame::FrameOptions options = options_;
-    if (frame::asked_for(options_, axis) == "auto" || !frame::ask(options, axis, "auto"))
+    if (frame::is_auto(frame::asked_for(options_, axis)) || !frame::ask(options, axis, "auto"))
         return std::nullopt;
     return options;
 }
@@ -182,7 +174,8 @@ std::optional<frame::FrameOptions> Explainer::switched(EffectRow& row) const {
 // A display of fewer than 8 bits dithers unless it is asked not to.
 image::Image Explainer::shown(const image::Image& picture, const frame::FramePlan& plan) const {
     if (!how_.display) return picture;
-    const bool dithered = plan.options.dither != "none";
+    const bool dithered =
+        row_or(image::dither::kRows, plan.options.dither, image::dither::bayer).ordered;
     return image::as_displayed(*how_.display,
                                dithered ? picture : image::without_dither(*how_.display, picture));
 }
@@ -221,7 +214,7 @@ void Explainer::step() {
     row.milliseconds = milliseconds_against(*other);
     if (row.milliseconds && !d.on() && !d.choice) *row.milliseconds = -*row.milliseconds;
     if (d.choice || (!d.on() && d.forced)) return;
-    const auto unasked = automatic(axis_of(d, plan_));
+    const auto unasked = automatic(d.axis);
     if (!unasked) return;
     const auto own_choice = frame::plan(*unasked, facts_, view_);
     if (!own_choice) return;

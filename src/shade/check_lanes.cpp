@@ -2,6 +2,7 @@
 
 #ifdef SCANOUT_CHECK_LANES
 #include "base/check.h"
+#include "rows.h"
 #include "shade/lane_triangles.h"
 
 #include <algorithm>
@@ -27,11 +28,11 @@ void check_value(double value, std::string_view what, std::string_view of, std::
 }
 
 // What a stage of the axis light writes: the lights of its kind that vary. Shadows write them all.
-void check_light(const Block& b, const FrameState& frame, const Technique& card,
+// Of a stage of light, null of one of shadow.
+void check_light(const Block& b, const FrameState& frame, const LightStage* by,
                  std::string_view stage) {
     for (std::size_t k = 0; k < frame.varies.size(); ++k) {
-        const bool all = card.axis == "shadow";
-        if (!frame.varies[k] || (!all && name_of(frame.lights[k].kind) != card.name)) continue;
+        if (!frame.varies[k] || (by != nullptr && by->kind != frame.lights[k].kind)) continue;
         for (int c = 0; c < 3; ++c) {
             check(b.light[k].towards[c], static_cast<std::size_t>(b.count), "direction", stage);
             check(b.light[k].colour[c], static_cast<std::size_t>(b.count), "light", stage);
@@ -124,33 +125,34 @@ void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], count, "albedo", name);
         if (b.lit && frame.attributes.normal) check(b.normal[c], count, "normal", name);
-        if (b.lit && stage.card.axis == "map" && stage.card.name == "emission")
-            check(b.colour[c], count, "colour", name);
+        if (b.lit && stage.pass == Pass::emission) check(b.colour[c], count, "colour", name);
         if (b.lit && frame.attributes.position) check(b.position[c], count, "position", name);
-        if (stage.card.axis == "shading" || stage.card.axis == "tone")
+        if (stage.pass == Pass::shading || stage.pass == Pass::tone)
             check(b.colour[c], count, "colour", name);
     }
-    if (b.lit && (stage.card.axis == "light" || stage.card.axis == "shadow"))
-        check_light(b, frame, stage.card, name);
+    if (b.lit && stage.pass == Pass::light)
+        check_light(b, frame, find_row(light::kRows, stage.card.name), name);
+    if (b.lit && stage.pass == Pass::shadow) check_light(b, frame, nullptr, name);
     for (int c = 0; c < 3; ++c)
         check_value(b.ambient[c], "colour", "ambient light", 0, name);
-    if (stage.card.name == "gloss" && b.map[kShininessMap].texture != nullptr)
-        check(b.shininess, count, "exponent", name);
-    if (stage.card.name == "roughness" && b.map[kRoughnessMap].texture != nullptr)
-        check(b.roughness, count, "roughness", name);
-    if (stage.card.name == "metalness" && b.map[kMetalnessMap].texture != nullptr)
-        check(b.metalness, count, "share of metal", name);
+    const auto scales_by = [&](Map map) {
+        return (stage.needs.maps & bit_of(map)) != 0 && b.map[map].texture != nullptr;
+    };
+    if (scales_by(kShininessMap)) check(b.shininess, count, "exponent", name);
+    if (scales_by(kRoughnessMap)) check(b.roughness, count, "roughness", name);
+    if (scales_by(kMetalnessMap)) check(b.metalness, count, "share of metal", name);
     if (!wants_uv(b, frame)) return;
     check(b.u, count, "u", name);
     check(b.v, count, "v", name);
     if (frame.attributes.footprint)
         for (const float* slope : {b.u_x, b.v_x, b.u_y, b.v_y})
             check(slope, count, "slope of u or v", name);
-    if (stage.card.axis != "map") return;
-    if (stage.card.name == "opacity") return check(b.alpha, count, "alpha", name);
+    if (stage.pass != Pass::maps && stage.pass != Pass::emission) return;
+    if ((stage.needs.maps & bit_of(kOpacityMap)) != 0) return check(b.alpha, count, "alpha", name);
     // Where one number counts, it may be the sample's alpha alone.
-    for (const std::string_view scalar : {"gloss", "bump", "roughness", "metalness"})
-        if (stage.card.name == scalar) return;
+    constexpr MapBits kScalars =
+        bit_of(kShininessMap) | bit_of(kBumpMap) | bit_of(kRoughnessMap) | bit_of(kMetalnessMap);
+    if ((stage.needs.maps & kScalars) != 0) return;
     for (int c = 0; c < 3; ++c)
         check(b.sampled[c], count, "sampled", name);
 }

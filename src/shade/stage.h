@@ -53,20 +53,16 @@ struct Attributes {
     bool facing = false;    // Primitive::facing
     bool footprint = false; // how u and v change from pixel to pixel
     bool object = false;    // vertices' places in object space
+    bool steps = false;     // FrameState::steps
     MapBits maps = 0;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
-    return {a.normal || b.normal,
-            a.uv || b.uv,
-            a.colour || b.colour,
-            a.ray || b.ray,
-            a.position || b.position,
-            a.primitive || b.primitive,
-            a.corners || b.corners,
-            a.facing || b.facing,
-            a.footprint || b.footprint,
-            a.object || b.object,
-            static_cast<MapBits>(a.maps | b.maps)};
+    return {a.normal || b.normal,       a.uv || b.uv,
+            a.colour || b.colour,       a.ray || b.ray,
+            a.position || b.position,   a.primitive || b.primitive,
+            a.corners || b.corners,     a.facing || b.facing,
+            a.footprint || b.footprint, a.object || b.object,
+            a.steps || b.steps,         static_cast<MapBits>(a.maps | b.maps)};
 }
 
 // Does some stage read what a run's lanes share? Then no lane sets up a triangle of its own.
@@ -268,11 +264,58 @@ inline bool wants_uv(const Block& b, const FrameState& frame) {
     return false;
 }
 
+// When a stage runs, in this order. Maps change what light falls on, so they come before it; what a
+// surface gives off by itself is added to what it reflects, and no shadow darkens it.
+enum class Pass : std::uint8_t {
+    interpolation,
+    mapping,
+    maps,
+    light,
+    shadow,
+    shading,
+    emission,
+    exposure,
+    tone,
+    called // by a stage of another pass
+};
+
 struct Stage {
     Technique card;
+    Pass pass;
     Attributes needs;
-    void (*run)(Block& block, const FrameState& frame);
+    void (*run)(Block& block, const FrameState& frame); // null: there is nothing to do
 };
+
+struct LightTraits {
+    scene::LightKind kind;
+};
+struct LightStage : Stage, LightTraits {};
+
+struct ReflectionTraits {
+    bool highlight = true;       // where Ks and Ns give one
+    bool physical = false;       // by Pr and Pm, where the material says them
+    const Stage* matt = nullptr; // the same without a highlight; null: that is lambert
+};
+struct ReflectionStage : Stage, ReflectionTraits {};
+
+struct ShadingTraits {
+    bool unit_vertex_normals = false; // reads what FrameState::corner_normals says
+};
+struct ShadingStage : Stage, ShadingTraits {};
+
+// What finds the surfaces that stand in a light's way.
+enum class ShadowBy : std::uint8_t { facing, projection, maps, volumes };
+struct ShadowTraits {
+    ShadowBy by;
+    bool filtered = false; // asks FrameState::shadow_filter texels a side
+    bool soft = false;     // by the size of the light
+};
+struct ShadowStage : Stage, ShadowTraits {};
+
+struct ToneTraits {
+    bool exact_below_white = false; // where no light is above 1, none is changed
+};
+struct ToneStage : Stage, ToneTraits {};
 
 // A texture filter: reads a map at b.u, b.v into b.sampled: its first three rows, or, where only
 // alpha counts, its last.

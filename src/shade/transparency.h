@@ -51,6 +51,9 @@ struct Transparency {
     bool cuts;
 };
 
+// When a fragment hides what lies behind it.
+enum class Hides : std::uint8_t { never, by_alpha, always };
+
 // How a fragment meets what lies behind it: by shares that its alpha alone decides (meet), or by
 // its colour (compose); the other is null.
 struct Blend {
@@ -65,6 +68,7 @@ struct Blend {
     // `behind` is times that of what lies behind. The fragment's colour is undiluted, in [0, 1];
     // 1 is white of the blend space. Alpha itself goes as with `over`. Alpha 0 changes nothing.
     float (*compose)(float behind, float behind_alpha, float colour, float alpha) = nullptr;
+    Hides hides = Hides::never;
 };
 
 } // namespace scanout::shade

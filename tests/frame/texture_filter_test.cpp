@@ -101,6 +101,7 @@ TEST(TextureFilter, AnisotropicKeepsWithinItsErrorUpToTheHorizonAndEveryRungIsBe
     const image::Image lit = draw(white);
     double before = 1;
     for (const shade::Filter* filter : shade::texture::kRows) {
+        if (filter->card.kind != Kind::rung) continue;
         const std::string name(filter->card.name);
         const image::Image got = draw(floor_to_the_horizon(name));
         double sum = 0;

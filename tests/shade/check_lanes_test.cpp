@@ -40,7 +40,7 @@ void write_poison(Block& b) {
 
 // The stage of that name, and then the poison.
 Stage poisoned(const Stage& stage, void (*run)(Block&, const FrameState&)) {
-    return {stage.card, stage.needs, run};
+    return {stage.card, stage.pass, stage.needs, run};
 }
 
 // Two textured triangles with a highlight: a square of 30 x 20 pixels, its sides between samples.

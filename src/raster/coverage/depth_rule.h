@@ -72,6 +72,8 @@ struct DepthRule {
 struct DepthTestRow {
     Technique card;
     DepthTest test;
+    bool compares = true; // which depth is greater
+    bool shows = true;    // something, where the buffer starts empty
 };
 struct DepthFormatRow {
     Technique card;

@@ -9,6 +9,7 @@ constinit const DepthTestRow always{{.axis = "depth_test",
                                      .blurb = "the last in the file, whatever its depth",
                                      .source = "Segal and Akeley 1992",
                                      .kind = Kind::model},
-                                    DepthTest::always};
+                                    DepthTest::always,
+                                    false};
 
 } // namespace scanout::raster::depth_test

@@ -11,6 +11,8 @@ constinit const DepthTestRow equal{
          "only what lies as deep as what is kept: the buffer starts empty, so nothing, as never",
      .source = "Segal and Akeley 1992",
      .kind = Kind::model},
-    DepthTest::equal};
+    DepthTest::equal,
+    false,
+    false};
 
 } // namespace scanout::raster::depth_test

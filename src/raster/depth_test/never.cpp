@@ -9,6 +9,8 @@ constinit const DepthTestRow never{{.axis = "depth_test",
                                     .blurb = "nothing",
                                     .source = "Segal and Akeley 1992",
                                     .kind = Kind::model},
-                                   DepthTest::never};
+                                   DepthTest::never,
+                                   false,
+                                   false};
 
 } // namespace scanout::raster::depth_test

@@ -11,6 +11,8 @@ constinit const Blend none{{.axis = "blend",
                             .kind = Kind::model},
                            [](float /*alpha*/, float through) -> Blend::Shares {
                                return {through, 0};
-                           }};
+                           },
+                           nullptr,
+                           Hides::always};
 
 } // namespace scanout::shade::blend

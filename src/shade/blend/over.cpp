@@ -12,6 +12,8 @@ constinit const Blend over{{.axis = "blend",
                             .kind = Kind::model},
                            [](float alpha, float through) -> Blend::Shares {
                                return {through * alpha, through * (1 - alpha)};
-                           }};
+                           },
+                           nullptr,
+                           Hides::by_alpha};
 
 } // namespace scanout::shade::blend

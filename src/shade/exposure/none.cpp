@@ -9,7 +9,8 @@ constinit const Stage none{{.axis = "exposure",
                             .blurb = "light is shown as bright as it is",
                             .source = "Wavefront 1995",
                             .kind = Kind::effect},
+                           Pass::exposure,
                            {},
-                           [](Block& /*block*/, const FrameState& /*frame*/) {}};
+                           nullptr};
 
 } // namespace scanout::shade::exposure

@@ -28,6 +28,7 @@ constinit const Stage stops{
      .blurb = "light times 2^stops, before it is cut off or bent",
      .source = "Reinhard et al. 2002",
      .kind = Kind::effect},
+    Pass::exposure,
     {},
     [](Block& block, const FrameState& frame) { SIMD_CALL(stops_run, block, frame); }};
 

@@ -46,7 +46,8 @@ constinit const Stage adaptive{
      .blurb = "per triangle the cheapest within 1/256 texel and half a code",
      .source = "Hecker 1995, by the ratio of distances",
      .kind = Kind::rung},
-    {.primitive = true},
+    Pass::interpolation,
+    {.primitive = true, .steps = true},
     [](Block& block, const FrameState& frame) { SIMD_CALL(adaptive_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate

@@ -33,6 +33,7 @@ constinit const Stage affine{
      .blurb = "straight on the screen: 1/6 of the range wrong where distances double",
      .source = "Heckbert 1989",
      .kind = Kind::rung},
+    Pass::interpolation,
     {.primitive = true},
     [](Block& block, const FrameState& frame) { SIMD_CALL(affine_run, block, frame); }};
 

@@ -32,6 +32,7 @@ constinit const Stage affine_16{
      .blurb = "exact every 16 pixels, straight between: 1/2000 of the range where distances double",
      .source = "Hecker 1995",
      .kind = Kind::rung},
+    Pass::interpolation,
     {.primitive = true},
     [](Block& block, const FrameState& frame) { SIMD_CALL(affine_16_run, block, frame); }};
 

@@ -32,6 +32,7 @@ constinit const Stage affine_8{
      .blurb = "exact every 8 pixels, straight between: 1/8000 of the range where distances double",
      .source = "Hecker 1995",
      .kind = Kind::rung},
+    Pass::interpolation,
     {.primitive = true},
     [](Block& block, const FrameState& frame) { SIMD_CALL(affine_8_run, block, frame); }};
 

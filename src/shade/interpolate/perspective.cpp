@@ -36,6 +36,7 @@ constinit const Stage perspective{
      .blurb = "weights divided by w at every pixel: straight lines stay straight",
      .source = "Heckbert and Moreton 1991",
      .kind = Kind::rung},
+    Pass::interpolation,
     {},
     [](Block& block, const FrameState& frame) { SIMD_CALL(perspective_run, block, frame); }};
 

@@ -4,14 +4,16 @@
 
 namespace scanout::shade::light {
 
-extern const Stage ambient;
-constinit const Stage ambient{
-    {.axis = "light",
-     .name = "ambient",
-     .blurb = "the same from everywhere",
-     .source = "Foley et al. 1990, ch. 16",
-     .kind = Kind::effect},
-    {},
-    [](Block& block, const FrameState& frame) { block.ambient = frame.ambient; }};
+extern const LightStage ambient;
+constinit const LightStage ambient{
+    {{.axis = "light",
+      .name = "ambient",
+      .blurb = "the same from everywhere",
+      .source = "Foley et al. 1990, ch. 16",
+      .kind = Kind::effect},
+     Pass::light,
+     {},
+     [](Block& block, const FrameState& frame) { block.ambient = frame.ambient; }},
+    {scene::LightKind::ambient}};
 
 } // namespace scanout::shade::light

@@ -25,15 +25,17 @@ namespace scanout::shade::light {
 
 SIMD_REGISTER(directional_run);
 
-extern const Stage directional;
-constinit const Stage directional{
-    {.axis = "light",
-     .name = "directional",
-     .blurb = "parallel rays, from the world or the camera",
-     .source = "Foley et al. 1990, ch. 16",
-     .kind = Kind::effect},
-    {},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(directional_run, block, frame); }};
+extern const LightStage directional;
+constinit const LightStage directional{
+    {{.axis = "light",
+      .name = "directional",
+      .blurb = "parallel rays, from the world or the camera",
+      .source = "Foley et al. 1990, ch. 16",
+      .kind = Kind::effect},
+     Pass::light,
+     {},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(directional_run, block, frame); }},
+    {scene::LightKind::directional}};
 
 } // namespace scanout::shade::light
 #endif

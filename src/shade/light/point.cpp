@@ -22,15 +22,17 @@ namespace scanout::shade::light {
 
 SIMD_REGISTER(point_run);
 
-extern const Stage point;
-constinit const Stage point{
-    {.axis = "light",
-     .name = "point",
-     .blurb = "a place that shines by the inverse square of the distance",
-     .source = "Lambert 1760; Foley et al. 1990, ch. 16",
-     .kind = Kind::effect},
-    {.position = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(point_run, block, frame); }};
+extern const LightStage point;
+constinit const LightStage point{
+    {{.axis = "light",
+      .name = "point",
+      .blurb = "a place that shines by the inverse square of the distance",
+      .source = "Lambert 1760; Foley et al. 1990, ch. 16",
+      .kind = Kind::effect},
+     Pass::light,
+     {.position = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(point_run, block, frame); }},
+    {scene::LightKind::point}};
 
 } // namespace scanout::shade::light
 #endif

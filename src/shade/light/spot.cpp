@@ -32,15 +32,17 @@ namespace scanout::shade::light {
 
 SIMD_REGISTER(spot_run);
 
-extern const Stage spot;
-constinit const Stage spot{
-    {.axis = "light",
-     .name = "spot",
-     .blurb = "a point light with a cone and a soft rim",
-     .source = "Warn 1983",
-     .kind = Kind::effect},
-    {.position = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(spot_run, block, frame); }};
+extern const LightStage spot;
+constinit const LightStage spot{
+    {{.axis = "light",
+      .name = "spot",
+      .blurb = "a point light with a cone and a soft rim",
+      .source = "Warn 1983",
+      .kind = Kind::effect},
+     Pass::light,
+     {.position = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(spot_run, block, frame); }},
+    {scene::LightKind::spot}};
 
 } // namespace scanout::shade::light
 #endif

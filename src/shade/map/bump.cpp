@@ -99,6 +99,7 @@ constinit const Stage bump{
      .blurb = "map_bump: the surface leans as if a texture's heights stood on it",
      .source = "Blinn 1978",
      .kind = Kind::effect},
+    Pass::maps,
     {.normal = true,
      .uv = true,
      .ray = true,

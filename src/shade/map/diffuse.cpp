@@ -28,6 +28,7 @@ constinit const Stage diffuse{{.axis = "map",
                                .blurb = "map_Kd: the diffuse colour times a texture",
                                .source = "Catmull 1974",
                                .kind = Kind::effect},
+                              Pass::maps,
                               {.uv = true, .maps = bit_of(kDiffuseMap)},
                               [](Block& block, const FrameState& frame) {
                                   const BoundMap& map = block.map[kDiffuseMap];

@@ -32,6 +32,7 @@ constinit const Stage emission{{.axis = "map",
                                 .blurb = "Ke and map_Ke: light of the surface's own",
                                 .source = "Segal and Akeley 1992",
                                 .kind = Kind::effect},
+                               Pass::emission,
                                {},
                                [](Block& block, const FrameState& frame) {
                                    if (!block.lit || block.material->emission == Vec3(0)) return;

@@ -29,6 +29,7 @@ constinit const Stage gloss{
      .blurb = "map_Ns: the highlight's exponent times a texture; black is dull",
      .source = "Wavefront 1995",
      .kind = Kind::effect},
+    Pass::maps,
     {.uv = true, .maps = bit_of(kShininessMap)},
     [](Block& block, const FrameState& frame) {
         const BoundMap& map = block.map[kShininessMap];

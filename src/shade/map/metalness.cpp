@@ -28,6 +28,7 @@ constinit const Stage metalness{{.axis = "map",
                                  .blurb = "map_Pm: the share of metal times a texture",
                                  .source = "Burley 2012",
                                  .kind = Kind::effect},
+                                Pass::maps,
                                 {.uv = true, .maps = bit_of(kMetalnessMap)},
                                 [](Block& block, const FrameState& frame) {
                                     const BoundMap& map = block.map[kMetalnessMap];

@@ -64,6 +64,7 @@ constinit const Stage opacity{{.axis = "map",
                                .blurb = "d, times map_d, times the alpha channel of map_Kd",
                                .source = "Wavefront 1995",
                                .kind = Kind::effect},
+                              Pass::maps,
                               {.uv = true, .maps = bit_of(kDiffuseMap) | bit_of(kOpacityMap)},
                               opacity_run};
 

@@ -28,6 +28,7 @@ constinit const Stage roughness{{.axis = "map",
                                  .blurb = "map_Pr: the roughness times a texture",
                                  .source = "Burley 2012",
                                  .kind = Kind::effect},
+                                Pass::maps,
                                 {.uv = true, .maps = bit_of(kRoughnessMap)},
                                 [](Block& block, const FrameState& frame) {
                                     const BoundMap& map = block.map[kRoughnessMap];

@@ -29,6 +29,7 @@ constinit const Stage specular{{.axis = "map",
                                 .blurb = "map_Ks: the highlight's colour times a texture",
                                 .source = "Wavefront 1995",
                                 .kind = Kind::effect},
+                               Pass::maps,
                                {.uv = true, .maps = bit_of(kSpecularMap)},
                                [](Block& block, const FrameState& frame) {
                                    const BoundMap& map = block.map[kSpecularMap];

@@ -45,6 +45,7 @@ constinit const Stage box{{.axis = "mapping",
                            .blurb = "from the side of a box that a triangle faces most",
                            .source = "Bier and Sloan 1986",
                            .kind = Kind::model},
+                          Pass::mapping,
                           {.uv = true, .facing = true, .object = true},
                           [](Block& block, const FrameState& frame) {
                               if (wants_uv(block, frame)) SIMD_CALL(box_run, block, frame);

@@ -30,6 +30,7 @@ constinit const Stage cylinder{{.axis = "mapping",
                                 .blurb = "around the y axis, and along it",
                                 .source = "Bier and Sloan 1986",
                                 .kind = Kind::model},
+                               Pass::mapping,
                                {.uv = true, .object = true},
                                [](Block& block, const FrameState& frame) {
                                    if (wants_uv(block, frame))

@@ -30,6 +30,7 @@ constinit const Stage plane{{.axis = "mapping",
                              .blurb = "thrown on from the front",
                              .source = "Bier and Sloan 1986",
                              .kind = Kind::model},
+                            Pass::mapping,
                             {.uv = true, .object = true},
                             [](Block& block, const FrameState& frame) {
                                 if (wants_uv(block, frame)) SIMD_CALL(plane_run, block, frame);

@@ -35,6 +35,7 @@ constinit const Stage sphere{{.axis = "mapping",
                               .blurb = "longitude and latitude about the model's middle",
                               .source = "Bier and Sloan 1986",
                               .kind = Kind::model},
+                             Pass::mapping,
                              {.uv = true, .object = true},
                              [](Block& block, const FrameState& frame) {
                                  if (wants_uv(block, frame)) SIMD_CALL(sphere_run, block, frame);

@@ -9,6 +9,7 @@ constinit const Stage uv{{.axis = "mapping",
                           .blurb = "the coordinates that the model gives",
                           .source = "Catmull 1974",
                           .kind = Kind::model},
+                         Pass::mapping,
                          {},
                          nullptr};
 

@@ -28,16 +28,18 @@ namespace scanout::shade::reflection {
 
 SIMD_REGISTER(blinn_phong_run);
 
-extern const Stage blinn_phong;
-constinit const Stage blinn_phong{
-    {.axis = "reflection",
-     .name = "blinn_phong",
-     .blurb = "Lambert plus a highlight where the half vector meets the normal; Ns below 1 fades "
-              "it, to none at 0",
-     .source = "Blinn 1977",
-     .kind = Kind::model},
-    {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(blinn_phong_run, block, frame); }};
+extern const ReflectionStage blinn_phong;
+constinit const ReflectionStage blinn_phong{
+    {{.axis = "reflection",
+      .name = "blinn_phong",
+      .blurb = "Lambert plus a highlight where the half vector meets the normal; Ns below 1 fades "
+               "it, to none at 0",
+      .source = "Blinn 1977",
+      .kind = Kind::model},
+     Pass::called,
+     {.normal = true, .ray = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(blinn_phong_run, block, frame); }},
+    {}};
 
 } // namespace scanout::shade::reflection
 #endif

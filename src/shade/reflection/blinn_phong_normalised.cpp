@@ -41,17 +41,19 @@ namespace scanout::shade::reflection {
 
 SIMD_REGISTER(blinn_phong_normalised_run);
 
-extern const Stage blinn_phong_normalised;
-constinit const Stage blinn_phong_normalised{
-    {.axis = "reflection",
-     .name = "blinn_phong_normalised",
-     .blurb = "Blinn-Phong whose highlight reflects no more than Ks of the light; Kd adds to it",
-     .source = "Blinn 1977, Giesen 2009",
-     .kind = Kind::model},
-    {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) {
-        SIMD_CALL(blinn_phong_normalised_run, block, frame);
-    }};
+extern const ReflectionStage blinn_phong_normalised;
+constinit const ReflectionStage blinn_phong_normalised{
+    {{.axis = "reflection",
+      .name = "blinn_phong_normalised",
+      .blurb = "Blinn-Phong whose highlight reflects no more than Ks of the light; Kd adds to it",
+      .source = "Blinn 1977, Giesen 2009",
+      .kind = Kind::model},
+     Pass::called,
+     {.normal = true, .ray = true},
+     [](Block& block, const FrameState& frame) {
+         SIMD_CALL(blinn_phong_normalised_run, block, frame);
+     }},
+    {}};
 
 } // namespace scanout::shade::reflection
 #endif

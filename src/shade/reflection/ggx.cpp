@@ -124,15 +124,17 @@ namespace scanout::shade::reflection {
 
 SIMD_REGISTER(ggx_run);
 
-extern const Stage ggx;
-constinit const Stage ggx{
-    {.axis = "reflection",
-     .name = "ggx",
-     .blurb = "rough mirrors, for materials that say roughness and metalness",
-     .source = "Trowbridge and Reitz 1975, Walter et al. 2007, Heitz 2014",
-     .kind = Kind::model},
-    {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(ggx_run, block, frame); }};
+extern const ReflectionStage ggx;
+constinit const ReflectionStage ggx{
+    {{.axis = "reflection",
+      .name = "ggx",
+      .blurb = "rough mirrors, for materials that say roughness and metalness",
+      .source = "Trowbridge and Reitz 1975, Walter et al. 2007, Heitz 2014",
+      .kind = Kind::model},
+     Pass::called,
+     {.normal = true, .ray = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(ggx_run, block, frame); }},
+    {.physical = true}};
 
 } // namespace scanout::shade::reflection
 #endif

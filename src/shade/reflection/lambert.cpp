@@ -20,15 +20,17 @@ namespace scanout::shade::reflection {
 
 SIMD_REGISTER(lambert_run);
 
-extern const Stage lambert;
-constinit const Stage lambert{
-    {.axis = "reflection",
-     .name = "lambert",
-     .blurb = "matt: light by the cosine of its angle",
-     .source = "Lambert 1760",
-     .kind = Kind::model},
-    {.normal = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(lambert_run, block, frame); }};
+extern const ReflectionStage lambert;
+constinit const ReflectionStage lambert{
+    {{.axis = "reflection",
+      .name = "lambert",
+      .blurb = "matt: light by the cosine of its angle",
+      .source = "Lambert 1760",
+      .kind = Kind::model},
+     Pass::called,
+     {.normal = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(lambert_run, block, frame); }},
+    {.highlight = false}};
 
 } // namespace scanout::shade::reflection
 #endif

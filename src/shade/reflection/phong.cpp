@@ -31,15 +31,17 @@ namespace scanout::shade::reflection {
 
 SIMD_REGISTER(phong_run);
 
-extern const Stage phong;
-constinit const Stage phong{
-    {.axis = "reflection",
-     .name = "phong",
-     .blurb = "Lambert plus a highlight where the light's mirror image meets the eye",
-     .source = "Phong 1975",
-     .kind = Kind::model},
-    {.normal = true, .ray = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(phong_run, block, frame); }};
+extern const ReflectionStage phong;
+constinit const ReflectionStage phong{
+    {{.axis = "reflection",
+      .name = "phong",
+      .blurb = "Lambert plus a highlight where the light's mirror image meets the eye",
+      .source = "Phong 1975",
+      .kind = Kind::model},
+     Pass::called,
+     {.normal = true, .ray = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(phong_run, block, frame); }},
+    {}};
 
 } // namespace scanout::shade::reflection
 #endif

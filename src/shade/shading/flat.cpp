@@ -28,18 +28,20 @@ namespace scanout::shade::shading {
 
 SIMD_REGISTER(flat_run);
 
-extern const Stage flat;
-constinit const Stage flat{{.axis = "shading",
-                            .name = "flat",
-                            .blurb = "light once a face",
-                            .source = "Bouknight 1970",
-                            .kind = Kind::rung},
-                           {.corners = true},
-                           [](Block& block, const FrameState& frame) {
-                               if (!block.lit) return block.model->run(block, frame);
-                               light_faces(block, frame);
-                               SIMD_CALL(flat_run, block);
-                           }};
+extern const ShadingStage flat;
+constinit const ShadingStage flat{{{.axis = "shading",
+                                    .name = "flat",
+                                    .blurb = "light once a face",
+                                    .source = "Bouknight 1970",
+                                    .kind = Kind::rung},
+                                   Pass::shading,
+                                   {.corners = true},
+                                   [](Block& block, const FrameState& frame) {
+                                       if (!block.lit) return block.model->run(block, frame);
+                                       light_faces(block, frame);
+                                       SIMD_CALL(flat_run, block);
+                                   }},
+                                  {}};
 
 } // namespace scanout::shade::shading
 #endif

@@ -36,18 +36,20 @@ namespace scanout::shade::shading {
 
 SIMD_REGISTER(gouraud_run);
 
-extern const Stage gouraud;
-constinit const Stage gouraud{{.axis = "shading",
-                               .name = "gouraud",
-                               .blurb = "light at the vertices, interpolated in between",
-                               .source = "Gouraud 1971",
-                               .kind = Kind::rung},
-                              {.corners = true},
-                              [](Block& block, const FrameState& frame) {
-                                  if (!block.lit) return block.model->run(block, frame);
-                                  light_corners(block, frame);
-                                  SIMD_CALL(gouraud_run, block);
-                              }};
+extern const ShadingStage gouraud;
+constinit const ShadingStage gouraud{{{.axis = "shading",
+                                       .name = "gouraud",
+                                       .blurb = "light at the vertices, interpolated in between",
+                                       .source = "Gouraud 1971",
+                                       .kind = Kind::rung},
+                                      Pass::shading,
+                                      {.corners = true},
+                                      [](Block& block, const FrameState& frame) {
+                                          if (!block.lit) return block.model->run(block, frame);
+                                          light_corners(block, frame);
+                                          SIMD_CALL(gouraud_run, block);
+                                      }},
+                                     {.unit_vertex_normals = true}};
 
 } // namespace scanout::shade::shading
 #endif

@@ -5,14 +5,16 @@
 
 namespace scanout::shade::shading {
 
-extern const Stage per_pixel;
-constinit const Stage per_pixel{
-    {.axis = "shading",
-     .name = "per_pixel",
-     .blurb = "light at every pixel, with unit normals",
-     .source = "Phong 1975",
-     .kind = Kind::rung},
-    {.normal = true},
-    [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};
+extern const ShadingStage per_pixel;
+constinit const ShadingStage per_pixel{
+    {{.axis = "shading",
+      .name = "per_pixel",
+      .blurb = "light at every pixel, with unit normals",
+      .source = "Phong 1975",
+      .kind = Kind::rung},
+     Pass::shading,
+     {.normal = true},
+     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }},
+    {}};
 
 } // namespace scanout::shade::shading

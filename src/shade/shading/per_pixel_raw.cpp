@@ -5,14 +5,16 @@
 
 namespace scanout::shade::shading {
 
-extern const Stage per_pixel_raw;
-constinit const Stage per_pixel_raw{
-    {.axis = "shading",
-     .name = "per_pixel_raw",
-     .blurb = "light at every pixel, with normals that are too short between vertices",
-     .source = "Phong 1975, with normals as they come",
-     .kind = Kind::rung},
-    {.normal = true},
-    [](Block& block, const FrameState& frame) { block.model->run(block, frame); }};
+extern const ShadingStage per_pixel_raw;
+constinit const ShadingStage per_pixel_raw{
+    {{.axis = "shading",
+      .name = "per_pixel_raw",
+      .blurb = "light at every pixel, with normals that are too short between vertices",
+      .source = "Phong 1975, with normals as they come",
+      .kind = Kind::rung},
+     Pass::shading,
+     {.normal = true},
+     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }},
+    {.unit_vertex_normals = true}};
 
 } // namespace scanout::shade::shading

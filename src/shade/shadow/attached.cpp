@@ -4,13 +4,16 @@
 
 namespace scanout::shade::shadow {
 
-extern const Stage attached;
-constinit const Stage attached{{.axis = "shadow",
-                                .name = "attached",
-                                .blurb = "what faces away from the light is dark: no pass at all",
-                                .source = "Foley et al. 1990, ch. 16",
-                                .kind = Kind::rung},
-                               {},
-                               [](Block&, const FrameState&) {}};
+extern const ShadowStage attached;
+constinit const ShadowStage attached{
+    {{.axis = "shadow",
+      .name = "attached",
+      .blurb = "what faces away from the light is dark: no pass at all",
+      .source = "Foley et al. 1990, ch. 16",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {},
+     nullptr},
+    {.by = ShadowBy::facing}};
 
 } // namespace scanout::shade::shadow

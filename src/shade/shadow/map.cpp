@@ -22,15 +22,17 @@ namespace scanout::shade::shadow {
 
 SIMD_REGISTER(map_run);
 
-extern const Stage map;
-constinit const Stage map{
-    {.axis = "shadow",
-     .name = "map",
-     .blurb = "the depth that the light sees, one texel: hard, with steps",
-     .source = "Williams 1978",
-     .kind = Kind::rung},
-    {.position = true, .facing = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(map_run, block, frame); }};
+extern const ShadowStage map;
+constinit const ShadowStage map{
+    {{.axis = "shadow",
+      .name = "map",
+      .blurb = "the depth that the light sees, one texel: hard, with steps",
+      .source = "Williams 1978",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {.position = true, .facing = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(map_run, block, frame); }},
+    {.by = ShadowBy::maps}};
 
 } // namespace scanout::shade::shadow
 #endif

@@ -24,15 +24,17 @@ namespace scanout::shade::shadow {
 
 SIMD_REGISTER(map_pcf_run);
 
-extern const Stage map_pcf;
-constinit const Stage map_pcf{
-    {.axis = "shadow",
-     .name = "map_pcf",
-     .blurb = "the share of k x k texels of the map that hide the point",
-     .source = "Reeves, Salesin and Cook 1987",
-     .kind = Kind::rung},
-    {.position = true, .facing = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(map_pcf_run, block, frame); }};
+extern const ShadowStage map_pcf;
+constinit const ShadowStage map_pcf{
+    {{.axis = "shadow",
+      .name = "map_pcf",
+      .blurb = "the share of k x k texels of the map that hide the point",
+      .source = "Reeves, Salesin and Cook 1987",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {.position = true, .facing = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(map_pcf_run, block, frame); }},
+    {.by = ShadowBy::maps, .filtered = true}};
 
 } // namespace scanout::shade::shadow
 #endif

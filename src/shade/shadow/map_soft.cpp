@@ -112,16 +112,18 @@ namespace scanout::shade::shadow {
 
 SIMD_REGISTER(map_soft_run);
 
-extern const Stage map_soft;
-constinit const Stage map_soft{
-    {.axis = "shadow",
-     .name = "map_soft",
-     .blurb = "penumbrae as wide as the light's size and the distance "
-              "make them",
-     .source = "Fernando 2005",
-     .kind = Kind::rung},
-    {.position = true, .facing = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(map_soft_run, block, frame); }};
+extern const ShadowStage map_soft;
+constinit const ShadowStage map_soft{
+    {{.axis = "shadow",
+      .name = "map_soft",
+      .blurb = "penumbrae as wide as the light's size and the distance "
+               "make them",
+      .source = "Fernando 2005",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {.position = true, .facing = true},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(map_soft_run, block, frame); }},
+    {.by = ShadowBy::maps, .filtered = true, .soft = true}};
 
 } // namespace scanout::shade::shadow
 #endif

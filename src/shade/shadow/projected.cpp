@@ -7,15 +7,17 @@
 
 namespace scanout::shade::shadow {
 
-extern const Stage projected;
-constinit const Stage projected{
-    {.axis = "shadow",
-     .name = "projected",
-     .blurb = "triangles thrown onto the floor: right on it, none "
-              "elsewhere",
-     .source = "Blinn 1988",
-     .kind = Kind::rung},
-    {.primitive = true, .facing = true}, // positions come with lights that have one
-    shadow_by_counts};
+extern const ShadowStage projected;
+constinit const ShadowStage projected{
+    {{.axis = "shadow",
+      .name = "projected",
+      .blurb = "triangles thrown onto the floor: right on it, none "
+               "elsewhere",
+      .source = "Blinn 1988",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {.primitive = true, .facing = true}, // positions come with lights that have one
+     shadow_by_counts},
+    {.by = ShadowBy::projection}};
 
 } // namespace scanout::shade::shadow

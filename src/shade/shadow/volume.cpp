@@ -8,15 +8,17 @@
 
 namespace scanout::shade::shadow {
 
-extern const Stage volume;
-constinit const Stage volume{
-    {.axis = "shadow",
-     .name = "volume",
-     .blurb = "the space behind each caster, counted at every sample: "
-              "exact and hard",
-     .source = "Crow 1977, Everitt and Kilgard 2002",
-     .kind = Kind::rung},
-    {.primitive = true, .facing = true}, // positions come with lights that have one
-    shadow_by_counts};
+extern const ShadowStage volume;
+constinit const ShadowStage volume{
+    {{.axis = "shadow",
+      .name = "volume",
+      .blurb = "the space behind each caster, counted at every sample: "
+               "exact and hard",
+      .source = "Crow 1977, Everitt and Kilgard 2002",
+      .kind = Kind::rung},
+     Pass::shadow,
+     {.primitive = true, .facing = true}, // positions come with lights that have one
+     shadow_by_counts},
+    {.by = ShadowBy::volumes}};
 
 } // namespace scanout::shade::shadow

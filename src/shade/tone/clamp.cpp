@@ -3,13 +3,16 @@
 
 namespace scanout::shade::tone {
 
-extern const Stage clamp;
-constinit const Stage clamp{{.axis = "tone",
-                             .name = "clamp",
-                             .blurb = "light above 1 is cut off, all below is exact",
-                             .source = "Microsoft 2015, 3.2.3.6",
-                             .kind = Kind::model},
-                            {},
-                            [](Block& /*block*/, const FrameState& /*frame*/) {}};
+extern const ToneStage clamp;
+constinit const ToneStage clamp{{{.axis = "tone",
+                                  .name = "clamp",
+                                  .blurb = "light above 1 is cut off, all below is exact",
+                                  .source = "Microsoft 2015, 3.2.3.6",
+                                  .kind = Kind::model,
+                                  .least = true},
+                                 Pass::tone,
+                                 {},
+                                 nullptr},
+                                {}};
 
 } // namespace scanout::shade::tone

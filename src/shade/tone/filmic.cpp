@@ -28,15 +28,17 @@ namespace scanout::shade::tone {
 
 SIMD_REGISTER(filmic_run);
 
-extern const Stage filmic;
-constinit const Stage filmic{
-    {.axis = "tone",
-     .name = "filmic",
-     .blurb = "highlights roll off as on film: up to 7 times white shows",
-     .source = "Narkowicz 2015, a fit of ACES",
-     .kind = Kind::model},
-    {},
-    [](Block& block, const FrameState& /*frame*/) { SIMD_CALL(filmic_run, block); }};
+extern const ToneStage filmic;
+constinit const ToneStage filmic{
+    {{.axis = "tone",
+      .name = "filmic",
+      .blurb = "highlights roll off as on film: up to 7 times white shows",
+      .source = "Narkowicz 2015, a fit of ACES",
+      .kind = Kind::model},
+     Pass::tone,
+     {},
+     [](Block& block, const FrameState& /*frame*/) { SIMD_CALL(filmic_run, block); }},
+    {}};
 
 } // namespace scanout::shade::tone
 #endif

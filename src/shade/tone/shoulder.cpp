@@ -33,15 +33,17 @@ namespace scanout::shade::tone {
 
 SIMD_REGISTER(shoulder_run);
 
-extern const Stage shoulder;
-constinit const Stage shoulder{
-    {.axis = "tone",
-     .name = "shoulder",
-     .blurb = "as bright as it gets is white; darks stay, brights bend",
-     .source = "Reinhard et al. 2002, eq. 4",
-     .kind = Kind::model},
-    {},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(shoulder_run, block, frame); }};
+extern const ToneStage shoulder;
+constinit const ToneStage shoulder{
+    {{.axis = "tone",
+      .name = "shoulder",
+      .blurb = "as bright as it gets is white; darks stay, brights bend",
+      .source = "Reinhard et al. 2002, eq. 4",
+      .kind = Kind::model},
+     Pass::tone,
+     {},
+     [](Block& block, const FrameState& frame) { SIMD_CALL(shoulder_run, block, frame); }},
+    {.exact_below_white = true}};
 
 } // namespace scanout::shade::tone
 #endif

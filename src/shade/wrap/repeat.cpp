@@ -10,7 +10,8 @@ constinit const Wrapping repeat{{.axis = "wrap",
                                  .name = "repeat",
                                  .blurb = "the texture again and again, edge to opposite edge",
                                  .source = "Wavefront 1995",
-                                 .kind = Kind::model},
+                                 .kind = Kind::model,
+                                 .least = true},
                                 Wrap::repeat};
 
 } // namespace scanout::shade::wrap
