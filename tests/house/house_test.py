@@ -88,6 +88,18 @@ class House(unittest.TestCase):
     def test_a_row_named_twice_is_seen(self):
         self.assert_one(self.row_faults({"src/techniques.h": "#define SCANOUT_TEXTURE(X) X(nearest) X(bilinear) X(nearest)\n"}), "more than one row")
 
+    def test_rows_of_a_table_need_no_files(self):
+        table = {"src/shade/texture/bilinear.cpp": None, "src/shade/texture/rows.cpp": "constinit const Filter bilinear{};\n"}
+        self.assertEqual(self.row_faults(table), [])
+
+    def test_a_row_that_stands_in_a_file_and_in_a_table_is_seen(self):
+        table = {"src/shade/texture/rows.cpp": "constinit const Filter bilinear{};\n"}
+        self.assert_one(self.row_faults(table), "texture/bilinear stands in")
+
+    def test_a_row_of_a_table_without_a_name_is_seen(self):
+        table = {"src/shade/texture/rows.cpp": "constinit const Filter mip{};\n"}
+        self.assert_one(self.row_faults(table), "has no row X(mip) in SCANOUT_TEXTURE")
+
     def test_a_missing_table_is_seen(self):
         self.assert_one(self.row_faults({"src/techniques.h": None}), "names no axis")
 

@@ -1,0 +1,62 @@
+// Anti-aliasings that are numbers of samples, or areas: raster/coverage/coverage.h,
+// raster/tile/area.h and the resolve have the arithmetic.
+#include "rows.h"
+
+#include "frame/anti_aliasing.h"
+
+namespace scanout::frame::aa {
+
+namespace {
+
+constexpr Technique card(std::string_view name, std::string_view blurb, std::string_view source) {
+    return {"aa", name, blurb, source, Kind::rung};
+}
+
+} // namespace
+
+// One sample in the middle of the pixel: edges are stairs, coverage is wrong by up to half a pixel.
+constinit const AntiAliasing none{
+    .card = card("none", "one sample a pixel: coverage 0.249 RMSE at an edge", "Crow 1981"),
+    .samples = 1};
+
+// 2 to 16 samples of coverage a pixel, in Direct3D's standard pattern; a primitive is shaded once
+// for all of them, at the centre if it covers it.
+constinit const AntiAliasing samples_2{.card = card("samples_2",
+                                                    "2 samples a pixel, shaded once: 0.159 RMSE",
+                                                    "Akeley 1993; Microsoft 2015, 19.2"),
+                                       .samples = 2};
+
+constinit const AntiAliasing samples_4{.card = card("samples_4",
+                                                    "4 samples a pixel, shaded once: 0.091 RMSE",
+                                                    "Akeley 1993; Microsoft 2015, 19.2"),
+                                       .samples = 4};
+
+constinit const AntiAliasing samples_8{.card = card("samples_8",
+                                                    "8 samples a pixel, shaded once: 0.057 RMSE",
+                                                    "Akeley 1993; Microsoft 2015, 19.2"),
+                                       .samples = 8};
+
+constinit const AntiAliasing samples_16{.card = card("samples_16",
+                                                     "16 samples a pixel, shaded once: 0.044 RMSE",
+                                                     "Akeley 1993; Microsoft 2015, 19.2"),
+                                        .samples = 16};
+
+// A picture of 2 or 4 times the width and height, every pixel of it shaded, and the mean of each
+// square: textures and highlights are smoothed, too.
+constinit const AntiAliasing supersampling_2{
+    .card = card("supersampling_2", "2 x 2 shaded pixels for one: 0.086 RMSE, and smooth insides",
+                 "Crow 1981"),
+    .scale = 2};
+
+constinit const AntiAliasing supersampling_4{
+    .card = card("supersampling_4", "4 x 4 shaded pixels for one: 0.030 RMSE, and smooth insides",
+                 "Crow 1981"),
+    .scale = 4};
+
+// Unweighted area sampling: a primitive counts by the exact area that it shows in the pixel's box
+// (raster/tile/area.h). It is shaded once a pixel.
+constinit const AntiAliasing area{
+    .card = card("area", "exact areas in the pixel's box: no error of coverage", "Catmull 1978"),
+    .exact = true};
+
+} // namespace scanout::frame::aa

@@ -1,0 +1,45 @@
+// Anisotropic filtering with up to so many probes along the pixel's footprint: rows of
+// shade/anisotropy.h.
+#include "rows.h"
+
+#include "shade/anisotropy.h"
+
+namespace scanout::shade::texture {
+
+namespace {
+
+constexpr Technique card(std::string_view name, std::string_view blurb) {
+    return {"texture", name, blurb, "Heckbert 1989, McCormack et al. 1999", Kind::rung};
+}
+
+} // namespace
+
+constinit const Filter anisotropic_2{
+    card("anisotropic_2", "up to 2 trilinear probes along a slanted pixel's footprint"),
+    {.uv = true, .footprint = true},
+    [](Block& block, const BoundMap& map, TexelKind kind) {
+        sample_anisotropic(block, map, kind, 2);
+    }};
+
+constinit const Filter anisotropic_4{
+    card("anisotropic_4", "up to 4 trilinear probes along a slanted pixel's footprint"),
+    {.uv = true, .footprint = true},
+    [](Block& block, const BoundMap& map, TexelKind kind) {
+        sample_anisotropic(block, map, kind, 4);
+    }};
+
+constinit const Filter anisotropic_8{
+    card("anisotropic_8", "up to 8 trilinear probes along a slanted pixel's footprint"),
+    {.uv = true, .footprint = true},
+    [](Block& block, const BoundMap& map, TexelKind kind) {
+        sample_anisotropic(block, map, kind, 8);
+    }};
+
+constinit const Filter anisotropic_16{
+    card("anisotropic_16", "up to 16 trilinear probes along a slanted pixel's footprint"),
+    {.uv = true, .footprint = true},
+    [](Block& block, const BoundMap& map, TexelKind kind) {
+        sample_anisotropic(block, map, kind, 16);
+    }};
+
+} // namespace scanout::shade::texture
