@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""readme.py SCANOUT ROOT: runs every command of README.md and docs/*.md, as written, in an empty folder that holds the models.
+"""readme.py SCANOUT ROOT [--write]: runs every command of README.md and docs/*.md, as written, in an empty folder that holds the models.
 
 `./run ARGUMENTS` becomes SCANOUT ARGUMENTS. `./run` and `./test` alone are what CI does; the stage `cli` runs the first.
 A viewer command plays a recording that quits at once, because a test machine's screen is not ours to take.
+--write only writes the page's table of techniques anew, as the program has them.
 """
 import glob
 import os
@@ -41,16 +42,31 @@ def fail(*lines):
     sys.exit(1)
 
 
-def check_tables(page):
-    """The technique table names what the program has, in its order."""
+def tables():
+    """The rows of the technique table: what the program has, in its order."""
     listed = {}
     for line in subprocess.run([SCANOUT, "list", "techniques"], check=True, capture_output=True, text=True).stdout.splitlines():
         axis, name = line.split()[:2]
         listed.setdefault(axis, []).append(name)
-    for axis, names in listed.items():
-        row = f"| {axis} | " + " ".join(f"`{n}`" for n in names) + " |"
-        if row not in page:
-            fail(f"README.md: the table of techniques wants the row {row}")
+    return "".join(f"| {axis} | " + " ".join(f"`{n}`" for n in names) + " |\n" for axis, names in listed.items())
+
+
+TABLE = re.compile(r"(\| axis \| techniques, cheapest first \|\n\|---\|---\|\n)((?:\|.*\n)+)")
+
+
+def check_tables(page):
+    found = TABLE.search(page)
+    if found is None or found[2] != tables():
+        fail("README.md: the table of techniques is not what the program has: readme.py SCANOUT ROOT --write writes it")
+
+
+def write_tables():
+    path = os.path.join(ROOT, "README.md")
+    page = open(path).read()
+    written, count = TABLE.subn(lambda found: found[1] + tables(), page)
+    if count != 1:
+        fail("README.md: there is no table of techniques to write")
+    open(path, "w").write(written)
 
 
 def check_stages(page):
@@ -89,6 +105,8 @@ def run_all(path, folder):
 
 
 def main():
+    if sys.argv[3:] == ["--write"]:
+        return write_tables()
     readme = os.path.join(ROOT, "README.md")
     page = open(readme).read()
     check_tables(page)
