@@ -63,7 +63,7 @@ void transform(benchmark::State& state) {
 }
 BENCHMARK(transform)->Unit(benchmark::kMicrosecond);
 
-// Set-up and culling of transformed triangles, in the pieces in which the geometry stage does it.
+// Set-up and culling of transformed triangles, in the chunks of the geometry stage.
 void cull(benchmark::State& state, const std::string& name) {
     const auto seen = see(name);
     if (!seen) return state.SkipWithError(seen.error().what.c_str());
@@ -235,7 +235,7 @@ void depth(benchmark::State& state, const raster::DepthRule& rule, Depth how) {
     draw(state, all, 1, rule);
 }
 
-// Every test with the usual format, and every other format with the usual test.
+// Every test with the default format, and every other format with the default test.
 const bool kRegistered = [] {
     const auto add = [](const std::string& name, const raster::DepthRule& rule, Depth how) {
         benchmark::RegisterBenchmark(("depth/" + name).c_str(), depth, rule, how)

@@ -1,4 +1,4 @@
-// A renderer lets clusters wait that were hidden in the frames before, in the picture and in its
+// A renderer defers clusters that were occluded in the frames before, in the picture and in its
 // shadow maps: what it draws is what a new one draws.
 #include "frame/renderer.h"
 #include "support/lights.h"
@@ -20,7 +20,7 @@ Shot balls_behind_a_wall() {
     return s;
 }
 
-// Most frames as the last one but for a step around; some by what lets nothing wait.
+// Most frames as the last one but for a step around; some with options that defer nothing.
 void ask(frame::FrameOptions& options, int frame) {
     static constexpr struct {
         const char *aa, *stencil, *shadow;

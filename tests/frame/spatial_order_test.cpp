@@ -1,4 +1,4 @@
-// Triangles are passed over by place where the file has them in no order (geom/spatial_order.h),
+// Triangles are drawn in spatial order where the file has them in no order (geom/spatial_order.h),
 // and pictures do not show it: what is seen where depths are equal, and what is blended first, goes
 // by the order of the file.
 #include "frame/renderer.h"
@@ -50,7 +50,7 @@ Shot sheets(float opacity) {
     return s;
 }
 
-// The same with clusters by place; vertices in their order as well.
+// The same with clusters in spatial order; vertices in their order as well.
 Shot in_spatial_order(const Shot& shot) {
     Shot placed = shot;
     Jobs jobs(2);
@@ -91,7 +91,8 @@ TEST_P(ByPlace, PicturesAreThoseOfTheFilesOrder) {
         const image::Image wanted = draw(file, {.threads = 1, .visibility = &in_file});
         EXPECT_TRUE(draw(placed, {.threads = 2, .visibility = &in_place}) == wanted) << opacity;
         EXPECT_TRUE(in_file.id == in_place.id) << opacity;
-        // It is seen in these scenes: were the triangles themselves put by place, others would be.
+        // It is seen in these scenes: were the triangles renumbered in spatial order, others would
+        // be.
         Shot moved = placed;
         geom::Mesh& mesh = moved.scene.mesh;
         const std::vector<std::uint32_t> order = mesh.clusters.triangle;
@@ -108,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(Rules, ByPlace, testing::ValuesIn(kRules), [](const aut
     return std::string(rule.param.axis) + "_" + rule.param.technique;
 });
 
-// A renderer that lets clusters wait asks them by place, too.
+// A renderer that defers clusters finds them in spatial order, too.
 TEST(ByPlace, ClustersThatWaitedAreDrawnAsTheFileHasThem) {
     const Shot file = sheets(1), placed = in_spatial_order(file);
     Jobs jobs(2);

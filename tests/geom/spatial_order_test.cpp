@@ -94,7 +94,7 @@ TEST(SpatialOrder, PutsNeighboursTogetherAndChangesNothingThatIsDrawn) {
     EXPECT_EQ(placed.position[placed.point_index[0]], mesh.position[v]);
     EXPECT_EQ(placed.position[placed.line_index[0]], mesh.position[5]);
     EXPECT_EQ(placed.position[placed.line_index[1]], mesh.position[v]);
-    // Clusters have them by place, and vertices stand as these use them first.
+    // Clusters have them in spatial order, and vertices are in the order of first use.
     EXPECT_EQ(placed.clusters.triangle, order);
     EXPECT_LT(mean_radius(placed.clusters), mean_radius(find_clusters(jobs, mesh)) / 5);
     const auto in_spatial_order = placed.index_in_spatial_order();

@@ -133,7 +133,7 @@ TEST(ClippedTriangle, CoversNothingWhereDoubleIsOffByItsWholeBound) {
     EXPECT_GT(std::count(hits.begin(), hits.end(), 1), 1000);
 }
 
-// Depth at a sample: sum(E_i z_i) / sum(E_i w_i), of the piece's own vertices.
+// Depth at a sample: sum(E_i z_i) / sum(E_i w_i), of the clipped triangle's vertices.
 Twofold twofold(Int128 v) {
     const auto high = static_cast<double>(v);
     return {high, static_cast<double>(v - static_cast<Int128>(high))};
@@ -152,7 +152,7 @@ Twofold exact_depth(const ClippedTriangle& clipped, std::int64_t x, std::int64_t
     return top / bottom * Twofold(0x1p23);
 }
 
-// HARD-CASES 15, for pieces: from vertices on the screen to vertices a million pixels away.
+// HARD-CASES 15, clipped: from vertices on the screen to vertices a million pixels away.
 TEST(ClippedTriangle, HasDepthWithinTwoToTheMinus23OfItsPlane) {
     Random random(2);
     VisibilityTile tile;
@@ -236,7 +236,7 @@ Cut any_cut(Random& random) {
     return cut;
 }
 
-// Which vertex is named first changes nothing; the direction only turns the pieces over.
+// Which vertex is named first changes nothing; the direction only reverses the winding.
 TEST(ClippedTriangle, DoesNotDependOnTheOrderOfTheVerticesNorOnAScaleByAPowerOfTwo) {
     Random random(3);
     int two = 0;

@@ -57,15 +57,15 @@ scene::View any_view(Random& random, int number) {
 }
 
 std::vector<std::uint8_t> hidden_by(const ClusterCull& cull, const geom::Clusters& clusters) {
-    std::vector<std::uint8_t> hidden(clusters.cluster.size());
-    cull.find_hidden(clusters.cluster, hidden.data());
-    return hidden;
+    std::vector<std::uint8_t> culled(clusters.cluster.size());
+    cull.find_hidden(clusters.cluster, culled.data());
+    return culled;
 }
 
 TEST(ClusterCull, ChangesNoBit) {
     Random random(82);
     Jobs jobs(1);
-    std::size_t hidden = 0, back_facing = 0, all = 0;
+    std::size_t culled = 0, back_facing = 0, all = 0;
     for (int round = 0; round < 400; ++round) {
         geom::Mesh mesh = things(random);
         const scene::View view = any_view(random, round);
@@ -79,13 +79,13 @@ TEST(ClusterCull, ChangesNoBit) {
         const auto by_all = hidden_by(ClusterCull(transform, keep), mesh.clusters);
         const auto beside = hidden_by(ClusterCull(transform, Facing::any), mesh.clusters);
         for (std::size_t c = 0; c < by_all.size(); ++c) {
-            hidden += by_all[c];
+            culled += by_all[c];
             back_facing += by_all[c] != 0 && beside[c] == 0 ? 1 : 0;
             ++all;
         }
     }
-    record("hidden", static_cast<double>(hidden) / static_cast<double>(all));
-    EXPECT_GT(hidden, all / 4);
+    record("culled", static_cast<double>(culled) / static_cast<double>(all));
+    EXPECT_GT(culled, all / 4);
     EXPECT_GT(back_facing, all / 50);
 }
 
@@ -158,14 +158,14 @@ TEST(ClusterCull, LeavesOutTheBackOfABall) {
     scanout::test::add_sphere(mesh, Vec3(0), 1, 256, 128);
     const geom::Clusters clusters = geom::find_clusters(jobs, mesh);
     const ScreenTransform transform(eye_view(0.4, 0.4, 3), 1024, 1024);
-    const auto hidden = [&](Facing keep) {
+    const auto culled = [&](Facing keep) {
         const auto of = hidden_by(ClusterCull(transform, keep), clusters);
         return std::count(of.begin(), of.end(), 1);
     };
     const auto all = static_cast<std::ptrdiff_t>(clusters.cluster.size());
-    EXPECT_EQ(hidden(Facing::any), 0);
-    EXPECT_GT(hidden(Facing::front), all * 3 / 10);
-    EXPECT_GT(hidden(Facing::back), all / 10);
+    EXPECT_EQ(culled(Facing::any), 0);
+    EXPECT_GT(culled(Facing::front), all * 3 / 10);
+    EXPECT_GT(culled(Facing::back), all / 10);
 }
 
 } // namespace

@@ -37,7 +37,7 @@ std::int64_t once_everywhere(F&& make) {
 }
 
 // Of the triangle with its last vertex moved many times as far away from the first.
-ClippedTriangles pieces_far_out(const SnappedTriangle& t, int times) {
+ClippedTriangles clipped_far_out(const SnappedTriangle& t, int times) {
     const auto &from = t.vertex[0], &to = t.vertex[2];
     const auto far = [&](double a, double b) { return (a + times * (b - a)) / kSubpixel * 3; };
     const ExactPoint points[] = {
@@ -53,7 +53,7 @@ struct Drawn {
     std::vector<std::uint32_t> id;
     int skipped = 0; // calls after which nothing had changed
 
-    // With a number above 1 a triangle is drawn as pieces of one so many times as large.
+    // With a number above 1 it is drawn as the clipped triangles of one so many times as large.
     Drawn(const std::vector<std::pair<SnappedTriangle, int>>& all, const image::Rect& area,
           int samples, bool skip)
         : depth(kPlane * static_cast<std::size_t>(samples), 0.0F),
@@ -66,7 +66,7 @@ struct Drawn {
             if (times == 1)
                 shows = draw_triangles(planes, {t.vertex, corner, {&first, 1}, {&t.id, 1}});
             else
-                for (const ClippedTriangle& clipped : pieces_far_out(t, times))
+                for (const ClippedTriangle& clipped : clipped_far_out(t, times))
                     shows |= draw_clipped(planes, {clipped, extent_of(planes.pattern)});
             skipped += shows ? 0 : 1;
         }
@@ -81,7 +81,7 @@ image::Rect any_tile(Random& random) {
 }
 
 // Planes that nearly touch and planes that cross, from far smaller than a block to far larger than
-// the tile, at depths of all sizes that views allow; ids in no order, a quarter in pieces.
+// the tile, at depths of all sizes that views allow; ids in no order, a quarter of them clipped.
 std::vector<std::pair<SnappedTriangle, int>> layers_over(const image::Rect& tile, Random& random) {
     const double slope = std::ldexp(1.0, -random.whole(1, 30)),
                  scale = std::ldexp(1.0, -random.whole(0, random.whole(0, 3) > 0 ? 10 : 118));
@@ -107,14 +107,14 @@ std::vector<std::pair<SnappedTriangle, int>> layers_over(const image::Rect& tile
 // What lies behind all that is seen in a block is not looked at: nothing may come of it but time.
 TEST(Coverage, WhatIsSkippedBehindOthersWouldNotHaveBeenSeen) {
     Random random(77);
-    int hidden = 0, known = 0;
+    int rejected = 0, known = 0;
     for (int round = 0; round < 600; ++round) {
         const image::Rect area = any_tile(random);
         const auto all = layers_over(area, random);
         const int samples = 1 << round % 5;
         const Drawn with(all, area, samples, true), without(all, area, samples, false);
         ASSERT_EQ(with.skipped, without.skipped) << round;
-        hidden += with.skipped;
+        rejected += with.skipped;
         const std::size_t pixels = with.depth.size();
         for (std::size_t i = 0; i < pixels; ++i) {
             const std::size_t x = i % kTileSize, y = i % Drawn::kPlane / kTileSize;
@@ -127,9 +127,9 @@ TEST(Coverage, WhatIsSkippedBehindOthersWouldNotHaveBeenSeen) {
         for (const float farthest : with.farthest)
             known += farthest > 0 ? 1 : 0;
     }
-    EXPECT_GT(hidden, 10000);
+    EXPECT_GT(rejected, 10000);
     EXPECT_GT(known, 600 * 20);
-    record("hidden", hidden);
+    record("rejected", rejected);
 }
 
 // Beyond the picture's edge, too, and in whether something shows.
@@ -150,10 +150,10 @@ TEST(Coverage, IsTheSameOnEveryTarget) {
     }
 }
 
-// Triangles of all kinds and pieces.
+// Triangles of all kinds, clipped ones included.
 TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
     Random random(79);
-    int steep = 0, hidden = 0;
+    int double_depth = 0, rejected = 0;
     for (int round = 0; round < 60; ++round) {
         const image::Rect area = any_tile(random);
         const auto all = layers_over(area, random);
@@ -168,22 +168,22 @@ TEST(Coverage, ATileThatKeepsDepthAloneHasTheDepthsOfOneThatHasIds) {
                     shows = full.draw(std::span(&t, 1));
                     shows_alone = alone.draw(std::span(&t, 1));
                 } else {
-                    for (const ClippedTriangle& clipped : pieces_far_out(t, times)) {
+                    for (const ClippedTriangle& clipped : clipped_far_out(t, times)) {
                         shows |= full.draw_clipped(clipped);
                         shows_alone |= alone.draw_clipped(clipped);
                     }
                 }
                 EXPECT_LE(shows_alone, shows) << target; // not at a tie
-                steep += has_float_depth(t) ? 0 : 1;
-                hidden += shows ? 0 : 1;
+                double_depth += has_float_depth(t) ? 0 : 1;
+                rejected += shows ? 0 : 1;
             }
             for (int s = 0; s < samples; ++s)
                 EXPECT_TRUE(std::ranges::equal(alone.depths(s), full.depths(s)))
                     << target << ' ' << round;
         });
     }
-    EXPECT_GT(steep, 500);
-    EXPECT_GT(hidden, 1000);
+    EXPECT_GT(double_depth, 500);
+    EXPECT_GT(rejected, 1000);
 }
 
 TEST(Coverage, ATileThatKeepsDepthAloneIsNotAskedForIds) {
@@ -267,7 +267,8 @@ TEST(Coverage, RandomlySplitSquaresCoverEverySampleOnce) {
     Random random(2);
     for (const int step : {1, 16, 128})
         for (int i = 0; i < 2; ++i)
-            once_everywhere([&] { return split_at_random(random, 200, step, around(kTargetSide)); });
+            once_everywhere(
+                [&] { return split_at_random(random, 200, step, around(kTargetSide)); });
 }
 
 // HARD-CASES P1; negative offsets: the hub lies up to the guard band's edge away, and the tile sees

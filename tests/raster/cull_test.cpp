@@ -90,7 +90,8 @@ TEST(Cull, KeepsOfTinyTrianglesThoseThatCoverASampleAndNoOther) {
     int wrong = 0, covering = 0, tested = 0;
     for (int round = 0; round < 200; ++round) {
         const int samples = 1 << round % 5, most = 1 + round % 3;
-        const RandomSoup all = soup(random, 500 + round % 17, most); // the last register is not full
+        const RandomSoup all =
+            soup(random, 500 + round % 17, most); // the last register is not full
         const auto left = visible(all, samples, Facing::any);
         for (std::size_t i = 0; i < all.triangles.size(); ++i) {
             const auto pattern = sample_pattern(samples);

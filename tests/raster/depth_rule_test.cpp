@@ -106,7 +106,8 @@ TEST(DepthRule, IsThatOfADepthBufferInTheOrderOfIds) {
                     std::vector<Triangle> order = triangles;
                     for (int round = 0; round < 2; ++round) {
                         VisibilityTile tile;
-                        tile.reset(kRuleArea, samples, {test->test, format->standard, format->steps});
+                        tile.reset(kRuleArea, samples,
+                                   {test->test, format->standard, format->steps});
                         for (const Triangle& t : order)
                             tile.draw(t);
                         EXPECT_EQ(planes(tile), expected)

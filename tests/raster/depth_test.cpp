@@ -308,20 +308,20 @@ struct SteepQuad {
         for (std::size_t i = 0; i < 5; ++i)
             depth[i] = std::ldexp(static_cast<double>(plane(corner[i]) - least + above), exponent);
     }
-    // Draws the triangles with ids 0, 1, ...; which of them are near to flat.
+    // Draws the triangles with ids 0, 1, ...; which of them have float depth.
     std::vector<bool> draw(VisibilityTile& tile,
                            std::initializer_list<std::array<std::size_t, 3>> triangles) const {
-        std::vector<bool> flat;
+        std::vector<bool> float_depth;
         for (const auto& [i, j, k] : triangles) {
             const auto vertex = [&](std::size_t v) {
                 return ScreenVertex{corner[v].x, corner[v].y, depth[v]};
             };
             const SnappedTriangle t{{vertex(i), vertex(j), vertex(k)},
-                                    static_cast<std::uint32_t>(flat.size())};
-            flat.push_back(has_float_depth(t));
+                                    static_cast<std::uint32_t>(float_depth.size())};
+            float_depth.push_back(has_float_depth(t));
             tile.draw(std::span(&t, 1));
         }
-        return flat;
+        return float_depth;
     }
 };
 
@@ -329,7 +329,7 @@ struct SteepQuad {
 TEST(Depth, OfTwoTriangulationsDiffersByTwoUnitsAtMostOnEitherPath) {
     Random random(11);
     VisibilityTile one, other;
-    std::int64_t worst[3] = {}, compared[3] = {}; // by how many of the two are near to flat
+    std::int64_t worst[3] = {}, compared[3] = {}; // by how many of the two have float depth
     for (int i = 0; i < 4000; ++i) {
         const SteepQuad quad(random);
         const int samples = i % 4 == 0 ? 4 : 1;

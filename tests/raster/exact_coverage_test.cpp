@@ -297,7 +297,8 @@ TEST(ExactCoverage, WhatSnapsToNoAreaHasNoFragmentButItsOutlineHas) {
         outline.line_material.push_back(-1);
     }
     const auto fragments = [&](const geom::Mesh& m) {
-        const Planes planes = draw_planes(jobs, m, pixel_view(kExactSide, kExactSide), kExactSide, kExactSide, 4);
+        const Planes planes =
+            draw_planes(jobs, m, pixel_view(kExactSide, kExactSide), kExactSide, kExactSide, 4);
         for (const float depth : planes.depths)
             EXPECT_TRUE(depth >= 0 && depth <= 1);
         return std::count_if(planes.ids.begin(), planes.ids.end(),

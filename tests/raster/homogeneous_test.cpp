@@ -18,7 +18,8 @@ using oracle::Place;
 constexpr double kSnapDistance = 1.0 / 256;
 
 // Pixels times w of a point in view space, in double.
-ClipPoint<double> projected_point(const scene::View& view, int width, int height, const Vec3& position) {
+ClipPoint<double> projected_point(const scene::View& view, int width, int height,
+                                  const Vec3& position) {
     const double x = position.x + view.translation.x, y = position.y + view.translation.y,
                  w = -(position.z + view.translation.z);
     return {(x / view.half_width + w) * (width / 2.0), (w - y / view.half_height) * (height / 2.0),
@@ -44,9 +45,10 @@ TEST(Homogeneous, TrianglesThroughTheEyesPlaneCoverWhatTheirEdgesSay) {
         geom::Mesh mesh;
         add_triangle(mesh, v);
         const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight);
-        const HomogeneousTriangle<double> exact(
-            projected_point(view, kWidth, kHeight, v[0]), projected_point(view, kWidth, kHeight, v[1]),
-            projected_point(view, kWidth, kHeight, v[2]), view.near_distance);
+        const HomogeneousTriangle<double> exact(projected_point(view, kWidth, kHeight, v[0]),
+                                                projected_point(view, kWidth, kHeight, v[1]),
+                                                projected_point(view, kWidth, kHeight, v[2]),
+                                                view.near_distance);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 const Place place = exact.place(x + 0.5, y + 0.5, kSnapDistance);
@@ -86,9 +88,10 @@ TEST(Homogeneous, CoordinatesUpToTheLargestFloatsCoverWhatTheirEdgesSay) {
         geom::Mesh mesh;
         add_triangle(mesh, v);
         const Planes planes = draw_planes(jobs, mesh, view, kWidth, kHeight);
-        const HomogeneousTriangle<double> exact(
-            projected_point(view, kWidth, kHeight, v[0]), projected_point(view, kWidth, kHeight, v[1]),
-            projected_point(view, kWidth, kHeight, v[2]), view.near_distance);
+        const HomogeneousTriangle<double> exact(projected_point(view, kWidth, kHeight, v[0]),
+                                                projected_point(view, kWidth, kHeight, v[1]),
+                                                projected_point(view, kWidth, kHeight, v[2]),
+                                                view.near_distance);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 const Place place = exact.place(x + 0.5, y + 0.5, kSnapDistance);

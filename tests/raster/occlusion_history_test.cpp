@@ -1,6 +1,6 @@
-// Clusters that wait because they were hidden change no bit of a picture, whatever was seen before;
-// what a frame hides costs no triangle from the next but one on, and what is not hidden is seldom
-// asked about.
+// Clusters that are deferred because they were occluded change no bit of a picture, whatever was
+// visible before; what a frame occludes costs no triangle from the next but one on, and visible
+// clusters are rarely queried.
 #include "raster/culling/occlusion.h"
 #include "raster/exact.h"
 #include "support/meshes.h"
@@ -71,18 +71,18 @@ TEST(OcclusionHistory, ChangesNoBit) {
     EXPECT_LT(drawn, drawn_without * 95 / 100);
 }
 
-// The part of a mesh's clusters that wait in the next frame.
-double waiting_next(OcclusionHistory& history, const geom::Mesh& mesh) {
+// The fraction of a mesh's clusters that is deferred in the next frame.
+double share_deferred_next(OcclusionHistory& history, const geom::Mesh& mesh) {
     const std::size_t clusters = mesh.clusters.cluster.size();
     history.begin_frame(clusters);
-    int waiting = 0;
+    int deferred = 0;
     for (std::size_t c = 0; c < clusters; ++c)
-        waiting += history.next_action(c) == OcclusionHistory::Action::defer ? 1 : 0;
-    return waiting / static_cast<double>(clusters);
+        deferred += history.next_action(c) == OcclusionHistory::Action::defer ? 1 : 0;
+    return deferred / static_cast<double>(clusters);
 }
 
-// No triangle that a wall hides is drawn once all were asked about; all are when the eye is behind
-// it.
+// No triangle that a wall occludes is drawn once all were queried; all are when the eye is
+// behind it.
 TEST(OcclusionHistory, OccludedClustersCostNoTriangle) {
     Jobs jobs(2);
     geom::Mesh mesh = scanout::test::empty_mesh();
@@ -98,13 +98,13 @@ TEST(OcclusionHistory, OccludedClustersCostNoTriangle) {
     };
     const std::uint64_t at_first = drawn(0);
     EXPECT_GT(at_first, all * 8 / 10);
-    EXPECT_EQ(drawn(0), at_first); // which asks
+    EXPECT_EQ(drawn(0), at_first); // which queries
     EXPECT_EQ(drawn(0), 2U);
     EXPECT_GT(drawn(3.14159265358979), all * 8 / 10);
-    EXPECT_LT(waiting_next(history, mesh), 0.1);
+    EXPECT_LT(share_deferred_next(history, mesh), 0.1);
 }
 
-// What is asked about and seen does not wait afterwards: that would cost more.
+// A cluster that was queried and visible is not deferred: that would cost more.
 TEST(OcclusionHistory, VisibleClustersAreNotDeferred) {
     Jobs jobs(2);
     geom::Mesh mesh = scanout::test::empty_mesh();
@@ -113,14 +113,14 @@ TEST(OcclusionHistory, VisibleClustersAreNotDeferred) {
     OcclusionHistory history;
     for (int frame = 0; frame < 2; ++frame)
         draw_planes(jobs, mesh, turned(0, 0), 640, 480, 1, Facing::front, 64, &history, nullptr);
-    EXPECT_LT(waiting_next(history, mesh), 0.05);
+    EXPECT_LT(share_deferred_next(history, mesh), 0.05);
 }
 
 constexpr std::size_t kClusters = 4096;
 
-// A frame that asks about those from `first` on, of which those below `end` are hidden. How many
-// were asked about, or waited?
-std::size_t asked(OcclusionHistory& history, std::size_t first, std::size_t end) {
+// A frame with the clusters from `first` on in view, of which those below `end` are occluded. How
+// many were queried or deferred?
+std::size_t queried(OcclusionHistory& history, std::size_t first, std::size_t end) {
     history.begin_frame(kClusters);
     std::size_t count = 0;
     for (std::size_t c = first; c < kClusters; ++c) {
@@ -133,15 +133,15 @@ std::size_t asked(OcclusionHistory& history, std::size_t first, std::size_t end)
 
 TEST(OcclusionHistory, QueriesAreRareWhereNoneIsOccluded) {
     OcclusionHistory history;
-    EXPECT_EQ(asked(history, 0, 0), 0U);        // the first frame may be the only one
-    EXPECT_EQ(asked(history, 0, 0), kClusters); // in the second all are
+    EXPECT_EQ(queried(history, 0, 0), 0U);        // the first frame may be the only one
+    EXPECT_EQ(queried(history, 0, 0), kClusters); // in the second all are
     for (int frame = 0; frame < 20; ++frame)
-        asked(history, 0, 0);
-    EXPECT_EQ(asked(history, 0, 0), kClusters / 2048);
-    // Many come to be hidden: they are found sooner than one by one.
+        queried(history, 0, 0);
+    EXPECT_EQ(queried(history, 0, 0), kClusters / 2048);
+    // Many become occluded: they are found sooner than one by one.
     for (int frame = 0; frame < 60; ++frame)
-        asked(history, 0, kClusters / 2);
-    EXPECT_GE(asked(history, 0, kClusters / 2), kClusters / 2);
+        queried(history, 0, kClusters / 2);
+    EXPECT_GE(queried(history, 0, kClusters / 2), kClusters / 2);
 }
 
 // How often they are tried goes by those in sight.
@@ -149,14 +149,14 @@ TEST(OcclusionHistory, ClustersOutOfViewHaveNoResult) {
     OcclusionHistory history;
     constexpr std::size_t kHalf = kClusters / 2;
     for (int frame = 0; frame < 60; ++frame)
-        asked(history, 0, kHalf); // one half is hidden, the other is not
+        queried(history, 0, kHalf); // one half is occluded, the other is not
     for (int frame = 0; frame < 20; ++frame)
-        asked(history, kHalf, 0); // the other alone is in sight
-    EXPECT_EQ(asked(history, kHalf, 0), kHalf / 2048);
+        queried(history, kHalf, 0); // the other alone is in sight
+    EXPECT_EQ(queried(history, kHalf, 0), kHalf / 2048);
     for (int frame = 0; frame < 40; ++frame)
-        asked(history, kHalf, kClusters); // and all of it comes to be hidden
-    EXPECT_EQ(asked(history, kHalf, kClusters), kHalf);
-    EXPECT_GE(asked(history, 0, kClusters), kClusters); // what was hidden before still is
+        queried(history, kHalf, kClusters); // and all of it becomes occluded
+    EXPECT_EQ(queried(history, kHalf, kClusters), kHalf);
+    EXPECT_GE(queried(history, 0, kClusters), kClusters); // what was occluded before still is
 }
 
 } // namespace

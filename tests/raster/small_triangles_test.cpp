@@ -106,7 +106,7 @@ bool is_in(const image::Rect& area, std::size_t pixel) {
 TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(71);
-        int steep = 0, seen = 0;
+        int double_depth = 0, seen = 0;
         std::array<std::size_t, kSmallKinds> of_kind{}, steep_of_kind{};
         for (int round = 0; round < 120; ++round) {
             const int samples = 1 << round % 5;
@@ -119,7 +119,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             for (std::size_t i = 0; i < whole.size(); ++i) {
                 whole[i] = static_cast<std::uint32_t>(i);
                 const auto v = all.corners(i);
-                steep += has_float_depth({v, whole[i]}) ? 0 : 1;
+                double_depth += has_float_depth({v, whole[i]}) ? 0 : 1;
             }
             VisibilityTile by_kinds, by_rows, by_triangles, depth_alone;
             depth_alone.reset(area, samples, {}, TileFormat::depth_only);
@@ -164,7 +164,7 @@ TEST(SmallTriangles, DrawTheSameBitsByTheirParts) {
             EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 1000U);
             EXPECT_GT(steep_of_kind[static_cast<std::size_t>(kind)], 500U);
         }
-        EXPECT_GT(steep, 35000);
+        EXPECT_GT(double_depth, 35000);
         EXPECT_GT(seen, 400000);
     });
 }
@@ -197,14 +197,14 @@ Soup slivers(Random& random, int count) {
 TEST(SmallTriangles, ThatAreSliversDrawTheSameBitsByTheirParts) {
     scanout::test::on_every_target([](const std::string&) {
         Random random(74);
-        int seen = 0, differ = 0, steep = 0;
+        int seen = 0, differ = 0, double_depth = 0;
         for (int round = 0; round < 100; ++round) {
             const Soup all = slivers(random, 501); // the last register is not full
             const image::Rect area{0, 0, 64, 64};
             std::vector<std::uint32_t> whole(all.triangles());
             std::iota(whole.begin(), whole.end(), 0U);
             for (const std::uint32_t i : whole)
-                steep += has_float_depth({all.corners(i), i}) ? 0 : 1;
+                double_depth += has_float_depth({all.corners(i), i}) ? 0 : 1;
             VisibilityTile by_kinds, by_triangles;
             by_kinds.reset(area, 1);
             by_triangles.reset(area, 1);
@@ -218,7 +218,7 @@ TEST(SmallTriangles, ThatAreSliversDrawTheSameBitsByTheirParts) {
         }
         EXPECT_EQ(differ, 0);
         EXPECT_GT(seen, 10000);
-        EXPECT_GT(steep, 40000);
+        EXPECT_GT(double_depth, 40000);
     });
 }
 
@@ -367,9 +367,9 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
         for (int bits = 3; bits < 7; ++bits) {
             const TileGrid grid{bits, 37};
             std::vector<VisibleTriangle> list(1000 + kRegisterPadding);
-            const auto place = [&] { return static_cast<std::uint32_t>(random.whole(0, 36 * 8)); };
+            const auto any = [&] { return static_cast<std::uint32_t>(random.whole(0, 36 * 8)); };
             for (VisibleTriangle& t : list) {
-                const std::uint32_t x = place(), y = place();
+                const std::uint32_t x = any(), y = any();
                 const auto side = [&] {
                     return static_cast<std::uint32_t>(
                         random.whole(1, random.whole(1, kSmallSide + 1)));

@@ -169,22 +169,22 @@ TEST(Visibility, TheOrderOfTheFileOnlyRenumbersWhatIsSeen) {
             const scene::View view = camera_at(round % 2 == 0 ? 1 : 0.01);
             Jobs one(1), three(3);
             const Planes first = draw_planes(one, mesh, view, 90, 60, round % 3 == 0 ? 4 : 1);
-            std::vector<std::uint32_t> place(mesh.triangles()); // old number -> new number
-            for (std::uint32_t i = 0; i < place.size(); ++i)
-                place[i] = i;
-            for (std::size_t i = place.size() - 1; i > 0; --i)
-                std::swap(place[i],
-                          place[static_cast<std::size_t>(random.whole(0, static_cast<int>(i)))]);
+            std::vector<std::uint32_t> number(mesh.triangles()); // old number -> new number
+            for (std::uint32_t i = 0; i < number.size(); ++i)
+                number[i] = i;
+            for (std::size_t i = number.size() - 1; i > 0; --i)
+                std::swap(number[i],
+                          number[static_cast<std::size_t>(random.whole(0, static_cast<int>(i)))]);
             geom::Mesh shuffled = mesh;
-            for (std::size_t t = 0; t < place.size(); ++t)
+            for (std::size_t t = 0; t < number.size(); ++t)
                 for (std::size_t k = 0; k < 3; ++k)
-                    shuffled.index[3 * std::size_t{place[t]} + k] = mesh.index[3 * t + k];
+                    shuffled.index[3 * std::size_t{number[t]} + k] = mesh.index[3 * t + k];
             const Planes again = draw_planes(three, shuffled, view, 90, 60, round % 3 == 0 ? 4 : 1);
             ASSERT_EQ(first.depths, again.depths) << size << ' ' << round;
             for (std::size_t i = 0; i < first.ids.size(); ++i) {
                 if (first.ids[i] != kNoPrimitive) ++seen;
                 ASSERT_EQ(again.ids[i],
-                          first.ids[i] == kNoPrimitive ? kNoPrimitive : place[first.ids[i]])
+                          first.ids[i] == kNoPrimitive ? kNoPrimitive : number[first.ids[i]])
                     << size << ' ' << round;
             }
         }
