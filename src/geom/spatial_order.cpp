@@ -25,7 +25,7 @@ constexpr std::size_t kTogether = 512; // triangles: enough that the thin ones f
 constexpr std::size_t kSpatialChunk = 1 << 15; // triangles: a worker's next work
 constexpr std::size_t kAtOnce = 16;            // chunks, before it is said how far that is
 
-struct Box {
+struct PositionBox {
     Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
     void add(const Vec3& p) {
         low = glm::min(low, p);
@@ -79,7 +79,7 @@ Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
     for_chunks(jobs, runs, kRuns, [&](std::size_t begin, std::size_t end, int) {
         Compactness& sum = of_chunk[begin / kRuns];
         for (std::size_t run = begin; run < end; ++run) {
-            Box box;
+            PositionBox box;
             for (std::size_t i = run * kRun; i < std::min((run + 1) * kRun, triangles); ++i) {
                 const TriangleVertices vertices(mesh, number(i));
                 for (const Vec3& p : vertices.at)
@@ -103,7 +103,7 @@ Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
 // Cuts in two across the longest side of their box; so many come first. Position and number decide
 // which half one is in, so that it depends on no library.
 std::pair<SpatialTriangles, SpatialTriangles> cut(SpatialTriangles all, std::size_t first) {
-    Box box;
+    PositionBox box;
     for (const SpatialTriangle& p : all)
         box.add(p.middle);
     const Vec3 size = box.size();
@@ -154,7 +154,7 @@ std::vector<SpatialTriangle> middles(Jobs& jobs, const Mesh& mesh, double thinne
     std::vector<SpatialTriangle> all(mesh.triangles());
     for_chunks(jobs, all.size(), kSpatialChunk, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t t = begin; t < end; ++t) {
-            Box box;
+            PositionBox box;
             for (const Vec3& p : TriangleVertices(mesh, t).at)
                 box.add(p);
             const bool thin = static_cast<double>(TriangleVertices(mesh, t).height()) < thinnest;
