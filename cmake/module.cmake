@@ -11,7 +11,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # Of the time for kernels on plain lanes 40 % went into following memory through inlined arrays.
   target_compile_options(scanout_flags INTERFACE --param=sccvn-max-alias-queries-per-access=50)
 endif()
-target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+target_compile_options(scanout_flags INTERFACE -Wall -Wextra -Wpedantic
+                       $<$<NOT:$<BOOL:$<TARGET_PROPERTY:SCANOUT_MAY_SHADOW>>>:-Wshadow>)
 # Highway holds its lanes in plain C++, EMU128, for broken on g++ before 12.3 and would fall back to
 # one lane; the hash tests show that it is not.
 target_compile_definitions(scanout_flags INTERFACE HWY_BROKEN_EMU128=0)
@@ -62,6 +63,7 @@ function(scanout_module name)
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   if(sources)
     add_library(scanout_${name} STATIC ${sources})
+    scanout_unity(scanout_${name} 12 ${sources})
     set(scope PUBLIC)
   else()
     add_library(scanout_${name} INTERFACE)

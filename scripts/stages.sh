@@ -241,21 +241,21 @@ stage_avx3() {
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
 stage_lint() {
-    configure test release
+    configure lint release -DSCANOUT_UNITY=OFF
     check check_format
     check tidy '-clang-analyzer-*'
 }
 
 # clang-tidy's analyzer: as long as all other checks together.
 stage_analyze() {
-    configure test release
+    configure lint release -DSCANOUT_UNITY=OFF
     check tidy '-*,clang-analyzer-*'
 }
 
 # tidy CHECKS: with these on top of .clang-tidy, all cores.
 tidy() {
-    local log=build/test/tidy.log status=0
-    run-clang-tidy-14 -quiet -p build/test -j "$(nproc)" -checks="$1" '/(src|platform)/' >"$log" 2>&1 || status=$?
+    local log=build/lint/tidy.log status=0
+    run-clang-tidy-14 -quiet -p build/lint -j "$(nproc)" -checks="$1" '/(src|platform)/' >"$log" 2>&1 || status=$?
     grep -vE '^clang-tidy-14 |warnings? generated|^Suppressed |^Use -header-filter|^$' "$log" || true
     return $status
 }

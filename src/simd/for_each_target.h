@@ -21,10 +21,15 @@
 // templates or inline functions of the standard library or of other headers on its hot path: they
 // are compiled for the baseline and cannot be inlined. Headers with lanes are named *-inl.h and
 // come after this one.
-#ifdef HWY_TARGET_INCLUDE
+//
+// The build compiles several kernel files together (cmake/unity.cmake): SIMD_UNIT is then the file that includes
+// them, and is read once for every target in their place, so that one reading of Highway serves all of them.
 #undef HWY_TARGET_INCLUDE
-#endif
+#ifdef SIMD_UNIT
+#define HWY_TARGET_INCLUDE SIMD_UNIT
+#else
 #define HWY_TARGET_INCLUDE SIMD_FILE
+#endif
 
 // The order matters.
 // clang-format off
