@@ -7,8 +7,9 @@ namespace scanout::shade::wrap {
 
 namespace {
 
-constexpr Technique card(std::string_view name, std::string_view blurb, std::string_view source) {
-    return {"wrap", name, blurb, source, Kind::model};
+constexpr Technique card(std::string_view name, std::string_view blurb, std::string_view source,
+                         bool least = false) {
+    return {"wrap", name, blurb, source, Kind::model, least};
 }
 
 } // namespace
