@@ -43,53 +43,54 @@
 // clang-format off
 #define SCANOUT_AXES(X)                                                                            \
     X(shade, interpolate, SCANOUT_INTERPOLATE, Stage, asked,                                       \
-      "how often what triangles carry is divided by distance (`list techniques`)")                 \
+      "how attributes are interpolated: how often they are divided by distance (`list "            \
+      "techniques`)")                                                                              \
     X(shade, texture, SCANOUT_TEXTURE, Filter, asked,                                              \
-      "how textures are read (`list techniques`)")                                                 \
+      "how textures are filtered (`list techniques`)")                                             \
     X(shade, wrap, SCANOUT_WRAP, Wrapping, asked,                                                  \
-      "what lies beyond a texture's edges (`list techniques`); auto: what the material says")      \
+      "what shows beyond a texture's edges (`list techniques`); auto: what the material says")     \
     X(shade, mapping, SCANOUT_MAPPING, Stage, asked,                                               \
-      "how textures lie on the model (`list techniques`); auto: by its uv; without any its maps "  \
-      "are left out, and a --source lies as on a box")                                             \
+      "how textures lie on the model (`list techniques`); auto: by its uv; a model without uv "    \
+      "shows no maps, and a --source lies on it as on a box")                                      \
     X(shade, source, SCANOUT_SOURCE, Source, asked,                                                \
       "colour all surfaces with a computed texture (`list techniques`); auto: the materials' own") \
     X(shade, map, SCANOUT_MAP, Stage, planned, "")                                                 \
-    X(shade, light, SCANOUT_LIGHT, LightStage, planned, "")                                             \
-    X(shade, shadow, SCANOUT_SHADOW, ShadowStage, asked,                                                 \
-      "how lights that cast throw shadows (`list techniques`); auto: map_soft where one has a "    \
-      "size, else map_pcf")                                                                        \
-    X(shade, reflection, SCANOUT_REFLECTION, ReflectionStage, asked,                                         \
+    X(shade, light, SCANOUT_LIGHT, LightStage, planned, "")                                        \
+    X(shade, shadow, SCANOUT_SHADOW, ShadowStage, asked,                                           \
+      "how shadows are drawn (`list techniques`); auto: map_soft where a light has a size, else "  \
+      "map_pcf")                                                                                   \
+    X(shade, reflection, SCANOUT_REFLECTION, ReflectionStage, asked,                               \
       "how surfaces reflect (`list techniques`)")                                                  \
-    X(shade, shading, SCANOUT_SHADING, ShadingStage, asked,                                               \
-      "how often light is evaluated: once a face, at vertices, at pixels (`list techniques`)")     \
+    X(shade, shading, SCANOUT_SHADING, ShadingStage, asked,                                        \
+      "where light is evaluated: once a face, at vertices, at pixels (`list techniques`)")         \
     X(shade, sides, SCANOUT_SIDES, LitSides, planned, "")                                          \
     X(raster, cull, SCANOUT_CULL, CullRow, listed,                                                 \
-      "leave out the faces that are seen from behind, or from the front (`list techniques`)")      \
+      "leave out back faces, or front faces (`list techniques`)")                                  \
     X(raster, depth, SCANOUT_DEPTH, DepthFormatRow, asked,                                         \
-      "how depth is kept (`list techniques`); auto: reversed")                                     \
+      "how depth is stored (`list techniques`); auto: reversed")                                   \
     X(raster, depth_test, SCANOUT_DEPTH_TEST, DepthTestRow, asked,                                 \
-      "which of several surfaces that are not blended is seen (`list techniques`); auto: "         \
+      "which of several surfaces is visible, where they do not blend (`list techniques`); auto: "  \
       "greater, the nearest")                                                                      \
     X(shade, blend, SCANOUT_BLEND, Blend, asked,                                                   \
-      "how such surfaces meet what lies behind (`list techniques`); auto: over")                   \
+      "how blended surfaces mix with what lies behind them (`list techniques`); auto: over")       \
     X(frame, stencil, SCANOUT_STENCIL, Stencil, asked,                                             \
-      "mark pixels: draw a line round the model, or show how many surfaces lie over each other "   \
+      "mark pixels: draw a line around the model, or show how many surfaces cover each pixel "     \
       "(`list techniques`); auto: none")                                                           \
     X(shade, transparency, SCANOUT_TRANSPARENCY, Transparency, asked,                              \
-      "how surfaces that let light through are drawn (`list techniques`); auto: exact, and "       \
-      "cut_out where alpha is 0 or 1 alone")                                                       \
+      "how transparent surfaces are drawn (`list techniques`); auto: exact, and cut_out where "    \
+      "alpha is only 0 or 1")                                                                      \
     X(frame, aa, SCANOUT_AA, AntiAliasing, asked,                                                  \
-      "how edges are smoothed (`list techniques`); auto is what --samples says")                   \
+      "how edges are smoothed (`list techniques`); auto: what --samples says")                     \
     X(shade, exposure, SCANOUT_EXPOSURE, Stage, planned, "")                                       \
-    X(shade, tone, SCANOUT_TONE, ToneStage, asked,                                                     \
-      "what becomes of light above 1 (`list techniques`)")                                         \
+    X(shade, tone, SCANOUT_TONE, ToneStage, asked,                                                 \
+      "how light above 1 is shown (`list techniques`)")                                            \
     X(shade, blend_space, SCANOUT_BLEND_SPACE, BlendSpace, asked,                                  \
-      "in what the samples of a pixel are mixed (`list techniques`)")                              \
+      "the space in which the samples of a pixel are mixed (`list techniques`)")                   \
     X(shade, encode, SCANOUT_ENCODE, Encoding, asked,                                              \
       "how light becomes codes (`list techniques`)")                                               \
     X(image, dither, SCANOUT_DITHER, Dither, asked,                                                \
       "how light between two codes is shown (`list techniques`); auto: none in 8 bits, bayer "     \
       "where the display (or --pixel-format) has fewer")                                           \
     X(image, convolution, SCANOUT_CONVOLUTION, Convolution, asked,                                 \
-      "filter the finished picture (`list techniques`); auto is no filter")
+      "filter the finished picture (`list techniques`); auto: no filter")
 // clang-format on

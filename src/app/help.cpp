@@ -47,7 +47,7 @@ std::string_view introduction(Command command) {
                "  scanout render spot.obj -o spot.png --size 1920x1080 --samples 8\n"
                "  scanout render spot.obj -o - --format ppm | display -\n"
                "  scanout render spot.obj -o turn-{n}.png --turntable 36 --view iso\n"
-               "  scanout render spot.obj --hash                        the picture's fingerprint\n"
+               "  scanout render spot.obj --hash                        the picture's hash\n"
                "  scanout render spot.obj -o spot.png --json            times and counts\n";
     case Command::explain:
         return "scanout explain MODEL - the plan of a frame: each effect, and why it runs or not\n"

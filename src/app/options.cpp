@@ -216,18 +216,19 @@ constexpr std::array kOptions = std::to_array<Option>({
      }),
      "the file's format, where its extension does not say it"},
     {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
-     "the bytes of a display (`list formats`): raw files hold them; other pictures, hashes "
-     "and what explain compares are as such a display shows them"},
+     "the pixels of a display (`list formats`): raw files hold its bytes; other pictures, hashes "
+     "and "
+     "comparisons of explain show what it would show"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
     {"json", 0, "FILE", "", "", 0, 0, Group::output, kDraw | kCompare | kList, Parsed(read_json),
      "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
-     "techniques alone",
+     "only techniques",
      true},
 
     {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kDraw, Parsed(read_size),
-     "pixels of the picture; the viewer uses it without a display only"},
+     "pixels of the picture; the viewer uses it only without a display"},
     {"samples", 0, "", "1 2 4 8 16", "1", 0, 0, Group::picture, kDraw,
      Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
      "coverage samples a pixel: more make smoother edges; --aa samples_N says the same"},
@@ -264,7 +265,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      "texels a side of a shadow map; a point light inside the model has six of half that"},
     {"shadow-filter", 0, "N", "", "3", 1, frame::kMaxShadowFilter, Group::picture, kDraw,
      Integer([](Settings& s) -> int& { return s.frame.shadow_filter; }),
-     "texels a side that map_pcf asks, and map_soft where its penumbra is narrower"},
+     "texels a side that map_pcf reads, and map_soft where its penumbra is narrower"},
     {"shadow-plane", 0, "NX,NY,NZ,D", "", "ground", 0, 0, Group::picture, kDraw,
      Parsed(read_shadow_plane),
      "the plane NX x + NY y + NZ z = D, in the file's coordinates, on whose triangles --shadow "
