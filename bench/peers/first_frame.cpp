@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "bench/peers/clock.h"
 #include "bench/peers/ours.h"
-#include "frame/facts.h"
+#include "frame/facts/facts.h"
 
 #include <array>
 #include <cerrno>

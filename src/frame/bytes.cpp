@@ -1,6 +1,6 @@
 #include "frame/bytes.h"
 
-#include "frame/map_facts.h"
+#include "frame/facts/map_facts.h"
 
 #include <vector>
 

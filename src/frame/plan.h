@@ -4,7 +4,7 @@
 
 #include "base/result.h"
 #include "frame/anti_aliasing.h"
-#include "frame/facts.h"
+#include "frame/facts/facts.h"
 #include "frame/options.h"
 #include "frame/stencil.h"
 #include "image/convolution.h"

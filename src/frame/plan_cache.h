@@ -2,8 +2,8 @@
 // while options and view facts are those of an earlier frame.
 #pragma once
 
+#include "frame/facts/view_facts.h"
 #include "frame/plan.h"
-#include "frame/view_facts.h"
 
 #include <utility>
 #include <vector>

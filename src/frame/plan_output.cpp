@@ -1,6 +1,6 @@
 // From surfaces and light to codes: what is seen at a sample, tone, edges, encoding.
 #include "base/check.h"
-#include "frame/brightness.h"
+#include "frame/facts/brightness.h"
 #include "frame/planner.h"
 #include "image/dither.h"
 #include "math/transcendental.h"

@@ -1,6 +1,6 @@
 // Textures: which maps are read, where their coordinates come from, and how they are filtered.
 #include "base/check.h"
-#include "frame/map_facts.h"
+#include "frame/facts/map_facts.h"
 #include "frame/planner.h"
 #include "rows.h"
 

@@ -2,8 +2,8 @@
 // plan*.cpp; everyone else wants frame/plan.h.
 #pragma once
 
+#include "frame/facts/view_facts.h"
 #include "frame/plan.h"
-#include "frame/view_facts.h"
 #include "rows.h"
 
 #include <string>

@@ -1,5 +1,5 @@
 // What is told from the model's bounding sphere, against its vertices one by one.
-#include "frame/bounding_sphere.h"
+#include "frame/view/bounding_sphere.h"
 #include "support/random.h"
 #include "support/scenes.h"
 

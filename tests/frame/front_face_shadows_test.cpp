@@ -1,7 +1,7 @@
 // Shadow maps of fronts alone, against those of both sides.
-#include "frame/lights.h"
+#include "frame/pass/lights.h"
+#include "frame/pass/shadow_maps.h"
 #include "frame/plans.h"
-#include "frame/shadow_maps.h"
 #include "io/load.h"
 #include "support/scenes.h"
 

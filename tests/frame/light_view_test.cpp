@@ -1,5 +1,5 @@
 // Clusters that cannot widen a light's view are not asked, and its view is the same to the bit.
-#include "frame/light_view.h"
+#include "frame/view/light_view.h"
 #include "geom/clusters.h"
 #include "support/lights.h"
 #include "support/meshes.h"

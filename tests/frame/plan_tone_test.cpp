@@ -1,5 +1,5 @@
 // What becomes of light above 1: how bright a scene can get, and the curve that this calls for.
-#include "frame/brightness.h"
+#include "frame/facts/brightness.h"
 #include "frame/plan.h"
 #include "frame/plans.h"
 #include "image/compare.h"

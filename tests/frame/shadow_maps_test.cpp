@@ -1,7 +1,7 @@
 // What a pass of shadow maps keeps from one frame to the next.
-#include "frame/lights.h"
+#include "frame/pass/lights.h"
+#include "frame/pass/shadow_maps.h"
 #include "frame/plans.h"
-#include "frame/shadow_maps.h"
 #include "support/scenes.h"
 
 #include <algorithm>

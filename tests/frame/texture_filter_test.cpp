@@ -1,6 +1,6 @@
 // Texture filters against a reference of 48 x 48 samples a pixel on a tiled floor that runs to the
 // horizon (HARD-CASES 40, L4), and the bound that decides whether a view needs mipmaps.
-#include "frame/minification.h"
+#include "frame/facts/minification.h"
 #include "math/srgb.h"
 #include "rows.h"
 #include "support/random.h"

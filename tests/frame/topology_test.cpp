@@ -1,5 +1,5 @@
 // Facts about backs: is a mesh closed, wound outwards, and do its normals say the same?
-#include "frame/back_faces.h"
+#include "frame/facts/back_faces.h"
 #include "support/scenes.h"
 
 #include <algorithm>

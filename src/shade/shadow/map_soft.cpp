@@ -4,7 +4,7 @@
 // a wall that leans away from the receiver would else widen the penumbra by its far end, and let
 // light through beside its near one. A light without size, and penumbrae narrower than the filter
 // of map_pcf, are those of map_pcf to the bit. Its parts: this kernel, and the pass that draws the
-// map (frame/shadow_maps.h).
+// map (frame/pass/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map_soft.cpp"

@@ -1,7 +1,7 @@
 // Shadow volumes: a sample is dark where it lies inside the space that a triangle hides from the
 // light. The borders of that space are counted behind the sample, so that neither the near plane
 // nor an eye inside of it matters. Crow 1977, Everitt and Kilgard 2002, [Primer 10]. Its parts:
-// this stage, the volumes (frame/shadow_polygons.h) and the count after visibility
+// this stage, the volumes (frame/pass/shadow_polygons.h) and the count after visibility
 // (raster/count/stencil_count.h).
 #include "shade/shadow_count.h"
 #include "shade/stage.h"

@@ -1,4 +1,4 @@
-#include "frame/eye.h"
+#include "frame/view/eye.h"
 
 #include "math/transcendental.h"
 

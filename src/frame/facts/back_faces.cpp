@@ -1,6 +1,6 @@
-#include "frame/back_faces.h"
+#include "frame/facts/back_faces.h"
 
-#include "frame/eye.h"
+#include "frame/view/eye.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
 

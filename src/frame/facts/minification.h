@@ -2,7 +2,7 @@
 // made. Found before drawing, from bounds that are gathered once.
 #pragma once
 
-#include "frame/eye.h"
+#include "frame/view/eye.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 #include "shade/mip_chain.h"

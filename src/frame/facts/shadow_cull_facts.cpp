@@ -1,7 +1,7 @@
-#include "frame/shadow_cull_facts.h"
+#include "frame/facts/shadow_cull_facts.h"
 
-#include "frame/eye.h"
-#include "frame/light_view.h"
+#include "frame/view/eye.h"
+#include "frame/view/light_view.h"
 #include "math/rotation.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "frame/lights.h"
+#include "frame/pass/lights.h"
 
 #include "base/check.h"
 

@@ -1,4 +1,4 @@
-#include "frame/stencil_marks.h"
+#include "frame/pass/stencil_marks.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "frame/shadow_polygons.h"
+#include "frame/pass/shadow_polygons.h"
 
 #include "base/check.h"
-#include "frame/light_view.h"
+#include "frame/view/light_view.h"
 
 #include <algorithm>
 #include <array>

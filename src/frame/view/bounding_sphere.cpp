@@ -1,6 +1,6 @@
-#include "frame/bounding_sphere.h"
+#include "frame/view/bounding_sphere.h"
 
-#include "frame/light_view.h"
+#include "frame/view/light_view.h"
 #include "math/rotation.h"
 #include "math/transcendental.h"
 

@@ -1,4 +1,4 @@
-#include "frame/brightness.h"
+#include "frame/facts/brightness.h"
 
 #include "math/rotation.h"
 #include "math/transcendental.h"

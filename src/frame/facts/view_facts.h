@@ -3,8 +3,8 @@
 // (temporal coherence: plan_cache.h).
 #pragma once
 
-#include "frame/back_faces.h"
-#include "frame/facts.h"
+#include "frame/facts/back_faces.h"
+#include "frame/facts/facts.h"
 #include "frame/options.h"
 #include "scene/view.h"
 

@@ -1,6 +1,6 @@
-#include "frame/facts.h"
+#include "frame/facts/facts.h"
 
-#include "frame/map_facts.h"
+#include "frame/facts/map_facts.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "frame/map_facts.h"
+#include "frame/facts/map_facts.h"
 
 #include "math/srgb.h"
 

@@ -1,8 +1,8 @@
-#include "frame/view_facts.h"
+#include "frame/facts/view_facts.h"
 
 #include "base/check.h"
-#include "frame/bounding_sphere.h"
-#include "frame/shadow_cull_facts.h"
+#include "frame/facts/shadow_cull_facts.h"
+#include "frame/view/bounding_sphere.h"
 
 namespace scanout::frame {
 namespace {

@@ -1,4 +1,4 @@
-#include "frame/shadow_plane.h"
+#include "frame/facts/shadow_plane.h"
 
 #include "base/check.h"
 #include "math/bits.h"

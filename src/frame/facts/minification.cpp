@@ -1,4 +1,4 @@
-#include "frame/minification.h"
+#include "frame/facts/minification.h"
 
 #include "math/transcendental.h"
 

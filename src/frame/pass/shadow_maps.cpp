@@ -1,4 +1,4 @@
-#include "frame/shadow_maps.h"
+#include "frame/pass/shadow_maps.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "frame/light_view.h"
+#include "frame/view/light_view.h"
 
 #include "math/rotation.h"
 #include "math/transcendental.h"

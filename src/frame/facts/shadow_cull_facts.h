@@ -2,7 +2,7 @@
 // position before anything is drawn.
 #pragma once
 
-#include "frame/back_faces.h"
+#include "frame/facts/back_faces.h"
 #include "scene/light.h"
 
 #include <span>

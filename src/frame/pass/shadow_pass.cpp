@@ -1,4 +1,4 @@
-#include "frame/shadow_pass.h"
+#include "frame/pass/shadow_pass.h"
 
 #include "base/check.h"
 #include "base/memory.h"

@@ -2,11 +2,11 @@
 // Gathered once when a model is loaded.
 #pragma once
 
-#include "frame/alpha_facts.h"
-#include "frame/back_faces.h"
-#include "frame/minification.h"
+#include "frame/facts/alpha_facts.h"
+#include "frame/facts/back_faces.h"
+#include "frame/facts/minification.h"
+#include "frame/facts/shadow_plane.h"
 #include "frame/options.h"
-#include "frame/shadow_plane.h"
 #include "scene/scene.h"
 
 #include <array>

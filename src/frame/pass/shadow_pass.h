@@ -3,10 +3,10 @@
 #pragma once
 
 #include "base/jobs.h"
-#include "frame/lights.h"
+#include "frame/pass/lights.h"
+#include "frame/pass/shadow_maps.h"
+#include "frame/pass/shadow_polygons.h"
 #include "frame/plan.h"
-#include "frame/shadow_maps.h"
-#include "frame/shadow_polygons.h"
 #include "scene/scene.h"
 #include "shade/shadow.h"
 

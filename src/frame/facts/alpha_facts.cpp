@@ -1,6 +1,6 @@
-#include "frame/alpha_facts.h"
+#include "frame/facts/alpha_facts.h"
 
-#include "frame/back_faces.h"
+#include "frame/facts/back_faces.h"
 
 #include <algorithm>
 
