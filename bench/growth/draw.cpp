@@ -6,7 +6,7 @@
 #include "base/check.h"
 #include "base/jobs.h"
 #include "base/stopwatch.h"
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 #include "frame/renderer.h"
 #include "io/load.h"
 #include "measure/median.h"
@@ -82,8 +82,8 @@ Result<Times> draw(const scene::Scene& scene, const Asked& asked) {
     Times times;
     int parts = 1;
     const Stopwatch all;
-    for (int number = 0;
-         times.cpu.size() < kMinFrames || all.milliseconds() < asked.seconds * 1e3; ++number) {
+    for (int number = 0; times.cpu.size() < kMinFrames || all.milliseconds() < asked.seconds * 1e3;
+         ++number) {
         scene::Pose pose;
         pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * number / kTurn);
         const Stopwatch watch;

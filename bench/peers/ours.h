@@ -4,7 +4,7 @@
 #include "base/jobs.h"
 #include "bench/peers/load.h"
 #include "frame/cleared_tiles.h"
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 #include "frame/renderer.h"
 #include "raster/stage/geometry.h"
 

@@ -3,7 +3,7 @@
 // stage's place, and when the block comes, repeats the stage on it.
 #include "base/jobs.h"
 #include "bench/meshes/meshes.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/renderer.h"
 #include "rows.h"
 #include "scene/view.h"

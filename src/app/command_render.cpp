@@ -7,8 +7,8 @@
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
-#include "frame/ignored_options.h"
-#include "frame/plan_cache.h"
+#include "frame/plan/ignored_options.h"
+#include "frame/plan/plan_cache.h"
 #include "image/hash.h"
 #include "simd/targets.h"
 

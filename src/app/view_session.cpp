@@ -4,7 +4,7 @@
 #include "app/message.h"
 #include "app/picture.h"
 #include "base/check.h"
-#include "frame/ignored_options.h"
+#include "frame/plan/ignored_options.h"
 
 #include <algorithm>
 #include <array>

@@ -13,7 +13,7 @@
 #include "app/viewer.h"
 #include "app/virtual_clock.h"
 #include "base/fd.h"
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 #include "frame/renderer.h"
 #include "measure/explain.h"
 #include "port/display.h"
@@ -113,7 +113,7 @@ private:
     FrameLog log_;
 
     std::optional<LoadedModel> model_;
-    frame::PlanCache plan_;        // of it
+    frame::PlanCache plan_;       // of it
     frame::FrameOptions options_; // of the picture
     std::string error_;           // why there is no model
     bool showed_model_ = false;

@@ -6,7 +6,7 @@
 #include "frame/pass/lights.h"
 #include "frame/pass/shadow_pass.h"
 #include "frame/pass/stencil_marks.h"
-#include "frame/step_limits.h"
+#include "frame/plan/step_limits.h"
 #include "raster/stage/geometry.h"
 #include "rows.h"
 #include "shade/gather.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/jobs.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "image/image.h"
 #include "scene/scene.h"
 #include "scene/view.h"

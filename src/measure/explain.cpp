@@ -1,9 +1,9 @@
 #include "measure/explain.h"
 
 #include "base/stopwatch.h"
-#include "frame/bytes.h"
 #include "frame/catalogue.h"
-#include "frame/ignored_options.h"
+#include "frame/plan/bytes.h"
+#include "frame/plan/ignored_options.h"
 #include "image/compare.h"
 #include "image/dither.h"
 #include "image/flip.h"

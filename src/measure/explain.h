@@ -6,7 +6,7 @@
 
 #include "base/jobs.h"
 #include "base/result.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/renderer.h"
 #include "image/pixel_format.h"
 #include "scene/scene.h"

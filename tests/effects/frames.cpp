@@ -6,7 +6,7 @@
 // the second time counts: the first makes room. laws: what the frames are: their hashes, their
 // light, their memory, their lanes.
 #include "app/command_line.h"
-#include "frame/bytes.h"
+#include "frame/plan/bytes.h"
 #include "frame/renderer.h"
 #include "image/hash.h"
 #include "io/load.h"

@@ -1,5 +1,5 @@
 // What is transparent is told by numbers and texels, never by the presence of a statement.
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "rows.h"
 #include "support/scenes.h"
 

@@ -1,7 +1,7 @@
 // Shadows that one body cannot throw on another are not looked for: against those that are drawn
 // all the same.
 #include "frame/facts/shadow_cull_facts.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "math/rotation.h"
 #include "support/scenes.h"
 

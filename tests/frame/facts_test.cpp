@@ -1,5 +1,5 @@
 // What a scene's data call for.
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/plans.h"
 #include "math/srgb.h"
 #include "support/scenes.h"

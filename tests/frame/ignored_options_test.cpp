@@ -1,5 +1,5 @@
 // What a user asks for and does not get is said in a line, and only that.
-#include "frame/ignored_options.h"
+#include "frame/plan/ignored_options.h"
 #include "image/compare.h"
 #include "support/scenes.h"
 #include "support/transparent_scenes.h"

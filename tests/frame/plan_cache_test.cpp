@@ -1,5 +1,5 @@
 // A cached plan is the plan: whatever views and options came before.
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 #include "io/load.h"
 
 #include <tuple>

@@ -1,5 +1,5 @@
 // What the plan decides about light and shadow, and why.
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/plans.h"
 #include "support/scenes.h"
 

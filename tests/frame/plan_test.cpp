@@ -1,5 +1,5 @@
-#include "frame/ignored_options.h"
-#include "frame/plan.h"
+#include "frame/plan/ignored_options.h"
+#include "frame/plan/plan.h"
 #include "frame/plans.h"
 #include "rows.h"
 #include "support/scenes.h"

@@ -1,6 +1,6 @@
 // What becomes of light above 1: how bright a scene can get, and the curve that this calls for.
 #include "frame/facts/brightness.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/plans.h"
 #include "image/compare.h"
 #include "support/random.h"

@@ -1,7 +1,7 @@
 // Plans of facts and options, and what they run by name.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 // The laws of the stencil buffer: counts against exact coverage, outlines against what the frame's
 // light says of its pixels, whatever the tiles, the threads and the order of the file.
-#include "frame/bytes.h"
+#include "frame/plan/bytes.h"
 #include "frame/stencil.h"
 #include "oracle/coverage.h"
 #include "raster/screen/primitive.h"
@@ -80,18 +80,20 @@ TEST(Overdraw, IsTheNumberOfTrianglesThatCoverThePixelsCentreExactly) {
                 oracle::Corners corners;
                 std::uint32_t index[3];
                 for (std::size_t k = 0; k < 3; ++k) {
-                    const auto at = [&] { return random.whole(-reach, reach + kStencilSide * 256); };
+                    const auto at = [&] {
+                        return random.whole(-reach, reach + kStencilSide * 256);
+                    };
                     corners[k] = {at(), at()};
-                    index[k] =
-                        add_vertex(s.scene.mesh, {static_cast<float>(corners[k].x) / 256,
-                                                  kStencilSide - static_cast<float>(corners[k].y) / 256,
-                                                  static_cast<float>(random.in(0.1, 0.9))});
+                    index[k] = add_vertex(s.scene.mesh,
+                                          {static_cast<float>(corners[k].x) / 256,
+                                           kStencilSide - static_cast<float>(corners[k].y) / 256,
+                                           static_cast<float>(random.in(0.1, 0.9))});
                 }
                 add_triangle(s.scene.mesh, index[0], index[1], index[2], 0);
                 const oracle::ExactTriangle triangle(corners);
                 for (int pixel = 0; pixel < kStencilSide * kStencilSide; ++pixel)
-                    expected[static_cast<std::size_t>(pixel)] +=
-                        triangle.covers(pixel % kStencilSide * 256 + 128, pixel / kStencilSide * 256 + 128);
+                    expected[static_cast<std::size_t>(pixel)] += triangle.covers(
+                        pixel % kStencilSide * 256 + 128, pixel / kStencilSide * 256 + 128);
             }
             const std::vector<int> counts = counts_in_pixels(s);
             EXPECT_EQ(counts, expected) << reach << ' ' << round;
@@ -135,7 +137,8 @@ TEST(Overdraw, OfStackedSquaresHasTheColoursOfTheScale) {
         const image::Image picture = draw_in_pixels(s, {.threads = 2});
         for (int y = 0; y < kStencilSide; ++y)
             for (int x = 0; x < kStencilSide; ++x) {
-                const bool inside = x >= 10 && x < 50 && y >= kStencilSide - 40 && y < kStencilSide - 10;
+                const bool inside =
+                    x >= 10 && x < 50 && y >= kStencilSide - 40 && y < kStencilSide - 10;
                 ASSERT_EQ(picture.at(x, y), inside ? colour : s.options.background)
                     << count << " at " << x << ", " << y;
             }
@@ -334,7 +337,8 @@ TEST(Outline, OfASquareIsTwoPixelsWide) {
         for (int x = 0; x < kStencilSide; ++x)
             ASSERT_EQ(orange(x, y), x == 18 || x == 19 || x == 40 || x == 41) << x << ", " << y;
     EXPECT_TRUE(orange(30, kStencilSide - 32) && !orange(30, kStencilSide - 33));
-    EXPECT_TRUE(orange(19, kStencilSide - 31) && !orange(18, kStencilSide - 32)); // corners are round
+    EXPECT_TRUE(orange(19, kStencilSide - 31) &&
+                !orange(18, kStencilSide - 32)); // corners are round
 }
 
 TEST(Stencil, HoldsAByteAPixelOnlyWhileItIsAskedFor) {
@@ -344,8 +348,8 @@ TEST(Stencil, HoldsAByteAPixelOnlyWhileItIsAskedFor) {
     for (const char* name : {"auto", "outline", "none", "overdraw", "outline", "auto"}) {
         for (const Shot& s : shots) { // what another frame marked is forgotten
             const Shot asked = with(s, name);
-            const auto view =
-                scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, kStencilSide, kStencilSide);
+            const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {},
+                                               kStencilSide, kStencilSide);
             ASSERT_TRUE(view);
             const auto plan = frame::plan(asked.options, frame::facts(s.scene), *view);
             ASSERT_TRUE(plan);

@@ -2,7 +2,7 @@
 // oneTBB below us.
 #include "base/jobs.h"
 #include "frame/catalogue.h"
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 #include "frame/renderer.h"
 #include "io/load.h"
 #include "simd/targets.h"

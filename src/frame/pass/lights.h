@@ -1,7 +1,7 @@
 // The lights of one frame, in view space: what the stages read of them.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "scene/light.h"
 #include "scene/scene.h"
 #include "shade/stage.h"

@@ -5,7 +5,7 @@
 #include "base/jobs.h"
 #include "base/large_array.h"
 #include "frame/cleared_tiles.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "frame/view/light_view.h"
 #include "raster/stage/geometry.h"
 #include "scene/scene.h"

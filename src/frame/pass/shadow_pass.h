@@ -6,7 +6,7 @@
 #include "frame/pass/lights.h"
 #include "frame/pass/shadow_maps.h"
 #include "frame/pass/shadow_polygons.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "scene/scene.h"
 #include "shade/shadow.h"
 

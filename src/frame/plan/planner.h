@@ -1,9 +1,9 @@
 // How a plan is built: row by row, in parts that each decide one kind of thing. Shared by the files
-// plan*.cpp; everyone else wants frame/plan.h.
+// plan*.cpp; everyone else wants frame/plan/plan.h.
 #pragma once
 
 #include "frame/facts/view_facts.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "rows.h"
 
 #include <string>

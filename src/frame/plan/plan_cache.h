@@ -3,7 +3,7 @@
 #pragma once
 
 #include "frame/facts/view_facts.h"
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 #include <utility>
 #include <vector>

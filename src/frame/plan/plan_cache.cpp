@@ -1,6 +1,6 @@
-#include "frame/plan_cache.h"
+#include "frame/plan/plan_cache.h"
 
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 
 #include <algorithm>
 

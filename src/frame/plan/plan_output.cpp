@@ -1,7 +1,7 @@
 // From surfaces and light to codes: what is seen at a sample, tone, edges, encoding.
 #include "base/check.h"
 #include "frame/facts/brightness.h"
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "image/dither.h"
 #include "math/transcendental.h"
 #include "raster/culling/cull.h"

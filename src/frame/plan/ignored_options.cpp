@@ -1,6 +1,6 @@
-#include "frame/ignored_options.h"
+#include "frame/plan/ignored_options.h"
 
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "rows.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Lights, sides, reflection, shadows, and how often they are evaluated.
 #include "base/check.h"
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "rows.h"
 #include "shade/sides.h"
 

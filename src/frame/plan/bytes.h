@@ -1,7 +1,7 @@
 // The memory that each effect of a frame holds.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "scene/scene.h"
 
 #include <cstdint>

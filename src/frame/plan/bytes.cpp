@@ -1,4 +1,4 @@
-#include "frame/bytes.h"
+#include "frame/plan/bytes.h"
 
 #include "frame/facts/map_facts.h"
 

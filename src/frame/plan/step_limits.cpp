@@ -1,4 +1,4 @@
-#include "frame/step_limits.h"
+#include "frame/plan/step_limits.h"
 
 #include "math/transcendental.h"
 

@@ -1,5 +1,5 @@
 // Whether the frame marks pixels, and what is left of a frame whose picture is the marks.
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "rows.h"
 
 #include <algorithm>

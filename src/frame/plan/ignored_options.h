@@ -1,7 +1,7 @@
 // What the user or the model asked for and a frame cannot show: one line each, with the reason.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // The error bounds of `--interpolate adaptive` in a scene: 1/256 texel, and half a code of colour.
 #pragma once
 
-#include "frame/plan.h"
+#include "frame/plan/plan.h"
 #include "scene/scene.h"
 #include "shade/interpolation_step.h"
 

@@ -1,5 +1,5 @@
 // Which materials let light through.
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "rows.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "raster/screen/sample_pattern.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Textures: which maps are read, where their coordinates come from, and how they are filtered.
 #include "base/check.h"
 #include "frame/facts/map_facts.h"
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 #include "rows.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "frame/planner.h"
+#include "frame/plan/planner.h"
 
 #include "frame/catalogue.h"
 
