@@ -87,7 +87,7 @@
     X(shade, blend_space, SCANOUT_BLEND_SPACE, BlendSpace, asked,                                  \
       "the space in which the samples of a pixel are mixed (`list techniques`)")                   \
     X(shade, encode, SCANOUT_ENCODE, Encoding, asked,                                              \
-      "how light becomes codes (`list techniques`)")                                               \
+      "how light is encoded (`list techniques`)")                                                  \
     X(image, dither, SCANOUT_DITHER, Dither, asked,                                                \
       "how light between two codes is shown (`list techniques`); auto: none in 8 bits, bayer "     \
       "where the display (or --pixel-format) has fewer")                                           \
