@@ -137,7 +137,7 @@ Result<void> read_light(Settings& s, std::string_view text) {
 Result<void> read_pixel_format(Settings& s, std::string_view text) {
     TRY(s.pixel_format, image::pixel_format(text));
     s.pixel_format_name = text;
-    s.frame.bits = image::fewest_bits(*s.pixel_format);
+    s.frame.bits = image::min_bits(*s.pixel_format);
     return {};
 }
 

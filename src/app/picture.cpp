@@ -87,7 +87,7 @@ Result<PictureFormat> picture_format(const std::string& path, PictureFormat aske
 }
 
 bool dithers_unasked(const Settings& settings, const image::PixelFormat& format) {
-    return settings.frame.dither == "none" && image::fewest_bits(format) < 8;
+    return settings.frame.dither == "none" && image::min_bits(format) < 8;
 }
 
 image::Image displayed(const image::Image& picture, const Settings& settings) {

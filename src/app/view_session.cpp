@@ -382,7 +382,7 @@ void ViewSession::fill(frame::FrameOptions& options) const {
     options = settings_.frame;
     options.width = background_.width();
     options.height = background_.height();
-    options.bits = image::fewest_bits(parts_.display.info().format);
+    options.bits = image::min_bits(parts_.display.info().format);
     options.cull = viewer_.state().look.cull;
     viewer_.place_lights(model_->scene.mesh, options.lights);
 }
@@ -430,7 +430,7 @@ Result<void> ViewSession::explain_a_row() {
     how.times = !steady_;
     how.display = parts_.display.info().format;
     how.seconds_a_row = 0.05;
-    how.fewest_pairs = 1; // keys wait for a row
+    how.min_pairs = 1; // keys wait for a row
     TRY(explainer_, measure::Explainer::create(model_->scene, plan_.facts(), view, options(),
                                                parts_.jobs, how));
     rows_ = 0;

@@ -43,7 +43,7 @@ std::vector<scene::Light> Viewer::lights(const geom::Mesh& mesh) const {
 }
 
 void Viewer::place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out) const {
-    out = lights_; // into the room that it has
+    out = lights_; // reuses its memory
     for (std::size_t i = 0; i < out.size(); ++i) {
         const scene::LightMove& move = state_.look.lights[i];
         if (!(move == scene::LightMove())) // no move leaves every bit of it

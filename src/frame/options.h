@@ -48,10 +48,10 @@ struct FrameOptions {
     int shadow_filter = 3;                 // texels a side that a filtered shadow asks
     std::optional<FilePlane> shadow_plane; // on which projected shadows fall; else on the ground
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMaxLights
-    double alpha_cut = 0.5;       // least alpha that a cut-out surface shows
-    int most_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
-    int bits = 8;                 // of the narrowest channel of what shows the picture
-    double exposure = 0;          // stops: light is multiplied by 2^exposure; within +-kMaxStops
+    double alpha_cut = 0.5;      // least alpha that a cut-out surface shows
+    int max_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
+    int bits = 8;                // of the narrowest channel of what shows the picture
+    double exposure = 0;         // stops: light is multiplied by 2^exposure; within +-kMaxStops
     // Effects (rows of the plan) that are forced on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
     friend bool operator==(const FrameOptions&, const FrameOptions&) = default;

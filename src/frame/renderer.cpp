@@ -208,7 +208,7 @@ static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameSt
     in.frame.steps = nullptr; // alpha is always exact
     in.frame.source = nullptr;
     in.cut = static_cast<float>(plan.options.alpha_cut);
-    in.most_fragments = static_cast<std::size_t>(plan.options.most_fragments);
+    in.most_fragments = static_cast<std::size_t>(plan.options.max_fragments);
     return in;
 }
 

@@ -15,7 +15,7 @@ namespace scanout::image {
 
 struct Convolution {
     Technique card;
-    // In place; the planes are room, as many as it likes.
+    // In place; the planes are scratch, as many as it needs.
     void (*run)(Image& picture, std::vector<Plane>& planes);
     int planes; // so many it likes
 
@@ -27,7 +27,7 @@ struct Convolution {
 
 // What varies slowly, by the binomial weights 1 4 6 4 1 / 16 on each axis; and the rest. Together
 // they are the plane; of a constant the first is that constant, the second 0, to the bit. In place;
-// the other planes are room.
+// the other planes are scratch.
 void low_pass(Plane& plane, Plane& between);
 void high_pass(Plane& plane, Plane& low, Plane& between);
 

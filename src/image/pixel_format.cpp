@@ -84,8 +84,8 @@ Result<void> check(const PixelFormat& format) {
     for (const Channel* c : {&format.red, &format.green, &format.blue, &format.alpha}) {
         const bool absent_alpha = c == &format.alpha && c->bits == 0;
         if (absent_alpha) continue;
-        const int min_bits = c == &format.alpha ? 1 : kMinBits;
-        if (c->bits < min_bits || c->bits > 8 || c->offset < 0 || c->offset > bpp - c->bits)
+        const int lowest = c == &format.alpha ? 1 : kMinBits;
+        if (c->bits < lowest || c->bits > 8 || c->offset < 0 || c->offset > bpp - c->bits)
             return fail(
                 Exit::no_display,
                 "pixel format of {}: red, green and blue must have 4 to 8 bits inside the pixel",

@@ -58,6 +58,6 @@ Image as_displayed(const PixelFormat& format, const Image& image);
 // Without dither: every code becomes the nearest that the display shows (the lower one where two
 // are as near), which encode_row() then keeps. Alpha stays as it is.
 Image without_dither(const PixelFormat& format, const Image& image);
-int fewest_bits(const PixelFormat& format); // of red, green and blue
+int min_bits(const PixelFormat& format); // of red, green and blue
 
 } // namespace scanout::image

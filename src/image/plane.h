@@ -47,7 +47,7 @@ struct Side {
     double gain = 1;
 };
 Plane convolve(const Plane& plane, const Side& across, const Side& down);
-// In place; `between` is room for what the first pass makes.
+// In place; `between` is scratch for the first pass's result.
 void convolve(Plane& plane, const Side& across, const Side& down, Plane& between);
 
 } // namespace scanout::image

@@ -189,7 +189,7 @@ std::optional<double> Explainer::milliseconds_against(const frame::FramePlan& ot
     if (!how_.times) return std::nullopt;
     std::vector<double> differences;
     const Stopwatch watch;
-    while (differences.size() < how_.fewest_pairs ||
+    while (differences.size() < how_.min_pairs ||
            (differences.size() < kMaxPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
         renderer_.render(scene_, view_, plan_);
         other_renderer_.render(scene_, view_, other);

@@ -79,7 +79,7 @@ struct ExplainOptions {
     std::optional<image::PixelFormat> display;
     bool times = true;
     double seconds_a_row = 0.25; // of measuring time, about
-    std::size_t fewest_pairs = 3;
+    std::size_t min_pairs = 3;
     std::function<void(double fraction)> progress;
 };
 

@@ -87,7 +87,7 @@ TEST(AlphaFacts, CountWhatTrianglesHaveAlone) {
     EXPECT_EQ(found.blended_triangles, 2U);
     EXPECT_EQ(found.blended_materials, 1U);
     EXPECT_EQ(found.materials, 3U);
-    EXPECT_EQ(found.least_d, 0.25F);
+    EXPECT_EQ(found.min_opacity, 0.25F);
     EXPECT_EQ(found.blended_by_maps, 0U);
     EXPECT_EQ(found.of_material[3], AlphaClass::opaque);
 }

@@ -63,10 +63,10 @@ TEST(Transparency, TheLengthOfListsTilesAndThreadsChangeNoBit) {
     for (Shot s : all_shots()) {
         for (const int samples : {1, 4}) {
             s.options.samples = samples;
-            s.options.most_fragments = 1 << 20;
+            s.options.max_fragments = 1 << 20;
             const image::Image first = drawn(s);
             for (const int most : {1, 7, 500}) {
-                s.options.most_fragments = most;
+                s.options.max_fragments = most;
                 EXPECT_EQ(drawn(s), first) << s.name << ' ' << most;
             }
             for (const int tile_size : {8, 32})

@@ -160,7 +160,7 @@ TEST(PixelFormats, TheMeanOfASquareIsTheColourWithinASixtyFourthOfAStep) {
 TEST(PixelFormats, WithoutDitherTheNearestShownCodeIsTaken) {
     for (int bits = 4; bits <= 8; ++bits) {
         const std::vector<int> codes = shown_codes(bits);
-        EXPECT_EQ(fewest_bits(of_width(bits)), bits);
+        EXPECT_EQ(min_bits(of_width(bits)), bits);
         for (int code = 0; code < 256; ++code) {
             const auto c = static_cast<std::uint8_t>(code);
             const Image plain = without_dither(of_width(bits), Image(8, 8, {c, c, c, 255}));

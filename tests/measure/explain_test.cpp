@@ -62,7 +62,7 @@ TEST(Explain, ComparesWhatTheDisplayShows) {
     const auto narrow = image::pixel_format("rgb565");
     ASSERT_TRUE(narrow);
     how.display = *narrow;
-    s.options.bits = image::fewest_bits(*narrow);
+    s.options.bits = image::min_bits(*narrow);
     const image::Image picture = test::draw(s);
     const Explanation e = explained(s, how);
     const EffectRow& dither = row(e, "dither");

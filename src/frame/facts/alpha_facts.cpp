@@ -99,7 +99,7 @@ AlphaFacts alpha_facts(const scene::Scene& scene) {
         facts.blended_materials += blended ? 1 : 0;
         facts.unseen_materials += unseen ? 1 : 0;
         if (!blended) continue;
-        facts.least_d = std::min(facts.least_d, m.opacity);
+        facts.min_opacity = std::min(facts.min_opacity, m.opacity);
         facts.blended_by_maps += m.opacity < 1 ? 0 : 1;
     }
     return facts;

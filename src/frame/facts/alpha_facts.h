@@ -25,7 +25,7 @@ struct AlphaFacts {
     std::size_t cut_out_materials = 0, blended_materials = 0, unseen_materials = 0;
     std::size_t materials = 0;       // that triangles have
     std::size_t blended_by_maps = 0; // of those materials: d is 1, a map lets light through
-    float least_d = 1;               // of blended materials
+    float min_opacity = 1;           // of blended materials
     // Of the default material, then of each of the scene; those that no triangle has are opaque.
     std::vector<AlphaClass> of_material;
     std::vector<shade::MaterialAlpha> maps; // what alpha has to be read from

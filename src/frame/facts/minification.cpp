@@ -108,10 +108,10 @@ std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
 Minification texels_per_pixel(const TexturedSurface& s, const scene::View& view, int width,
                               int height, bool mapped) {
     // The model is scaled along its axes, then turned: the columns' lengths are the scales.
-    double least_scale = 0;
+    double min_scale = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const double scale = scanout::sqrt(dot3(view.linear[axis], view.linear[axis]));
-        least_scale = axis == 0 ? scale : std::min(least_scale, scale);
+        min_scale = axis == 0 ? scale : std::min(min_scale, scale);
     }
     double deepest = 0, farthest = 0; // along the view, and from the eye
     for (int corner = 0; corner < 8; ++corner) {
@@ -130,7 +130,7 @@ Minification texels_per_pixel(const TexturedSurface& s, const scene::View& view,
     double steepest = s.planes.too_many() ? kMaxSlant : 1;
     for (const geom::Plane& plane : s.planes.planes())
         steepest = std::max(steepest, slant(plane, view, farthest));
-    const double facing = texels * span / least_scale; // scale 0: infinitely many
+    const double facing = texels * span / min_scale; // scale 0: infinitely many
     return {facing, facing * std::min(steepest, kMaxSlant)};
 }
 

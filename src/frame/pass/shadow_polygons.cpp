@@ -82,7 +82,7 @@ struct VolumeBuilder {
     const scene::ViewLight& light;
     const scene::View& view;
     const raster::ScreenTransform& transform;
-    std::vector<ShadowEdge>& edges; // room
+    std::vector<ShadowEdge>& edges; // scratch
     std::vector<raster::StencilTriangle>& out;
     DVec3 place = place_of(light, view);
 

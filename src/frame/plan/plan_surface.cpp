@@ -18,7 +18,7 @@ std::string part(std::size_t materials, std::size_t triangles, const SceneFacts&
 // Where a blended material has its alpha from: its d, or the texels of its maps.
 std::string alpha_from(const AlphaFacts& a) {
     if (a.blended_by_maps == a.blended_materials) return "in maps";
-    const std::string d = fmt::format("d from {}", a.least_d);
+    const std::string d = fmt::format("d from {}", a.min_opacity);
     return a.blended_by_maps == 0 ? d : fmt::format("{}, and {} in maps", d, a.blended_by_maps);
 }
 

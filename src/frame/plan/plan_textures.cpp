@@ -247,7 +247,7 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     const auto row = std::find_if(plan.decisions.begin(), plan.decisions.end(),
                                   [](const Decision& d) { return d.effect == "mipmaps"; });
     CHECK(row != plan.decisions.end());
-    row->because.clear(); // and its room is used again
+    row->because.clear(); // and keep its memory
     if (plain.value_or(false))
         row->because = "each texture that is read is of one colour";
     else
