@@ -24,26 +24,26 @@
 namespace {
 
 using namespace scanout;
-using shade::Block;
 using shade::kBlockSize;
+using shade::ShadingBlock;
 
 constexpr int kWidth = 960, kHeight = 540, kTexels = 256;
 
 // What a stage may change of what it reads.
 class Kept {
 public:
-    explicit Kept(const Block& b) : ambient_(b.ambient), light_(b.light) {
+    explicit Kept(const ShadingBlock& b) : ambient_(b.ambient), light_(b.light) {
         each(b, *this,
              [](const float* of_block, float* kept) { std::memcpy(kept, of_block, sizeof(Row)); });
     }
-    void put_back(Block& b) const {
+    void put_back(ShadingBlock& b) const {
         each(b, *this,
              [](float* of_block, const float* kept) { std::memcpy(of_block, kept, sizeof(Row)); });
         b.ambient = ambient_;
         for (std::size_t i = 0; i < light_.size(); ++i)
             std::memcpy(b.light[i].colour, light_[i].colour, sizeof(light_[i].colour));
     }
-    bool same(const Block& b) const {
+    bool same(const ShadingBlock& b) const {
         bool equal = b.ambient == ambient_;
         each(b, *this, [&](const float* of_block, const float* kept) {
             equal = equal && std::memcmp(of_block, kept, kBlockSize * sizeof(float)) == 0;
@@ -68,7 +68,7 @@ private:
     }
     Row rows_[10];
     Vec3 ambient_;
-    std::vector<shade::LightLanes> light_;
+    std::vector<shade::BlockLight> light_;
 };
 
 // What is measured. Stages are plain functions, so it stands beside them.
@@ -84,7 +84,7 @@ struct Watched {
 // Runs it once, or, on the chosen block, as often as the benchmark asks. A stage that changes what
 // it reads would soon work on zeros: it gets its input back each time, and the label says so.
 template <class F>
-void watch(Block& b, F&& run) {
+void watch(ShadingBlock& b, F&& run) {
     if (b.count < kBlockSize || watched.blocks++ < watched.chosen || watched.state == nullptr)
         return run();
     const Kept before(b);
@@ -107,13 +107,13 @@ void watch(Block& b, F&& run) {
     state.counters["runs"] = b.runs;
 }
 
-void watch_stage(Block& b, const shade::FrameState& frame) {
+void watch_stage(ShadingBlock& b, const shade::FrameState& frame) {
     watch(b, [&] { watched.stage->run(b, frame); });
 }
-void watch_filter(Block& b, const shade::BoundMap& map, shade::TexelKind kind) {
+void watch_filter(ShadingBlock& b, const shade::BoundMap& map, shade::TexelKind kind) {
     watch(b, [&] { watched.filter->sample(b, map, kind); });
 }
-void watch_source(Block& b) {
+void watch_source(ShadingBlock& b) {
     watch(b, [&] { watched.source->sample(b); });
 }
 

@@ -10,8 +10,8 @@
 #include "raster/stage/geometry.h"
 #include "rows.h"
 #include "shade/gather.h"
-#include "shade/layers.h"
 #include "shade/shadow.h"
+#include "shade/transparency_pass.h"
 
 #include <algorithm>
 #include <optional>
@@ -23,7 +23,7 @@ struct TileWorker {
     raster::VisibilityTile visibility;
     raster::DeferredTriangles deferred; // scratch
     shade::Gatherer gatherer;
-    std::unique_ptr<shade::Layers> layers; // made when a plan wants it
+    std::unique_ptr<shade::TransparencyPass> transparency; // made when a plan wants it
     std::uint64_t lanes = 0;
     int number = 0;               // among the workers
     raster::Geometry::ById by_id; // of counts
@@ -87,7 +87,7 @@ struct Frame {
     const scene::Scene& scene;
     const FramePlan& plan;
     const shade::GatherInput& in;
-    const shade::WideFilter* filter; // null: a pixel's own box
+    const shade::ReconstructionFilter* filter; // null: a pixel's own box
     Visibility* visibility;
     ShadowPass* shadows; // null: none
 };
@@ -103,7 +103,7 @@ struct Renderer::State {
     shade::MipChains mips;
     image::Image back_buffer;
     ClearedTiles cleared;             // of it
-    shade::WidePicture wide;          // of filters that reach into neighbours
+    shade::SplatPicture splats;       // of filters that reach into neighbours
     std::vector<image::Plane> planes; // of a convolution
 
     void draw_tile(const Frame& frame, int tile, TileWorker& worker);
@@ -111,7 +111,7 @@ struct Renderer::State {
     void draw_frame(const FrameInput& input);
     void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
-    void prepare_workers(bool layered, bool areas);
+    void prepare_workers(bool transparent, bool areas);
     void count_work();
     std::unique_ptr<ShadowPass> shadows;  // while a plan runs them
     std::unique_ptr<StencilBuffer> marks; // likewise
@@ -136,15 +136,15 @@ static shade::FrameState frame_state(const scene::View& view, const FramePlan& p
     frame.reflection = plan.reflection;
     frame.matt = plan.matt;
     frame.sides = plan.sides;
-    frame.corner_normals = plan.corner_normals;
-    frame.corner_lights = plan.corner_lights;
+    frame.vertex_normals = plan.vertex_normals;
+    frame.vertex_lights = plan.vertex_lights;
     frame.shadow_filter = plan.options.shadow_filter;
     frame.source = plan.source;
     frame.mapped = plan.mapped;
     lights.describe(frame);
     frame.exposure = plan.exposure;
     frame.white = plan.white;
-    frame.own_triangles = !shade::reads_primitives(plan.attributes) && !plan.corner_normals;
+    frame.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals;
     return frame;
 }
 
@@ -171,7 +171,7 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
                                        const shade::MipChains& mips) {
     shade::GatherInput in;
     in.mesh = &scene.mesh;
-    in.looks = {&scene.mesh, plan.only_material};
+    in.keys = {&scene.mesh, plan.only_material};
     in.geometry = &geometry;
     in.transform = &transform;
     in.set_view(view);
@@ -193,9 +193,10 @@ static shade::GatherInput gather_input(const scene::Scene& scene, const scene::V
     return in;
 }
 
-static shade::LayerInput layer_input(const FramePlan& plan, const shade::FrameState& frame) {
+static shade::TransparencyInput transparency_input(const FramePlan& plan,
+                                                   const shade::FrameState& frame) {
     const TransparencyPlan& t = plan.transparency;
-    shade::LayerInput in;
+    shade::TransparencyInput in;
     in.cut_out = t.cut_out;
     in.blended = t.blended;
     in.blend = t.blend;
@@ -230,9 +231,9 @@ static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t 
 // By samples, with what blends over them.
 static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                           TileWorker& worker, image::Image& picture) {
-    if (in.layers != nullptr && in.layers->blended != nullptr)
-        worker.lanes +=
-            worker.layers->shade(geometry, tile, in, worker.visibility, worker.gatherer, picture);
+    if (in.transparency != nullptr && in.transparency->blended != nullptr)
+        worker.lanes += worker.transparency->shade(geometry, tile, in, worker.visibility,
+                                                   worker.gatherer, picture);
     else if (!worker.visibility.empty())
         worker.lanes += worker.gatherer.shade(worker.visibility, in, picture);
 }
@@ -245,7 +246,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
     worker.drawn.reset(larger.width(), larger.height());
     worker.drawn.x0 = larger.x0;
     worker.drawn.y0 = larger.y0;
-    worker.gatherer.send_mixtures({.own = &worker.drawn});
+    worker.gatherer.set_sum_sink({.own = &worker.drawn});
     shade_samples(geometry, tile, in, worker, picture);
     worker.sums.reset(static_cast<std::size_t>(area.width()) *
                       static_cast<std::size_t>(area.height()));
@@ -257,13 +258,15 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
 static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                          TileWorker& worker) {
     geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
-    const shade::LayerInput* layers = in.layers;
-    if (layers != nullptr && layers->cut_out != nullptr)
-        worker.layers->cut_out(geometry, tile, in, worker.visibility);
-    const bool elsewhere = layers != nullptr && layers->opaque_blended; // what lines lie on
+    const shade::TransparencyInput* transparency = in.transparency;
+    if (transparency != nullptr && transparency->cut_out != nullptr)
+        worker.transparency->cut_out(geometry, tile, in, worker.visibility);
+    const bool elsewhere =
+        transparency != nullptr && transparency->opaque_blended; // what lines lie on
     geometry.draw_lines(tile,
-                        elsewhere ? worker.layers->ground(geometry, tile, worker.visibility)
-                                  : worker.visibility,
+                        elsewhere
+                            ? worker.transparency->opaque_base(geometry, tile, worker.visibility)
+                            : worker.visibility,
                         worker.visibility);
 }
 
@@ -279,10 +282,10 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     worker.visibility.reset(samples, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
-    worker.gatherer.send_mixtures(f.filter == nullptr
-                                      ? shade::MixtureSink{}
-                                      : shade::MixtureSink{&wide.own, f.filter, &wide});
-    const bool blends = f.in.layers != nullptr && f.in.layers->blended != nullptr;
+    worker.gatherer.set_sum_sink(f.filter == nullptr
+                                     ? shade::PixelSumSink{}
+                                     : shade::PixelSumSink{&splats.own, f.filter, &splats});
+    const bool blends = f.in.transparency != nullptr && f.in.transparency->blended != nullptr;
     if (f.shadows != nullptr && (blends || !worker.visibility.empty()))
         worker.gatherer.set_shadow(f.shadows->count(tile, worker.number, worker.visibility));
     if (aa.exact)
@@ -295,42 +298,43 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
 
 // The same, and marks what it shows.
 void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& worker) {
-    shade::Layers::Pixels blended{};
-    if (worker.layers != nullptr) worker.layers->note_pixels(&blended);
+    shade::TransparencyPass::Pixels blended{};
+    if (worker.transparency != nullptr) worker.transparency->note_pixels(&blended);
     draw_tile(f, tile, worker);
-    if (worker.layers != nullptr) worker.layers->note_pixels(nullptr);
+    if (worker.transparency != nullptr) worker.transparency->note_pixels(nullptr);
     if (geometry.is_empty(tile)) return;
     if (f.plan.aa->exact)
         mark_visible(worker.areas, *marks);
     else
-        mark_visible(worker.visibility, worker.layers != nullptr ? &blended : nullptr,
+        mark_visible(worker.visibility, worker.transparency != nullptr ? &blended : nullptr,
                      f.plan.aa->scale, *marks);
 }
 
 void Renderer::State::count_work() {
     for (const TileWorker& worker : workers) {
         stats.lanes_shaded += worker.lanes;
-        if (worker.layers == nullptr) continue;
-        stats.fragments_blended += worker.layers->fragments();
-        stats.layer_bytes += worker.layers->bytes();
-        stats.blend_list_bytes = std::max(stats.blend_list_bytes, worker.layers->list_bytes());
+        if (worker.transparency == nullptr) continue;
+        stats.fragments_blended += worker.transparency->fragments();
+        stats.transparency_bytes += worker.transparency->bytes();
+        stats.blend_list_bytes =
+            std::max(stats.blend_list_bytes, worker.transparency->list_bytes());
     }
 }
 
 // What the frame's buffers need not hold is let go.
-void Renderer::State::prepare_workers(bool layered, bool areas) {
+void Renderer::State::prepare_workers(bool transparent, bool areas) {
     for (std::size_t i = 0; i < workers.size(); ++i) {
         TileWorker& worker = workers[i];
         worker.number = static_cast<int>(i);
         worker.lanes = 0;
         worker.gatherer.set_shadow(nullptr);
         if (!areas) worker.areas = {};
-        if (!layered)
-            worker.layers.reset();
-        else if (worker.layers == nullptr)
-            worker.layers = std::make_unique<shade::Layers>();
+        if (!transparent)
+            worker.transparency.reset();
+        else if (worker.transparency == nullptr)
+            worker.transparency = std::make_unique<shade::TransparencyPass>();
         else
-            worker.layers->begin_frame();
+            worker.transparency->begin_frame();
     }
 }
 
@@ -341,7 +345,7 @@ void Renderer::State::filter_tiles(const Frame& f) {
         const image::Rect area = geometry.tile_area(tile);
         sums.reset(static_cast<std::size_t>(area.width()) *
                    static_cast<std::size_t>(area.height()));
-        if (shade::filter_area(*f.filter, wide, area, sums))
+        if (shade::filter_area(*f.filter, splats, area, sums))
             shade::resolve_area(sums, f.in.output, f.plan.options.background, area, back_buffer);
     });
 }
@@ -359,15 +363,16 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     shade::GatherInput in =
         gather_input(input.scene, input.view, plan, geometry, input.transform, frame, mips);
     in.linear = input.linear;
-    const bool layered = !plan.transparency.layers.empty();
-    const shade::LayerInput layers = layered ? layer_input(plan, frame) : shade::LayerInput();
-    if (layered) in.layers = &layers;
-    prepare_workers(layered, aa.exact);
-    std::optional<shade::WideFilter> filter;
+    const bool transparent = !plan.transparency.layers.empty();
+    const shade::TransparencyInput transparency =
+        transparent ? transparency_input(plan, frame) : shade::TransparencyInput();
+    if (transparent) in.transparency = &transparency;
+    prepare_workers(transparent, aa.exact);
+    std::optional<shade::ReconstructionFilter> filter;
     if (aa.weight != nullptr) {
         filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
-        wide.reset(plan.options.width * aa.scale, plan.options.height * aa.scale, input.tile_size,
-                   geometry.tiles_across(), geometry.tiles());
+        splats.reset(plan.options.width * aa.scale, plan.options.height * aa.scale, input.tile_size,
+                     geometry.tiles_across(), geometry.tiles());
     }
     const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
                   input.visibility, input.shadows};
@@ -382,14 +387,14 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     });
     if (filter)
         filter_tiles(f);
-    else if (wide.tiles_across > 0)
-        wide = {};
+    else if (splats.tiles_across > 0)
+        splats = {};
 }
 
 // Nothing is shaded, and what is seen is found for those who ask alone.
 void Renderer::State::count_frame(const FrameInput& input) {
     prepare_workers(false, false);
-    wide = {};
+    splats = {};
     std::fill(back_buffer.pixels().begin(), back_buffer.pixels().end(),
               input.plan.options.background);
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
@@ -469,7 +474,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     s.count_work();
     s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
-    s.stats.wide_bytes = s.wide.bytes();
+    s.stats.splat_bytes = s.splats.bytes();
     return s.back_buffer;
 }
 

@@ -24,14 +24,14 @@ struct FrameStats {
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t lanes_shaded = 0;
     std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
-    std::size_t layer_bytes = 0;         // held for what is not opaque
+    std::size_t transparency_bytes = 0;  // held for what is not opaque
     // Of that, the longest list of blended fragments that a part of a tile needed: as many bytes
     // for every worker that meets such a part. No thread and no tile's order changes it.
     std::size_t blend_list_bytes = 0;
     std::uint64_t shadow_bytes = 0;  // that the pass of the shadows holds
     std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
     std::uint64_t mipmap_bytes = 0;  // held; 0 where no texture is minified
-    std::uint64_t wide_bytes = 0;    // held for filters that reach into neighbours; 0 without
+    std::uint64_t splat_bytes = 0;   // held for filters that reach into neighbours; 0 without
 };
 
 // What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every

@@ -77,7 +77,7 @@ Result<void> Explainer::begin() {
     const frame::FrameStats& stats = renderer_.stats();
     if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
     if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
-    if (stats.wide_bytes > 0) bytes["aa"] = stats.wide_bytes;
+    if (stats.splat_bytes > 0) bytes["aa"] = stats.splat_bytes;
     for (const frame::Decision& decision : plan_.decisions) {
         EffectRow row;
         row.decision = decision;

@@ -50,19 +50,20 @@ SIMD_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float
 }
 
 template <int kChannels>
-SIMD_INLINE void anisotropic_lanes(Block& b, const MipReader& reader, int most) {
+SIMD_INLINE void anisotropic_lanes(ShadingBlock& b, const MipReader& reader, int most) {
     const F32 texel_x = 1.0F / static_cast<float>(reader.image().width());
     const F32 texel_y = 1.0F / static_cast<float>(reader.image().height());
     for (int i = 0; i < b.count; i += kLanes) {
         const Probes line = probes_of(reader.slopes(b, i), static_cast<float>(most), reader.last());
-        const F32 s = reader.image().turns_x(load<F32>(b.u + i));
-        const F32 t = reader.image().turns_y(load<F32>(b.v + i));
+        const F32 s = reader.image().repeats_x(load<F32>(b.u + i));
+        const F32 t = reader.image().repeats_y(load<F32>(b.v + i));
         const F32 step_x = line.along_x * texel_x, step_y = line.along_y * texel_y;
-        const F32 share_of_one = F32(1.0F) / line.count;
+        const F32 weight = F32(1.0F) / line.count;
         const F32 spacing = F32(1.0F) / maximum(line.count - F32(1.0F), F32(1.0F));
         const auto probe = [&](float number) SIMD_LAMBDA {
-            const F32 share = F32(number) * spacing - F32(0.5F);
-            return reader.trilinear<kChannels>(s + share * step_x, t + share * step_y, line.level);
+            const F32 offset = F32(number) * spacing - F32(0.5F);
+            return reader.trilinear<kChannels>(s + offset * step_x, t + offset * step_y,
+                                               line.level);
         };
         // The others as differences from the first: equal texels stay what they are.
         Texel<kChannels> mean = probe(0);
@@ -80,12 +81,12 @@ SIMD_INLINE void anisotropic_lanes(Block& b, const MipReader& reader, int most) 
                     sum.channel[c] + select(used, next.channel[c] - first.channel[c], F32(0.0F));
         }
         for (int c = 0; c < kChannels; ++c)
-            mean.channel[c] = first.channel[c] + sum.channel[c] * share_of_one;
+            mean.channel[c] = first.channel[c] + sum.channel[c] * weight;
         store_sample(mean, b, i);
     }
 }
 
-void anisotropic(Block& b, const BoundMap& map, TexelKind kind, int most) {
+void anisotropic(ShadingBlock& b, const BoundMap& map, TexelKind kind, int most) {
     const MipReader reader(map, kind);
     if (kind == TexelKind::alpha)
         anisotropic_lanes<1>(b, reader, most);
@@ -100,12 +101,12 @@ namespace scanout::shade {
 
 namespace texture {
 SIMD_REGISTER(anisotropic);
-static void run(Block& block, const BoundMap& map, TexelKind kind, int probes) {
+static void run(ShadingBlock& block, const BoundMap& map, TexelKind kind, int probes) {
     SIMD_CALL(anisotropic, block, map, kind, probes);
 }
 } // namespace texture
 
-void sample_anisotropic(Block& block, const BoundMap& map, TexelKind kind, int probes) {
+void sample_anisotropic(ShadingBlock& block, const BoundMap& map, TexelKind kind, int probes) {
     texture::run(block, map, kind, probes);
 }
 

@@ -7,6 +7,6 @@ namespace scanout::shade {
 
 // Reads a map at b.u, b.v with up to `probes` trilinear probes, side by side along the longer axis
 // of the pixel's footprint.
-void sample_anisotropic(Block& block, const BoundMap& map, TexelKind kind, int probes);
+void sample_anisotropic(ShadingBlock& block, const BoundMap& map, TexelKind kind, int probes);
 
 } // namespace scanout::shade

@@ -3,7 +3,7 @@
 #ifdef SCANOUT_CHECK_LANES
 #include "base/check.h"
 #include "rows.h"
-#include "shade/lane_triangles.h"
+#include "shade/shading_setup.h"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ void check_value(double value, std::string_view what, std::string_view of, std::
 
 // What a stage of the axis light writes: the lights of its kind that vary. Shadows write them all.
 // Of a stage of light, null of one of shadow.
-void check_light(const Block& b, const FrameState& frame, const LightStage* by,
+void check_light(const ShadingBlock& b, const FrameState& frame, const LightStage* by,
                  std::string_view stage) {
     for (std::size_t k = 0; k < frame.varies.size(); ++k) {
         if (!frame.varies[k] || (by != nullptr && by->kind != frame.lights[k].kind)) continue;
@@ -80,9 +80,9 @@ void check_primitive(const Primitive& p, const Attributes& wanted) {
     }
 }
 
-void check_triangles(const LaneTriangles& t, const Attributes& wanted, int first, int count) {
+void check_triangles(const ShadingSetup& t, const Attributes& wanted, int first, int count) {
     for (int i = first; i < first + count; ++i) {
-        const int n = t.of_lane[i];
+        const int n = t.triangle_of[i];
         const auto check_one = [&](double value, std::string_view what) {
             check_value(value, what, "triangle", t.id[n], "set-up");
         };
@@ -109,14 +109,14 @@ void check_before_clamp(const float* lanes, int count, int first) {
                     "interpolation, before it is clamped");
 }
 
-void check_rays(const Block& b, const FrameState& frame) {
+void check_rays(const ShadingBlock& b, const FrameState& frame) {
     if (!b.lit || !frame.attributes.ray) return;
     const auto count = static_cast<std::size_t>(b.count);
     check(b.ray_x, count, "ray x", "set_rays");
     check(b.ray_y, count, "ray y", "set_rays");
 }
 
-void check_lanes(const Block& b, const FrameState& frame, const Stage& stage) {
+void check_lanes(const ShadingBlock& b, const FrameState& frame, const Stage& stage) {
     std::array<char, 80> room; // no string: frames are counted not to allocate
     const auto written =
         fmt::format_to_n(room.data(), room.size(), "{} {}", stage.card.axis, stage.card.name);

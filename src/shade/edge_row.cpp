@@ -20,16 +20,16 @@ SIMD_INLINE void find_register(const std::uint32_t* ids, std::size_t plane, int 
         id[s] = load<I32>(ids + static_cast<std::size_t>(s) * plane + x);
         background = background + select(id[s] == none, one, zero);
     }
-    store(background * part, out.through + x);
+    store(background * part, out.transmittance + x);
     SIMD_FOR (int s = 0; s < kSamples; ++s) {
-        auto seen = id[s] == none;
+        auto known = id[s] == none;
         for (int before = 0; before < s; ++before)
-            seen = seen | (id[s] == id[before]);
+            known = known | (id[s] == id[before]);
         F32 like = one;
         for (int after = s + 1; after < kSamples; ++after)
             like = like + select(id[s] == id[after], one, zero);
         store(like * part, out.coverage[s] + x);
-        out.first[s] |= static_cast<std::uint64_t>(bits(!seen)) << x;
+        out.first[s] |= static_cast<std::uint64_t>(bits(!known)) << x;
     }
 }
 

@@ -14,7 +14,7 @@ struct EdgeRow {
     std::uint64_t first[kSamples];
     // Of those: the part of the pixel's samples that shows the same.
     alignas(64) float coverage[kSamples][raster::kTileSize];
-    alignas(64) float through[raster::kTileSize]; // the background's
+    alignas(64) float transmittance[raster::kTileSize]; // the background's
 };
 // Of a row counted from the tile's corner. Only pixels whose bits are set in `edges` are looked at,
 // and perhaps their neighbours.

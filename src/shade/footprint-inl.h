@@ -9,7 +9,7 @@
 #define SCANOUT_SHADE_FOOTPRINT_INL_H
 #endif
 
-#include "shade/lane_triangles.h"
+#include "shade/shading_setup.h"
 
 #include "math/transcendental-inl.h"
 
@@ -67,10 +67,11 @@ public:
     template <class D>
     SIMD_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
-        const auto share = [&](int k) SIMD_LAMBDA {
+        const auto perspective_weight = [&](int k) SIMD_LAMBDA {
             return maximum(weight[k], F64s(0.0)) * F64s(of_.inverse_w[k]); // as interpolated
         };
-        const F64s p0 = share(0), p1 = share(1), p2 = share(2);
+        const F64s p0 = perspective_weight(0), p1 = perspective_weight(1),
+                   p2 = perspective_weight(2);
         const F64s inverse = F64s(1.0) / ((p0 + p1) + p2), pixel = F64s(256.0) * inverse;
         const auto slope = [&](Number n_slope, F64s f, Number d_slope) SIMD_LAMBDA {
             const Float<D> rounded = to_f32((F64s(n_slope) - f * F64s(d_slope)) * pixel);
@@ -132,7 +133,7 @@ struct UvSlopes {
 };
 
 // Lanes with triangles of their own have found theirs with these.
-SIMD_INLINE void copy_slopes(Block& b, const Run& run) {
+SIMD_INLINE void copy_slopes(ShadingBlock& b, const Run& run) {
     const auto& slope = b.triangles->slope;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
         store(load<F32x8>(slope[0] + i), b.u_x + i);
@@ -143,7 +144,7 @@ SIMD_INLINE void copy_slopes(Block& b, const Run& run) {
 }
 
 // Of every lane of a block, for an interpolation stage to call when the frame wants it.
-SIMD_INLINE void write_slopes(Block& b) {
+SIMD_INLINE void write_slopes(ShadingBlock& b) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         if (run->primitive == nullptr) {
             copy_slopes(b, *run);

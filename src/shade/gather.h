@@ -1,4 +1,4 @@
-// From a tile's visibility buffer to blocks of lanes and on to the picture's pixels: visible pixels
+// From a tile's visibility buffer to blocks of items and on to the picture's pixels: visible pixels
 // are collected across triangles, 128 a block, one material a block; each triangle is shaded once a
 // pixel, at the centre if it covers it, else at its first visible sample.
 #pragma once
@@ -9,19 +9,19 @@
 #include "raster/tile/area.h"
 #include "raster/tile/tile.h"
 #include "scene/view.h"
-#include "shade/composed_layers.h"
+#include "shade/block_pixels.h"
+#include "shade/colour_blend.h"
 #include "shade/edge_row.h"
-#include "shade/lane_triangles.h"
 #include "shade/linear_picture.h"
-#include "shade/looks.h"
 #include "shade/mip_chain.h"
 #include "shade/output.h"
-#include "shade/place_lanes.h"
+#include "shade/reconstruction_filter.h"
 #include "shade/resolve.h"
+#include "shade/shading_key.h"
+#include "shade/shading_setup.h"
 #include "shade/stage.h"
 #include "shade/tile_pixels.h"
 #include "shade/transparency.h"
-#include "shade/wide_filter.h"
 
 #include <array>
 #include <cstdint>
@@ -33,7 +33,7 @@
 namespace scanout::shade {
 
 // What is not opaque, and how it is drawn.
-struct LayerInput {
+struct TransparencyInput {
     const Transparency* cut_out = nullptr; // null where no triangle wants it
     const Transparency* blended = nullptr;
     const Blend* blend = nullptr;
@@ -46,11 +46,12 @@ struct LayerInput {
 };
 
 struct BlendedPixels;
+class PrimitiveCache;
 
 // What shading a tile needs to know of the frame.
 struct GatherInput {
     const geom::Mesh* mesh = nullptr;
-    Looks looks; // of the mesh
+    ShadingKeys keys; // of the mesh
     const raster::Geometry* geometry = nullptr;
     const raster::ScreenTransform* transform = nullptr;
     const scene::View* view = nullptr;
@@ -65,12 +66,12 @@ struct GatherInput {
     Rays rays;
     image::Rgba8 background{};
     Output output;
-    LinearPicture* linear = nullptr;    // also kept there
-    const LayerInput* layers = nullptr; // null where all is opaque
+    LinearPicture* linear = nullptr;                 // also kept there
+    const TransparencyInput* transparency = nullptr; // null where all is opaque
 
-    void set_view(const scene::View& seen) {
-        view = &seen;
-        unit = scene::to_floats(seen);
+    void set_view(const scene::View& of) {
+        view = &of;
+        unit = scene::to_floats(of);
     }
     const scene::Material& material(std::int32_t index) const; // -1: the default material
 };
@@ -83,12 +84,12 @@ BoundMap bound_map(const GatherInput& input, Map map, const scene::Material& mat
 raster::SampleOffset place_in_pixel(const GatherInput& input, const Primitive& primitive, int x,
                                     int y, raster::SampleOffset sample);
 
-// Where mixtures go, in the blend space, when a filter has yet to make pixels of them.
-struct MixtureSink {
+// Where sums over samples go, in the blend space, when a filter has yet to resolve them.
+struct PixelSumSink {
     LinearPicture* own = nullptr; // null: pixels are made at once
     // Of pixels that fragments share, what goes to their neighbours; else all adds up in own.
-    const WideFilter* filter = nullptr;
-    WidePicture* wide = nullptr;
+    const ReconstructionFilter* filter = nullptr;
+    SplatPicture* splats = nullptr;
 };
 
 // One a worker: the block and the lists live from tile to tile.
@@ -99,17 +100,14 @@ public:
     // For the tile that is shaded next; null: nothing was counted.
     void set_shadow(const TileShadow* shadow);
     // Writes every pixel of the tile that shows a primitive; the others are left alone. With
-    // blended fragments: of their part of the tile. Returns how many lanes were shaded.
+    // blended fragments: of their part of the tile. Returns how many items were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,
                         image::Image& picture, const BlendedPixels* blended = nullptr);
 
     // The same by areas, where all is opaque.
     std::uint64_t shade(raster::AreaTile& tile, const GatherInput& input, image::Image& picture);
     // From now on.
-    void send_mixtures(const MixtureSink& sink) { sink_ = sink; }
-
-    // Primitives of the tile, made when first seen.
-    class Primitives;
+    void set_sum_sink(const PixelSumSink& sink) { sink_ = sink; }
 
 private:
     struct Fragment;
@@ -118,8 +116,8 @@ private:
     bool collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& input);
     void collect_blended(const raster::VisibilityTile& tile, const GatherInput& input,
                          const BlendedPixels& blended, int x, int y);
-    void collect_composed(const raster::VisibilityTile& tile, const GatherInput& input,
-                          const BlendedPixels& blended, int x, int y);
+    void collect_layers(const raster::VisibilityTile& tile, const GatherInput& input,
+                        const BlendedPixels& blended, int x, int y);
     template <int kSamples>
     void collect_samples(const raster::VisibilityTile& tile, const GatherInput& input,
                          std::uint16_t pixel);
@@ -128,7 +126,7 @@ private:
     void collect_edge_row(int row, std::uint64_t edges);
     void collect(raster::AreaTile& tile, const GatherInput& input);
     void sort_fragments();
-    bool has_own_lanes(const GatherInput& input, std::uint32_t id) const;
+    bool is_set_up_per_item(const GatherInput& input, std::uint32_t id) const;
     void begin(const GatherInput& input, const image::Rect& area, int samples,
                const BlendedPixels* blended);
     std::uint64_t shade_collected(const GatherInput& input, image::Image& picture,
@@ -142,65 +140,65 @@ private:
     void add_fragment(const GatherInput& input, const Fragment& fragment, image::Image& picture);
     std::uint64_t shade_rows(const raster::VisibilityTile& tile, const GatherInput& input,
                              image::Image& picture);
-    int add_edge_lanes(const raster::VisibilityTile& tile, int row, int sample,
+    int add_edge_items(const raster::VisibilityTile& tile, int row, int sample,
                        const EdgeRow& found, const GatherInput& input, image::Image& picture);
     void place_block();
-    void begin_look(const GatherInput& input, const Look& look, image::Image& picture);
+    void begin_key(const GatherInput& input, const ShadingKey& key, image::Image& picture);
     const Primitive& primitive(const GatherInput& input, std::uint32_t id, image::Image& picture);
     void add_unlit(const GatherInput& input, std::uint32_t id, int count);
     void add_lit(const Primitive& primitive, int count);
     void finish_block(const GatherInput& input, image::Image& picture);
     void put_pixels(const std::uint32_t* code, image::Image& picture);
-    void put_mixtures();
+    void add_pixel_sums();
     // Of pixels whose layers' colours decide (gather_composed.cpp).
-    void keep_layers(ComposedLayers::Of of, float white);
-    void put_composed(const GatherInput& input);
-    void put_composed(const ComposedLayers::Pixel& pixel, ComposedLayers::Of of,
+    void keep_layer_colours(ColourBlend::Of of, float white);
+    void blend_layers(const GatherInput& input);
+    void blend_layers(const ColourBlend::Pixel& pixel, ColourBlend::Of of,
                       const GatherInput& input);
     void keep_linear(LinearPicture& linear) const;
     std::uint16_t pixel_number(int x, int y) const;
     float offset_at(int pixel) const;
-    const float* lane_offsets(const GatherInput& input);
+    const float* item_offsets(const GatherInput& input);
     void resolve_edge_pixels(const GatherInput& input, image::Image& picture);
-    void keep_parts();
+    void store_splats();
 
     image::Rect area_; // of the tile
     int samples_ = 1;  // of a pixel of it
-    MixtureSink sink_;
+    PixelSumSink sink_;
     // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
     // sets up its own triangle if the frame allows it.
     std::unique_ptr<TilePixels> interior_pixels_;
-    TriangleSource source_{};     // of triangles by id
-    TriangleSource own_source_{}; // by what interior_pixels_ and edge rows name them
-    bool all_unclipped_ = false;  // every triangle may have lanes of its own
-    bool set_up_later_ = false;   // primitives, with their block
+    TriangleSource source_{};      // of triangles by id
+    TriangleSource item_source_{}; // by what interior_pixels_ and edge rows name them
+    bool all_unclipped_ = false;   // every triangle may have items of its own
+    bool set_up_later_ = false;    // primitives, with their block
     std::vector<Fragment> fragments_;
-    // Where all that is drawn looks alike and every lane may have a triangle of its own, edge
+    // Where all that is drawn looks alike and every item may have a triangle of its own, edge
     // pixels are no fragments of a list: bits of the tile's rows.
     bool by_rows_ = false;
     std::array<std::uint64_t, raster::kTileSize> edge_bits_{};
     std::array<std::uint16_t, raster::kTileSize>
-        edge_index_{}; // of a row's pixels, in the list of edge pixels
-    struct Seen;       // a fragment of one pixel
-    std::vector<Seen> seen_;
-    std::unique_ptr<Primitives> primitives_;
-    std::unique_ptr<Block> block_;
-    std::unique_ptr<LaneTriangles> triangles_;
-    std::unique_ptr<CornerLight> corners_; // while frames light vertices or faces
-    std::optional<Look> look_;             // of the block
-    // Where its lanes' light goes: the first `interior_count_` are of interior pixels, the others
+        edge_index_{};     // of a row's pixels, in the list of edge pixels
+    struct VisibleSurface; // a fragment of one pixel
+    std::vector<VisibleSurface> surfaces_;
+    std::unique_ptr<PrimitiveCache> primitives_;
+    std::unique_ptr<ShadingBlock> block_;
+    std::unique_ptr<ShadingSetup> triangles_;
+    std::unique_ptr<VertexLighting> vertex_lighting_; // while frames light vertices or faces
+    std::optional<ShadingKey> key_;                   // of the block
+    // Where its items' light goes: the first `interior_count_` are of interior pixels, the others
     // contribute to edge pixels.
     struct Contribution;
     int interior_count_ = 0;
-    // Pixels of its lanes, in the tile: in the list of interior_pixels_, and behind it edge pixels.
+    // Pixels of its items, in the tile: in the list of interior_pixels_, and behind it edge pixels.
     std::int32_t* pixel_ = nullptr;
     std::unique_ptr<Contribution[]> contributions_;
-    PixelSums sums_;               // of the pixels in edge_pixels_
-    std::vector<WideParts> parts_; // of the same
+    PixelSums sums_;                  // of the pixels in edge_pixels_
+    std::vector<FilterSplat> splats_; // of the same
     std::vector<std::uint16_t> edge_pixels_;
-    std::vector<float> through_; // the background's share of each
+    std::vector<float> transmittance_; // of each: the weight of the background
     std::vector<std::uint32_t> codes_;
-    std::vector<float> offsets_; // dither of lanes or of edge pixels; empty without
+    std::vector<float> offsets_; // dither of items or of edge pixels; empty without
 };
 
 } // namespace scanout::shade

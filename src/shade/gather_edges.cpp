@@ -3,7 +3,7 @@
 #include "base/check.h"
 #include "shade/check_lanes.h"
 #include "shade/gather_types.h"
-#include "shade/primitives.h"
+#include "shade/primitive_cache.h"
 
 #include <algorithm>
 #include <array>
@@ -53,12 +53,12 @@ void Gatherer::collect_samples(const raster::VisibilityTile& tile, const GatherI
             continue;
         }
         const raster::SampleOffset& at = tile.pattern()[static_cast<std::size_t>(first)];
-        fragments_.push_back({here, in.looks.of(here), pixel, static_cast<std::uint8_t>(first), 0,
+        fragments_.push_back({here, in.keys.of(here), pixel, static_cast<std::uint8_t>(first), 0,
                               edge_pixel, weight, static_cast<std::uint16_t>(mask), byte_of(at.x),
                               byte_of(at.y)});
     }
     edge_pixels_.push_back(pixel);
-    through_.push_back(background);
+    transmittance_.push_back(background);
 }
 
 void Gatherer::collect_edge_pixel(const raster::VisibilityTile& tile, const GatherInput& in, int x,
@@ -80,7 +80,7 @@ void Gatherer::collect_edge_pixel(const raster::VisibilityTile& tile, const Gath
 void Gatherer::sort_fragments() {
     // One material a block; the order inside a material stays that of the pixels.
     const auto key = [](const Fragment& f) {
-        return std::tuple(f.look.lit, f.look.material, f.rank);
+        return std::tuple(f.key.lit, f.key.material, f.rank);
     };
     const auto differs = [&](const Fragment& a, const Fragment& b) { return key(a) != key(b); };
     if (std::adjacent_find(fragments_.begin(), fragments_.end(), differs) != fragments_.end())
@@ -88,34 +88,34 @@ void Gatherer::sort_fragments() {
                          [&](const Fragment& a, const Fragment& b) { return key(a) < key(b); });
 }
 
-// The next lane, a fragment's.
+// The next item, a fragment's.
 void Gatherer::add_fragment(const GatherInput& in, const Fragment& f, image::Image& picture) {
-    Block& b = *block_;
-    const bool own = has_own_lanes(in, f.id);
+    ShadingBlock& b = *block_;
+    const bool own = is_set_up_per_item(in, f.id);
     const Primitive* of = b.lit && !own ? &primitive(in, f.id, picture) : nullptr; // may end it
-    const auto lane = static_cast<std::size_t>(b.count);
-    pixel_[lane] = f.pixel;
-    contributions_[lane] = {f.edge_pixel, f.samples, f.weight, f.layer};
+    const auto item = static_cast<std::size_t>(b.count);
+    pixel_[item] = f.pixel;
+    contributions_[item] = {f.edge_pixel, f.samples, f.weight, f.layer};
     if (own) {
-        triangles_->of_lane[lane] = triangles_->count;
+        triangles_->triangle_of[item] = triangles_->count;
         triangles_->id[triangles_->count++] = f.id;
-        triangles_->sample_x[lane] = f.at_x - raster::kPixelCentre.x;
-        triangles_->sample_y[lane] = f.at_y - raster::kPixelCentre.y;
-        add_lanes(b, nullptr, 1);
+        triangles_->sample_x[item] = f.at_x - raster::kPixelCentre.x;
+        triangles_->sample_y[item] = f.at_y - raster::kPixelCentre.y;
+        add_items(b, nullptr, 1);
     } else if (of != nullptr) {
         const auto [x, y] = place_in_pixel(in, *of, area_.x0 + f.pixel % kTileSize,
                                            area_.y0 + f.pixel / kTileSize, {f.at_x, f.at_y});
-        add_lane(b, Primitives::at(*of, x, y), x, y);
+        add_item(b, PrimitiveCache::at(*of, x, y), x, y);
     } else {
         add_unlit(in, f.id, 1);
     }
 }
 
 std::uint64_t Gatherer::shade_fragments(const GatherInput& in, image::Image& picture) {
-    Block& b = *block_;
-    if (!in.looks.only_material || b.blended != nullptr) sort_fragments();
+    ShadingBlock& b = *block_;
+    if (!in.keys.only_material || b.blended != nullptr) sort_fragments();
     for (const Fragment& f : fragments_) {
-        if (look_ != f.look) begin_look(in, f.look, picture);
+        if (key_ != f.key) begin_key(in, f.key, picture);
         if (b.count == kBlockSize) finish_block(in, picture);
         add_fragment(in, f, picture);
     }
@@ -132,10 +132,10 @@ void Gatherer::collect_edge_row(int row, std::uint64_t edges) {
             static_cast<std::uint16_t>(row * kTileSize + std::countr_zero(edges));
 }
 
-// What a row's edge pixels show first at a sample, as lanes. Returns how many.
-int Gatherer::add_edge_lanes(const raster::VisibilityTile& tile, int row, int sample,
+// What a row's edge pixels show first at a sample, as items. Returns how many.
+int Gatherer::add_edge_items(const raster::VisibilityTile& tile, int row, int sample,
                              const EdgeRow& found, const GatherInput& in, image::Image& picture) {
-    Block& b = *block_;
+    ShadingBlock& b = *block_;
     const auto s = static_cast<std::size_t>(sample);
     const int count = std::popcount(found.first[s]);
     if (count == 0) return 0;
@@ -144,24 +144,24 @@ int Gatherer::add_edge_lanes(const raster::VisibilityTile& tile, int row, int sa
     const float* coverage = found.coverage[s];
     const raster::SampleOffset at = tile.pattern()[s];
     const std::int32_t right = at.x - raster::kPixelCentre.x, down = at.y - raster::kPixelCentre.y;
-    LaneTriangles& t = *triangles_;
+    ShadingSetup& t = *triangles_;
     std::int32_t* const pixel = pixel_;
     Contribution* const contribution = contributions_.get();
-    int lane = b.count, triangle = t.count;
+    int item = b.count, triangle = t.count;
     std::uint32_t last = ids[std::countr_zero(found.first[s])]; // neighbours may show the same
-    for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++lane) {
+    for (std::uint64_t rest = found.first[s]; rest != 0; rest &= rest - 1, ++item) {
         const int x = std::countr_zero(rest);
         triangle += ids[x] != last ? 1 : 0;
         last = ids[x];
-        t.of_lane[lane] = triangle;
+        t.triangle_of[item] = triangle;
         t.id[triangle] = last;
-        t.sample_x[lane] = right;
-        t.sample_y[lane] = down;
-        pixel[lane] = row * kTileSize + x;
-        contribution[lane] = {edge_index_[static_cast<std::size_t>(x)], 0, coverage[x], kNoLayer};
+        t.sample_x[item] = right;
+        t.sample_y[item] = down;
+        pixel[item] = row * kTileSize + x;
+        contribution[item] = {edge_index_[static_cast<std::size_t>(x)], 0, coverage[x], kNoLayer};
     }
     t.count = triangle + 1;
-    add_lanes(b, nullptr, count);
+    add_items(b, nullptr, count);
     return count;
 }
 
@@ -170,10 +170,10 @@ int Gatherer::add_edge_lanes(const raster::VisibilityTile& tile, int row, int sa
 std::uint64_t Gatherer::shade_rows(const raster::VisibilityTile& tile, const GatherInput& in,
                                    image::Image& picture) {
     if (edge_pixels_.empty()) return 0;
-    const Look look = {*in.looks.only_material, true};
-    if (look_ != look) begin_look(in, look, picture);
-    through_.resize(edge_pixels_.size());
-    std::uint64_t lanes = 0;
+    const ShadingKey key = {*in.keys.only_material, true};
+    if (key_ != key) begin_key(in, key, picture);
+    transmittance_.resize(edge_pixels_.size());
+    std::uint64_t items = 0;
     std::uint16_t index = 0;
     for (int row = 0; row < area_.height(); ++row) {
         const std::uint64_t edges = edge_bits_[static_cast<std::size_t>(row)];
@@ -183,18 +183,18 @@ std::uint64_t Gatherer::shade_rows(const raster::VisibilityTile& tile, const Gat
         for (std::uint64_t rest = edges; rest != 0; rest &= rest - 1) {
             const int x = std::countr_zero(rest);
             edge_index_[static_cast<std::size_t>(x)] = index;
-            through_[index++] = found.through[x];
+            transmittance_[index++] = found.transmittance[x];
         }
         for (int s = 0; s < tile.samples(); ++s)
-            lanes += static_cast<std::uint64_t>(add_edge_lanes(tile, row, s, found, in, picture));
+            items += static_cast<std::uint64_t>(add_edge_items(tile, row, s, found, in, picture));
     }
-    return lanes;
+    return items;
 }
 
 void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture) {
     check_sums(sums_, edge_pixels_.size());
     codes_.resize(edge_pixels_.size() + (kPaddedBlock - kBlockSize));
-    std::copy(through_.begin(), through_.end(), sums_.through.begin());
+    std::copy(transmittance_.begin(), transmittance_.end(), sums_.transmittance.begin());
     if (in.output.dither) {
         offsets_.resize(edge_pixels_.size() + (kPaddedBlock - kBlockSize));
         for (std::size_t i = 0; i < edge_pixels_.size(); ++i)
@@ -211,13 +211,13 @@ void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture)
 
 // The edge pixels' parts go where the filter will look for them, behind those of other parts of the
 // tile.
-void Gatherer::keep_parts() {
-    auto& all = sink_.wide->of_tile[sink_.wide->tile_of(area_.x0, area_.y0)];
+void Gatherer::store_splats() {
+    auto& all = sink_.splats->of_tile[sink_.splats->tile_of(area_.x0, area_.y0)];
     for (std::size_t i = 0; i < edge_pixels_.size(); ++i)
-        sink_.wide->part_at(area_.x0 + edge_pixels_[i] % kTileSize,
-                            area_.y0 + edge_pixels_[i] / kTileSize) =
+        sink_.splats->splat_at(area_.x0 + edge_pixels_[i] % kTileSize,
+                               area_.y0 + edge_pixels_[i] / kTileSize) =
             static_cast<std::int32_t>(all.size() + i);
-    all.insert(all.end(), parts_.begin(), parts_.end());
+    all.insert(all.end(), splats_.begin(), splats_.end());
 }
 
 } // namespace scanout::shade

@@ -39,12 +39,12 @@ public:
     float last() const { return chain_ == nullptr ? 0 : static_cast<float>(chain_->last); }
 
     // In texels of the image.
-    SIMD_INLINE UvSlopes<F32::Tag> slopes(const Block& b, int lane) const {
+    SIMD_INLINE UvSlopes<F32::Tag> slopes(const ShadingBlock& b, int lane) const {
         return {load<F32>(b.u_x + lane) * F32(size_x_), load<F32>(b.v_x + lane) * F32(size_y_),
                 load<F32>(b.u_y + lane) * F32(size_x_), load<F32>(b.v_y + lane) * F32(size_y_)};
     }
 
-    // Bilinear in a level of each lane; s and t in turns of the texture.
+    // Bilinear in a level of each lane; s and t in repeats of the texture.
     template <int kChannels>
     SIMD_INLINE Texel<kChannels> bilinear(F32 s, F32 t, I32 level) const {
         s = image_.unit(s);
@@ -53,7 +53,7 @@ public:
         if (all(whole)) return bilinear_in_image<kChannels>(s, t);
         // Lanes of level 0 read level 1, which is discarded below.
         const Levels in = levels(maximum(level, I32(1)));
-        Texel<kChannels> found = blend<kChannels>(texels(), around_in_chain(s, t, in));
+        Texel<kChannels> found = blend<kChannels>(texels(), taps_in_chain(s, t, in));
         if (any(whole)) {
             const Texel<kChannels> direct = bilinear_in_image<kChannels>(s, t);
             for (int c = 0; c < kChannels; ++c)
@@ -67,10 +67,10 @@ public:
     SIMD_INLINE Texel<kChannels> trilinear(F32 s, F32 t, F32 level) const {
         const I32 sharp = to_i32(level);
         const Texel<kChannels> near = bilinear<kChannels>(s, t, sharp);
-        const F32 share = level - to_f32(sharp);
-        if (all(share == F32(0.0F))) return near; // nowhere minified, above all
+        const F32 fraction = level - to_f32(sharp);
+        if (all(fraction == F32(0.0F))) return near; // nowhere minified, above all
         const I32 blurred = minimum(sharp + I32(1), to_i32(F32(last())));
-        return mix(share, near, bilinear<kChannels>(s, t, blurred));
+        return mix(fraction, near, bilinear<kChannels>(s, t, blurred));
     }
 
     // Levels of the chain, 1 to last, lane by lane: sizes, and which number the first texel has.
@@ -78,10 +78,10 @@ public:
         I32 width, height, begin;
     };
     SIMD_INLINE Levels levels(I32 level) const {
-        const auto shrunk = [&](std::int32_t size) SIMD_LAMBDA {
+        const auto halved = [&](std::int32_t size) SIMD_LAMBDA {
             return maximum(I32(hn::Shr(I32(size).raw, level.raw)), I32(1));
         };
-        return {shrunk(image_.width()), shrunk(image_.height()), gather(chain_->begin, level)};
+        return {halved(image_.width()), halved(image_.height()), gather(chain_->begin, level)};
     }
     // Those behind; the last one stays.
     SIMD_INLINE Levels next(const Levels& at) const {
@@ -91,8 +91,8 @@ public:
     }
 
     // For filters that read the chain themselves; s, t in [0, 1].
-    SIMD_INLINE Around around_in_chain(F32 s, F32 t, const Levels& in) const {
-        return around(image_, s, t, in.width, in.height, in.begin);
+    SIMD_INLINE BilinearTaps taps_in_chain(F32 s, F32 t, const Levels& in) const {
+        return bilinear_taps(image_, s, t, in.width, in.height, in.begin);
     }
     ChainTexels texels() const { return {chain_->texels.data()}; }
 
@@ -100,7 +100,7 @@ private:
     // s, t in [0, 1].
     template <int kChannels>
     SIMD_INLINE Texel<kChannels> bilinear_in_image(F32 s, F32 t) const {
-        return blend<kChannels>(image_, around(image_, s, t));
+        return blend<kChannels>(image_, bilinear_taps(image_, s, t));
     }
 
     TexelReader image_;

@@ -3,7 +3,7 @@
 #include "base/check.h"
 #include "math/srgb.h"
 #include "shade/check_lanes.h"
-#include "shade/shrink.h"
+#include "shade/downsample.h"
 
 #include <algorithm>
 #include <utility>
@@ -18,7 +18,7 @@ static MipChain mip_levels(const image::Image& image, std::int32_t& texels) {
     chain.begin[0] = texels = 0;
     while (chain.width[chain.last] > 1 || chain.height[chain.last] > 1) {
         const int above = chain.last++;
-        CHECK(chain.last < MipChain::kMostLevels);
+        CHECK(chain.last < MipChain::kMaxLevels);
         chain.width[chain.last] = std::max(chain.width[above] / 2, 1);
         chain.height[chain.last] = std::max(chain.height[above] / 2, 1);
         chain.begin[chain.last] = texels;
@@ -48,7 +48,7 @@ MipChain make_mip_chain(const image::Image& image, TexelKind kind, Jobs& jobs) {
         const int width = chain.width[level];
         float* const out = chain.texels.data() + static_cast<std::size_t>(chain.begin[level]) * 4;
         jobs.for_each(chain.height[level], [&](int y, int) {
-            shrink_row(above, y, width, out + std::ptrdiff_t{4} * y * width);
+            downsample_row(above, y, width, out + std::ptrdiff_t{4} * y * width);
         });
         above = {width, chain.height[level], nullptr, nullptr, nullptr, out};
     }

@@ -17,10 +17,10 @@
 namespace scanout::shade {
 
 struct MipChain {
-    static constexpr int kMostLevels = 16; // a side of up to 2^15 texels
-    int last = 0;                          // the level of one texel
+    static constexpr int kMaxLevels = 16; // a side of up to 2^15 texels
+    int last = 0;                         // the level of one texel
     // Of each level: its size, and where it begins in `texels`, in texels. Level 0 is the image.
-    std::int32_t width[kMostLevels], height[kMostLevels], begin[kMostLevels];
+    std::int32_t width[kMaxLevels], height[kMaxLevels], begin[kMaxLevels];
     // Levels 1 to last, rows from the top: red, green, blue, alpha of each texel.
     LargeArray<float> texels;
 };

@@ -1,5 +1,5 @@
-// From a pixel's light to its code: how the samples of a pixel are mixed (blend space) and how the
-// mixture becomes 8 bits (encoding). Stands at the end of a block and of a tile.
+// From a pixel's light to its code: how the samples of a pixel are summed (blend space) and how the
+// sum becomes 8 bits (encoding). Stands at the end of a block and of a tile.
 #pragma once
 
 #include "base/technique.h"
@@ -29,11 +29,11 @@ struct Encoding {
 
 struct BlendSpace {
     Technique card;
-    // Writes what is mixed into block.colour; null: the linear light that stands there.
-    void (*enter)(Block& block, const std::uint32_t* code);
-    // Of the mixture; null: the frame's encoding.
+    // Writes what is summed into block.colour; null: the linear light that stands there.
+    void (*enter)(ShadingBlock& block, const std::uint32_t* code);
+    // Of the sum; null: the frame's encoding.
     const Encoding* encoding;
-    float white = 1; // what is mixed of white
+    float white = 1; // white in the sum
 };
 
 namespace encode {
@@ -47,7 +47,7 @@ struct Output {
     const Encoding* encoding = &encode::srgb;
     const BlendSpace* blend_space = &blend_space::linear;
     bool dither = false; // to 8 bits
-    const Encoding& of_mixture() const {
+    const Encoding& sum_encoding() const {
         return blend_space->encoding != nullptr ? *blend_space->encoding : *encoding;
     }
 };

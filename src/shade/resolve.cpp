@@ -12,16 +12,16 @@
 SIMD_BEGIN(scanout::shade)
 
 // Sums become means.
-void mean(float* const* sum, const float* through, const float* back, float back_alpha, int count,
-          std::int32_t* alpha_code) {
+void mean(float* const* sum, const float* transmittance, const float* back, float back_alpha,
+          int count, std::int32_t* alpha_code) {
     for (int i = 0; i < count; i += kLanes) {
-        const F32 share = load<F32>(through + i);
-        const F32 back_share = share * F32(back_alpha) / F32(255.0F);
-        // Exact where shares are those of samples; and 255 where the background is opaque.
-        const F32 alpha = F32(255.0F) - share * F32(255.0F - back_alpha);
+        const F32 background = load<F32>(transmittance + i);
+        const F32 back_weight = background * F32(back_alpha) / F32(255.0F);
+        // Exact where weights are those of samples; and 255 where the background is opaque.
+        const F32 alpha = F32(255.0F) - background * F32(255.0F - back_alpha);
         const F32 whole = F32(255.0F) / select(alpha > F32(0.0F), alpha, F32(1.0F));
         for (int c = 0; c < 3; ++c)
-            store((load<F32>(sum[c] + i) + F32(back[c]) * back_share) * whole, sum[c] + i);
+            store((load<F32>(sum[c] + i) + F32(back[c]) * back_weight) * whole, sum[c] + i);
         store(to_i32(alpha), alpha_code + i); // rounded down
     }
 }
@@ -34,18 +34,18 @@ namespace scanout::shade {
 SIMD_REGISTER(mean);
 
 void PixelSums::reset(std::size_t count) {
-    for (auto* channel : {&red, &green, &blue, &through})
+    for (auto* channel : {&red, &green, &blue, &transmittance})
         channel->assign(count + (kPaddedBlock - kBlockSize), 0.0F);
     alpha.resize(count + (kPaddedBlock - kBlockSize));
 }
 
 void resolve_pixels(PixelSums& sums, const Output& output, const image::Rgba8& background,
                     const float* offsets, int count, std::uint32_t* out) {
-    const Encoding& encoding = output.of_mixture();
+    const Encoding& encoding = output.sum_encoding();
     float* const sum[3] = {sums.red.data(), sums.green.data(), sums.blue.data()};
     const float back[3] = {encoding.decode(background.r), encoding.decode(background.g),
                            encoding.decode(background.b)};
-    SIMD_CALL(mean, sum, sums.through.data(), back, static_cast<float>(background.a), count,
+    SIMD_CALL(mean, sum, sums.transmittance.data(), back, static_cast<float>(background.a), count,
               sums.alpha.data());
     for (const float* channel : sum)
         check_values({channel, static_cast<std::size_t>(count)}, "mean", "resolve");
@@ -74,7 +74,7 @@ void resolve_area(PixelSums& sums, const Output& output, const image::Rgba8& bac
 }
 
 bool mean_of_boxes(LinearPicture& from, int scale, const image::Rect& area, PixelSums& sums) {
-    const float share = 1.0F / static_cast<float>(scale * scale);
+    const float weight = 1.0F / static_cast<float>(scale * scale);
     std::size_t i = 0;
     bool any = false;
     for (int y = area.y0; y < area.y1; ++y)
@@ -86,10 +86,10 @@ bool mean_of_boxes(LinearPicture& from, int scale, const image::Rect& area, Pixe
                     for (std::size_t c = 0; c < 4; ++c)
                         sum[c] += pixel[c];
                 }
-            sums.red[i] = sum[0] * share;
-            sums.green[i] = sum[1] * share;
-            sums.blue[i] = sum[2] * share;
-            sums.through[i] = 1 - sum[3] * share; // exact where all is opaque
+            sums.red[i] = sum[0] * weight;
+            sums.green[i] = sum[1] * weight;
+            sums.blue[i] = sum[2] * weight;
+            sums.transmittance[i] = 1 - sum[3] * weight; // exact where all is opaque
             any = any || sum[3] > 0;
         }
     return any;

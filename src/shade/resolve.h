@@ -13,8 +13,8 @@ namespace scanout::shade {
 // Sums over the samples of pixels, in the blend space.
 struct PixelSums {
     std::vector<float> red, green, blue;
-    std::vector<float> through;      // the background's share of the pixel
-    std::vector<std::int32_t> alpha; // codes; of the means
+    std::vector<float> transmittance; // the weight of the background in the pixel
+    std::vector<std::int32_t> alpha;  // codes; of the means
     // What resolve_area makes of them, kept for its memory.
     std::vector<std::uint32_t> codes;
     std::vector<float> offsets;

@@ -1,4 +1,4 @@
-// What the shadow stages read. A shadow takes a share of a light's colour at a lane; it never adds
+// What the shadow stages read. A shadow takes a share of a light's colour at a item; it never adds
 // any. Maps are drawn before the tiles, counts with each tile; both exist only in frames whose plan
 // runs a technique that reads them.
 #pragma once
@@ -18,15 +18,16 @@ inline constexpr int kMaxFilter = 15; // texels a side that a filtered shadow as
 // nothing is. Light space: the light at the origin (parallel light: beside its map), looks down -z,
 // x right, y up.
 struct ShadowMap {
-    float turn[3][3] = {}, move[3] = {}; // view space -> light space: a rotation, row major
+    float rotation[3][3] = {},
+          translation[3] = {}; // view space -> light space: a rotation, row major
     bool perspective = false;
     float scale_x = 1, scale_y = 1; // texels a unit: everywhere, or in perspective at distance 1
     // depth = depth_scale / distance in perspective, else z * depth_scale + depth_offset.
     float depth_scale = 1, depth_offset = 0;
     int size = 0;      // texels a side
     float half = 0;    // a receiver belongs to the map within so many texels of its middle
-    float soft_x = 0;  // what a light of some size spreads: texels a unit of depth between what
-    float soft_y = 0;  // throws the shadow and what receives it
+    float soft_x = 0;  // penumbra of a light of some size: texels a unit of depth between the
+    float soft_y = 0;  // caster and the receiver
     float nearest = 0; // the greatest depth in the map
     const float* depth = nullptr; // size * size, rows from the top
 };

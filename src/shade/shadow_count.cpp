@@ -1,8 +1,8 @@
 #include "shade/shadow_count.h"
 
 #include "base/check.h"
-#include "shade/layers.h"
 #include "shade/shadow.h"
+#include "shade/transparency_pass.h"
 
 #include <bit>
 
@@ -23,34 +23,35 @@ bool lit(const Primitive& t, const FrameState& frame, const scene::ViewLight& li
 }
 
 // The samples of a pixel that show the triangle, and those of them over which nothing was counted.
-struct Shown {
+struct VisibleSamples {
     int samples = 0, bright = 0;
 };
-Shown shown_at(const TileShadow& shadow, const float* count, std::uint32_t id, int x, int y) {
+VisibleSamples visible_at(const TileShadow& shadow, const float* count, std::uint32_t id, int x,
+                          int y) {
     const raster::VisibilityTile& tile = *shadow.tile;
     const auto at =
         static_cast<std::size_t>((y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0));
-    Shown shown;
+    VisibleSamples visible;
     for (int s = 0; s < tile.samples(); ++s) {
         if (tile.id(x, y, s) != id) continue;
-        ++shown.samples;
+        ++visible.samples;
         if (count[at + static_cast<std::size_t>(s) * raster::VisibilityTile::kPlane] == 0)
-            ++shown.bright;
+            ++visible.bright;
     }
-    return shown;
+    return visible;
 }
 
 // The same of a blended surface, which stands in front of what was counted.
-Shown shown_blended(const TileShadow& shadow, const TilePolygons& polygons,
-                    const BlendedPixels& blended, std::uint32_t id, int x, int y) {
+VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& polygons,
+                               const BlendedPixels& blended, std::uint32_t id, int x, int y) {
     const raster::VisibilityTile& tile = *shadow.tile;
     const int pixel = (y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0);
     const BlendFragment* fragment = nullptr;
     for (const std::uint32_t i : blended.fragments(pixel))
         if (blended.list.fragments[i].id == id) fragment = &blended.list.fragments[i];
     CHECK(fragment != nullptr);
-    Shown shown;
-    for (unsigned left = fragment->shown; left != 0; left &= left - 1) {
+    VisibleSamples visible;
+    for (unsigned left = fragment->visible; left != 0; left &= left - 1) {
         const int s = std::countr_zero(left);
         const raster::SampleOffset at = tile.pattern()[static_cast<std::size_t>(s)];
         const double depth = blended.list.depth_at(*fragment, s);
@@ -58,38 +59,38 @@ Shown shown_blended(const TileShadow& shadow, const TilePolygons& polygons,
         for (const std::uint32_t i : polygons.here)
             count += stencil_at(polygons.all[i], x * raster::kSubpixel + at.x,
                                 y * raster::kSubpixel + at.y, depth, id, polygons.where);
-        ++shown.samples;
-        if (count == 0) ++shown.bright;
+        ++visible.samples;
+        if (count == 0) ++visible.bright;
     }
-    return shown;
+    return visible;
 }
 
-// Takes the light k from the lanes of a run that lie in shadow.
-void shade_run(Block& b, const FrameState& frame, const Run& run, std::size_t k) {
+// Takes the light k from the items of a run that lie in shadow.
+void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::size_t k) {
     const TileShadow& shadow = *b.shadow;
     const std::uint32_t id = run.primitive->id;
     if (!shadow.receives.empty() && shadow.receives[id] == 0) return;
     const bool faces = lit(*run.primitive, frame, frame.lights[k]);
-    for (int lane = run.first; lane < run.first + run.count; ++lane) {
-        const int x = b.x[lane] >> raster::kSubpixelBits, y = b.y[lane] >> raster::kSubpixelBits;
-        float share = 0;
+    for (int item = run.first; item < run.first + run.count; ++item) {
+        const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
+        float visibility = 0;
         if (faces) {
-            Shown shown = shown_at(shadow, shadow.count[k], id, x, y);
-            if (shown.samples == 0) {
+            VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
+            if (visible.samples == 0) {
                 CHECK(b.blended != nullptr);
-                shown = shown_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
+                visible = visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
             }
-            CHECK_LT(0, shown.samples);
-            share = static_cast<float>(shown.bright) / static_cast<float>(shown.samples);
+            CHECK_LT(0, visible.samples);
+            visibility = static_cast<float>(visible.bright) / static_cast<float>(visible.samples);
         }
         for (auto& colour : b.light[k].colour)
-            colour[lane] *= share;
+            colour[item] *= visibility;
     }
 }
 
 } // namespace
 
-void shadow_by_counts(Block& b, const FrameState& frame) {
+void shadow_by_counts(ShadingBlock& b, const FrameState& frame) {
     if (!b.lit || frame.shadows == nullptr) return;
     CHECK(b.shadow != nullptr);
     for (std::size_t k = 0; k < frame.lights.size(); ++k) {

@@ -1,6 +1,6 @@
-// The shading stages: each works through a block of up to 128 visible pixels ("lanes") that share a
+// The shading stages: each works through a block of up to 128 visible pixels ("items") that share a
 // material, whatever triangles they come from. The plan picks one stage an axis; stages add up
-// instead of multiplying. Structure of arrays, single precision, one operation sequence a lane.
+// instead of multiplying. Structure of arrays, single precision, one operation sequence a item.
 #pragma once
 
 #include "base/technique.h"
@@ -17,9 +17,9 @@
 
 namespace scanout::shade {
 
-inline constexpr int kBlockSize = 128; // lanes of a shading block
+inline constexpr int kBlockSize = 128; // items of a shading block
 
-// Kernels work on whole registers and may read and write this many lanes beyond the live ones; what
+// Kernels work on whole registers and may read and write this many items beyond the live ones; what
 // stands there is finite.
 inline constexpr int kPaddedBlock = kBlockSize + 16;
 
@@ -49,7 +49,7 @@ struct Attributes {
     // uv: the model's own; a mapping stage makes them of the place in object space instead.
     bool normal = false, uv = false, colour = false, ray = false, position = false;
     bool primitive = false; // its runs' own
-    bool corners = false;   // normals and positions of the vertices; no lane needs its own
+    bool vertices = false;  // normals and positions of the vertices; no item needs its own
     bool facing = false;    // Primitive::facing
     bool footprint = false; // how u and v change from pixel to pixel
     bool object = false;    // vertices' places in object space
@@ -60,17 +60,17 @@ constexpr Attributes operator|(Attributes a, Attributes b) {
     return {a.normal || b.normal,       a.uv || b.uv,
             a.colour || b.colour,       a.ray || b.ray,
             a.position || b.position,   a.primitive || b.primitive,
-            a.corners || b.corners,     a.facing || b.facing,
+            a.vertices || b.vertices,   a.facing || b.facing,
             a.footprint || b.footprint, a.object || b.object,
             a.steps || b.steps,         static_cast<MapBits>(a.maps | b.maps)};
 }
 
-// Does some stage read what a run's lanes share? Then no lane sets up a triangle of its own.
+// Does some stage read what a run's items share? Then no item sets up a triangle of its own.
 constexpr bool reads_primitives(const Attributes& a) {
-    return a.primitive || a.corners || a.object;
+    return a.primitive || a.vertices || a.object;
 }
 
-// What all lanes of one triangle share, or of one piece of it, the vertices in canonical order.
+// What all items of one triangle share, or of one piece of it, the vertices in canonical order.
 struct Primitive {
     std::uint32_t id;
     // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
@@ -78,9 +78,9 @@ struct Primitive {
     // raster::ClippedWeights. Inside, none is negative.
     double a[3], b[3], c[3];
     // The same modulo 2^32, where the triangle is so small that its weights within a pixel of it
-    // are numbers of 32 bits; else not `whole`.
-    std::int32_t whole_a[3], whole_b[3], whole_c[3];
-    bool whole;
+    // are numbers of 32 bits; else not fits_int32.
+    std::int32_t a_int32[3], b_int32[3], c_int32[3];
+    bool fits_int32;
     double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
                      // asked for where the triangle was clipped
     bool clipped;
@@ -89,25 +89,25 @@ struct Primitive {
     // that both lie on one side of the edge; -1 where there is no second.
     static constexpr std::int8_t kFolded = 3;
     std::int8_t across;
-    // Of such a piece: a vertex stands `share` of the way from one of the triangle's vertices to
+    // Of such a piece: a vertex lies at parameter t between one of the triangle's vertices and
     // another. Where the frame reads `corners`, position and normal are the triangle's.
     std::uint8_t from[3], to[3];
-    float share[3];
+    float t[3];
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
     std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
     // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
-    // object space, or unit in view space where the frame says corner_normals.
+    // object space, or unit in view space where the frame says vertex_normals.
     float normal[3][3], uv[2][3], colour[3][3];
     float position[3][3]; // view space, times scene::to_floats
     float object[3][3];   // place in object space
 };
 
-// Consecutive lanes of one triangle, in whatever pixels. A block's runs follow each other without a
+// Consecutive items of one triangle, in whatever pixels. A block's runs follow each other without a
 // gap.
 struct Run {
-    const Primitive* primitive; // null: each lane has a triangle of its own (lane_triangles.h)
-    int first, count;           // lanes
+    const Primitive* primitive; // null: each item has a triangle of its own (shading_setup.h)
+    int first, count;           // items
 };
 
 // Where a material keeps each, and how its texels are read.
@@ -131,37 +131,37 @@ struct BoundMap {
     Wrap wrap = Wrap::repeat;
 };
 
-// A light as the lanes of a block see it.
-struct LightLanes {
+// A light as the items of a block see it.
+struct BlockLight {
     alignas(64) float towards[3][kPaddedBlock]; // unit, view space
     alignas(64) float colour[3][kPaddedBlock];  // what arrives: linear
 };
 
 struct Stage;
 struct BlendedPixels;
-struct CornerLight;
-struct LaneTriangles;
+struct VertexLighting;
+struct ShadingSetup;
 struct LightShadow;
 struct TileShadow;
 
-struct Block {
-    int count = 0; // live lanes
+struct ShadingBlock {
+    int count = 0; // live items
     const scene::Material* material = nullptr;
     const Stage* model = nullptr; // how the material reflects
     BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
-    // Set by the gatherer. x, y: the sample that stands for the lane's pixel, 1/256 pixel: at the
+    // Set by the gatherer. x, y: the sample that stands for the item's pixel, 1/256 pixel: at the
     // centre if the triangle covers it, else where it shows.
     int runs = 0;
     Run run[kBlockSize];
-    LaneTriangles* triangles = nullptr; // of lanes whose runs have no primitive
+    ShadingSetup* triangles = nullptr; // of items whose runs have no primitive
     alignas(64) std::int32_t x[kPaddedBlock], y[kPaddedBlock];
     // Its direction in view space: (x, y, -1).
     alignas(64) float ray_x[kPaddedBlock], ray_y[kPaddedBlock];
-    // Where lanes are no pixels: unit, from the surface to the eye, in the ray's stead.
+    // Where items are no pixels: unit, from the surface to the eye, in the ray's stead.
     const float (*eye)[kPaddedBlock] = nullptr;
-    CornerLight* corners = nullptr; // room for the stages that light vertices or faces
+    VertexLighting* vertex_lighting = nullptr; // room for the stages that light vertices or faces
 
     // Written by the interpolation stage.
     alignas(64) float normal[3][kPaddedBlock]; // unit, view space, on the side that the eye sees
@@ -176,13 +176,13 @@ struct Block {
     // Of the map that was sampled last: red, green, blue, or alpha; linear.
     alignas(64) float sampled[4][kPaddedBlock];
 
-    // Written by map/opacity: how much of what lies behind the lane does not show.
+    // Written by map/opacity: how much of what lies behind the item does not show.
     alignas(64) float alpha[kPaddedBlock];
 
     // Written by the light stages: what comes from everywhere (linear), and one entry a light of
     // the frame for those that FrameState::varies names.
     Vec3 ambient{0};
-    std::vector<LightLanes> light;
+    std::vector<BlockLight> light;
     const TileShadow* shadow = nullptr;     // set with the tile, in frames that count shadows
     const BlendedPixels* blended = nullptr; // set with the tile, where surfaces blend
 
@@ -197,19 +197,19 @@ struct Block {
     alignas(64) float colour[3][kPaddedBlock];
 };
 
-// The next `count` lanes are of a primitive; whoever adds them sets their x and y.
-inline void add_lanes(Block& b, const Primitive* primitive, int count) {
+// The next `count` items are of a primitive; whoever adds them sets their x and y.
+inline void add_items(ShadingBlock& b, const Primitive* primitive, int count) {
     if (b.runs > 0 && b.run[b.runs - 1].primitive == primitive)
         b.run[b.runs - 1].count += count;
     else
         b.run[b.runs++] = {primitive, b.count, count};
     b.count += count;
 }
-// The next lane, at a sample (1/256 pixel).
-inline void add_lane(Block& b, const Primitive& primitive, std::int32_t x, std::int32_t y) {
+// The next item, at a sample (1/256 pixel).
+inline void add_item(ShadingBlock& b, const Primitive& primitive, std::int32_t x, std::int32_t y) {
     b.x[b.count] = x;
     b.y[b.count] = y;
-    add_lanes(b, &primitive, 1);
+    add_items(b, &primitive, 1);
 }
 
 struct Filter;
@@ -218,7 +218,7 @@ struct Source;
 
 // Which side of a face its normals light.
 enum class Sides : std::uint8_t {
-    eye,  // the one that the eye sees, decided at every lane
+    eye,  // the one that the eye sees, decided at every item
     face, // the same where all normals of a face lie on one side of it: decided once a face
     file  // the one that the file's normals point to
 };
@@ -230,7 +230,7 @@ struct FrameState {
     Attributes attributes;                    // what this frame's plan reads
     Vec3 ambient{0};                          // of all ambient lights together
     std::span<const scene::ViewLight> lights; // the others
-    // Of each light: differs from lane to lane, as do points, spots and all that is shadowed.
+    // Of each light: differs from item to item, as do points, spots and all that is shadowed.
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
@@ -244,19 +244,19 @@ struct FrameState {
                matt[material < 0 ? matt.size() - 1 : static_cast<std::size_t>(material)] != 0;
     }
     Sides sides = Sides::eye;
-    bool corner_normals = false;                 // vertices' normals are unit, in view space
-    std::span<const Stage* const> corner_lights; // the light stages that run over vertices
+    bool vertex_normals = false;                 // vertices' normals are unit, in view space
+    std::span<const Stage* const> vertex_lights; // the light stages that run over vertices
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
     int shadow_filter = 3;                       // texels a side that a filtered shadow asks
     const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
-    // No stage asks for runs' primitives: lanes may have triangles of their own.
-    bool own_triangles = false;
+    // No stage asks for runs' primitives: items may have triangles of their own.
+    bool per_item_setup = false;
     float exposure = 1; // what light is multiplied by before it is shown
     float white = 1;    // the light that a tone curve makes 1; at least 1
 };
 
 // Some stage of the frame wants the block's u and v.
-inline bool wants_uv(const Block& b, const FrameState& frame) {
+inline bool wants_uv(const ShadingBlock& b, const FrameState& frame) {
     if (!(frame.attributes.uv || frame.mapped) || !b.lit) return false;
     if (frame.source != nullptr) return true;
     for (unsigned rest = frame.attributes.maps; rest != 0; rest &= rest - 1)
@@ -283,7 +283,7 @@ struct Stage {
     Technique card;
     Pass pass;
     Attributes needs;
-    void (*run)(Block& block, const FrameState& frame); // null: there is nothing to do
+    void (*run)(ShadingBlock& block, const FrameState& frame); // null: there is nothing to do
 };
 
 struct LightTraits {
@@ -299,7 +299,7 @@ struct ReflectionTraits {
 struct ReflectionStage : Stage, ReflectionTraits {};
 
 struct ShadingTraits {
-    bool unit_vertex_normals = false; // reads what FrameState::corner_normals says
+    bool unit_vertex_normals = false; // reads what FrameState::vertex_normals says
 };
 struct ShadingStage : Stage, ShadingTraits {};
 
@@ -322,7 +322,7 @@ struct ToneStage : Stage, ToneTraits {};
 struct Filter {
     Technique card;
     Attributes needs;
-    void (*sample)(Block& block, const BoundMap& map, TexelKind kind);
+    void (*sample)(ShadingBlock& block, const BoundMap& map, TexelKind kind);
 };
 
 // A choice of what lies beyond a texture's edges.
@@ -336,7 +336,7 @@ struct Wrapping {
 struct Source {
     Technique card;
     Attributes needs;
-    void (*sample)(Block& block);
+    void (*sample)(ShadingBlock& block);
 };
 
 // Every stage there is, in the order of techniques.h; null where there is no such name.

@@ -25,8 +25,8 @@ SIMD_INLINE I32 floor_to_int(F32 x) { // convertible
     return to_i32(floor(x));
 }
 
-SIMD_INLINE F32 mix(F32 share, F32 from, F32 to) {
-    return from + share * (to - from);
+SIMD_INLINE F32 mix(F32 t, F32 from, F32 to) {
+    return from + t * (to - from);
 }
 
 // What a filter reads of a texel: red, green and blue, or alpha alone.
@@ -35,15 +35,14 @@ struct Texel {
     F32 channel[kChannels];
 };
 template <int kChannels>
-SIMD_INLINE Texel<kChannels> mix(F32 share, const Texel<kChannels>& from,
-                                 const Texel<kChannels>& to) {
+SIMD_INLINE Texel<kChannels> mix(F32 t, const Texel<kChannels>& from, const Texel<kChannels>& to) {
     Texel<kChannels> mixed;
     for (int c = 0; c < kChannels; ++c)
-        mixed.channel[c] = mix(share, from.channel[c], to.channel[c]);
+        mixed.channel[c] = mix(t, from.channel[c], to.channel[c]);
     return mixed;
 }
 template <int kChannels>
-SIMD_INLINE void store_sample(const Texel<kChannels>& texel, Block& b, int lane) {
+SIMD_INLINE void store_sample(const Texel<kChannels>& texel, ShadingBlock& b, int lane) {
     for (int c = 0; c < kChannels; ++c)
         store(texel.channel[c], b.sampled[kChannels == 1 ? 3 : c] + lane);
 }
@@ -61,11 +60,11 @@ public:
     std::int32_t width() const { return width_; }
     std::int32_t height() const { return height_; }
 
-    // u and v with the map's options, in turns of the texture.
-    SIMD_INLINE F32 turns_x(F32 u) const { return u * F32(scale_x_) + F32(offset_x_); }
-    SIMD_INLINE F32 turns_y(F32 v) const { return v * F32(scale_y_) + F32(offset_y_); }
+    // u and v with the map's options, in repeats of the texture.
+    SIMD_INLINE F32 repeats_x(F32 u) const { return u * F32(scale_x_) + F32(offset_x_); }
+    SIMD_INLINE F32 repeats_y(F32 v) const { return v * F32(scale_y_) + F32(offset_y_); }
 
-    // Into [0, 1]: repeats by removing whole turns first, so that large coordinates keep their
+    // Into [0, 1]: repeats by removing whole repeats first, so that large coordinates keep their
     // precision; mirrors or clamps where the map says so. NaN gives 0.
     SIMD_INLINE F32 unit(F32 t) const {
         if (wrap_ == Wrap::clamp) return minimum(maximum(t, F32(0.0F)), F32(1.0F));
@@ -76,8 +75,8 @@ public:
     }
 
     // Texel coordinates, in texels: x right from the left edge, y up from the bottom edge.
-    SIMD_INLINE F32 x(F32 u) const { return unit(turns_x(u)) * F32(static_cast<float>(width_)); }
-    SIMD_INLINE F32 y(F32 v) const { return unit(turns_y(v)) * F32(static_cast<float>(height_)); }
+    SIMD_INLINE F32 x(F32 u) const { return unit(repeats_x(u)) * F32(static_cast<float>(width_)); }
+    SIMD_INLINE F32 y(F32 v) const { return unit(repeats_y(v)) * F32(static_cast<float>(height_)); }
 
     // A texel counted from an edge, `size` texels from the other; beyond them by at most `size`.
     SIMD_INLINE I32 address(I32 i, I32 size) const {
@@ -130,14 +129,14 @@ private:
     float scale_x_, scale_y_, offset_x_, offset_y_;
 };
 
-// The four texels around a place and its share of the way from the lower left one.
-struct Around {
+// The 2 x 2 texels about a point, and the weights between them.
+struct BilinearTaps {
     I32 left, right, bottom, top; // columns; where rows begin
     F32 x, y;
 };
 // In texels numbered from `begin` on, row by row from the top; s, t in [0, 1].
-SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I32 height,
-                          I32 begin) {
+SIMD_INLINE BilinearTaps bilinear_taps(const TexelReader& reader, F32 s, F32 t, I32 width,
+                                       I32 height, I32 begin) {
     const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
     const F32 x0 = floor(x), y0 = floor(y);
     const auto column = reader.neighbours(to_i32(x0), width);
@@ -146,15 +145,15 @@ SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t, I32 width, I3
                          SIMD_LAMBDA { return begin + (height - I32(1) - from_bottom) * width; };
     return {column.first, column.second, row(line.first), row(line.second), x - x0, y - y0};
 }
-SIMD_INLINE Around around(const TexelReader& reader, F32 s, F32 t) { // in the image
-    return around(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
+SIMD_INLINE BilinearTaps bilinear_taps(const TexelReader& reader, F32 s, F32 t) { // in the image
+    return bilinear_taps(reader, s, t, I32(reader.width()), I32(reader.height()), I32(0));
 }
-// The four texels of an Around in the memory of Texels, by the number of their first word: bottom
-// left and right, top left and right. Of kCount lanes.
+// The four texels of BilinearTaps in the memory of Texels, by the number of their first word:
+// bottom left and right, top left and right. Of kCount lanes.
 template <class Texels, int kCount>
-struct Corners {
+struct TapWords {
     std::int32_t word[4][kCount];
-    SIMD_INLINE void put(const Around& at, int lane) {
+    SIMD_INLINE void store_taps(const BilinearTaps& at, int lane) {
         static_assert(Texels::kWords == 1 || Texels::kWords == 4);
         const auto words = [](I32 texel) SIMD_LAMBDA {
             return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
@@ -166,14 +165,14 @@ struct Corners {
     }
 };
 // All channels, blended, of the lanes kRow, kRow + 4, ... of a register, in blocks of 128 bits.
-// lane: where the register begins in `corners`; x, y: its lanes', as in Around.
+// lane: where the register begins in `words_of_taps`; x, y: its lanes', as in BilinearTaps.
 // texels.block(tag, word): one texel.
 template <int kRow, class Texels, int kCount>
-SIMD_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& corners, int lane,
-                          F32 x, F32 y) {
+SIMD_INLINE F32 blend_row(const Texels& texels, const TapWords<Texels, kCount>& words_of_taps,
+                          int lane, F32 x, F32 y) {
     const auto read = [&](int k) SIMD_LAMBDA {
         return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) SIMD_LAMBDA {
-            return texels.block(tag, corners.word[k][number]);
+            return texels.block(tag, words_of_taps.word[k][number]);
         }));
     };
     const F32 across = broadcast_in_quad<kRow>(x), up = broadcast_in_quad<kRow>(y);
@@ -182,16 +181,16 @@ SIMD_INLINE F32 blend_row(const Texels& texels, const Corners<Texels, kCount>& c
 // Whole texels one by one: a gather of each channel would take far longer. Not inline: of its
 // hundreds of loads every filter would hold several copies.
 template <class Texels>
-HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const Around& at) {
-    Corners<Texels, kLanes> corners;
-    corners.put(at, 0);
+HWY_NOINLINE Texel<3> blend_blocks(const Texels& texels, const BilinearTaps& at) {
+    TapWords<Texels, kLanes> words_of_taps;
+    words_of_taps.store_taps(at, 0);
     const auto found = quads_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
-        return blend_row<decltype(number)::value>(texels, corners, 0, at.x, at.y);
+        return blend_row<decltype(number)::value>(texels, words_of_taps, 0, at.x, at.y);
     });
     return {{from_bits(found.word(0)), from_bits(found.word(1)), from_bits(found.word(2))}};
 }
 template <int kChannels, class Texels>
-SIMD_INLINE Texel<kChannels> blend(const Texels& texels, const Around& at) {
+SIMD_INLINE Texel<kChannels> blend(const Texels& texels, const BilinearTaps& at) {
     if constexpr (kChannels == 3) {
         return blend_blocks(texels, at);
     } else {

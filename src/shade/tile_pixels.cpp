@@ -192,18 +192,18 @@ bool TilePixels::take_small_triangles(std::int32_t material,
 }
 
 // Buckets of the table; those that look alike stand together.
-void TilePixels::find_order(const Looks& looks) {
+void TilePixels::find_order(const ShadingKeys& keys) {
     order_.clear();
     bool sorted = true;
     for (std::uint32_t bucket = 0; bucket < table_->buckets; ++bucket) {
-        const Look look = looks.of(table_->bucket[bucket].id);
-        sorted = sorted && (bucket == 0 || look == order_.back().look);
-        order_.push_back({look, bucket});
+        const ShadingKey key = keys.of(table_->bucket[bucket].id);
+        sorted = sorted && (bucket == 0 || key == order_.back().key);
+        order_.push_back({key, bucket});
     }
     if (!sorted)
         std::sort(order_.begin(), order_.end(), [](const Order& a, const Order& b) {
-            return std::tuple(a.look.lit, a.look.material, a.bucket) <
-                   std::tuple(b.look.lit, b.look.material, b.bucket);
+            return std::tuple(a.key.lit, a.key.material, a.bucket) <
+                   std::tuple(b.key.lit, b.key.material, b.bucket);
         });
 }
 

@@ -1,5 +1,5 @@
 // Interior pixels of a tile, which one primitive fills alone, by primitive: each primitive is set
-// up once, and its pixels fill registers of lanes whatever rows they lie in. A counting sort: one
+// up once, and its pixels fill registers of items whatever rows they lie in. A counting sort: one
 // pass over the tile finds spans of a row and how many pixels each primitive has, a second one
 // stores the spans' pixels where they belong. Where a tile shows few small triangles and nothing
 // else, each triangle's pixels are looked for instead.
@@ -7,7 +7,7 @@
 
 #include "raster/coverage/coverage.h"
 #include "raster/micro/small_triangles.h"
-#include "shade/looks.h"
+#include "shade/shading_key.h"
 #include "shade/tile_runs.h"
 
 #include <cstddef>
@@ -85,7 +85,7 @@ struct SmallTrianglePixels {
 class TilePixels {
 public:
     // Of a triangle in a batch of its material: more are cheaper in registers of their own. Of
-    // those of take_small_triangles() more are worth it, for their lanes cost nothing but a number.
+    // those of take_small_triangles() more are worth it, for their items cost nothing but a number.
     static constexpr int kMaxPixels = 24, kMaxPixelsOfSmall = 64;
 
     TilePixels();
@@ -101,23 +101,24 @@ public:
                        std::uint64_t pixels);
 
     // All pixels of a tile that has one sample a pixel, so many pixels, and shows nothing but these
-    // small triangles, all of which lanes may set up. They need no sorting: each triangle's are
+    // small triangles, all of which items may set up. They need no sorting: each triangle's are
     // found by its id. The triangles are named by their places, which are known. Nothing else is
     // added before or after it. Returns false, and does nothing, where sorting takes less time.
     bool take_small_triangles(std::int32_t material, std::span<const raster::BinnedList> lists,
                               const std::uint32_t* ids, int pixels);
 
-    // Sorts what was added. own_lanes(id): may lanes set up this triangle, each for itself? Then
-    // its pixels, if they are few, are in a batch of its material; else it has a batch of its own.
+    // Sorts what was added. set_up_per_item(id): may items set up this triangle, each for itself?
+    // Then its pixels, if they are few, are in a batch of its material; else it has a batch of its
+    // own.
     template <class OwnLanes>
-    void arrange(const Looks& looks, const OwnLanes& own_lanes) {
-        find_order(looks);
+    void arrange(const ShadingKeys& keys, const OwnLanes& set_up_per_item) {
+        find_order(keys);
         for (const Order& next : order_) {
             const auto [id, pixels] = table_->bucket[next.bucket];
-            if (pixels <= kMaxPixels && next.look.lit && own_lanes(id))
+            if (pixels <= kMaxPixels && next.key.lit && set_up_per_item(id))
                 add_to_material_batch(next, id, pixels);
             else
-                primitive_batches_.push_back({id, next.look, next.bucket, pixels});
+                primitive_batches_.push_back({id, next.key, next.bucket, pixels});
         }
         store_pixels();
     }
@@ -140,7 +141,7 @@ public:
     // where many primitives share the table's slots. Those that look alike stand together.
     struct PrimitiveBatch {
         std::uint32_t id;
-        Look look;
+        ShadingKey key;
         std::uint32_t bucket; // of the table
         std::uint32_t count;  // pixels
     };
@@ -148,13 +149,13 @@ public:
 
 private:
     struct Order {
-        Look look;
+        ShadingKey key;
         std::uint32_t bucket;
     };
-    void find_order(const Looks& looks);
+    void find_order(const ShadingKeys& keys);
     void store_pixels();
     void add_to_material_batch(const Order& next, std::uint32_t id, std::uint32_t count) {
-        begin_material_batch(next.look.material);
+        begin_material_batch(next.key.material);
         id_[triangles_] = id;
         using Four __attribute__((vector_size(16))) = std::int32_t;
         const Four number = Four{} + static_cast<std::int32_t>(triangles_++);

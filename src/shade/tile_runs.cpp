@@ -13,7 +13,7 @@ SIMD_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t
     for (int x = 0; x < raster::kTileSize; x += kLanes) {
         const I32 here = load<I32>(ids + x), next = load<I32>(ids + x + 1);
         row.ends |= static_cast<std::uint64_t>(bits(!(here == next))) << x;
-        row.shown |= static_cast<std::uint64_t>(bits(!(here == none))) << x;
+        row.visible |= static_cast<std::uint64_t>(bits(!(here == none))) << x;
         if (samples == 1) continue;
         auto same = here == here;
         for (int s = 1; s < samples; ++s)
@@ -36,7 +36,7 @@ void sort_out(const RowBits* rows, int first, int end, std::uint64_t columns, st
     int count = 0, runs = 0;
     for (int row = first; row < end; ++row) {
         const RowBits& of = rows[row];
-        pixels[row] = of.shown & ~of.edge & columns;
+        pixels[row] = of.visible & ~of.edge & columns;
         ends[row] = of.ends | of.edge >> 1 | ~(columns >> 1);
         starts[row] = pixels[row] & ~((pixels[row] & ~ends[row]) << 1);
         count += __builtin_popcountll(pixels[row]);

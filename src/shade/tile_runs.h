@@ -11,9 +11,9 @@ namespace scanout::shade {
 
 // Bit x is pixel x of the row, counted from the tile's corner.
 struct RowBits {
-    std::uint64_t ends;  // the next pixel's first sample shows another id
-    std::uint64_t edge;  // an edge pixel: not all samples show the same
-    std::uint64_t shown; // the first sample shows something
+    std::uint64_t ends;    // the next pixel's first sample shows another id
+    std::uint64_t edge;    // an edge pixel: not all samples show the same
+    std::uint64_t visible; // the first sample shows something
 };
 // Of rows [first, end) of the tile: out[row].
 using TileRows = std::array<RowBits, raster::kTileSize>;

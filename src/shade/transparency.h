@@ -28,8 +28,8 @@ struct BlendFragment {
     std::uint16_t pixel;  // of the tile
     std::uint16_t mask;   // samples that it covers and that no opaque surface hides
     float alpha;
-    float weight;        // its share of the pixel's colour: what reaches the eye of it
-    std::uint16_t shown; // samples of the mask that show it
+    float weight;          // of its colour in the pixel
+    std::uint16_t visible; // samples of the mask that show it
 };
 
 struct BlendList {
@@ -54,16 +54,16 @@ struct Transparency {
 // When a fragment hides what lies behind it.
 enum class Hides : std::uint8_t { never, by_alpha, always };
 
-// How a fragment meets what lies behind it: by shares that its alpha alone decides (meet), or by
+// How a fragment meets what lies behind it: by weights that its alpha alone decides (meet), or by
 // its colour (compose); the other is null.
 struct Blend {
     Technique card;
-    struct Shares {
-        float weight;  // of the fragment's colour in the pixel's
-        float through; // what it leaves of that which lies behind
+    struct Weights {
+        float weight;        // of the fragment's colour in the pixel's
+        float transmittance; // what it leaves of that which lies behind
     };
-    // through: what the fragments before it left.
-    Shares (*meet)(float alpha, float through);
+    // transmittance: what the fragments before it left.
+    Weights (*meet)(float alpha, float transmittance);
     // One channel of a sample with the fragment in front: times the alpha there is then, as
     // `behind` is times that of what lies behind. The fragment's colour is undiluted, in [0, 1];
     // 1 is white of the blend space. Alpha itself goes as with `over`. Alpha 0 changes nothing.

@@ -37,9 +37,9 @@ Vec3 line_colour(const GatherInput& in, std::size_t line, int x, int y) {
     const double before = (along_x ? a.x : a.y) - centre * a.w,
                  after = (along_x ? b.x : b.y) - centre * b.w;
     const double t = before == after ? 0.0 : before / (before - after);
-    const double share = t > 0 ? (t < 1 ? t : 1.0) : 0.0;
-    return along(mesh.colour[from], mesh.colour[to], static_cast<float>(1 - share),
-                 static_cast<float>(share));
+    const double clamped = t > 0 ? (t < 1 ? t : 1.0) : 0.0;
+    return along(mesh.colour[from], mesh.colour[to], static_cast<float>(1 - clamped),
+                 static_cast<float>(clamped));
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 //     #include "simd/for_each_target.h"
 //
 //     SIMD_BEGIN(scanout::shade::texture)
-//     void run(Block& block, const FrameState&) { ... F32 x = load(...); ... }
+//     void run(ShadingBlock& block, const FrameState&) { ... F32 x = load(...); ... }
 //     SIMD_END
 //
 //     #if SIMD_ONCE

@@ -39,8 +39,8 @@ scene::View numbered_view(const scene::Scene& scene, int number, const FrameOpti
 
 // What is fetched, of which a filter adds some.
 auto fetched(const shade::Attributes& a) {
-    return std::tuple(a.normal, a.uv, a.colour, a.ray, a.position, a.primitive, a.corners, a.facing,
-                      a.footprint, a.object, a.maps);
+    return std::tuple(a.normal, a.uv, a.colour, a.ray, a.position, a.primitive, a.vertices,
+                      a.facing, a.footprint, a.object, a.maps);
 }
 
 void expect_same(const FramePlan& a, const FramePlan& b) {
@@ -56,7 +56,7 @@ void expect_same(const FramePlan& a, const FramePlan& b) {
     EXPECT_EQ(a.white, b.white);
     EXPECT_EQ(a.sides, b.sides);
     EXPECT_EQ(a.matt, b.matt);
-    EXPECT_EQ(a.corner_lights, b.corner_lights);
+    EXPECT_EQ(a.vertex_lights, b.vertex_lights);
     EXPECT_EQ(a.shadow.stage, b.shadow.stage);
     EXPECT_EQ(a.shadow.in_maps, b.shadow.in_maps);
     EXPECT_EQ(a.transparency.layers, b.transparency.layers);

@@ -32,7 +32,7 @@ TEST(Plan, WithoutLightFromASideNothingIsDoneAboutNormals) {
             const FramePlan unlit = plan_of(facts, options);
             EXPECT_FALSE(unlit.attributes.normal);
             EXPECT_FALSE(unlit.attributes.ray);
-            EXPECT_FALSE(unlit.corner_normals);
+            EXPECT_FALSE(unlit.vertex_normals);
             EXPECT_TRUE(unlit.attributes.colour);
             for (const char* effect :
                  {"highlight", "two_sided", "normal_map", "bump_map", "specular_map", "gloss_map"})

@@ -175,14 +175,14 @@ TEST(Shading, FetchesWhatTheRungReadsAndNothingElse) {
     for (const char* rung : {"flat", "gouraud"}) {
         const frame::FramePlan plan = plan_of(rung);
         EXPECT_FALSE(plan.attributes.normal || plan.attributes.position || plan.attributes.ray);
-        EXPECT_TRUE(plan.attributes.corners);
-        EXPECT_EQ(plan.corner_lights.size(), 2U);
+        EXPECT_TRUE(plan.attributes.vertices);
+        EXPECT_EQ(plan.vertex_lights.size(), 2U);
         EXPECT_EQ(plan.stages.size(), 2U);
     }
     const frame::FramePlan plan = plan_of("auto");
     EXPECT_TRUE(plan.attributes.normal && plan.attributes.position && plan.attributes.ray);
-    EXPECT_FALSE(plan.attributes.corners);
-    EXPECT_TRUE(plan.corner_lights.empty());
+    EXPECT_FALSE(plan.attributes.vertices);
+    EXPECT_TRUE(plan.vertex_lights.empty());
 }
 
 // Gouraud's light is an attribute of the vertices like any other, also where the near plane cuts

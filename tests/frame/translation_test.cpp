@@ -15,7 +15,7 @@ using oracle::Corner;
 using oracle::Corners;
 
 constexpr int kWholeSide = 128, kReach = 64; // pixels
-constexpr int kCell = 16;               // a triangle each, four of them in the middle
+constexpr int kCell = 16;                    // a triangle each, four of them in the middle
 
 struct Fragment {
     int x, y; // pixel
@@ -27,7 +27,7 @@ std::vector<Fragment> fragments; // of the frame drawn last
 const shade::Stage kReader{
     {.axis = "test", .name = "reader", .blurb = "", .source = ""},
     {},
-    [](shade::Block& b, const shade::FrameState&) {
+    [](shade::ShadingBlock& b, const shade::FrameState&) {
         for (int i = 0; i < b.count; ++i) {
             const float value[] = {b.u[i],         b.v[i],         b.albedo[0][i], b.albedo[1][i],
                                    b.albedo[2][i], b.normal[0][i], b.normal[1][i], b.normal[2][i]};
@@ -122,7 +122,8 @@ TEST_P(Translation, ByWholePixelsMovesEveryInterpolatedValueAlongToTheBit) {
             auto next = moved.begin();
             for (const Fragment& f : still) {
                 const int x = f.x + dx, y = f.y + dy;
-                if (x < 0 || x >= kWholeSide || y < 0 || y >= kWholeSide) continue; // has left the picture
+                if (x < 0 || x >= kWholeSide || y < 0 || y >= kWholeSide)
+                    continue; // has left the picture
                 ASSERT_TRUE(next != moved.end() && next->x == x && next->y == y) << dx << ' ' << dy;
                 ASSERT_TRUE(same_values(*next, f, perspective())) << dx << ' ' << dy;
                 ++next;

@@ -243,10 +243,10 @@ TEST(Transparency, CutOutKeepsItsShareWhereItIsMinified) {
 TEST(Transparency, WhatIsNotCalledForHoldsNoMemory) {
     frame::FrameStats stats;
     draw(solids("opaque"), {.stats = &stats});
-    EXPECT_EQ(stats.layer_bytes, 0U);
+    EXPECT_EQ(stats.transparency_bytes, 0U);
     EXPECT_EQ(stats.fragments_blended, 0U);
     draw(panes("panes", "auto"), {.stats = &stats});
-    EXPECT_GT(stats.layer_bytes, 0U);
+    EXPECT_GT(stats.transparency_bytes, 0U);
     EXPECT_GT(stats.fragments_blended, 1000U);
 }
 

@@ -2,7 +2,7 @@
 #include "image/flip.h"
 #include "measure/explain.h"
 #include "measure/median.h"
-#include "shade/wide_filter.h"
+#include "shade/reconstruction_filter.h"
 #include "support/scenes.h"
 
 #include <gmock/gmock.h>
@@ -275,11 +275,11 @@ TEST(Explain, CountsWhatWideFiltersAndConvolutionsHold) {
     // A colour and its share, and the place of its parts; these are more by the length of edges.
     const std::uint64_t held = row(explained(s), "aa").bytes;
     EXPECT_GE(held, pixels * 20);
-    EXPECT_LT(held, pixels * 20 + pixels / 2 * sizeof(shade::WideParts));
+    EXPECT_LT(held, pixels * 20 + pixels / 2 * sizeof(shade::FilterSplat));
     for (int threads = 1; threads <= 3; ++threads) {
         frame::FrameStats stats;
         test::draw(s, {.threads = threads, .stats = &stats});
-        EXPECT_EQ(stats.wide_bytes, held) << threads;
+        EXPECT_EQ(stats.splat_bytes, held) << threads;
     }
     s.options.aa = "auto";
     for (const auto& [name, planes] : {std::pair("low_pass", 5), {"high_pass", 5}}) {

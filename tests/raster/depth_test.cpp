@@ -16,7 +16,7 @@ constexpr int kDepthSide = 64;
 // What a triangle can be like on the screen.
 enum class Shape { middling, tiny, huge, sliver, many_tiles, on_samples, count };
 
-Corners corners_of(Shape shape, Random& random, const Corner& at) {
+Corners vertex_lighting_of(Shape shape, Random& random, const Corner& at) {
     Corners v;
     const auto near = [&](int reach) {
         return Corner{at.x + random.whole(-reach, 64 * 256 + reach),
@@ -66,7 +66,7 @@ Worst worst_error(Shape shape, double ratio, int count, int samples, std::uint64
     Worst worst;
     for (int i = 0; i < count; ++i) {
         const int x = random.whole(0, 255) * 64, y = random.whole(0, 255) * 64;
-        const Corners v = corners_of(shape, random, {x * 256, y * 256});
+        const Corners v = vertex_lighting_of(shape, random, {x * 256, y * 256});
         if (!has_area(v)) continue;
         std::array<double, 3> depth{};
         for (double& d : depth)

@@ -18,8 +18,8 @@ namespace scanout::shade::test {
 using scanout::test::Random;
 
 // A block of 128 lanes, every lane the same white pixel facing the eye.
-inline std::unique_ptr<Block> new_block(const scene::Material& material) {
-    auto b = std::make_unique<Block>();
+inline std::unique_ptr<ShadingBlock> new_block(const scene::Material& material) {
+    auto b = std::make_unique<ShadingBlock>();
     b->count = kBlockSize;
     b->material = &material;
     b->ambient = Vec3(scene::kAmbient);
@@ -44,7 +44,7 @@ inline const Stage& stage(std::string_view axis, std::string_view name) {
 }
 
 // What stages write, of the lanes from first on.
-inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
+inline bool same_lanes(const ShadingBlock& a, const ShadingBlock& b, int first, int end) {
     const auto same = [&](const float* x, const float* y) {
         return std::memcmp(x + first, y + first,
                            static_cast<std::size_t>(end - first) * sizeof(float)) == 0;
@@ -65,19 +65,19 @@ inline bool same_lanes(const Block& a, const Block& b, int first, int end) {
 
 // Runs the stage on every target of this CPU: all give the same bits, and write no lane beyond the
 // widest register.
-inline void run_stage(std::string_view axis, std::string_view name, Block& block,
+inline void run_stage(std::string_view axis, std::string_view name, ShadingBlock& block,
                       const FrameState& frame) {
     const Stage& chosen = axis == "texture" ? stage("map", "diffuse") : stage(axis, name);
     FrameState state = frame;
     if (axis == "texture") state.filter = find_row(shade::texture::kRows, name);
-    const Block before = block;
+    const ShadingBlock before = block;
     const int touched = std::min((block.count + 15) / 16 * 16, kPaddedBlock);
-    std::unique_ptr<Block> first;
+    std::unique_ptr<ShadingBlock> first;
     scanout::test::on_every_target([&](const std::string&) {
         block = before;
         chosen.run(block, state);
         EXPECT_TRUE(same_lanes(block, before, touched, kPaddedBlock)) << axis << ' ' << name;
-        if (first == nullptr) first = std::make_unique<Block>(block);
+        if (first == nullptr) first = std::make_unique<ShadingBlock>(block);
         EXPECT_TRUE(same_lanes(block, *first, 0, block.count)) << axis << ' ' << name;
     });
 }

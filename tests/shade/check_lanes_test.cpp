@@ -29,7 +29,7 @@ struct Poison {
 };
 Poison poison; // a Stage is a plain function
 
-void write_poison(Block& b) {
+void write_poison(ShadingBlock& b) {
     if (poison.lane < 0) return;
     const int lane = poison.dead ? b.count + poison.lane : poison.lane;
     float* const lanes[] = {
@@ -39,7 +39,7 @@ void write_poison(Block& b) {
 }
 
 // The stage of that name, and then the poison.
-Stage poisoned(const Stage& stage, void (*run)(Block&, const FrameState&)) {
+Stage poisoned(const Stage& stage, void (*run)(ShadingBlock&, const FrameState&)) {
     return {stage.card, stage.pass, stage.needs, run};
 }
 
@@ -82,7 +82,7 @@ protected:
         geometry.draw(0, tile);
         GatherInput in;
         in.mesh = &mesh_;
-        in.looks.mesh = &mesh_;
+        in.keys.mesh = &mesh_;
         in.geometry = &geometry;
         in.transform = &transform;
         in.materials = materials_;
@@ -106,20 +106,21 @@ protected:
     FrameState frame_ = identity_frame();
     Rays rays_{0.01F, 0, 0.01F, 0};
     const Stage interpolate_ =
-        poisoned(stage("interpolate", "perspective"), [](Block& b, const FrameState& f) {
+        poisoned(stage("interpolate", "perspective"), [](ShadingBlock& b, const FrameState& f) {
             stage("interpolate", "perspective").run(b, f);
             write_poison(b);
         });
-    const Stage light_ = poisoned(stage("light", "point"), [](Block& b, const FrameState& f) {
-        stage("light", "point").run(b, f);
-        write_poison(b);
-    });
-    const Stage map_ = poisoned(stage("map", "diffuse"), [](Block& b, const FrameState& f) {
+    const Stage light_ =
+        poisoned(stage("light", "point"), [](ShadingBlock& b, const FrameState& f) {
+            stage("light", "point").run(b, f);
+            write_poison(b);
+        });
+    const Stage map_ = poisoned(stage("map", "diffuse"), [](ShadingBlock& b, const FrameState& f) {
         stage("map", "diffuse").run(b, f);
         write_poison(b);
     });
     const Stage shading_ =
-        poisoned(stage("shading", "per_pixel"), [](Block& b, const FrameState& f) {
+        poisoned(stage("shading", "per_pixel"), [](ShadingBlock& b, const FrameState& f) {
             stage("shading", "per_pixel").run(b, f);
             write_poison(b);
         });
@@ -230,7 +231,7 @@ TEST_F(ShadeLanesDeathTest, APrimitiveThatIsNotFiniteEndsTheProgramAfterItsSetUp
 // The interpolation clamps to the range of the vertices, of which NaN would become one.
 TEST_F(ShadeLanesDeathTest, AnInterpolatedValueIsLookedAtBeforeItIsClamped) {
     const Stage& perspective = stage("interpolate", "perspective");
-    auto block = std::make_unique<Block>();
+    auto block = std::make_unique<ShadingBlock>();
     block->material = materials_.data();
     frame_.attributes = {.colour = true};
     const auto run = [&](const Primitive& p) {
@@ -303,7 +304,7 @@ TEST_F(ShadeLanesDeathTest, ALightThatDoesNotVaryIsLookedAtToo) {
 // A stage of another axis that writes colours past the last check: what is resolved is looked at
 // again.
 TEST_F(ShadeLanesDeathTest, ASumOfSamplesThatIsNotFiniteEndsTheProgramBeforeItIsResolved) {
-    const Stage last = poisoned(stage("map", "diffuse"), [](Block& b, const FrameState&) {
+    const Stage last = poisoned(stage("map", "diffuse"), [](ShadingBlock& b, const FrameState&) {
         for (int i = 0; i < b.count; ++i)
             b.colour[1][i] = poison.value;
     });
@@ -343,9 +344,10 @@ TEST_F(ShadeLanesDeathTest, MeansThatAreNotFiniteEndTheProgramBeforeTheyAreEncod
 }
 
 TEST_F(ShadeLanesDeathTest, AWideFilterThatIsNotFiniteEndsTheProgram) {
-    const WideFilter filter(raster::sample_pattern(4), [](double d) { return d < 1 ? 1 - d : 0; });
+    const ReconstructionFilter filter(raster::sample_pattern(4),
+                                      [](double d) { return d < 1 ? 1 - d : 0; });
     const auto filtered = [&](float red) {
-        WidePicture wide;
+        SplatPicture wide;
         wide.reset(8, 8, 8, 1, 1);
         wide.own.at(4, 4)[0] = red;
         PixelSums sums;
@@ -361,13 +363,13 @@ TEST_F(ShadeLanesDeathTest, LightAtCornersThatIsNotFiniteEndsTheProgram) {
     stages_.pop_back();
     const Stage& gouraud = stage("shading", "gouraud");
     stages_.push_back(&gouraud);
-    frame_.attributes.corners = true;
+    frame_.attributes.vertices = true;
     const Stage* const lights[] = {&stage("light", "point"), &stage("light", "ambient")};
-    frame_.corner_lights = lights;
+    frame_.vertex_lights = lights;
     shade();
     for (const float bad : {kNaN, kInf}) {
         frame_.ambient = {0.1F, bad, 0.1F};
-        EXPECT_DEATH(shade(), "colour of lane [0-9]+ is -?(nan|inf) after light at corners");
+        EXPECT_DEATH(shade(), "colour of lane [0-9]+ is -?(nan|inf) after vertex lighting");
     }
 }
 

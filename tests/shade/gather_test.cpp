@@ -25,7 +25,7 @@ std::map<std::pair<int, int>, std::pair<int, int>>& shaded() {
 const Stage kNoting{
     {.axis = "test", .name = "noting", .blurb = "", .source = ""},
     {},
-    [](Block& block, const FrameState&) {
+    [](ShadingBlock& block, const FrameState&) {
         for (int i = 0; i < block.count; ++i) {
             const int x = block.x[i], y = block.y[i];
             EXPECT_TRUE(shaded().try_emplace({x >> 8, y >> 8}, x & 255, y & 255).second);
@@ -62,7 +62,7 @@ GatherInput input_of(const geom::Mesh& mesh, const scene::View& view,
                      std::span<const Stage* const> stages, const FrameState& frame) {
     GatherInput in;
     in.mesh = &mesh;
-    in.looks.mesh = &mesh;
+    in.keys.mesh = &mesh;
     in.set_view(view);
     in.geometry = &drawn.geometry;
     in.transform = &transform;
@@ -95,7 +95,7 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
                                           [](const auto& v) { return v.on_screen(); });
         const Stage* stages[] = {&kNoting};
         FrameState frame;
-        frame.own_triangles = i / 2 % 2 == 0; // on both ways from a triangle to lanes
+        frame.per_item_setup = i / 2 % 2 == 0; // on both ways from a triangle to lanes
         const GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         image::Image picture(kGatheredSide, kGatheredSide);
         shaded().clear();
@@ -122,8 +122,8 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
     }
 }
 
-std::uint32_t id_at(const LaneTriangles& triangles, int lane) {
-    return triangles.id[triangles.of_lane[lane]];
+std::uint32_t id_at(const ShadingSetup& triangles, int lane) {
+    return triangles.id[triangles.triangle_of[lane]];
 }
 
 // Light that is another in each triangle and at each sample, so that sums tell their order.
@@ -134,7 +134,7 @@ float speckle(std::uint32_t id, int x, int y, std::uint32_t channel) {
 }
 const Stage kSpeckled{{.axis = "test", .name = "speckled", .blurb = "", .source = ""},
                       {},
-                      [](Block& block, const FrameState&) {
+                      [](ShadingBlock& block, const FrameState&) {
                           for (int r = 0; r < block.runs; ++r) {
                               const auto& [primitive, first, count] = block.run[r];
                               for (int i = first; i < first + count; ++i)
@@ -171,7 +171,7 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
     Gatherer listed, by_rows; // from tile to tile, as in frames
     const Stage* stages[] = {&kSpeckled};
     FrameState frame;
-    frame.own_triangles = true;
+    frame.per_item_setup = true;
     for (int i = 0; i < 200; ++i) {
         const geom::Mesh mesh = many_triangles(random, 1 << i % 9);
         const Drawn all(jobs, mesh, transform, 2 << i % 4);
@@ -179,10 +179,11 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
         GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         in.background = {10, 200, 30, 128};
         image::Image one(kGatheredSide, kGatheredSide), other(kGatheredSide, kGatheredSide);
-        LinearPicture one_light(kGatheredSide, kGatheredSide), other_light(kGatheredSide, kGatheredSide);
+        LinearPicture one_light(kGatheredSide, kGatheredSide),
+            other_light(kGatheredSide, kGatheredSide);
         in.linear = &one_light;
         const std::uint64_t lanes = listed.shade(all.tile, in, one);
-        in.looks.only_material = -1;
+        in.keys.only_material = -1;
         in.linear = &other_light;
         EXPECT_EQ(by_rows.shade(all.tile, in, other), lanes);
         ASSERT_EQ(one, other) << i;

@@ -73,7 +73,7 @@ protected:
     }
     scene::Material material = scanout::test::plain(Vec3(1));
     scene::Texture texture = scanout::test::checkers();
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     FrameState frame = identity_frame();
     Attributes3 data;
     ExactLane lane[kBlockSize];
@@ -209,7 +209,7 @@ TEST_F(Interpolation, SurvivesNormalsThatAreNone) {
 
 // The kernel's formula in plain floats, of one normal.
 Vec3 as_wanted(const Vec3& normal, const Primitive& t, const FrameState& frame) {
-    if (frame.corner_normals) return normal;
+    if (frame.vertex_normals) return normal;
     const float side = (normal.x * t.facing[0] + normal.y * t.facing[1]) + normal.z * t.facing[2];
     const Vec3 n = normal * (frame.sides == Sides::eye && side < 0 ? -1.0F : 1.0F);
     float row[3];
@@ -235,12 +235,12 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
     for (auto& row : frame.normal_matrix)
         for (float& m : row)
             m = static_cast<float>(random.in(-1, 1));
-    const auto of_run = [&](const Block& b, int r) {
+    const auto of_run = [&](const ShadingBlock& b, int r) {
         const int i = b.run[r].first;
         return Vec3(b.normal[0][i], b.normal[1][i], b.normal[2][i]);
     };
     for (int round = 0; round < 100; ++round) {
-        Block& b = *block;
+        ShadingBlock& b = *block;
         b.runs = b.count = 0;
         const auto is_flat = [&](int run) { return run % 2 == round % 2; };
         const int count = round / 2 % 2 == 0 ? kBlockSize : random.whole(1, kBlockSize);
@@ -252,15 +252,15 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
                 t.facing[k] = static_cast<float>(random.in(-1, 1));
             }
             set_normals(t, is_flat(b.runs), random);
-            add_lanes(b, &t, std::min(count - b.count, random.whole(1, 39)));
+            add_items(b, &t, std::min(count - b.count, random.whole(1, 39)));
         }
         frame.attributes.colour = round % 3 == 0;
-        frame.corner_normals = round % 5 == 4;
+        frame.vertex_normals = round % 5 == 4;
         frame.sides = std::array{Sides::eye, Sides::face, Sides::file}[(round / 2) % 3];
         for (const char* rung : {"perspective", "affine", "affine_8", "adaptive"})
             scanout::test::on_every_target([&](const std::string& target) {
                 stage("interpolate", rung).run(b, frame);
-                const Block together = b;
+                const ShadingBlock together = b;
                 for (int r = 0; r < together.runs; ++r) {
                     const Primitive& t = primitive[r];
                     b.runs = 1;
@@ -270,7 +270,7 @@ TEST_F(Interpolation, GivesAllLanesOfAFlatTriangleItsNormalAndOthersWhatTheyHave
                         as_wanted({t.normal[0][0], t.normal[1][0], t.normal[2][0]}, t, frame);
                     const Vec3 here = of_run(together, r);
                     ASSERT_EQ(here == first, is_flat(r)) << rung << ' ' << target;
-                    for (int c = 0; c < 3 && frame.corner_normals; ++c) {
+                    for (int c = 0; c < 3 && frame.vertex_normals; ++c) {
                         const auto [low, high] = std::minmax_element(t.normal[c], t.normal[c] + 3);
                         ASSERT_TRUE(*low <= here[c] && here[c] <= *high) << rung << ' ' << target;
                     }

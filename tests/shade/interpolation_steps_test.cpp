@@ -55,7 +55,7 @@ public:
                          int piece = kBlockSize) {
         std::vector<float> result;
         for (int done = 0; done < count; done += kBlockSize) {
-            Block& b = *block_;
+            ShadingBlock& b = *block_;
             b.count = std::min(kBlockSize, count - done);
             b.lit = true;
             b.map[kDiffuseMap].texture = &texture_;
@@ -87,7 +87,7 @@ private:
 
     scene::Material material_;
     scene::Texture texture_;
-    std::unique_ptr<Block> block_;
+    std::unique_ptr<ShadingBlock> block_;
     FrameState frame_;
 };
 

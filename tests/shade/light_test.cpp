@@ -29,7 +29,7 @@ ViewLight light_at(LightKind kind, const Vec3& position) {
 // Lanes at random places before the eye; the lights' stages written over them.
 struct Lit {
     scene::Material material;
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     FrameState frame = identity_frame();
     std::vector<ViewLight> lights;
     std::array<bool, 8> varies{};
@@ -41,7 +41,7 @@ struct Lit {
             for (int c = 0; c < 3; ++c)
                 block->position[c][i] = static_cast<float>(random.in(-1, 1)) - (c == 2 ? 3 : 0);
         block->light.resize(lights.size());
-        for (LightLanes& lanes : block->light) {
+        for (BlockLight& lanes : block->light) {
             for (int c = 0; c < 3; ++c) {
                 std::fill_n(lanes.towards[c], kPaddedBlock, -7.0F);
                 std::fill_n(lanes.colour[c], kPaddedBlock, -7.0F);
@@ -56,7 +56,7 @@ struct Lit {
         return {block->position[0][i], block->position[1][i], block->position[2][i]};
     }
     DVec3 towards(int i, std::size_t k = 0) const {
-        const LightLanes& l = block->light[k];
+        const BlockLight& l = block->light[k];
         return {l.towards[0][i], l.towards[1][i], l.towards[2][i]};
     }
     double colour(int i, int c, std::size_t k = 0) const {
@@ -154,7 +154,7 @@ TEST(Light, OfASpotWithAConeOfHalfATurnIsThatOfAPointToTheBit) {
     Lit lit({in_view(spot, {}, mesh), in_view(point, {}, mesh)});
     lit.run("spot");
     lit.run("point");
-    EXPECT_EQ(std::memcmp(&lit.block->light[0], &lit.block->light[1], sizeof(LightLanes)), 0);
+    EXPECT_EQ(std::memcmp(&lit.block->light[0], &lit.block->light[1], sizeof(BlockLight)), 0);
 }
 
 TEST(Light, ThatIsDirectionalIsTheSameInEveryLane) {
@@ -189,7 +189,7 @@ TEST(Light, WrittenToTheLanesReflectsAsWhenItIsTheSameEverywhere) {
         }
         lit.run("directional");
         run_stage("reflection", name, *lit.block, lit.frame);
-        auto same = std::make_unique<Block>(*lit.block);
+        auto same = std::make_unique<ShadingBlock>(*lit.block);
         lit.frame.varies = {};
         run_stage("reflection", name, *same, lit.frame);
         EXPECT_TRUE(same_lanes(*same, *lit.block, 0, kBlockSize)) << name;

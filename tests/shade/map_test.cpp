@@ -52,7 +52,7 @@ struct Mapped {
     scene::Texture texture;
     Map map;
     scene::Material material = scanout::test::plain(Vec3(1));
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     FrameState frame = identity_frame();
     Primitive primitive[kBlockSize] = {};
 };
@@ -120,7 +120,7 @@ TEST(Maps, EveryModelReflectsWhatTheMapsGive) {
             frame.lights = lights;
             for (int i = 0; i < kBlockSize; ++i) {
                 const DVec3 n = random.in_cube(1) + DVec3(0, 0, 1.5);
-                for (Block* b : {by_maps.get(), by_material.get()}) {
+                for (ShadingBlock* b : {by_maps.get(), by_material.get()}) {
                     b->ray_x[i] = static_cast<float>(i) / kBlockSize - 0.5F;
                     for (int c = 0; c < 3; ++c)
                         b->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
@@ -180,7 +180,7 @@ TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
             frame.lights = lights;
             for (int i = 0; i < kBlockSize; ++i) {
                 const DVec3 n = random.in_cube(1) + DVec3(0, 0, 1.5);
-                for (Block* b : {by_maps.get(), by_material.get()}) {
+                for (ShadingBlock* b : {by_maps.get(), by_material.get()}) {
                     b->ray_x[i] = static_cast<float>(i) / kBlockSize - 0.5F;
                     for (int c = 0; c < 3; ++c) {
                         b->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
@@ -209,7 +209,7 @@ TEST(Maps, EmissionIsAddedToWhatTheSurfaceReflects) {
     lamp.run("emission");
     EXPECT_EQ(lamp.block->colour[1][3], 0.375F);
     lamp.material.emission = Vec3(0);
-    const Block before = *lamp.block;
+    const ShadingBlock before = *lamp.block;
     lamp.run("emission");
     EXPECT_TRUE(same_lanes(*lamp.block, before, 0, kBlockSize));
 }
@@ -219,7 +219,7 @@ TEST(Maps, NothingIsReadWhereThereIsNoMap) {
         Mapped none(map, one_texel(9, 9, 9));
         none.block->map[map].texture = nullptr;
         none.material.emission = Vec3(0);
-        const Block before = *none.block;
+        const ShadingBlock before = *none.block;
         for (const char* stage :
              {"normal", "bump", "specular", "gloss", "roughness", "metalness", "emission"})
             none.run(stage);
@@ -239,7 +239,7 @@ TEST(NormalMap, FlatOneChangesNoBit) {
             const DVec3 x = random.in_cube(1), y = random.in_cube(1);
             flat.slopes(i, x.x, x.y, y.x, y.y);
         }
-        const Block before = *flat.block;
+        const ShadingBlock before = *flat.block;
         flat.run("normal");
         for (int c = 0; c < 3; ++c)
             for (int i = 0; i < kBlockSize; ++i)
@@ -405,7 +405,7 @@ TEST(BumpMap, OfOneHeightChangesNoBit) {
         level.face(i, Vec3(n), Vec3(n / std::sqrt(dot3(n, n))));
         level.block->u[i] = static_cast<float>(random.unit());
     }
-    const Block before = *level.block;
+    const ShadingBlock before = *level.block;
     level.run("bump");
     for (int i = 0; i < kBlockSize; ++i) {
         for (int c = 0; c < 3; ++c)

@@ -109,7 +109,7 @@ struct MappedPoint {
     }
     scene::Material material;
     std::array<Triangle, kBlockSize> triangle;
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     FrameState frame = identity_frame();
 };
 

@@ -146,7 +146,7 @@ TEST(Dither, HasEveryThresholdOnceAndMeansAHalf) {
 int mixed(const char* space, int code_1, int code_2, int first) {
     const Output output{find_row(shade::encode::kRows, "srgb"),
                         find_row(shade::blend_space::kRows, space)};
-    const Encoding& encoding = output.of_mixture();
+    const Encoding& encoding = output.sum_encoding();
     PixelSums sums;
     sums.reset(1);
     const auto value = [&](int code) { return encoding.decode(static_cast<std::uint8_t>(code)); };
@@ -181,7 +181,7 @@ TEST(BlendSpace, OfCodesIsDarkerByUpToItsDeclaredError) {
 
 // --- tone
 
-std::unique_ptr<Block> ramp(const scene::Material& material) {
+std::unique_ptr<ShadingBlock> ramp(const scene::Material& material) {
     auto b = new_block(material);
     for (int i = 0; i < kPaddedBlock; ++i)
         for (int c = 0; c < 3; ++c)

@@ -24,7 +24,8 @@ scene::Material physical(float roughness, float metalness) {
 }
 
 // A block whose lanes look at one surface from these directions (unit, z > 0).
-std::unique_ptr<Block> seen_from(const scene::Material& material, const std::vector<DVec3>& eyes) {
+std::unique_ptr<ShadingBlock> seen_from(const scene::Material& material,
+                                        const std::vector<DVec3>& eyes) {
     auto b = new_block(material);
     b->ambient = Vec3(0);
     b->count = static_cast<int>(eyes.size());
@@ -35,7 +36,7 @@ std::unique_ptr<Block> seen_from(const scene::Material& material, const std::vec
     return b;
 }
 
-void set_albedo(Block& b, float albedo) {
+void set_albedo(ShadingBlock& b, float albedo) {
     for (auto& channel : b.albedo)
         std::fill_n(channel, kPaddedBlock, albedo);
 }
@@ -133,7 +134,7 @@ double lit_by(const scene::Material& material, const DVec3& light, const DVec3& 
 }
 double highlight(std::string_view model, const scene::Material& material, const DVec3& light,
                  const DVec3& eye, float albedo = 0) {
-    return lit_by(material, light, eye, albedo, [&](Block& b, const FrameState& frame) {
+    return lit_by(material, light, eye, albedo, [&](ShadingBlock& b, const FrameState& frame) {
         run_stage("reflection", model, b, frame);
     });
 }

@@ -13,7 +13,7 @@ namespace {
 
 // MTL's illum 2, with ambient light of 0.15:
 // 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
-double formula(const Block& b, int i, int channel, std::span<const scene::ViewLight> lights,
+double formula(const ShadingBlock& b, int i, int channel, std::span<const scene::ViewLight> lights,
                bool orthographic, bool highlight) {
     const double n[3] = {b.normal[0][i], b.normal[1][i], b.normal[2][i]};
     const double ray[3] = {orthographic ? 0 : b.ray_x[i], orthographic ? 0 : b.ray_y[i], -1};
@@ -37,7 +37,7 @@ double formula(const Block& b, int i, int channel, std::span<const scene::ViewLi
     return colour;
 }
 
-void randomise(Block& b, Random& random) {
+void randomise(ShadingBlock& b, Random& random) {
     for (int i = 0; i < kBlockSize; ++i) {
         DVec3 n = random.in_cube(1);
         const double length = std::sqrt(dot3(n, n));

@@ -60,12 +60,12 @@ protected:
     }
     void SetUp() override {
         for (int k = 0; k < 3; ++k)
-            map.turn[k][k] = 1;
+            map.rotation[k][k] = 1;
         lean_by(0.2);
         light.kind = scene::LightKind::directional;
         light.towards = {0, 0, 1};
         block->count = 0;
-        add_lanes(*block, &triangle, kBlockSize);
+        add_items(*block, &triangle, kBlockSize);
         block->light.resize(1);
         frame.lights = {&light, 1};
         frame.varies = {&varies, 1};
@@ -75,7 +75,7 @@ protected:
     }
 
     scene::Material material = scanout::test::plain(Vec3(1));
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     FrameState frame = identity_frame();
     scene::ViewLight light;
     bool varies = true;

@@ -12,7 +12,7 @@ namespace {
 
 struct Sampled {
     scene::Material material;
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
     void place(int i, double u, double v, double u_slope = 0, double v_slope = 0) {
         block->u[i] = static_cast<float>(u);
         block->v[i] = static_cast<float>(v);

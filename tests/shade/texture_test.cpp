@@ -73,7 +73,7 @@ struct Sampler {
     const scene::Texture& texture;
     MipChain chain;
     scene::Material material = scanout::test::textured(0);
-    std::unique_ptr<Block> block = new_block(material);
+    std::unique_ptr<ShadingBlock> block = new_block(material);
 };
 
 std::vector<Vec2> random_uv(Random& random, double size) {
@@ -230,11 +230,11 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
         int repeat, clamp;
     };
     const float before_0 = -std::numeric_limits<float>::denorm_min();
-    const Case cases[] = {{0, 0, 0},        {-0.0F, 0, 0},    {1, 0, 3},     {0.9999999F, 3, 3},
-                          {0.25F, 1, 1},    {-0.25F, 3, 0},   {-1, 0, 0},    {2, 0, 3},
-                          {kNaNTexel, 0, 0},     {kInfTexel, 0, 3},     {-kInfTexel, 0, 0}, {1e30F, 0, 3},
-                          {-1e30F, 0, 0},   {before_0, 0, 0}, {1e9F, 0, 3},  {-1e-9F, 0, 0},
-                          {100000.5F, 2, 3}};
+    const Case cases[] = {
+        {0, 0, 0},          {-0.0F, 0, 0},    {1, 0, 3},      {0.9999999F, 3, 3}, {0.25F, 1, 1},
+        {-0.25F, 3, 0},     {-1, 0, 0},       {2, 0, 3},      {kNaNTexel, 0, 0},  {kInfTexel, 0, 3},
+        {-kInfTexel, 0, 0}, {1e30F, 0, 3},    {-1e30F, 0, 0}, {before_0, 0, 0},   {1e9F, 0, 3},
+        {-1e-9F, 0, 0},     {100000.5F, 2, 3}};
     for (const Case& c : cases) {
         for (const bool clamp : {false, true}) {
             Sampler sampler(row, clamp ? Wrap::clamp : Wrap::repeat);
@@ -366,7 +366,7 @@ TEST(Texture, NothingMinifiedIsReadAsBilinearReadsItToTheBit) {
         }
         const std::vector<Vec2> uv = random_uv(random, 2);
         sampler.sample("bilinear", uv);
-        const Block expected = *sampler.block;
+        const ShadingBlock expected = *sampler.block;
         for (const Filter* rung : shade::texture::kRows) {
             if (!rung->needs.footprint) continue;
             const std::string_view filter = rung->card.name;
@@ -492,7 +492,7 @@ TEST(Texture, AnisotropicOfARoundFootprintIsTrilinear) {
     }
     const std::vector<Vec2> uv = random_uv(random, 1);
     sampler.sample("trilinear", uv);
-    const Block expected = *sampler.block;
+    const ShadingBlock expected = *sampler.block;
     sampler.sample("anisotropic_16", uv);
     double worst = 0;
     for (int i = 0; i < kBlockSize; ++i)

@@ -29,10 +29,10 @@ class PixelsOfATile : public ::testing::Test {
 protected:
     Random random{1};
     TilePixels pixels;
-    Looks looks{nullptr, 0};
+    ShadingKeys keys{nullptr, 0};
     std::vector<std::uint32_t> name_of = std::vector<std::uint32_t>(kPixels);
     std::function<std::uint32_t(std::uint32_t)> id_of = [](std::uint32_t id) { return id; };
-    std::function<bool(std::uint32_t)> own_lanes = [](std::uint32_t) { return true; };
+    std::function<bool(std::uint32_t)> set_up_per_item = [](std::uint32_t) { return true; };
 
     // Fills the tile; next: the name of the run that begins at a pixel, `most` pixels at most.
     void fill(const std::function<std::uint32_t(int)>& name, int most) {
@@ -44,7 +44,7 @@ protected:
             std::fill_n(name_of.begin() + pixel, count, id);
             pixel += count;
         }
-        pixels.arrange(looks, own_lanes);
+        pixels.arrange(keys, set_up_per_item);
     }
 
     std::vector<int> seen = std::vector<int>(kPixels);
@@ -65,17 +65,17 @@ protected:
                 const auto triangle = static_cast<std::size_t>(pixels.triangles()[at]);
                 const std::uint32_t id = id_of(pixels.ids()[triangle]);
                 expect_pixel(at, id);
-                EXPECT_TRUE(own_lanes(id));
-                EXPECT_EQ(batch.material, looks.of(id).material);
-                EXPECT_TRUE(looks.of(id).lit);
+                EXPECT_TRUE(set_up_per_item(id));
+                EXPECT_EQ(batch.material, keys.of(id).material);
+                EXPECT_TRUE(keys.of(id).lit);
                 if (at == batch.first) continue;
                 const int step = pixels.triangles()[at] - pixels.triangles()[at - 1];
                 EXPECT_TRUE(step == 0 || step == 1);
             }
         }
         for (const TilePixels::PrimitiveBatch& batch : pixels.primitive_batches()) {
-            EXPECT_EQ(batch.look, looks.of(batch.id));
-            if (batch.look.lit && own_lanes(batch.id)) {
+            EXPECT_EQ(batch.key, keys.of(batch.id));
+            if (batch.key.lit && set_up_per_item(batch.id)) {
                 EXPECT_GT(batch.count, std::uint32_t{TilePixels::kMaxPixels});
             }
             for (const std::size_t end = at + batch.count; at < end; ++at)
@@ -135,7 +135,7 @@ TEST_F(PixelsOfATile, AreForgottenWithTheTile) {
 }
 
 TEST_F(PixelsOfATile, MakeBatchesOfPrimitivesThatLanesMayNotSetUp) {
-    own_lanes = [](std::uint32_t id) { return id % 3 != 0; };
+    set_up_per_item = [](std::uint32_t id) { return id % 3 != 0; };
     fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 6);
     expect_each_pixel_once();
     EXPECT_TRUE(
@@ -153,7 +153,7 @@ TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
     mesh.point_index.resize(kPoints);
     for (std::uint32_t i = 0; i < kPoints; ++i)
         mesh.point_material.push_back(random.whole(-1, 4));
-    looks = {&mesh, std::nullopt};
+    keys = {&mesh, std::nullopt};
     fill([&](int) { return static_cast<std::uint32_t>(random.whole(0, 999)); }, 12);
     expect_each_pixel_once();
     std::set<std::int32_t> materials;
@@ -161,11 +161,11 @@ TEST_F(PixelsOfATile, StandTogetherByMaterialAndBehindThemWhatIsNotLit) {
         EXPECT_TRUE(materials.insert(batch.material).second) << "two batches of one material";
     EXPECT_EQ(materials.size(), 6U);
     const auto key = [](const TilePixels::PrimitiveBatch& batch) {
-        return std::pair(batch.look.lit, batch.look.material);
+        return std::pair(batch.key.lit, batch.key.material);
     };
     EXPECT_TRUE(std::is_sorted(pixels.primitive_batches().begin(), pixels.primitive_batches().end(),
                                [&](const auto& a, const auto& b) { return key(a) < key(b); }));
-    EXPECT_FALSE(pixels.primitive_batches().front().look.lit);
+    EXPECT_FALSE(pixels.primitive_batches().front().key.lit);
 }
 
 TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
@@ -189,7 +189,7 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
             for (int x = 0; x < kTileSize; ++x) {
                 const auto pixel = static_cast<std::size_t>(row * kTileSize + x);
                 const bool shows = name_of[pixel] != raster::kNoPrimitive;
-                of.shown |= std::uint64_t{shows} << x;
+                of.visible |= std::uint64_t{shows} << x;
                 if (shows && ((columns & ~of.edge) >> x & 1) != 0) expected[pixel] = 1;
             }
         }
@@ -197,7 +197,7 @@ TEST_F(PixelsOfATile, ComeFromBitsOfRows) {
         find_interior(rows, first, end, columns, interior);
         pixels.clear();
         pixels.add_rows(name_of.data(), interior, first, end);
-        pixels.arrange(looks, own_lanes);
+        pixels.arrange(keys, set_up_per_item);
         expect_names();
         EXPECT_EQ(seen, expected);
     }
@@ -236,7 +236,7 @@ protected:
         id_of = [&](std::uint32_t place) { return id[place]; };
         pixels.clear();
         const bool taken = pixels.take_small_triangles(0, lists, ids.data(), tile_pixels);
-        pixels.arrange(looks, own_lanes);
+        pixels.arrange(keys, set_up_per_item);
         return taken;
     }
 };
@@ -293,7 +293,7 @@ TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
                              some);
         count += static_cast<std::size_t>(std::popcount(some));
     }
-    pixels.arrange(looks, own_lanes);
+    pixels.arrange(keys, set_up_per_item);
     ASSERT_EQ(pixels.size(), count);
     ASSERT_EQ(pixels.material_batches().size(), 1U);
     EXPECT_TRUE(pixels.primitive_batches().empty());

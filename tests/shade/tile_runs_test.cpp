@@ -1,5 +1,5 @@
 #include "image/image.h"
-#include "shade/place_lanes.h"
+#include "shade/block_pixels.h"
 #include "shade/tile_runs.h"
 #include "support/random.h"
 #include "support/targets.h"
@@ -45,7 +45,7 @@ TEST(TileRuns, ArePixelsOfOnePrimitiveSideBySideInsideTheColumns) {
                 const auto row = static_cast<std::size_t>(y);
                 bool continues = false; // the run of the pixel before
                 for (int x = 0; x < kTileSize; ++x) {
-                    const bool is_own = x >= left && x < right && bit(rows[row].shown, x) &&
+                    const bool is_own = x >= left && x < right && bit(rows[row].visible, x) &&
                                         !bit(rows[row].edge, x);
                     const bool starts = is_own && !continues;
                     count += is_own ? 1 : 0;
@@ -83,7 +83,7 @@ TEST(PlaceLanes, PutsEveryCodeToItsPixelAndTouchesNoOther) {
                     std::bit_cast<image::Rgba8>(code[i]);
             on_every_target([&](const std::string& target) {
                 image::Image picture(width, kTileSize, old);
-                put_codes(code.data(), pixel.data(), count, &picture.at(0, 0), width);
+                store_codes(code.data(), pixel.data(), count, &picture.at(0, 0), width);
                 for (int y = 0; y < kTileSize; ++y)
                     for (int x = 0; x < width; ++x)
                         ASSERT_TRUE(picture.at(x, y) == expected.at(x, y)) << target;

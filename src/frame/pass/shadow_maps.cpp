@@ -14,8 +14,8 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
     shade::ShadowMap map;
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c)
-            map.turn[r][c] = static_cast<float>(from.rotation[c][r]);
-        map.move[r] = static_cast<float>(from.translation[r] * unit);
+            map.rotation[r][c] = static_cast<float>(from.rotation[c][r]);
+        map.translation[r] = static_cast<float>(from.translation[r] * unit);
     }
     const scene::View& view = from.view;
     map.perspective = view.projection == scene::Projection::perspective;
@@ -40,16 +40,16 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
 }
 
 // What finds alpha at the texels of what is cut out.
-shade::LayerInput layer_input(const FramePlan& plan) {
+shade::TransparencyInput transparency_input(const FramePlan& plan) {
     const TransparencyPlan& alpha = plan.transparency;
-    shade::LayerInput layers;
-    layers.alpha = alpha.alpha;
-    layers.stages = alpha.stages;
-    layers.frame.attributes = alpha.attributes;
-    layers.frame.filter = alpha.filter;
-    layers.frame.mapped = plan.mapped;
-    layers.cut = static_cast<float>(plan.options.alpha_cut);
-    return layers;
+    shade::TransparencyInput transparency;
+    transparency.alpha = alpha.alpha;
+    transparency.stages = alpha.stages;
+    transparency.frame.attributes = alpha.attributes;
+    transparency.frame.filter = alpha.filter;
+    transparency.frame.mapped = plan.mapped;
+    transparency.cut = static_cast<float>(plan.options.alpha_cut);
+    return transparency;
 }
 
 } // namespace
@@ -94,7 +94,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     if (options.alpha_modes.empty()) options.occlusion = &out.occlusion;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
     out.cleared.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
-    const shade::LayerInput layers = layer_input(in.plan);
+    const shade::TransparencyInput transparency = transparency_input(in.plan);
     shade::GatherInput gather;
     gather.mesh = &in.scene.mesh;
     gather.geometry = &geometry_;
@@ -104,8 +104,8 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     gather.textures = in.scene.textures;
     gather.mips = &in.mips;
     gather.wrap = in.plan.wrap;
-    gather.frame = &layers.frame;
-    gather.layers = &layers;
+    gather.frame = &transparency.frame;
+    gather.transparency = &transparency;
     in.jobs.for_each(geometry_.tiles(), [&](int number, int worker_number) {
         const image::Rect area = geometry_.tile_area(number);
         const auto row = [&](int y) {
@@ -124,8 +124,9 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
                    cut ? raster::TileFormat::depth_and_id : raster::TileFormat::depth_only);
         geometry_.draw_triangles(number, tile, &worker.deferred);
         if (cut) {
-            if (worker.layers == nullptr) worker.layers = std::make_unique<shade::Layers>();
-            worker.layers->cut_out(geometry_, number, gather, tile);
+            if (worker.transparency == nullptr)
+                worker.transparency = std::make_unique<shade::TransparencyPass>();
+            worker.transparency->cut_out(geometry_, number, gather, tile);
         }
         const std::span<const float> seen = tile.depths(0);
         for (int y = area.y0; y < area.y1; ++y)

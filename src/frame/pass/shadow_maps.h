@@ -9,8 +9,8 @@
 #include "frame/view/light_view.h"
 #include "raster/stage/geometry.h"
 #include "scene/scene.h"
-#include "shade/layers.h"
 #include "shade/shadow.h"
+#include "shade/transparency_pass.h"
 
 #include <memory>
 #include <vector>
@@ -38,8 +38,8 @@ public:
 private:
     struct Worker {
         raster::VisibilityTile tile;
-        raster::DeferredTriangles deferred;    // scratch
-        std::unique_ptr<shade::Layers> layers; // made when something is cut out
+        raster::DeferredTriangles deferred;                    // scratch
+        std::unique_ptr<shade::TransparencyPass> transparency; // made when something is cut out
     };
     struct Depths {
         LargeArray<float> depth;

@@ -45,8 +45,8 @@ void merge(std::vector<ShadowEdge>& edges) {
     edges.resize(kept);
 }
 
-std::array<std::uint32_t, 3> corners_of(const geom::Mesh& mesh, const Welded& welded,
-                                        std::size_t triangle) {
+std::array<std::uint32_t, 3> vertex_lighting_of(const geom::Mesh& mesh, const Welded& welded,
+                                                std::size_t triangle) {
     std::array<std::uint32_t, 3> v{};
     for (std::size_t i = 0; i < 3; ++i)
         v[i] = welded.vertex[mesh.index[triangle * 3 + i]];
@@ -142,7 +142,7 @@ struct VolumeBuilder {
         edges.clear();
         for (std::size_t i = 0; i < mesh.triangles(); ++i) {
             if (casts[i] == 0) continue;
-            std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
+            std::array<std::uint32_t, 3> v = vertex_lighting_of(mesh, welded, i);
             const double front = facing(v);
             if (!has_edges(v) || front == 0 || (fronts_alone && front < 0)) continue;
             if (front < 0) std::swap(v[1], v[2]); // its back faces the light
@@ -202,7 +202,7 @@ Welded weld(const geom::Mesh& mesh, std::span<const std::uint8_t> casts) {
     }
     std::vector<ShadowEdge> edges;
     for (std::size_t i = 0; i < mesh.triangles(); ++i) {
-        const std::array<std::uint32_t, 3> v = corners_of(mesh, welded, i);
+        const std::array<std::uint32_t, 3> v = vertex_lighting_of(mesh, welded, i);
         if (casts[i] != 0 && has_edges(v)) add_edges(v, edges);
     }
     merge(edges);

@@ -4,8 +4,8 @@
 
 namespace scanout::frame {
 
-void mark_visible(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended,
-                  int scale, StencilBuffer& out) {
+void mark_visible(const raster::VisibilityTile& tile,
+                  const shade::TransparencyPass::Pixels* blended, int scale, StencilBuffer& out) {
     const image::Rect& area = tile.area();
     for (int y = area.y0; y < area.y1; ++y) {
         const auto row = out.row(y / scale);

@@ -4,14 +4,14 @@
 #include "base/jobs.h"
 #include "frame/stencil.h"
 #include "raster/stage/geometry.h"
-#include "shade/layers.h"
+#include "shade/transparency_pass.h"
 
 namespace scanout::frame {
 
 // Marks the pixels of a tile that show something. A pixel of the picture is a square of `scale`
 // pixels of the tile on each side, all within it. blended: more such pixels; null: none.
-void mark_visible(const raster::VisibilityTile& tile, const shade::Layers::Pixels* blended,
-                  int scale, StencilBuffer& out);
+void mark_visible(const raster::VisibilityTile& tile,
+                  const shade::TransparencyPass::Pixels* blended, int scale, StencilBuffer& out);
 // The same by areas.
 void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 

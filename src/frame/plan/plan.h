@@ -87,8 +87,8 @@ struct FramePlan {
     std::vector<std::uint8_t> matt;
     bool physical = false; // some material says roughness or metalness
     // Where light is not evaluated at pixels: the light stages that run over vertices or faces.
-    std::vector<const shade::Stage*> corner_lights;
-    bool corner_normals = false;
+    std::vector<const shade::Stage*> vertex_lights;
+    bool vertex_normals = false;
     shade::Sides sides = shade::Sides::eye;
     ShadowPlan shadow;
     std::optional<std::int32_t> only_material; // of all that is drawn, which is triangles

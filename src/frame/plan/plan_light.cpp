@@ -62,8 +62,8 @@ std::vector<LightFacts> plan_lights(Planner& planner, FramePlan& plan, const Sce
         of_lights.insert(of_lights.end(), of_shining.begin(), of_shining.end());
         // A directional light is the same in all lanes: there is nothing to write.
         if (kind == scene::LightKind::directional) continue;
-        if (shading.needs.corners) {
-            plan.corner_lights.push_back(stage);
+        if (shading.needs.vertices) {
+            plan.vertex_lights.push_back(stage);
             planner.called(*stage, {});
         } else {
             planner.stage(*stage);
@@ -106,7 +106,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
         if (!used || std::any_of(ran.begin(), ran.end(),
                                  [&](const Technique* t) { return is_same(*t, model.card); }))
             return;
-        planner.called(model, shading.needs.corners ? shade::Attributes{} : model.needs);
+        planner.called(model, shading.needs.vertices ? shade::Attributes{} : model.needs);
     };
     plan.physical = rough > 0;
     if (const MaterialSet* calling = materials_calling(facts, plan, "highlight"))
@@ -242,7 +242,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     const bool attached = stage->by == shade::ShadowBy::facing;
     const bool floor = stage->by != shade::ShadowBy::projection || facts.shadow_plane.triangles > 0;
     const bool falls = attached || shadows_itself(plan, facts, view, of_lights);
-    const bool at_pixels = attached || !shading.needs.corners;
+    const bool at_pixels = attached || !shading.needs.vertices;
     const bool throws = attached || something_throws(plan.options, facts);
     std::string because =
         why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
@@ -317,9 +317,9 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
                    lit);
     planner.stage(*shading);
     // Nothing reads them, unless highlights are forced on.
-    const bool normals = directed || plan.decision("highlight")->on() || shading->needs.corners;
+    const bool normals = directed || plan.decision("highlight")->on() || shading->needs.vertices;
     plan.attributes.normal = plan.attributes.normal && normals;
-    plan.corner_normals = normals && shading->unit_vertex_normals;
+    plan.vertex_normals = normals && shading->unit_vertex_normals;
     return {};
 }
 

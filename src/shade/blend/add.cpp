@@ -10,8 +10,8 @@ constinit const Blend add{{.axis = "blend",
                            .blurb = "its light is added, nothing is taken: flames, sparks",
                            .source = "Porter and Duff 1984",
                            .kind = Kind::model},
-                          [](float alpha, float through) -> Blend::Shares {
-                              return {through * alpha, through};
+                          [](float alpha, float transmittance) -> Blend::Weights {
+                              return {transmittance * alpha, transmittance};
                           }};
 
 } // namespace scanout::shade::blend

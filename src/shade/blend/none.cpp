@@ -9,8 +9,8 @@ constinit const Blend none{{.axis = "blend",
                             .blurb = "nothing is mixed: the nearest surface is shown whole",
                             .source = "Segal and Akeley 1992",
                             .kind = Kind::model},
-                           [](float /*alpha*/, float through) -> Blend::Shares {
-                               return {through, 0};
+                           [](float /*alpha*/, float transmittance) -> Blend::Weights {
+                               return {transmittance, 0};
                            },
                            nullptr,
                            Hides::always};

@@ -10,8 +10,8 @@ constinit const Blend over{{.axis = "blend",
                             .blurb = "alpha of the surface, the rest of what lies behind",
                             .source = "Porter and Duff 1984",
                             .kind = Kind::model},
-                           [](float alpha, float through) -> Blend::Shares {
-                               return {through * alpha, through * (1 - alpha)};
+                           [](float alpha, float transmittance) -> Blend::Weights {
+                               return {transmittance * alpha, transmittance * (1 - alpha)};
                            },
                            nullptr,
                            Hides::by_alpha};

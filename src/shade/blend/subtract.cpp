@@ -10,8 +10,8 @@ constinit const Blend subtract{{.axis = "blend",
                                 .blurb = "its light is taken away, not below black",
                                 .source = "Microsoft 2015, 17",
                                 .kind = Kind::model},
-                               [](float alpha, float through) -> Blend::Shares {
-                                   return {through * -alpha, through};
+                               [](float alpha, float transmittance) -> Blend::Weights {
+                                   return {transmittance * -alpha, transmittance};
                                }};
 
 } // namespace scanout::shade::blend

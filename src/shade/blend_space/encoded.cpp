@@ -21,7 +21,7 @@ void code_rows(const Light& light, int count, std::uint32_t* out) {
     encode::HWY_NAMESPACE::encode_all<OfCodes>(light, count, out);
 }
 
-void enter_codes(Block& b, const std::uint32_t* code) {
+void enter_codes(ShadingBlock& b, const std::uint32_t* code) {
     for (int i = 0; i < b.count; i += kLanes) {
         const I32 word = load<I32>(code + i), digits = 255;
         store(to_f32(word & digits), b.colour[0] + i);
@@ -52,7 +52,7 @@ constinit const BlendSpace encoded{
      .blurb = "samples are mixed as codes, up to 73 codes too dark",
      .source = "Gritz and d'Eon 2007, what they warn of",
      .kind = Kind::rung},
-    [](Block& block, const std::uint32_t* code) { SIMD_CALL(enter_codes, block, code); },
+    [](ShadingBlock& block, const std::uint32_t* code) { SIMD_CALL(enter_codes, block, code); },
     &kMeanOfCodes,
     255};
 

@@ -7,7 +7,7 @@
 
 SIMD_BEGIN(scanout::shade::exposure)
 
-void stops_run(Block& b, const FrameState& frame) {
+void stops_run(ShadingBlock& b, const FrameState& frame) {
     const F32 exposure = frame.exposure;
     for (auto& channel : b.colour)
         for (int i = 0; i < b.count; i += kLanes)
@@ -30,7 +30,7 @@ constinit const Stage stops{
      .kind = Kind::effect},
     Pass::exposure,
     {},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(stops_run, block, frame); }};
+    [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(stops_run, block, frame); }};
 
 } // namespace scanout::shade::exposure
 #endif

@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Adaptive {
-    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         switch (run.primitive->step) {
         case kAffine:
             affine_lanes(b, want, run);
@@ -28,7 +28,7 @@ struct Adaptive {
     }
 };
 
-void adaptive_run(Block& b, const FrameState& frame) {
+void adaptive_run(ShadingBlock& b, const FrameState& frame) {
     run_rung<Adaptive>(b, frame);
 }
 
@@ -48,7 +48,7 @@ constinit const Stage adaptive{
      .kind = Kind::rung},
     Pass::interpolation,
     {.primitive = true, .steps = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(adaptive_run, block, frame); }};
+    [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(adaptive_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

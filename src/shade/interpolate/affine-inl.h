@@ -18,7 +18,7 @@ SIMD_BEGIN(scanout::shade::interpolate)
 
 // Screen areas alone: no division at all but by the whole area. Where a triangle was cut by the
 // near plane it has no areas on the screen, and is interpolated exactly.
-SIMD_INLINE void affine_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void affine_lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     if (t.clipped) return perspective_lanes(b, want, run);
     const double whole = (t.c[0] + t.c[1]) + t.c[2]; // the linear parts cancel
@@ -78,7 +78,7 @@ struct Row {
 };
 
 template <int kStep>
-SIMD_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
+SIMD_INLINE void stepped_row(ShadingBlock& b, const Wanted& want, const Row& row) {
     constexpr std::int32_t kUnits = kStep * 256;
     const Primitive& t = *row.primitive;
     const double y = row.y;
@@ -102,9 +102,9 @@ SIMD_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
             const Live live{at, row.count - i};
             const I32 place_x = load<I32>(b.x + at), place_y = load<I32>(b.y + at);
             const F64 x = to_f64(place_x);
-            const F32 share = to_f32((x - F64(from.x)) * F64(inverse));
-            Weights w{F32(from.one) + share * F32(to.one - from.one),
-                      F32(from.two) + share * F32(to.two - from.two), live};
+            const F32 fraction = to_f32((x - F64(from.x)) * F64(inverse));
+            Weights w{F32(from.one) + fraction * F32(to.one - from.one),
+                      F32(from.two) + fraction * F32(to.two - from.two), live};
             // A sample beside the centre, as edge pixels have, lies in a row of its own.
             const auto centre =
                 place_x == I32(row.x) + shift_left<8>(iota<I32>(i)) & place_y == I32(row.y);
@@ -121,7 +121,7 @@ SIMD_INLINE void stepped_row(Block& b, const Wanted& want, const Row& row) {
 }
 
 template <int kStep>
-SIMD_INLINE void stepped_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void stepped_lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
     const int end = run.first + run.count;
     for (int first = run.first; first < end;) {
         const std::int32_t x = b.x[first] >> 8, y = b.y[first] >> 8;

@@ -10,12 +10,12 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine {
-    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         affine_lanes(b, want, run);
     }
 };
 
-void affine_run(Block& b, const FrameState& frame) {
+void affine_run(ShadingBlock& b, const FrameState& frame) {
     run_rung<Affine>(b, frame);
 }
 
@@ -35,7 +35,7 @@ constinit const Stage affine{
      .kind = Kind::rung},
     Pass::interpolation,
     {.primitive = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(affine_run, block, frame); }};
+    [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(affine_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -9,12 +9,12 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine16 {
-    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         stepped_lanes<16>(b, want, run);
     }
 };
 
-void affine_16_run(Block& b, const FrameState& frame) {
+void affine_16_run(ShadingBlock& b, const FrameState& frame) {
     run_rung<Affine16>(b, frame);
 }
 
@@ -34,7 +34,7 @@ constinit const Stage affine_16{
      .kind = Kind::rung},
     Pass::interpolation,
     {.primitive = true},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(affine_16_run, block, frame); }};
+    [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(affine_16_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

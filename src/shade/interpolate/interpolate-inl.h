@@ -9,7 +9,7 @@
 #define SCANOUT_SHADE_INTERPOLATE_INL_H
 #endif
 
-#include "shade/lane_triangles.h"
+#include "shade/shading_setup.h"
 
 #include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
@@ -31,8 +31,8 @@ struct OfRun {
     SIMD_INLINE F32 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
     SIMD_INLINE F32 facing(int c) const { return t.facing[c]; }
 };
-struct OfLanes {
-    const LaneTriangles& t;
+struct OfItems {
+    const ShadingSetup& t;
     Entries<F32::Tag> entries; // of the register's lanes
     SIMD_INLINE F32 mixed(const Weights& w, const float (&vertex)[3][kPaddedBlock]) const {
         return mix(w, entries.of(vertex[0]), entries.of(vertex[1]), entries.of(vertex[2]));
@@ -68,7 +68,7 @@ SIMD_INLINE Vec3F32 to_view(const FrameState& frame, const Vec3F32& normal) {
 
 // Mixed normals of lanes first to end, of whatever runs, become those: a root and a quotient a
 // register take longer than all else about it, and few runs fill theirs.
-SIMD_INLINE void lanes_to_view(Block& b, const FrameState& frame, int first, int end) {
+SIMD_INLINE void lanes_to_view(ShadingBlock& b, const FrameState& frame, int first, int end) {
     for (int i = first; i < end; i += kLanes)
         store_vec3(to_view(frame, load_vec3<Vec3F32>(b.normal, i)), b.normal, i);
 }
@@ -80,9 +80,9 @@ struct Wanted {
     float kd[3];
     SIMD_INLINE bool any() const { return normal != Normals::none || uv || colour || position; }
 };
-SIMD_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
+SIMD_INLINE Wanted wanted(const ShadingBlock& b, const FrameState& frame) {
     return {!frame.attributes.normal    ? Normals::none
-            : frame.corner_normals      ? Normals::raw
+            : frame.vertex_normals      ? Normals::raw
             : frame.sides == Sides::eye ? Normals::turned
                                         : Normals::unit,
             wants_uv(b, frame) && !frame.mapped,
@@ -93,7 +93,7 @@ SIMD_INLINE Wanted wanted(const Block& b, const FrameState& frame) {
 
 // One register of lanes from lane i on. Normals are as they mix.
 template <class Of>
-SIMD_INLINE void put(Block& b, const Wanted& want, const Of& of, const Weights& w, int i) {
+SIMD_INLINE void put(ShadingBlock& b, const Wanted& want, const Of& of, const Weights& w, int i) {
     if (want.normal != Normals::none) store_vec3(mix_normals(want.normal, of, w), b.normal, i);
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
@@ -117,7 +117,7 @@ SIMD_INLINE bool is_flat(const Primitive& t) {
            bits[1][0] == bits[1][1] && bits[1][0] == bits[1][2] && //
            bits[2][0] == bits[2][1] && bits[2][0] == bits[2][2];
 }
-SIMD_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& want,
+SIMD_INLINE void flat_normals(ShadingBlock& b, const FrameState& frame, const Wanted& want,
                               const Run& run) {
     const Weights first = {F32(0.0F), F32(0.0F), {run.first, run.count}};
     const Vec3F32 mixed = mix_normals(want.normal, OfRun(*run.primitive), first);
@@ -127,7 +127,7 @@ SIMD_INLINE void flat_normals(Block& b, const FrameState& frame, const Wanted& w
 }
 
 // The material's own.
-SIMD_INLINE void put_albedo(Block& b, const Wanted& want) {
+SIMD_INLINE void put_albedo(ShadingBlock& b, const Wanted& want) {
     const F32 red = want.kd[0], green = want.kd[1], blue = want.kd[2];
     for (int i = 0; i < b.count; i += kLanes) {
         store(red, b.albedo[0] + i);
@@ -137,7 +137,7 @@ SIMD_INLINE void put_albedo(Block& b, const Wanted& want) {
 }
 
 // Exactly, at every lane of a run.
-SIMD_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run) {
+SIMD_INLINE void perspective_lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes)
@@ -146,11 +146,11 @@ SIMD_INLINE void perspective_lanes(Block& b, const Wanted& want, const Run& run)
 }
 
 // The same at lanes that have triangles of their own.
-SIMD_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
-    const LaneTriangles& t = *b.triangles;
+SIMD_INLINE void perspective_own(ShadingBlock& b, const Wanted& want, const Run& run) {
+    const ShadingSetup& t = *b.triangles;
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
         const Live live{i, run.first + run.count - i};
-        put(b, want, OfLanes{t, {t.of_lane + i, live.count}},
+        put(b, want, OfItems{t, {t.triangle_of + i, live.count}},
             weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
                        load<F32>(t.weight[2] + i), live),
             i);
@@ -159,7 +159,7 @@ SIMD_INLINE void perspective_own(Block& b, const Wanted& want, const Run& run) {
 
 // All runs of a block; Rung::lanes fills those of one.
 template <class Rung>
-SIMD_INLINE void run_rung(Block& b, const FrameState& frame) {
+SIMD_INLINE void run_rung(ShadingBlock& b, const FrameState& frame) {
     if (!b.lit) return;
     const Wanted want = wanted(b, frame);
     if (!want.colour) put_albedo(b, want);

@@ -11,7 +11,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Perspective {
-    static SIMD_INLINE void lanes(Block& b, const Wanted& want, const Run& run) {
+    static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         if (run.primitive == nullptr)
             perspective_own(b, want, run);
         else
@@ -19,7 +19,7 @@ struct Perspective {
     }
 };
 
-void perspective_run(Block& b, const FrameState& frame) {
+void perspective_run(ShadingBlock& b, const FrameState& frame) {
     run_rung<Perspective>(b, frame);
 }
 
@@ -38,7 +38,7 @@ constinit const Stage perspective{
      .kind = Kind::rung},
     Pass::interpolation,
     {},
-    [](Block& block, const FrameState& frame) { SIMD_CALL(perspective_run, block, frame); }};
+    [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(perspective_run, block, frame); }};
 
 } // namespace scanout::shade::interpolate
 #endif

@@ -71,9 +71,9 @@ SIMD_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) 
 // At samples on the grid of 1/256 pixel, within a pixel of the triangle. The same bits from half as
 // many registers: both ways round the same whole numbers to floats.
 SIMD_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) {
-    if (!t.whole) return weights(t, to_f64(x), to_f64(y), live);
+    if (!t.fits_int32) return weights(t, to_f64(x), to_f64(y), live);
     const auto area = [&](int k) SIMD_LAMBDA {
-        return to_f32((I32(t.whole_a[k]) * x + I32(t.whole_b[k]) * y) + I32(t.whole_c[k]));
+        return to_f32((I32(t.a_int32[k]) * x + I32(t.b_int32[k]) * y) + I32(t.c_int32[k]));
     };
     return weights_of(t, area(0), area(1), area(2), live);
 }

@@ -13,7 +13,7 @@ constinit const LightStage ambient{
       .kind = Kind::effect},
      Pass::light,
      {},
-     [](Block& block, const FrameState& frame) { block.ambient = frame.ambient; }},
+     [](ShadingBlock& block, const FrameState& frame) { block.ambient = frame.ambient; }},
     {scene::LightKind::ambient}};
 
 } // namespace scanout::shade::light

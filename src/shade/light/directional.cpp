@@ -10,10 +10,10 @@
 
 SIMD_BEGIN(scanout::shade::light)
 
-void directional_run(Block& b, const FrameState& frame) {
+void directional_run(ShadingBlock& b, const FrameState& frame) {
     for_each_lane(
         b, frame, scene::LightKind::directional,
-        [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
+        [&](const scene::ViewLight& light, BlockLight& lanes, int i) SIMD_LAMBDA {
             store_arrival({everywhere<Vec3F32>(light.towards), F32(1.0F)}, light, lanes, i);
         });
 }
@@ -26,16 +26,17 @@ namespace scanout::shade::light {
 SIMD_REGISTER(directional_run);
 
 extern const LightStage directional;
-constinit const LightStage directional{
-    {{.axis = "light",
-      .name = "directional",
-      .blurb = "parallel rays, from the world or the camera",
-      .source = "Foley et al. 1990, ch. 16",
-      .kind = Kind::effect},
-     Pass::light,
-     {},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(directional_run, block, frame); }},
-    {scene::LightKind::directional}};
+constinit const LightStage directional{{{.axis = "light",
+                                         .name = "directional",
+                                         .blurb = "parallel rays, from the world or the camera",
+                                         .source = "Foley et al. 1990, ch. 16",
+                                         .kind = Kind::effect},
+                                        Pass::light,
+                                        {},
+                                        [](ShadingBlock& block, const FrameState& frame) {
+                                            SIMD_CALL(directional_run, block, frame);
+                                        }},
+                                       {scene::LightKind::directional}};
 
 } // namespace scanout::shade::light
 #endif

@@ -9,9 +9,9 @@
 
 SIMD_BEGIN(scanout::shade::light)
 
-void point_run(Block& b, const FrameState& frame) {
+void point_run(ShadingBlock& b, const FrameState& frame) {
     for_each_lane(b, frame, scene::LightKind::point,
-                  [&](const scene::ViewLight& light, LightLanes& lanes, int i)
+                  [&](const scene::ViewLight& light, BlockLight& lanes, int i)
                       SIMD_LAMBDA { store_arrival(arrival(b, light, i), light, lanes, i); });
 }
 
@@ -31,7 +31,7 @@ constinit const LightStage point{
       .kind = Kind::effect},
      Pass::light,
      {.position = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(point_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(point_run, block, frame); }},
     {scene::LightKind::point}};
 
 } // namespace scanout::shade::light

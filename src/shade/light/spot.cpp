@@ -9,9 +9,9 @@
 
 SIMD_BEGIN(scanout::shade::light)
 
-void spot_run(Block& b, const FrameState& frame) {
+void spot_run(ShadingBlock& b, const FrameState& frame) {
     for_each_lane(b, frame, scene::LightKind::spot,
-                  [&](const scene::ViewLight& light, LightLanes& lanes, int i) SIMD_LAMBDA {
+                  [&](const scene::ViewLight& light, BlockLight& lanes, int i) SIMD_LAMBDA {
                       Arrival a = arrival(b, light, i);
                       const F32 cosine =
                           F32(0.0F) - dot(a.towards, everywhere<Vec3F32>(light.axis));
@@ -20,7 +20,8 @@ void spot_run(Block& b, const FrameState& frame) {
                       const F32 rise = maximum((cosine - F32(light.cos_outer)) * slope, F32(0.0F));
                       const F32 t = minimum(rise, F32(1.0F));
                       const F32 smooth = (t * t) * (F32(3.0F) - F32(2.0F) * t);
-                      a.share = a.share * select(cosine >= F32(light.cos_inner), F32(1.0F), smooth);
+                      a.attenuation =
+                          a.attenuation * select(cosine >= F32(light.cos_inner), F32(1.0F), smooth);
                       store_arrival(a, light, lanes, i);
                   });
 }
@@ -41,7 +42,7 @@ constinit const LightStage spot{
       .kind = Kind::effect},
      Pass::light,
      {.position = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(spot_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(spot_run, block, frame); }},
     {scene::LightKind::spot}};
 
 } // namespace scanout::shade::light

@@ -15,14 +15,14 @@ SIMD_BEGIN(scanout::shade::light)
 
 // write(light, lanes, first lane) for every register of every light of the kind.
 template <class Write>
-SIMD_INLINE void for_each_lane(Block& b, const FrameState& frame, scene::LightKind kind,
+SIMD_INLINE void for_each_lane(ShadingBlock& b, const FrameState& frame, scene::LightKind kind,
                                Write write) {
     if (!b.lit || frame.varies.empty()) return;
     const std::size_t count = frame.lights.size();
     for (std::size_t k = 0; k < count; ++k) {
         const scene::ViewLight& light = frame.lights.data()[k];
         if (light.kind != kind || !frame.varies.data()[k]) continue;
-        LightLanes& lanes = b.light.data()[k];
+        BlockLight& lanes = b.light.data()[k];
         for (int i = 0; i < b.count; i += kLanes)
             write(light, lanes, i);
     }
@@ -30,12 +30,12 @@ SIMD_INLINE void for_each_lane(Block& b, const FrameState& frame, scene::LightKi
 
 struct Arrival {
     Vec3F32 towards; // unit
-    F32 share;       // of the light's colour
+    F32 attenuation; // of the light's colour
 };
 
 // By the inverse square of the distance. On the light itself there is no direction: nothing
 // arrives.
-SIMD_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int lane) {
+SIMD_INLINE Arrival arrival(const ShadingBlock& b, const scene::ViewLight& light, int lane) {
     const Vec3F32 way = everywhere<Vec3F32>(light.position) - load_vec3<Vec3F32>(b.position, lane);
     const F32 square = length_squared(way);
     const F32 inverse = F32(1.0F) / sqrt(maximum(square, F32(0x1p-100F)));
@@ -43,10 +43,10 @@ SIMD_INLINE Arrival arrival(const Block& b, const scene::ViewLight& light, int l
     return {way * inverse, F32(light.reach * light.reach) / maximum(square, nearest)};
 }
 
-SIMD_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, LightLanes& lanes,
+SIMD_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, BlockLight& lanes,
                                int lane) {
     store_vec3(a.towards, lanes.towards, lane);
-    store_vec3(everywhere<Vec3F32>(light.colour) * a.share, lanes.colour, lane);
+    store_vec3(everywhere<Vec3F32>(light.colour) * a.attenuation, lanes.colour, lane);
 }
 
 SIMD_END

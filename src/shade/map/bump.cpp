@@ -2,7 +2,7 @@
 // Blinn 1978, [Compendium 11.2]. The file says no unit: a height of 1 is as high as -bm texels are
 // wide, so that the picture does not depend on the model's size. The slope is the difference of the
 // heights half a texel to both sides; half a pixel where pixels are larger.
-#include "shade/map/bump_lanes.h"
+#include "shade/map/bump_neighbours.h"
 #include "shade/map/scalar.h"
 
 #define SIMD_FILE "shade/map/bump.cpp"
@@ -14,56 +14,56 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-// Moves u and v by `share` of the reach in u, then in v.
-void bump_move(Block& b, const BumpLanes& lanes, float share_u, float share_v) {
+// Moves u and v by so many steps.
+void bump_move(ShadingBlock& b, const BumpNeighbours& neighbours, float offset_u, float offset_v) {
     for (int i = 0; i < b.count; i += kLanes) {
-        const F32 reach = load<F32>(lanes.reach + i);
-        store(load<F32>(lanes.u + i) + reach * F32(share_u * lanes.texel_u), b.u + i);
-        store(load<F32>(lanes.v + i) + reach * F32(share_v * lanes.texel_v), b.v + i);
+        const F32 step = load<F32>(neighbours.step + i);
+        store(load<F32>(neighbours.u + i) + step * F32(offset_u * neighbours.texel_u), b.u + i);
+        store(load<F32>(neighbours.v + i) + step * F32(offset_v * neighbours.texel_v), b.v + i);
     }
 }
 
-void bump_keep(Block& b, float* height) {
+void bump_keep(ShadingBlock& b, float* height) {
     for (int i = 0; i < b.count; i += kLanes)
         store(scalar_at(b, b.map[kBumpMap], i), height + i);
 }
 
-// TileFormat where the lanes are, and says how far their neighbours lie, in texels.
-void bump_begin(Block& b, BumpLanes& lanes) {
+// Keeps where the lanes are, and says how far their neighbours lie, in texels.
+void bump_begin(ShadingBlock& b, BumpNeighbours& neighbours) {
     const BoundMap& map = b.map[kBumpMap];
     const auto per_texel = [](float scale, int size) {
         const float texels = scale * static_cast<float>(size);
         return texels == 0 ? 0.0F : 1.0F / texels;
     };
-    lanes.texel_u = per_texel(map.map->scale.x, map.texture->image.width());
-    lanes.texel_v = per_texel(map.map->scale.y, map.texture->image.height());
+    neighbours.texel_u = per_texel(map.map->scale.x, map.texture->image.width());
+    neighbours.texel_v = per_texel(map.map->scale.y, map.texture->image.height());
     const F32 size_u = map.map->scale.x * static_cast<float>(map.texture->image.width());
     const F32 size_v = map.map->scale.y * static_cast<float>(map.texture->image.height());
     for (int i = 0; i < b.count; i += kLanes) {
-        store(load<F32>(b.u + i), lanes.u + i);
-        store(load<F32>(b.v + i), lanes.v + i);
+        store(load<F32>(b.u + i), neighbours.u + i);
+        store(load<F32>(b.v + i), neighbours.v + i);
         const F32 level = texture::HWY_NAMESPACE::level_of_detail<F32::Tag>(
             {load<F32>(b.u_x + i) * size_u, load<F32>(b.v_x + i) * size_v,
              load<F32>(b.u_y + i) * size_u, load<F32>(b.v_y + i) * size_v});
-        store(exp2(maximum(level, F32(0.0F))) * F32(0.5F), lanes.reach + i);
+        store(exp2(maximum(level, F32(0.0F))) * F32(0.5F), neighbours.step + i);
     }
 }
 
-void bump_run(Block& b, const FrameState& frame, const BumpLanes& lanes) {
+void bump_run(ShadingBlock& b, const FrameState& frame, const BumpNeighbours& neighbours) {
     write_tangents(b, frame);
     const scene::TextureMap& map = *b.map[kBumpMap].map;
     const float strength = map.bump_multiplier * 0.5F;
     const F32 along_u = map.scale.x < 0 ? -strength : strength,
               along_v = map.scale.y < 0 ? -strength : strength;
     for (int i = 0; i < b.count; i += kLanes) {
-        const F32 inverse = F32(1.0F) / load<F32>(lanes.reach + i);
+        const F32 inverse = F32(1.0F) / load<F32>(neighbours.step + i);
         const auto slope = [&](const float(&beyond)[kPaddedBlock],
                                const float(&before)[kPaddedBlock], F32 factor) SIMD_LAMBDA {
             return (load<F32>(before + i) - load<F32>(beyond + i)) * inverse * factor;
         };
         lean_normal(b, i,
-                    {slope(lanes.height[0], lanes.height[1], along_u),
-                     slope(lanes.height[2], lanes.height[3], along_v), F32(1.0F)});
+                    {slope(neighbours.height[0], neighbours.height[1], along_u),
+                     slope(neighbours.height[2], neighbours.height[3], along_v), F32(1.0F)});
     }
 }
 
@@ -77,19 +77,19 @@ SIMD_REGISTER(bump_move);
 SIMD_REGISTER(bump_keep);
 SIMD_REGISTER(bump_run);
 
-static void bump_texture(Block& block, const FrameState& frame) {
+static void bump_texture(ShadingBlock& block, const FrameState& frame) {
     const BoundMap& map = block.map[kBumpMap];
     if (map.texture == nullptr) return;
-    BumpLanes lanes;
-    SIMD_CALL(bump_begin, block, lanes);
-    constexpr float kShare[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    BumpNeighbours neighbours;
+    SIMD_CALL(bump_begin, block, neighbours);
+    constexpr float kOffset[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
     for (int k = 0; k < 4; ++k) {
-        SIMD_CALL(bump_move, block, lanes, kShare[k][0], kShare[k][1]);
+        SIMD_CALL(bump_move, block, neighbours, kOffset[k][0], kOffset[k][1]);
         frame.filter->sample(block, map, scalar_kind(map));
-        SIMD_CALL(bump_keep, block, lanes.height[k]);
+        SIMD_CALL(bump_keep, block, neighbours.height[k]);
     }
-    SIMD_CALL(bump_move, block, lanes, 0, 0);
-    SIMD_CALL(bump_run, block, frame, lanes);
+    SIMD_CALL(bump_move, block, neighbours, 0, 0);
+    SIMD_CALL(bump_run, block, frame, neighbours);
 }
 
 extern const Stage bump;

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void diffuse_run(Block& b) {
+void diffuse_run(ShadingBlock& b) {
     for (int c = 0; c < 3; ++c)
         for (int i = 0; i < b.count; i += kLanes)
             store(load<F32>(b.albedo[c] + i) * load<F32>(b.sampled[c] + i), b.albedo[c] + i);
@@ -30,7 +30,7 @@ constinit const Stage diffuse{{.axis = "map",
                                .kind = Kind::effect},
                               Pass::maps,
                               {.uv = true, .maps = bit_of(kDiffuseMap)},
-                              [](Block& block, const FrameState& frame) {
+                              [](ShadingBlock& block, const FrameState& frame) {
                                   const BoundMap& map = block.map[kDiffuseMap];
                                   if (frame.source != nullptr && block.lit)
                                       frame.source->sample(block);

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void emission_run(Block& b, bool mapped) {
+void emission_run(ShadingBlock& b, bool mapped) {
     const Vec3& ke = b.material->emission;
     const float own[3] = {ke.x, ke.y, ke.z};
     for (int c = 0; c < 3; ++c)
@@ -34,7 +34,7 @@ constinit const Stage emission{{.axis = "map",
                                 .kind = Kind::effect},
                                Pass::emission,
                                {},
-                               [](Block& block, const FrameState& frame) {
+                               [](ShadingBlock& block, const FrameState& frame) {
                                    if (!block.lit || block.material->emission == Vec3(0)) return;
                                    const BoundMap& map = block.map[kEmissionMap];
                                    const bool mapped = map.texture != nullptr;

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void gloss_run(Block& b) {
+void gloss_run(ShadingBlock& b) {
     const F32 own = b.material->shininess, nothing = 0.0F;
     for (int i = 0; i < b.count; i += kLanes)
         store(maximum(own * scalar_at(b, b.map[kShininessMap], i), nothing), b.shininess + i);
@@ -31,7 +31,7 @@ constinit const Stage gloss{
      .kind = Kind::effect},
     Pass::maps,
     {.uv = true, .maps = bit_of(kShininessMap)},
-    [](Block& block, const FrameState& frame) {
+    [](ShadingBlock& block, const FrameState& frame) {
         const BoundMap& map = block.map[kShininessMap];
         if (map.texture == nullptr) return;
         frame.filter->sample(block, map, scalar_kind(map));

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void metalness_run(Block& b) {
+void metalness_run(ShadingBlock& b) {
     const F32 own = scene::metalness_of(*b.material);
     for (int i = 0; i < b.count; i += kLanes)
         store(own * scalar_at(b, b.map[kMetalnessMap], i), b.metalness + i);
@@ -30,7 +30,7 @@ constinit const Stage metalness{{.axis = "map",
                                  .kind = Kind::effect},
                                 Pass::maps,
                                 {.uv = true, .maps = bit_of(kMetalnessMap)},
-                                [](Block& block, const FrameState& frame) {
+                                [](ShadingBlock& block, const FrameState& frame) {
                                     const BoundMap& map = block.map[kMetalnessMap];
                                     if (map.texture == nullptr) return;
                                     frame.filter->sample(block, map, scalar_kind(map));

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void normal_run(Block& b, const FrameState& frame) {
+void normal_run(ShadingBlock& b, const FrameState& frame) {
     write_tangents(b, frame);
     const scene::TextureMap& map = *b.map[kNormalMap].map;
     // A picture that runs against u or v is turned with it.
@@ -43,7 +43,7 @@ constinit const Stage normal{{.axis = "map",
                               .facing = true,
                               .footprint = true,
                               .maps = bit_of(kNormalMap)},
-                             [](Block& block, const FrameState& frame) {
+                             [](ShadingBlock& block, const FrameState& frame) {
                                  const BoundMap& map = block.map[kNormalMap];
                                  if (map.texture == nullptr) return;
                                  frame.filter->sample(block, map, TexelKind::data);

@@ -9,13 +9,13 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void opacity_set(Block& b, float opacity) {
+void opacity_set(ShadingBlock& b, float opacity) {
     for (int i = 0; i < b.count; i += kLanes)
         store(F32(opacity), b.alpha + i);
 }
 
 // channel: of MTL's -imfchan; m is the alpha channel, l the luminance.
-void opacity_multiply(Block& b, char channel) {
+void opacity_multiply(ShadingBlock& b, char channel) {
     const int one = channel == 'm' ? 3 : channel == 'g' ? 1 : channel == 'b' ? 2 : 0;
     for (int i = 0; i < b.count; i += kLanes) {
         F32 factor = load<F32>(b.sampled[one] + i);
@@ -39,7 +39,7 @@ SIMD_REGISTER(opacity_multiply);
 
 namespace {
 
-void opacity_run(Block& block, const FrameState& frame) {
+void opacity_run(ShadingBlock& block, const FrameState& frame) {
     SIMD_CALL(opacity_set, block, block.material->opacity);
     const BoundMap& opacity = block.map[kOpacityMap];
     if (opacity.texture != nullptr) {

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void roughness_run(Block& b) {
+void roughness_run(ShadingBlock& b) {
     const F32 own = scene::roughness_of(*b.material);
     for (int i = 0; i < b.count; i += kLanes)
         store(own * scalar_at(b, b.map[kRoughnessMap], i), b.roughness + i);
@@ -30,7 +30,7 @@ constinit const Stage roughness{{.axis = "map",
                                  .kind = Kind::effect},
                                 Pass::maps,
                                 {.uv = true, .maps = bit_of(kRoughnessMap)},
-                                [](Block& block, const FrameState& frame) {
+                                [](ShadingBlock& block, const FrameState& frame) {
                                     const BoundMap& map = block.map[kRoughnessMap];
                                     if (map.texture == nullptr) return;
                                     frame.filter->sample(block, map, scalar_kind(map));

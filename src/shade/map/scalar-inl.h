@@ -12,7 +12,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-SIMD_INLINE F32 scalar_at(const Block& b, const BoundMap& map, int lane) {
+SIMD_INLINE F32 scalar_at(const ShadingBlock& b, const BoundMap& map, int lane) {
     switch (map.map->channel) {
     case 'r':
         return load<F32>(b.sampled[0] + lane);

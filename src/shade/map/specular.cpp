@@ -8,7 +8,7 @@
 
 SIMD_BEGIN(scanout::shade::map)
 
-void specular_run(Block& b) {
+void specular_run(ShadingBlock& b) {
     const Vec3& ks = b.material->specular;
     const float own[3] = {ks.x, ks.y, ks.z};
     for (int c = 0; c < 3; ++c)
@@ -31,7 +31,7 @@ constinit const Stage specular{{.axis = "map",
                                 .kind = Kind::effect},
                                Pass::maps,
                                {.uv = true, .maps = bit_of(kSpecularMap)},
-                               [](Block& block, const FrameState& frame) {
+                               [](ShadingBlock& block, const FrameState& frame) {
                                    const BoundMap& map = block.map[kSpecularMap];
                                    if (map.texture == nullptr) return;
                                    frame.filter->sample(block, map, TexelKind::data);

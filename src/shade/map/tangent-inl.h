@@ -10,7 +10,7 @@
 #define SCANOUT_SHADE_TANGENT_INL_H
 #endif
 
-#include "shade/lane_triangles.h"
+#include "shade/shading_setup.h"
 
 #include "simd/entries-inl.h"
 #include "simd/vec3-inl.h"
@@ -34,14 +34,14 @@ SIMD_INLINE Steps steps_on(const Vec3F32x8& plane, const Vec3F32x8& ray, bool or
 
 // Writes b.tangent: unit vectors in view space along growing u and v, at right angles to the
 // shading normal and to each other; turned as u and v are, mirrored or not.
-SIMD_INLINE void write_tangents(Block& b, const FrameState& frame) {
+SIMD_INLINE void write_tangents(ShadingBlock& b, const FrameState& frame) {
     const F32x8 zero = 0.0F, one = 1.0F;
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         for (int i = run->first; i < run->first + run->count; i += kLanesX8) {
             const auto facing = [&](int c) SIMD_LAMBDA {
                 if (run->primitive != nullptr) return F32x8(run->primitive->facing[c]);
-                const LaneTriangles& t = *b.triangles;
-                return Entries<F32x8::Tag>(t.of_lane + i, run->first + run->count - i)
+                const ShadingSetup& t = *b.triangles;
+                return Entries<F32x8::Tag>(t.triangle_of + i, run->first + run->count - i)
                     .of(t.facing[c]);
             };
             const Vec3F32x8 plane =
@@ -73,7 +73,7 @@ SIMD_INLINE void write_tangents(Block& b, const FrameState& frame) {
 
 // The normal whose components along b.tangent and b.normal are given; of any length. Where it does
 // not lean, the normal stays as it is, to the bit.
-SIMD_INLINE void lean_normal(Block& b, int lane, const Vec3F32& given) {
+SIMD_INLINE void lean_normal(ShadingBlock& b, int lane, const Vec3F32& given) {
     const F32 zero = 0.0F;
     const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, lane);
     const Vec3F32 leant = (load_vec3<Vec3F32>(b.tangent[0], lane) * given.x +

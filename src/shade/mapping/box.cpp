@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::mapping)
 
-void box_run(Block& b, const FrameState& frame) {
+void box_run(ShadingBlock& b, const FrameState& frame) {
     project_lanes(b, frame, [](const Primitive& t, const Place& p) SIMD_LAMBDA {
         const auto size = [&](int axis) SIMD_LAMBDA { // of the normal along an axis
             return t.facing[axis] < 0 ? -t.facing[axis] : t.facing[axis];
@@ -47,7 +47,7 @@ constinit const Stage box{{.axis = "mapping",
                            .kind = Kind::model},
                           Pass::mapping,
                           {.uv = true, .facing = true, .object = true},
-                          [](Block& block, const FrameState& frame) {
+                          [](ShadingBlock& block, const FrameState& frame) {
                               if (wants_uv(block, frame)) SIMD_CALL(box_run, block, frame);
                           }};
 

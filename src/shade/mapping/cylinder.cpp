@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::mapping)
 
-void cylinder_run(Block& b, const FrameState& frame) {
+void cylinder_run(ShadingBlock& b, const FrameState& frame) {
     project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         const Around around = around_y(p);
         const F32x8 half = 0.5F, zero = 0.0F;
@@ -32,7 +32,7 @@ constinit const Stage cylinder{{.axis = "mapping",
                                 .kind = Kind::model},
                                Pass::mapping,
                                {.uv = true, .object = true},
-                               [](Block& block, const FrameState& frame) {
+                               [](ShadingBlock& block, const FrameState& frame) {
                                    if (wants_uv(block, frame))
                                        SIMD_CALL(cylinder_run, block, frame);
                                }};

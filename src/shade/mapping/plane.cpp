@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::mapping)
 
-void plane_run(Block& b, const FrameState& frame) {
+void plane_run(ShadingBlock& b, const FrameState& frame) {
     project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         const F32x8 half = 0.5F, zero = 0.0F;
         return Projected{
@@ -32,7 +32,7 @@ constinit const Stage plane{{.axis = "mapping",
                              .kind = Kind::model},
                             Pass::mapping,
                             {.uv = true, .object = true},
-                            [](Block& block, const FrameState& frame) {
+                            [](ShadingBlock& block, const FrameState& frame) {
                                 if (wants_uv(block, frame)) SIMD_CALL(plane_run, block, frame);
                             }};
 

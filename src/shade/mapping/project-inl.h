@@ -31,7 +31,7 @@ SIMD_INLINE F32x8 within(F32x8 x, const float (&vertex)[3]) {
 
 // project(primitive, place): Projected.
 template <class Project>
-SIMD_INLINE void project_lanes(Block& b, const FrameState& frame, Project project) {
+SIMD_INLINE void project_lanes(ShadingBlock& b, const FrameState& frame, Project project) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         const Primitive& t = *run->primitive;
         const texture::HWY_NAMESPACE::PrimitivePlane<3> plane(t, t.object);

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::mapping)
 
-void sphere_run(Block& b, const FrameState& frame) {
+void sphere_run(ShadingBlock& b, const FrameState& frame) {
     project_lanes(b, frame, [](const Primitive&, const Place& p) SIMD_LAMBDA {
         constexpr float kPerHalfTurn = 0.31830987F; // 1 / pi
         const Around around = around_y(p);
@@ -37,7 +37,7 @@ constinit const Stage sphere{{.axis = "mapping",
                               .kind = Kind::model},
                              Pass::mapping,
                              {.uv = true, .object = true},
-                             [](Block& block, const FrameState& frame) {
+                             [](ShadingBlock& block, const FrameState& frame) {
                                  if (wants_uv(block, frame)) SIMD_CALL(sphere_run, block, frame);
                              }};
 

@@ -14,10 +14,12 @@ struct BlinnPhong {
     SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
         return half_vector_cosine(normal, eye, light);
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vec3F32&, const Vec3F32&, int) const { return lobe; }
+    SIMD_INLINE F32 reflectance(F32 lobe, const Vec3F32&, const Vec3F32&, int) const {
+        return lobe;
+    }
 };
 
-void blinn_phong_run(Block& b, const FrameState& frame) {
+void blinn_phong_run(ShadingBlock& b, const FrameState& frame) {
     diffuse_and_highlights(b, frame, BlinnPhong());
 }
 
@@ -38,7 +40,9 @@ constinit const ReflectionStage blinn_phong{
       .kind = Kind::model},
      Pass::called,
      {.normal = true, .ray = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(blinn_phong_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) {
+         SIMD_CALL(blinn_phong_run, block, frame);
+     }},
     {}};
 
 } // namespace scanout::shade::reflection

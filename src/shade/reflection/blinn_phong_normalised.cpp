@@ -19,13 +19,14 @@ struct BlinnPhongNormalised {
     SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
         return half_vector_cosine(normal, eye, light);
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vec3F32& normal, const Vec3F32& light, int lane) const {
+    SIMD_INLINE F32 reflectance(F32 lobe, const Vec3F32& normal, const Vec3F32& light,
+                                int lane) const {
         const F32 falls = maximum(dot(normal, light), F32(0.0F));
         return load<F32>(factor + lane) * falls * lobe;
     }
 };
 
-void blinn_phong_normalised_run(Block& b, const FrameState& frame) {
+void blinn_phong_normalised_run(ShadingBlock& b, const FrameState& frame) {
     if (!has_highlight(b)) return diffuse(b, frame);
     alignas(64) float factor[kPaddedBlock];
     for_exponents(
@@ -50,7 +51,7 @@ constinit const ReflectionStage blinn_phong_normalised{
       .kind = Kind::model},
      Pass::called,
      {.normal = true, .ray = true},
-     [](Block& block, const FrameState& frame) {
+     [](ShadingBlock& block, const FrameState& frame) {
          SIMD_CALL(blinn_phong_normalised_run, block, frame);
      }},
     {}};

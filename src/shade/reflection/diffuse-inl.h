@@ -11,14 +11,14 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 // Lines and points show their plain albedo.
-SIMD_INLINE Vec3F32 ambient_of(const Block& b) {
+SIMD_INLINE Vec3F32 ambient_of(const ShadingBlock& b) {
     if (!b.lit) return splat(F32(1.0F));
     return everywhere<Vec3F32>(b.ambient);
 }
 
 // Of a register of lanes.
-SIMD_INLINE Vec3F32 diffuse_at(const Block& b, const FrameState& frame, const Vec3F32& ambient,
-                               std::size_t light_count, int lane) {
+SIMD_INLINE Vec3F32 diffuse_at(const ShadingBlock& b, const FrameState& frame,
+                               const Vec3F32& ambient, std::size_t light_count, int lane) {
     const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, lane);
     Vec3F32 sum = ambient;
     for (std::size_t k = 0; k < light_count; ++k) {
@@ -29,7 +29,7 @@ SIMD_INLINE Vec3F32 diffuse_at(const Block& b, const FrameState& frame, const Ve
 }
 
 // Sets b.colour.
-SIMD_INLINE void diffuse(Block& b, const FrameState& frame) {
+SIMD_INLINE void diffuse(ShadingBlock& b, const FrameState& frame) {
     const std::size_t light_count = b.lit ? frame.lights.size() : 0;
     const Vec3F32 ambient = ambient_of(b);
     for (int i = 0; i < b.count; i += kLanes)

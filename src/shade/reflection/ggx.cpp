@@ -28,7 +28,7 @@ SIMD_INLINE float clamped(float x, float low, float high) {
     return x < low ? low : (x > high ? high : x);
 }
 
-void find_mirrors(const Block& b, Mirrors& out) {
+void find_mirrors(const ShadingBlock& b, Mirrors& out) {
     constexpr float kMinAlpha = 0x1p-9F; // a mirror's image of a point would be a point
     const scene::Material& m = *b.material;
     out.physical = scene::surface_of(m) == scene::Surface::physical;
@@ -52,14 +52,14 @@ void find_mirrors(const Block& b, Mirrors& out) {
 }
 
 // What a surface that is no metal mirrors straight on.
-SIMD_INLINE Vec3F32 straight_on(const Block& b, const Mirrors& m, int lane) {
+SIMD_INLINE Vec3F32 straight_on(const ShadingBlock& b, const Mirrors& m, int lane) {
     if (m.physical) return splat(F32(0.04F));
     const Vec3F32 ks = specular_at(b, lane);
     const auto share = [](F32 a) SIMD_LAMBDA { return minimum(maximum(a, F32(0.0F)), F32(1.0F)); };
     return {share(ks.x), share(ks.y), share(ks.z)};
 }
 
-SIMD_INLINE F32 metal_at(const Block& b, const Mirrors& m, int lane) {
+SIMD_INLINE F32 metal_at(const ShadingBlock& b, const Mirrors& m, int lane) {
     if (!m.physical || b.map[kMetalnessMap].texture == nullptr) return F32(m.metal);
     return minimum(maximum(load<F32>(b.metalness + lane), F32(0.0F)), F32(1.0F));
 }
@@ -84,7 +84,7 @@ SIMD_INLINE F32 mirrored(const Vec3F32& normal, const Vec3F32& half, F32 half_sq
     return select(n_h > F32(0.0F), all, F32(0.0F));
 }
 
-void ggx_run(Block& b, const FrameState& frame) {
+void ggx_run(ShadingBlock& b, const FrameState& frame) {
     if (!b.lit || scene::surface_of(*b.material) == scene::Surface::matt) return diffuse(b, frame);
     Mirrors m;
     find_mirrors(b, m);
@@ -133,7 +133,7 @@ constinit const ReflectionStage ggx{
       .kind = Kind::model},
      Pass::called,
      {.normal = true, .ray = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(ggx_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(ggx_run, block, frame); }},
     {.physical = true}};
 
 } // namespace scanout::shade::reflection

@@ -12,7 +12,7 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 // Unit, from the surface.
-SIMD_INLINE Vec3F32 eye_at(const Block& b, const FrameState& frame, int lane) {
+SIMD_INLINE Vec3F32 eye_at(const ShadingBlock& b, const FrameState& frame, int lane) {
     const F32 zero = 0.0F, one = 1.0F;
     if (b.eye != nullptr)
         return {load<F32>(b.eye[0] + lane), load<F32>(b.eye[1] + lane), load<F32>(b.eye[2] + lane)};
@@ -24,15 +24,15 @@ SIMD_INLINE Vec3F32 eye_at(const Block& b, const FrameState& frame, int lane) {
 // Ns of a lane: the material's own, or what its map made of it. Exponent 0 would shine on all of a
 // surface, where Ns 0 means no highlight: below 1 the exponent stays 1, and Ks fades with Ns. So
 // nothing jumps, and black in map_Ns never shines more than white.
-SIMD_INLINE F32 ns_at(const Block& b, int lane) {
+SIMD_INLINE F32 ns_at(const ShadingBlock& b, int lane) {
     return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + lane)
                                                    : F32(b.material->shininess);
 }
-SIMD_INLINE F32 exponent_at(const Block& b, int lane) {
+SIMD_INLINE F32 exponent_at(const ShadingBlock& b, int lane) {
     return maximum(ns_at(b, lane), F32(1.0F));
 }
 // Ks of a lane, likewise.
-SIMD_INLINE Vec3F32 specular_at(const Block& b, int lane) {
+SIMD_INLINE Vec3F32 specular_at(const ShadingBlock& b, int lane) {
     const Vec3F32 ks = b.map[kSpecularMap].texture != nullptr
                            ? load_vec3<Vec3F32>(b.specular, lane)
                            : everywhere<Vec3F32>(b.material->specular);
@@ -42,7 +42,8 @@ SIMD_INLINE Vec3F32 specular_at(const Block& b, int lane) {
 // of_exponent(exponent) for every lane. In double, one by one: the same for the same Ns wherever it
 // comes from.
 template <class OfExponent>
-SIMD_INLINE void for_exponents(const Block& b, OfExponent of_exponent, float (&out)[kPaddedBlock]) {
+SIMD_INLINE void for_exponents(const ShadingBlock& b, OfExponent of_exponent,
+                               float (&out)[kPaddedBlock]) {
     const auto found = [&](float ns) {
         return static_cast<float>(of_exponent(double{ns < 1 ? 1.0F : ns}));
     };
@@ -64,7 +65,7 @@ struct Gloss {
 // hundred cycles, and registers overlap only as far as the processor looks ahead. The second and
 // third are pow_of_share: exponents are at least 1 (exponent_at).
 template <class Highlight, class LightAt>
-SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const LightAt& light,
+SIMD_INLINE void add_highlights(ShadingBlock& b, const Highlight& highlight, const LightAt& light,
                                 const Gloss& gloss, const float (&eyes)[3][kPaddedBlock], int first,
                                 int end) {
     alignas(64) float cosine[kPaddedBlock], log_power[kPaddedBlock];
@@ -78,19 +79,20 @@ SIMD_INLINE void add_highlights(Block& b, const Highlight& highlight, const Ligh
     for (int i = first; i < end; i += kLanes) {
         const Light& l = light(i);
         const F32 lobe = exp2_to_share(load<F32>(log_power + i));
-        const F32 share = highlight.share(lobe, load_vec3<Vec3F32>(b.normal, i), l.towards, i);
+        const F32 reflectance =
+            highlight.reflectance(lobe, load_vec3<Vec3F32>(b.normal, i), l.towards, i);
         const Vec3F32 below = load_vec3<Vec3F32>(b.colour, i);
-        store_vec3(below + (l.colour * gloss.ks) * share, b.colour, i);
+        store_vec3(below + (l.colour * gloss.ks) * reflectance, b.colour, i);
     }
 }
 
 // Not inlined: blocks with and without maps share one copy of it. Light by light, so that all that
 // the lanes share stays in registers.
 template <class Highlight>
-HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight& highlight,
-                              const Gloss& of_lanes, int first, int end) {
+HWY_NOINLINE void light_lanes(ShadingBlock& b, const FrameState& frame, const Highlight& highlight,
+                              const Gloss& of_items, int first, int end) {
     const std::size_t light_count = frame.lights.size();
-    const Gloss gloss = of_lanes; // no store writes to it
+    const Gloss gloss = of_items; // no store writes to it
     const Vec3F32 ambient = ambient_of(b);
     alignas(64) float eyes[3][kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
@@ -110,7 +112,7 @@ HWY_NOINLINE void light_lanes(Block& b, const FrameState& frame, const Highlight
     }
 }
 
-SIMD_INLINE bool has_highlight(const Block& b) {
+SIMD_INLINE bool has_highlight(const ShadingBlock& b) {
     return b.lit && scene::has_highlight(*b.material);
 }
 
@@ -120,7 +122,7 @@ SIMD_INLINE bool has_highlight(const Block& b) {
 //                                                 NaN and below 0 as none
 //     F32 share(F32 lobe, normal, light, lane)    of the light, for white Ks
 template <class Highlight>
-SIMD_INLINE void diffuse_and_highlights(Block& b, const FrameState& frame,
+SIMD_INLINE void diffuse_and_highlights(ShadingBlock& b, const FrameState& frame,
                                         const Highlight& highlight) {
     if (!has_highlight(b)) return diffuse(b, frame);
     const bool mapped =

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::reflection)
 
-void lambert_run(Block& b, const FrameState& frame) {
+void lambert_run(ShadingBlock& b, const FrameState& frame) {
     diffuse(b, frame);
 }
 
@@ -29,7 +29,7 @@ constinit const ReflectionStage lambert{
       .kind = Kind::model},
      Pass::called,
      {.normal = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(lambert_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(lambert_run, block, frame); }},
     {.highlight = false}};
 
 } // namespace scanout::shade::reflection

@@ -25,9 +25,10 @@ SIMD_INLINE Light light_everywhere(const FrameState& frame, std::size_t k) {
     const scene::ViewLight& l = frame.lights.data()[k];
     return {everywhere<Vec3F32>(l.towards), everywhere<Vec3F32>(l.colour)};
 }
-SIMD_INLINE Light light_at(const Block& b, const FrameState& frame, std::size_t k, int lane) {
+SIMD_INLINE Light light_at(const ShadingBlock& b, const FrameState& frame, std::size_t k,
+                           int lane) {
     if (!varies(frame, k)) return light_everywhere(frame, k);
-    const LightLanes& l = b.light.data()[k];
+    const BlockLight& l = b.light.data()[k];
     return {load_vec3<Vec3F32>(l.towards, lane), load_vec3<Vec3F32>(l.colour, lane)};
 }
 

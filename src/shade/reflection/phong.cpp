@@ -17,10 +17,12 @@ struct Phong {
         const F32 between = F32(2.0F) * n_l * dot(normal, eye) - dot(light, eye);
         return select(n_l > F32(0.0F), between, F32(0.0F));
     }
-    SIMD_INLINE F32 share(F32 lobe, const Vec3F32&, const Vec3F32&, int) const { return lobe; }
+    SIMD_INLINE F32 reflectance(F32 lobe, const Vec3F32&, const Vec3F32&, int) const {
+        return lobe;
+    }
 };
 
-void phong_run(Block& b, const FrameState& frame) {
+void phong_run(ShadingBlock& b, const FrameState& frame) {
     diffuse_and_highlights(b, frame, Phong());
 }
 
@@ -40,7 +42,7 @@ constinit const ReflectionStage phong{
       .kind = Kind::model},
      Pass::called,
      {.normal = true, .ray = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(phong_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(phong_run, block, frame); }},
     {}};
 
 } // namespace scanout::shade::reflection

@@ -1,6 +1,6 @@
 // Light once a face, in its middle, with its own normal. Bouknight 1970, [Primer 7.3].
-#include "shade/corner_light.h"
 #include "shade/stage.h"
+#include "shade/vertex_lighting.h"
 
 #define SIMD_FILE "shade/shading/flat.cpp"
 #include "simd/for_each_target.h"
@@ -9,10 +9,11 @@
 
 SIMD_BEGIN(scanout::shade::shading)
 
-void flat_run(Block& b) {
+void flat_run(ShadingBlock& b) {
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
-        const CornerLight::Triangle& light = b.corners->triangle[b.corners->of_run[r]];
+        const VertexLighting::Triangle& light =
+            b.vertex_lighting->triangle[b.vertex_lighting->of_run[r]];
         for (int i = run.first; i < run.first + run.count; i += kLanesX8)
             for (int c = 0; c < 3; ++c)
                 store(load<F32x8>(b.albedo[c] + i) * F32x8(light.tinted[c][0]) +
@@ -35,8 +36,8 @@ constinit const ShadingStage flat{{{.axis = "shading",
                                     .source = "Bouknight 1970",
                                     .kind = Kind::rung},
                                    Pass::shading,
-                                   {.corners = true},
-                                   [](Block& block, const FrameState& frame) {
+                                   {.vertices = true},
+                                   [](ShadingBlock& block, const FrameState& frame) {
                                        if (!block.lit) return block.model->run(block, frame);
                                        light_faces(block, frame);
                                        SIMD_CALL(flat_run, block);

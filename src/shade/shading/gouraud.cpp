@@ -1,8 +1,8 @@
 // Light at the vertices, interpolated in between: a highlight inside a triangle is lost.
 // Gouraud 1971, [Primer 7.3]. The parts with and without albedo are interpolated apart, so textures
 // stay sharp.
-#include "shade/corner_light.h"
 #include "shade/stage.h"
+#include "shade/vertex_lighting.h"
 
 #define SIMD_FILE "shade/shading/gouraud.cpp"
 #include "simd/for_each_target.h"
@@ -11,11 +11,12 @@
 
 SIMD_BEGIN(scanout::shade::shading)
 
-void gouraud_run(Block& b) {
+void gouraud_run(ShadingBlock& b) {
     for (int r = 0; r < b.runs; ++r) {
         const Run& run = b.run[r];
         const Primitive& t = *run.primitive;
-        const CornerLight::Triangle& light = b.corners->triangle[b.corners->of_run[r]];
+        const VertexLighting::Triangle& light =
+            b.vertex_lighting->triangle[b.vertex_lighting->of_run[r]];
         for (int i = run.first; i < run.first + run.count; i += kLanes) {
             const auto w = interpolate::HWY_NAMESPACE::weights(t, to_f64(load<I32>(b.x + i)),
                                                                to_f64(load<I32>(b.y + i)),
@@ -43,10 +44,10 @@ constinit const ShadingStage gouraud{{{.axis = "shading",
                                        .source = "Gouraud 1971",
                                        .kind = Kind::rung},
                                       Pass::shading,
-                                      {.corners = true},
-                                      [](Block& block, const FrameState& frame) {
+                                      {.vertices = true},
+                                      [](ShadingBlock& block, const FrameState& frame) {
                                           if (!block.lit) return block.model->run(block, frame);
-                                          light_corners(block, frame);
+                                          light_vertices(block, frame);
                                           SIMD_CALL(gouraud_run, block);
                                       }},
                                      {.unit_vertex_normals = true}};

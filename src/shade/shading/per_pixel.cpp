@@ -14,7 +14,7 @@ constinit const ShadingStage per_pixel{
       .kind = Kind::rung},
      Pass::shading,
      {.normal = true},
-     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { block.model->run(block, frame); }},
     {}};
 
 } // namespace scanout::shade::shading

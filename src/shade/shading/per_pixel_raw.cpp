@@ -14,7 +14,7 @@ constinit const ShadingStage per_pixel_raw{
       .kind = Kind::rung},
      Pass::shading,
      {.normal = true},
-     [](Block& block, const FrameState& frame) { block.model->run(block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { block.model->run(block, frame); }},
     {.unit_vertex_normals = true}};
 
 } // namespace scanout::shade::shading

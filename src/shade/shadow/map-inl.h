@@ -44,11 +44,12 @@ struct MapPlane {
 };
 
 SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
-    const Vec3F64 move = everywhere<Vec3F64>(m.move), n = transformed(m.turn, facing.normal),
-                  p = transformed(m.turn, facing.corner[0]) + move;
+    const Vec3F64 move = everywhere<Vec3F64>(m.translation),
+                  n = transformed(m.rotation, facing.normal),
+                  p = transformed(m.rotation, facing.vertex[0]) + move;
     F64 extent = greatest(abs(move));
     SIMD_FOR (int k = 0; k < 3; ++k)
-        extent = maximum(extent, greatest(abs(facing.corner[k])));
+        extent = maximum(extent, greatest(abs(facing.vertex[k])));
     // Positions are floats, and so is the light's matrix: each of some eight roundings adds at most
     // half a unit in the last place of the largest term.
     const F64 error = extent * F64(0x1p-21), scale = double{m.depth_scale}, zero = 0.0;
@@ -63,7 +64,7 @@ SIMD_INLINE MapPlane plane_in(const ShadowMap& m, const Facing& facing) {
     }
     F64 nearest = 0.0;
     SIMD_FOR (int k = 0; k < 3; ++k) {
-        F64 depth = dot(everywhere<Vec3F64>(m.turn[2]), facing.corner[k]) + move.z;
+        F64 depth = dot(everywhere<Vec3F64>(m.rotation[2]), facing.vertex[k]) + move.z;
         if (m.perspective) // else beside the light, or behind it
             depth = select(depth < zero, scale / -depth, F64(0x1p100));
         else
@@ -105,10 +106,10 @@ struct Receiver {
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
-SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Block& b, int i,
-                              Mask<F32::Tag>& inside) {
-    const Vec3F32 place = transformed(m.turn, load_vec3<Vec3F32>(b.position, i)) +
-                          everywhere<Vec3F32>(m.move); // as the light sees it
+SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const ShadingBlock& b,
+                              int i, Mask<F32::Tag>& inside) {
+    const Vec3F32 place = transformed(m.rotation, load_vec3<Vec3F32>(b.position, i)) +
+                          everywhere<Vec3F32>(m.translation); // as the light sees it
     const F32 one = 1.0F;
     const F32 middle = 0.5F * static_cast<float>(m.size), half = m.half;
     F32 inverse = one, depth = place.z * F32(m.depth_scale) + F32(m.depth_offset);
@@ -216,7 +217,7 @@ SIMD_INLINE Mask<F32::Tag> is_low(const Receiver& r, const Line& column, const L
 }
 
 // What a square asks of a row is read four texels at a time: up to three more.
-constexpr int kMostColumns = kMaxFilter / 4 * 4 + 4;
+constexpr int kMaxColumns = kMaxFilter / 4 * 4 + 4;
 
 // Four texels of a row, from a column on, that lie side by side in the map.
 SIMD_INLINE void four_depths(const ShadowMap& m, const Line& column, const Line& row, F32* out) {
@@ -289,7 +290,7 @@ public:
     }
     // Weighted by how much of each texel the square covers. Weights are whole 256ths: all hidden
     // sums up to 1 exactly.
-    SIMD_INLINE F32 hidden_share(const Receiver& r, const Texel& own) {
+    SIMD_INLINE F32 hidden_fraction(const Receiver& r, const Texel& own) {
         each([&](int i) SIMD_LAMBDA {
             forgive_nothing_behind(own, columns_[i]);
             forgive_nothing_behind(own, rows_[i]);
@@ -311,7 +312,7 @@ public:
 private:
     static constexpr int kLines = kSide > 0 ? kSide + 1 : 0, kFours = kSide > 0 ? kSide / 4 + 1 : 0;
     static constexpr int kRows = kSide > 0 ? kLines : kMaxFilter + 1;
-    static constexpr int kColumns = kSide > 0 ? kFours * 4 : kMostColumns;
+    static constexpr int kColumns = kSide > 0 ? kFours * 4 : kMaxColumns;
 
     template <class F>
     SIMD_INLINE void each(const F& f) const {
@@ -344,7 +345,7 @@ SIMD_INLINE F32 hidden_square_of(const ShadowMap& m, const Receiver& r, int k) {
     if (square.lie_low(r)) return F32(0.0F); // most of what is lit
     const Texel own = own_texel(m, r);
     if (square.lie_behind(r, own)) return F32(1.0F);
-    return square.hidden_share(r, own);
+    return square.hidden_fraction(r, own);
 }
 SIMD_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
     switch (k) {
@@ -360,35 +361,35 @@ SIMD_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
 // hide(map, receiver, light): the share that is hidden. A lane asks the first map that it stands
 // in; outside of all of them nothing stands between it and the light (HARD-CASES 43).
 template <class Hide>
-SIMD_INLINE void shadow_by_maps(Block& b, const FrameState& frame, Hide hide) {
-    const auto share = [&](std::size_t k, int first, int end, const Facing& facing, float* left)
-                           SIMD_LAMBDA {
-                               const LightShadow& shadow = frame.shadows[k];
-                               const F32 none = -1.0F; // asked no map yet
-                               for (int i = first; i < end; i += kLanes)
-                                   store(none, left + i);
-                               const auto lit = to_f32(select(facing.lit, F64(1.0), F64(0.0))) >
-                                                F32(0.5F); // the others lie in their own shadow
-                               const std::size_t maps = shadow.maps.size();
-                               for (std::size_t face = 0; face < maps; ++face) {
-                                   const ShadowMap& m = shadow.maps.data()[face];
-                                   const MapPlane plane = plane_in(m, facing);
-                                   for (int i = first; i < end; i += kLanes) {
-                                       auto inside = F32(0.0F) < F32(0.0F);
-                                       Receiver r = receiver(m, plane, b, i, inside);
-                                       const F32 before = load<F32>(left + i);
-                                       r.asked = inside & lit & (before < F32(0.0F));
-                                       if (!any(r.asked)) continue;
-                                       const F32 kept = F32(1.0F) - hide(m, r, shadow);
-                                       store(select(r.asked, kept, before), left + i);
-                                   }
-                               }
-                               for (int i = first; i < end; i += kLanes) {
-                                   const F32 kept = load<F32>(left + i);
-                                   store(select(kept < F32(0.0F), F32(1.0F), kept), left + i);
-                               }
-                           };
-    shadow_lanes(b, frame, share);
+SIMD_INLINE void shadow_by_maps(ShadingBlock& b, const FrameState& frame, Hide hide) {
+    const auto store_visibility = [&](std::size_t k, int first, int end, const Facing& facing,
+                                      float* visibility) SIMD_LAMBDA {
+        const LightShadow& shadow = frame.shadows[k];
+        const F32 none = -1.0F; // asked no map yet
+        for (int i = first; i < end; i += kLanes)
+            store(none, visibility + i);
+        const auto lit = to_f32(select(facing.lit, F64(1.0), F64(0.0))) >
+                         F32(0.5F); // the others lie in their own shadow
+        const std::size_t maps = shadow.maps.size();
+        for (std::size_t face = 0; face < maps; ++face) {
+            const ShadowMap& m = shadow.maps.data()[face];
+            const MapPlane plane = plane_in(m, facing);
+            for (int i = first; i < end; i += kLanes) {
+                auto inside = F32(0.0F) < F32(0.0F);
+                Receiver r = receiver(m, plane, b, i, inside);
+                const F32 before = load<F32>(visibility + i);
+                r.asked = inside & lit & (before < F32(0.0F));
+                if (!any(r.asked)) continue;
+                const F32 kept = F32(1.0F) - hide(m, r, shadow);
+                store(select(r.asked, kept, before), visibility + i);
+            }
+        }
+        for (int i = first; i < end; i += kLanes) {
+            const F32 kept = load<F32>(visibility + i);
+            store(select(kept < F32(0.0F), F32(1.0F), kept), visibility + i);
+        }
+    };
+    shadow_lanes(b, frame, store_visibility);
 }
 
 SIMD_END

@@ -9,7 +9,7 @@
 
 SIMD_BEGIN(scanout::shade::shadow)
 
-void map_run(Block& b, const FrameState& frame) {
+void map_run(ShadingBlock& b, const FrameState& frame) {
     shadow_by_maps(b, frame,
                    [](const ShadowMap& m, const Receiver& r, const LightShadow&)
                        SIMD_LAMBDA { return hidden(own_texel(m, r)); });
@@ -31,7 +31,7 @@ constinit const ShadowStage map{
       .kind = Kind::rung},
      Pass::shadow,
      {.position = true, .facing = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(map_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(map_run, block, frame); }},
     {.by = ShadowBy::maps}};
 
 } // namespace scanout::shade::shadow

@@ -10,7 +10,7 @@
 
 SIMD_BEGIN(scanout::shade::shadow)
 
-void map_pcf_run(Block& b, const FrameState& frame) {
+void map_pcf_run(ShadingBlock& b, const FrameState& frame) {
     const int k = frame.shadow_filter;
     shadow_by_maps(b, frame,
                    [k](const ShadowMap& m, const Receiver& r, const LightShadow&)
@@ -33,7 +33,7 @@ constinit const ShadowStage map_pcf{
       .kind = Kind::rung},
      Pass::shadow,
      {.position = true, .facing = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(map_pcf_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(map_pcf_run, block, frame); }},
     {.by = ShadowBy::maps, .filtered = true}};
 
 } // namespace scanout::shade::shadow

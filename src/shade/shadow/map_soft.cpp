@@ -98,7 +98,7 @@ SIMD_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightSh
     return select(wide, hides / maximum(shines, one), sharp);
 }
 
-void map_soft_run(Block& b, const FrameState& frame) {
+void map_soft_run(ShadingBlock& b, const FrameState& frame) {
     const int k = frame.shadow_filter;
     shadow_by_maps(b, frame,
                    [k](const ShadowMap& m, const Receiver& r, const LightShadow& shadow)
@@ -122,7 +122,7 @@ constinit const ShadowStage map_soft{
       .kind = Kind::rung},
      Pass::shadow,
      {.position = true, .facing = true},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(map_soft_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(map_soft_run, block, frame); }},
     {.by = ShadowBy::maps, .filtered = true, .soft = true}};
 
 } // namespace scanout::shade::shadow

@@ -25,7 +25,7 @@ SIMD_INLINE F32 mean_wave(F32 x, F32 width) {
     return (triangle_wave(x + half) - triangle_wave(x - half)) / w;
 }
 
-void checker_sample(Block& b) {
+void checker_sample(ShadingBlock& b) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 squares = kSquares;
         const F32 u = mean_wave(turn(load<F32>(b.u + i)) * squares,
@@ -50,7 +50,7 @@ constinit const Source checker{{.axis = "source",
                                 .source = "Peachey 1994",
                                 .kind = Kind::model},
                                {.uv = true, .footprint = true},
-                               [](Block& block) { SIMD_CALL(checker_sample, block); }};
+                               [](ShadingBlock& block) { SIMD_CALL(checker_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

@@ -34,16 +34,16 @@ SIMD_INLINE F32 noise(F32 x, F32 y, int period) {
     const auto corner = [&](I32 column, I32 row) SIMD_LAMBDA {
         return gather(p, gather(p, column + row)); // z = 0
     };
-    const F32 share = fade(fx);
+    const F32 t = fade(fx);
     using texture::HWY_NAMESPACE::mix;
-    return mix(fade(fy),
-               mix(share, gradient(corner(left, below), fx, fy),
-                   gradient(corner(right, below), fx - one, fy)),
-               mix(share, gradient(corner(left, above), fx, fy - one),
-                   gradient(corner(right, above), fx - one, fy - one)));
+    return mix(
+        fade(fy),
+        mix(t, gradient(corner(left, below), fx, fy), gradient(corner(right, below), fx - one, fy)),
+        mix(t, gradient(corner(left, above), fx, fy - one),
+            gradient(corner(right, above), fx - one, fy - one)));
 }
 
-void perlin_noise_sample(Block& b) {
+void perlin_noise_sample(ShadingBlock& b) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 u = turn(load<F32>(b.u + i)), v = turn(load<F32>(b.v + i));
         const F32 pixel = maximum(span(load<F32>(b.u_x + i), load<F32>(b.u_y + i)),
@@ -70,13 +70,14 @@ namespace scanout::shade::source {
 SIMD_REGISTER(perlin_noise_sample);
 
 extern const Source perlin_noise;
-constinit const Source perlin_noise{{.axis = "source",
-                                     .name = "perlin_noise",
-                                     .blurb = "four octaves of smooth lumps",
-                                     .source = "Perlin 1985, Perlin 2002",
-                                     .kind = Kind::model},
-                                    {.uv = true, .footprint = true},
-                                    [](Block& block) { SIMD_CALL(perlin_noise_sample, block); }};
+constinit const Source perlin_noise{
+    {.axis = "source",
+     .name = "perlin_noise",
+     .blurb = "four octaves of smooth lumps",
+     .source = "Perlin 1985, Perlin 2002",
+     .kind = Kind::model},
+    {.uv = true, .footprint = true},
+    [](ShadingBlock& block) { SIMD_CALL(perlin_noise_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

@@ -12,7 +12,7 @@ SIMD_BEGIN(scanout::shade::source)
 
 constexpr int kCells = 64; // a turn
 
-void white_noise_sample(Block& b) {
+void white_noise_sample(ShadingBlock& b) {
     const F32 cells = static_cast<float>(kCells);
     for (int i = 0; i < b.count; i += kLanes) {
         const I32 most = kCells - 1;
@@ -34,13 +34,14 @@ namespace scanout::shade::source {
 SIMD_REGISTER(white_noise_sample);
 
 extern const Source white_noise;
-constinit const Source white_noise{{.axis = "source",
-                                    .name = "white_noise",
-                                    .blurb = "cells of random brightness, by hash",
-                                    .source = "Peachey 1994",
-                                    .kind = Kind::model},
-                                   {.uv = true, .footprint = true},
-                                   [](Block& block) { SIMD_CALL(white_noise_sample, block); }};
+constinit const Source white_noise{
+    {.axis = "source",
+     .name = "white_noise",
+     .blurb = "cells of random brightness, by hash",
+     .source = "Peachey 1994",
+     .kind = Kind::model},
+    {.uv = true, .footprint = true},
+    [](ShadingBlock& block) { SIMD_CALL(white_noise_sample, block); }};
 
 } // namespace scanout::shade::source
 #endif

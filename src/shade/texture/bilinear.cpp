@@ -10,15 +10,16 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-SIMD_INLINE void bilinear_lanes(Block& b, const TexelReader& reader) {
+SIMD_INLINE void bilinear_lanes(ShadingBlock& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
-        const Around at = around(reader, reader.unit(reader.turns_x(load<F32>(b.u + i))),
-                                 reader.unit(reader.turns_y(load<F32>(b.v + i))));
+        const BilinearTaps at =
+            bilinear_taps(reader, reader.unit(reader.repeats_x(load<F32>(b.u + i))),
+                          reader.unit(reader.repeats_y(load<F32>(b.v + i))));
         store_sample(blend<kChannels>(reader, at), b, i);
     }
 }
 
-void bilinear_sample(Block& b, const BoundMap& map, TexelKind kind) {
+void bilinear_sample(ShadingBlock& b, const BoundMap& map, TexelKind kind) {
     const TexelReader reader(map, kind);
     if (kind == TexelKind::alpha)
         bilinear_lanes<1>(b, reader);
@@ -40,7 +41,7 @@ constinit const Filter bilinear{{.axis = "texture",
                                  .source = "Heckbert 1989",
                                  .kind = Kind::rung},
                                 {.uv = true},
-                                [](Block& block, const BoundMap& map, TexelKind kind) {
+                                [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
                                     SIMD_CALL(bilinear_sample, block, map, kind);
                                 }};
 

@@ -11,18 +11,18 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-SIMD_INLINE void mipmap_lanes(Block& b, const MipReader& reader) {
+SIMD_INLINE void mipmap_lanes(ShadingBlock& b, const MipReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 level = level_of_detail(reader.slopes(b, i)) + F32(0.5F);
         const I32 nearest =
             to_i32(minimum(maximum(level, F32(0.0F)), F32(reader.last()))); // last is whole
-        const F32 s = reader.image().turns_x(load<F32>(b.u + i));
-        const F32 t = reader.image().turns_y(load<F32>(b.v + i));
+        const F32 s = reader.image().repeats_x(load<F32>(b.u + i));
+        const F32 t = reader.image().repeats_y(load<F32>(b.v + i));
         store_sample(reader.bilinear<kChannels>(s, t, nearest), b, i);
     }
 }
 
-void mipmap_sample(Block& b, const BoundMap& map, TexelKind kind) {
+void mipmap_sample(ShadingBlock& b, const BoundMap& map, TexelKind kind) {
     const MipReader reader(map, kind);
     if (kind == TexelKind::alpha)
         mipmap_lanes<1>(b, reader);
@@ -45,7 +45,7 @@ constinit const Filter mipmap{
      .source = "Williams 1983",
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         SIMD_CALL(mipmap_sample, block, map, kind);
     }};
 

@@ -9,7 +9,7 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 template <int kChannels>
-SIMD_INLINE void nearest_lanes(Block& b, const TexelReader& reader) {
+SIMD_INLINE void nearest_lanes(ShadingBlock& b, const TexelReader& reader) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = reader.x(load<F32>(b.u + i)), y = reader.y(load<F32>(b.v + i));
         const I32 place = reader.row(floor_to_int(y)) + reader.column(floor_to_int(x));
@@ -17,7 +17,7 @@ SIMD_INLINE void nearest_lanes(Block& b, const TexelReader& reader) {
     }
 }
 
-void nearest_sample(Block& b, const BoundMap& map, TexelKind kind) {
+void nearest_sample(ShadingBlock& b, const BoundMap& map, TexelKind kind) {
     const TexelReader reader(map, kind);
     if (kind == TexelKind::alpha)
         nearest_lanes<1>(b, reader);
@@ -39,7 +39,7 @@ constinit const Filter nearest{{.axis = "texture",
                                 .source = "Heckbert 1989",
                                 .kind = Kind::rung},
                                {.uv = true},
-                               [](Block& block, const BoundMap& map, TexelKind kind) {
+                               [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
                                    SIMD_CALL(nearest_sample, block, map, kind);
                                }};
 

@@ -17,28 +17,28 @@ constexpr Technique card(std::string_view name, std::string_view blurb) {
 constinit const Filter anisotropic_2{
     card("anisotropic_2", "up to 2 trilinear probes along a slanted pixel's footprint"),
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         sample_anisotropic(block, map, kind, 2);
     }};
 
 constinit const Filter anisotropic_4{
     card("anisotropic_4", "up to 4 trilinear probes along a slanted pixel's footprint"),
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         sample_anisotropic(block, map, kind, 4);
     }};
 
 constinit const Filter anisotropic_8{
     card("anisotropic_8", "up to 8 trilinear probes along a slanted pixel's footprint"),
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         sample_anisotropic(block, map, kind, 8);
     }};
 
 constinit const Filter anisotropic_16{
     card("anisotropic_16", "up to 16 trilinear probes along a slanted pixel's footprint"),
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         sample_anisotropic(block, map, kind, 16);
     }};
 

@@ -16,18 +16,18 @@ SIMD_BEGIN(scanout::shade::texture)
 template <int kChannels>
 class Minified {
 public:
-    // s and t in turns of the texture, level in [1, last].
+    // s and t in repeats of the texture, level in [1, last].
     SIMD_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int lane) {
         s = reader.image().unit(s);
         t = reader.image().unit(t);
         const I32 sharp = to_i32(level);
         const MipReader::Levels level_near = reader.levels(sharp);
-        near_.put(reader.around_in_chain(s, t, level_near), lane);
-        far_.put(reader.around_in_chain(s, t, reader.next(level_near)), lane);
-        store(level - to_f32(sharp), share_ + lane);
+        near_.store_taps(reader.taps_in_chain(s, t, level_near), lane);
+        far_.store_taps(reader.taps_in_chain(s, t, reader.next(level_near)), lane);
+        store(level - to_f32(sharp), fraction_ + lane);
         lane_[count_++] = lane;
     }
-    SIMD_INLINE void read(const MipReader& reader, Block& b) const {
+    SIMD_INLINE void read(const MipReader& reader, ShadingBlock& b) const {
         if (count_ == 0) return;
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
@@ -43,31 +43,32 @@ public:
 private:
     static constexpr int kFirst = kChannels == 1 ? 3 : 0;
     // Four texels around each lane of a block, in one level a lane.
-    struct Places {
-        Corners<ChainTexels, kPaddedBlock> corners;
+    struct TapsOfBlock {
+        TapWords<ChainTexels, kPaddedBlock> words_of_taps;
         float x[kPaddedBlock], y[kPaddedBlock];
-        SIMD_INLINE void put(const Around& at, int lane) {
-            corners.put(at, lane);
+        SIMD_INLINE void store_taps(const BilinearTaps& at, int lane) {
+            words_of_taps.store_taps(at, lane);
             store(at.x, x + lane);
             store(at.y, y + lane);
         }
         template <int kRow>
         SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
-            return blend_row<kRow>(texels, corners, lane, load<F32>(x + lane), load<F32>(y + lane));
+            return blend_row<kRow>(texels, words_of_taps, lane, load<F32>(x + lane),
+                                   load<F32>(y + lane));
         }
     };
     template <int kRow>
     SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
-        return mix(broadcast_in_quad<kRow>(load<F32>(share_ + lane)),
+        return mix(broadcast_in_quad<kRow>(load<F32>(fraction_ + lane)),
                    near_.template row<kRow>(texels, lane), far_.template row<kRow>(texels, lane));
     }
-    Places near_, far_;
-    float share_[kPaddedBlock];
+    TapsOfBlock near_, far_;
+    float fraction_[kPaddedBlock];
     int lane_[kPaddedBlock / kLanes], count_ = 0;
 };
 
 template <int kChannels>
-SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
+SIMD_INLINE void trilinear_lanes(ShadingBlock& b, const MipReader& reader) {
     // Levels first: with what follows a register's way would be a chain of some hundred cycles, and
     // registers overlap only as far as the processor looks ahead.
     alignas(64) float levels[kPaddedBlock];
@@ -79,8 +80,8 @@ SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
     Minified<kChannels> minified;
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 level = load<F32>(levels + i);
-        const F32 s = reader.image().turns_x(load<F32>(b.u + i));
-        const F32 t = reader.image().turns_y(load<F32>(b.v + i));
+        const F32 s = reader.image().repeats_x(load<F32>(b.u + i));
+        const F32 t = reader.image().repeats_y(load<F32>(b.v + i));
         if (any(level < F32(1.0F)))
             store_sample(reader.trilinear<kChannels>(s, t, level), b, i);
         else
@@ -89,7 +90,7 @@ SIMD_INLINE void trilinear_lanes(Block& b, const MipReader& reader) {
     minified.read(reader, b);
 }
 
-void trilinear_sample(Block& b, const BoundMap& map, TexelKind kind) {
+void trilinear_sample(ShadingBlock& b, const BoundMap& map, TexelKind kind) {
     const MipReader reader(map, kind);
     if (kind == TexelKind::alpha)
         trilinear_lanes<1>(b, reader);
@@ -112,7 +113,7 @@ constinit const Filter trilinear{
      .source = "Williams 1983",
      .kind = Kind::rung},
     {.uv = true, .footprint = true},
-    [](Block& block, const BoundMap& map, TexelKind kind) {
+    [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         SIMD_CALL(trilinear_sample, block, map, kind);
     }};
 

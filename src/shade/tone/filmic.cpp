@@ -10,7 +10,7 @@
 
 SIMD_BEGIN(scanout::shade::tone)
 
-void filmic_run(Block& b) {
+void filmic_run(ShadingBlock& b) {
     for (auto& channel : b.colour)
         for (int i = 0; i < b.count; i += kLanes) {
             // Beyond 16 the curve is above 1 for good; its squares must not overflow.
@@ -37,7 +37,7 @@ constinit const ToneStage filmic{
       .kind = Kind::model},
      Pass::tone,
      {},
-     [](Block& block, const FrameState& /*frame*/) { SIMD_CALL(filmic_run, block); }},
+     [](ShadingBlock& block, const FrameState& /*frame*/) { SIMD_CALL(filmic_run, block); }},
     {}};
 
 } // namespace scanout::shade::tone

@@ -12,7 +12,7 @@
 
 SIMD_BEGIN(scanout::shade::tone)
 
-void shoulder_run(Block& b, const FrameState& frame) {
+void shoulder_run(ShadingBlock& b, const FrameState& frame) {
     const float white = frame.white, knee = 1.0F / white, room = 1.0F - knee,
                 inverse_square = 1.0F / ((white + 1.0F) * (white + 1.0F));
     for (auto& channel : b.colour)
@@ -42,7 +42,7 @@ constinit const ToneStage shoulder{
       .kind = Kind::model},
      Pass::tone,
      {},
-     [](Block& block, const FrameState& frame) { SIMD_CALL(shoulder_run, block, frame); }},
+     [](ShadingBlock& block, const FrameState& frame) { SIMD_CALL(shoulder_run, block, frame); }},
     {.exact_below_white = true}};
 
 } // namespace scanout::shade::tone

@@ -21,18 +21,18 @@ void fragments_nearest_first(std::span<std::uint32_t> fragments, const BlendList
         const BlendFragment& fragment = list.fragments[f];
         return Keyed{list.depth_at(fragment, sample), fragment.id, f};
     };
-    constexpr std::size_t kFew = 16; // of them most pixels have no more
-    if (fragments.size() <= kFew) {
-        std::array<Keyed, kFew> few;
+    constexpr std::size_t kMaxOnStack = 16; // of them most pixels have no more
+    if (fragments.size() <= kMaxOnStack) {
+        std::array<Keyed, kMaxOnStack> on_stack;
         for (std::size_t i = 0; i < fragments.size(); ++i) {
             const Keyed next = keyed(fragments[i]);
             std::size_t at = i;
-            for (; at > 0 && next < few[at - 1]; --at)
-                few[at] = few[at - 1];
-            few[at] = next;
+            for (; at > 0 && next < on_stack[at - 1]; --at)
+                on_stack[at] = on_stack[at - 1];
+            on_stack[at] = next;
         }
         for (std::size_t i = 0; i < fragments.size(); ++i)
-            fragments[i] = few[i].fragment;
+            fragments[i] = on_stack[i].fragment;
         return;
     }
     std::vector<Keyed> many;

@@ -1,9 +1,9 @@
-#include "shade/place_lanes.h"
+#include "shade/block_pixels.h"
 
 #include "raster/coverage/coverage.h"
 #include "raster/screen/sample_pattern.h"
 
-#define SIMD_FILE "shade/place_lanes.cpp"
+#define SIMD_FILE "shade/block_pixels.cpp"
 #include "simd/for_each_target.h"
 
 SIMD_BEGIN(scanout::shade)
@@ -11,7 +11,7 @@ SIMD_BEGIN(scanout::shade)
 constexpr int kRowBits = 6;
 static_assert(raster::kTileSize == 1 << kRowBits);
 
-void place(Block& b, const std::int32_t* pixel, int first, int count, int x0, int y0) {
+void centre(ShadingBlock& b, const std::int32_t* pixel, int first, int count, int x0, int y0) {
     const I32 left = x0, top = y0, end = first + count;
     for (int i = first; i < first + count; i += kLanes) {
         const I32 at = load<I32>(pixel + i);
@@ -25,7 +25,7 @@ void place(Block& b, const std::int32_t* pixel, int first, int count, int x0, in
     }
 }
 
-void cast(Block& b, const Rays& rays) {
+void cast(ShadingBlock& b, const Rays& rays) {
     for (int i = 0; i < b.count; i += kLanes) {
         const F32 x = to_f32(load<I32>(b.x + i)) * F32(1.0F / 256);
         const F32 y = to_f32(load<I32>(b.y + i)) * F32(1.0F / 256);
@@ -34,18 +34,18 @@ void cast(Block& b, const Rays& rays) {
     }
 }
 
-void put(const std::uint32_t* code, const std::int32_t* pixel, int count, image::Rgba8* corner,
-         int width) {
-    alignas(64) std::uint32_t place[kPaddedBlock];
+void scatter(const std::uint32_t* code, const std::int32_t* pixel, int count, image::Rgba8* corner,
+             int width) {
+    alignas(64) std::uint32_t offset[kPaddedBlock];
     const I32 down = width - raster::kTileSize; // besides a row of the tile
     for (int i = 0; i < count; i += kLanes) {
         const I32 at = load<I32>(pixel + i);
-        store(at + shift_right<kRowBits>(at) * down, place + i);
+        store(at + shift_right<kRowBits>(at) * down, offset + i);
     }
-    const auto lanes = static_cast<std::size_t>(count);
+    const auto items = static_cast<std::size_t>(count);
 #pragma GCC unroll 4
-    for (std::size_t lane = 0; lane < lanes; ++lane)
-        __builtin_memcpy(static_cast<void*>(corner + place[lane]), code + lane, sizeof *code);
+    for (std::size_t item = 0; item < items; ++item)
+        __builtin_memcpy(static_cast<void*>(corner + offset[item]), code + item, sizeof *code);
 }
 
 SIMD_END
@@ -53,22 +53,22 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade {
 
-SIMD_REGISTER(place);
+SIMD_REGISTER(centre);
 SIMD_REGISTER(cast);
-SIMD_REGISTER(put);
+SIMD_REGISTER(scatter);
 
-void place_at_centres(Block& block, const std::int32_t* pixel, int first, int count, int x0,
+void place_at_centres(ShadingBlock& block, const std::int32_t* pixel, int first, int count, int x0,
                       int y0) {
-    SIMD_CALL(place, block, pixel, first, count, x0, y0);
+    SIMD_CALL(centre, block, pixel, first, count, x0, y0);
 }
 
-void set_rays(Block& block, const Rays& rays) {
+void set_rays(ShadingBlock& block, const Rays& rays) {
     SIMD_CALL(cast, block, rays);
 }
 
-void put_codes(const std::uint32_t* code, const std::int32_t* pixel, int count,
-               image::Rgba8* corner, int width) {
-    SIMD_CALL(put, code, pixel, count, corner, width);
+void store_codes(const std::uint32_t* code, const std::int32_t* pixel, int count,
+                 image::Rgba8* corner, int width) {
+    SIMD_CALL(scatter, code, pixel, count, corner, width);
 }
 
 } // namespace scanout::shade

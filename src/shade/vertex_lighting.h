@@ -1,5 +1,5 @@
 // Light at the corners or in the middle of a block's triangles, where it is not evaluated at every
-// pixel: the frame's light stages and the material's reflection model run over lanes that are
+// pixel: the frame's light stages and the material's reflection model run over items that are
 // vertices or faces instead of pixels, so that all rungs of the axis `shading` share them.
 //
 // Every model is linear in the albedo: colour = plain + albedo * tinted. Both parts are kept apart,
@@ -10,7 +10,7 @@
 
 namespace scanout::shade {
 
-struct CornerLight {
+struct VertexLighting {
     // Of one triangle: [channel][vertex]; of a face, vertex 0 stands for all.
     struct Triangle {
         float plain[3][3], tinted[3][3];
@@ -19,12 +19,12 @@ struct CornerLight {
     std::uint8_t of_run[kBlockSize]; // place in `triangle`
 
     // Lanes that are vertices or faces.
-    Block lanes;
+    ShadingBlock items;
     alignas(64) float eye[3][kPaddedBlock];
 };
 
 // Lights every triangle of the block once and notes which run shows which.
-void light_corners(Block& block, const FrameState& frame);
-void light_faces(Block& block, const FrameState& frame);
+void light_vertices(ShadingBlock& block, const FrameState& frame);
+void light_faces(ShadingBlock& block, const FrameState& frame);
 
 } // namespace scanout::shade

@@ -1,13 +1,13 @@
-#include "shade/lane_triangles.h"
+#include "shade/shading_setup.h"
 
 #include "shade/check_lanes.h"
 #include "shade/gather.h"
 
-#define SIMD_FILE "shade/lane_triangles.cpp"
+#define SIMD_FILE "shade/shading_setup.cpp"
 #include "simd/for_each_target.h"
 
 #include "shade/footprint-inl.h"
-#include "shade/triangle_lanes-inl.h"
+#include "shade/triangle_setup-inl.h"
 #include "simd/entries-inl.h"
 
 SIMD_BEGIN(scanout::shade)
@@ -28,7 +28,7 @@ SIMD_INLINE void for_terms(Plane& plane, const Visit& visit) {
 }
 
 // How u and v lie on a register of triangles that are set up.
-SIMD_INLINE void put_plane(LaneTriangles& t, int at) {
+SIMD_INLINE void store_uv_plane(ShadingSetup& t, int at) {
     F64x8 a[3], b[3], inverse_w[3], f[2][3];
     SIMD_FOR (int k = 0; k < 3; ++k) {
         if (k > 0) {
@@ -54,22 +54,22 @@ struct Areas {
 
 // Areas opposite the vertices are exact in 32 bits, or in doubles. The register is as wide as D.
 template <class D>
-struct Whole {
+struct AreaInt32 {
     using Number = Int<D>;
     static SIMD_INLINE Number of(Int<D> a) { return a; }
-    static SIMD_INLINE Number twice(const LaneTriangles& t, int, int, const Entries<D>& entries) {
-        return entries.of(t.twice);
+    static SIMD_INLINE Number twice(const ShadingSetup& t, int, int, const Entries<D>& entries) {
+        return entries.of(t.twice_area);
     }
     static SIMD_INLINE Mask<D> narrow(Mask<D> mask) { return mask; }
     // For read_areas, in registers of another width.
     static SIMD_INLINE void keep(Number area, std::int32_t* to) { store(area, to); }
 };
 template <class D>
-struct Wide {
+struct AreaDouble {
     using Number = Double<D>;
     static SIMD_INLINE Number of(Int<D> a) { return to_f64(a); }
-    static SIMD_INLINE Number twice(const LaneTriangles& t, int lane, int live, const Entries<D>&) {
-        return DoubleEntries<D>(t.of_lane + lane, live).of(t.exact_twice);
+    static SIMD_INLINE Number twice(const ShadingSetup& t, int lane, int live, const Entries<D>&) {
+        return DoubleEntries<D>(t.triangle_of + lane, live).of(t.exact_twice_area);
     }
     static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
         return HWY_NAMESPACE::narrow<D>(mask);
@@ -78,7 +78,7 @@ struct Wide {
 };
 // At these places of the lanes, 1/256 pixel.
 template <class In, class D>
-SIMD_INLINE Areas<typename In::Number> areas_at(In, const LaneTriangles& t,
+SIMD_INLINE Areas<typename In::Number> areas_at(In, const ShadingSetup& t,
                                                 const Entries<D>& entries, Int<D> x, Int<D> y) {
     const auto across = In::of(x - entries.of(t.x)), along = In::of(y - entries.of(t.y));
     const auto area = [&](int k) SIMD_LAMBDA {
@@ -87,19 +87,20 @@ SIMD_INLINE Areas<typename In::Number> areas_at(In, const LaneTriangles& t,
     };
     return {area(0), area(1)};
 }
-// Of small triangles (are_small), made of numbers of 16 bits: half as many products.
+// Of small triangles (fit_int16), made of numbers of 16 bits: half as many products.
 template <class D>
-struct Small : Whole<D> {};
+struct AreaInt16 : AreaInt32<D> {};
 template <class D>
-SIMD_INLINE Areas<Int<D>> areas_at(Small<D>, const LaneTriangles& t, const Entries<D>& entries,
+SIMD_INLINE Areas<Int<D>> areas_at(AreaInt16<D>, const ShadingSetup& t, const Entries<D>& entries,
                                    Int<D> x, Int<D> y) {
-    const Int<D> apart = subtract_pairs(pair_of(x, y), entries.of(t.place));
-    return {dot_pairs(entries.of(t.step[0]), apart), dot_pairs(entries.of(t.step[1]), apart)};
+    const Int<D> apart = subtract_pairs(pair_of(x, y), entries.of(t.packed_xy));
+    return {dot_pairs(entries.of(t.packed_step[0]), apart),
+            dot_pairs(entries.of(t.packed_step[1]), apart)};
 }
 
 // Which lanes their triangles cover where these areas are.
 template <class In, class D, class N>
-SIMD_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, const N (&area)[3]) {
+SIMD_INLINE Mask<D> covered(const ShadingSetup& t, const Entries<D>& entries, const N (&area)[3]) {
     const Int<D> zero = 0, one = 1;
     const Int<D> a[2] = {entries.of(t.right[0]), entries.of(t.right[1])};
     const Int<D> b[2] = {entries.of(t.down[0]), entries.of(t.down[1])};
@@ -110,21 +111,22 @@ SIMD_INLINE Mask<D> covered(const LaneTriangles& t, const Entries<D>& entries, c
            inside(area[1], a[0], b[0]) & inside(area[2], a[1], b[1]);
 }
 
-// Of a register of triangles of which it may not be known yet, where they are small.
-SIMD_INLINE void fill_exact(LaneTriangles& t, int at) {
-    const I32x8 known = load<I32x8>(t.whole + at);
-    const F64x8 twice = to_f64(load<I32x8>(t.twice + at));
+// The exact areas of a register of triangles, where fit_int16 has left them out.
+SIMD_INLINE void fill_exact(ShadingSetup& t, int at) {
+    const I32x8 known = load<I32x8>(t.fits_int32 + at);
+    const F64x8 twice = to_f64(load<I32x8>(t.twice_area + at));
     const auto whole = to_f64(known) > F64x8(0.5);
-    store(select(whole, twice, load<F64x8>(t.exact_twice + at)), t.exact_twice + at);
+    store(select(whole, twice, load<F64x8>(t.exact_twice_area + at)), t.exact_twice_area + at);
 }
 
 // Moves a register of lanes where they are shaded, and finds their weights there. sloped: slopes
 // will be wanted, too.
 template <class D, template <class> class In>
-SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live, bool sloped) {
+SIMD_INLINE void find_weights(ShadingSetup& t, ShadingBlock& block, int lane, int live,
+                              bool sloped) {
     using I = Int<D>;
     using N = typename In<D>::Number;
-    const Entries<D> entries(t.of_lane + lane, live);
+    const Entries<D> entries(t.triangle_of + lane, live);
     I x = load<I>(block.x + lane), y = load<I>(block.y + lane);
     const N twice = In<D>::twice(t, lane, live, entries);
     auto found = areas_at(In<D>(), t, entries, x, y);
@@ -148,28 +150,28 @@ SIMD_INLINE void weigh(LaneTriangles& t, Block& block, int lane, int live, bool 
 
 // The areas at a register of lanes that have been weighed.
 template <class D>
-SIMD_INLINE void read_areas(Whole<D>, const LaneTriangles& t, const Block&, int lane, int,
+SIMD_INLINE void read_areas(AreaInt32<D>, const ShadingSetup& t, const ShadingBlock&, int lane, int,
                             Double<D> (&area)[3]) {
     SIMD_FOR (int k = 0; k < 3; ++k)
         area[k] = to_f64(load<Int<D>>(t.area[k] + lane));
 }
 template <class D>
-SIMD_INLINE void read_areas(Wide<D>, const LaneTriangles& t, const Block& block, int lane, int live,
-                            Double<D> (&area)[3]) {
-    const Entries<D> entries(t.of_lane + lane, live);
-    const auto found =
-        areas_at(Wide<D>(), t, entries, load<Int<D>>(block.x + lane), load<Int<D>>(block.y + lane));
-    area[0] = (Wide<D>::twice(t, lane, live, entries) - found.one) - found.two;
+SIMD_INLINE void read_areas(AreaDouble<D>, const ShadingSetup& t, const ShadingBlock& block,
+                            int lane, int live, Double<D> (&area)[3]) {
+    const Entries<D> entries(t.triangle_of + lane, live);
+    const auto found = areas_at(AreaDouble<D>(), t, entries, load<Int<D>>(block.x + lane),
+                                load<Int<D>>(block.y + lane));
+    area[0] = (AreaDouble<D>::twice(t, lane, live, entries) - found.one) - found.two;
     area[1] = found.one;
     area[2] = found.two;
 }
 
 // How u and v change on the screen (footprint-inl.h).
 template <template <class> class In>
-SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int live) {
+SIMD_INLINE void store_slopes(ShadingSetup& t, const ShadingBlock& block, int lane, int live) {
     using D = F32x8::Tag;
-    const Entries<D> entries(t.of_lane + lane, live);
-    const DoubleEntries<D> doubles(t.of_lane + lane, live);
+    const Entries<D> entries(t.triangle_of + lane, live);
+    const DoubleEntries<D> doubles(t.triangle_of + lane, live);
     F64x8 area[3];
     read_areas(In<D>(), t, block, lane, live, area);
     Plane plane;
@@ -185,10 +187,10 @@ SIMD_INLINE void put_slopes(LaneTriangles& t, const Block& block, int lane, int 
 }
 
 // No loop over the triangles: how many there are is not foretold.
-void take(const std::int32_t* number, const std::uint32_t* ids, int count, LaneTriangles& t,
+void take(const std::int32_t* number, const std::uint32_t* ids, int count, ShadingSetup& t,
           int lane) {
     const std::int32_t first = number[0];
-    std::int32_t* const to = t.of_lane + lane;
+    std::int32_t* const to = t.triangle_of + lane;
     std::uint32_t* const id = t.id + t.count;
     const I32 more = t.count - first;
     for (int i = 0; i < count; i += kLanes) {
@@ -198,40 +200,41 @@ void take(const std::int32_t* number, const std::uint32_t* ids, int count, LaneT
     t.count += number[count - 1] + 1 - first;
 }
 
-void set_up_triangles(const TriangleSource& s, LaneTriangles& t, Block& b, int first, int count) {
+void set_up_triangles(const TriangleSource& s, ShadingSetup& t, ShadingBlock& b, int first,
+                      int count) {
     const bool sloped = s.wanted.uv && s.wanted.footprint;
-    const int begin = t.of_lane[first], triangles = t.of_lane[first + count - 1] + 1;
-    Fits fit;
+    const int begin = t.triangle_of[first], triangles = t.triangle_of[first + count - 1] + 1;
+    AreaRange range;
     for (int i = 0; i < kLanes; ++i) // registers reach beyond the last
         t.id[t.count + i] = t.id[t.count - 1];
     using D = F32::Tag;
     for (int i = begin; i < triangles; i += kLanes)
-        put_corners<D>(s, t, i);
+        load_vertex_indices<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
-        fit = fit & set_up_register<D>(s, t, i);
+        range = range & set_up_register<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
-        put_attributes<D>(s, t, i);
+        set_up_attributes<D>(s, t, i);
     for (int i = begin; sloped && i < triangles; i += kLanesX8)
-        put_plane(t, i);
+        store_uv_plane(t, i);
     const int end = first + count;
-    if (fit.small) {
+    if (range.int16) {
         for (int i = first; i < end; i += kLanes)
-            weigh<F32::Tag, Small>(t, b, i, end - i, sloped);
-    } else if (fit.whole) {
+            find_weights<F32::Tag, AreaInt16>(t, b, i, end - i, sloped);
+    } else if (range.int32) {
         for (int i = first; i < end; i += kLanes)
-            weigh<F32::Tag, Whole>(t, b, i, end - i, sloped);
+            find_weights<F32::Tag, AreaInt32>(t, b, i, end - i, sloped);
     } else {
         for (int i = begin; i < triangles; i += kLanesX8)
             fill_exact(t, i);
         for (int i = first; i < end; i += kLanesX8)
-            weigh<F32x8::Tag, Wide>(t, b, i, end - i, sloped);
+            find_weights<F32x8::Tag, AreaDouble>(t, b, i, end - i, sloped);
     }
     if (!sloped) return;
     for (int i = first; i < end; i += kLanesX8) {
-        if (fit.whole)
-            put_slopes<Whole>(t, b, i, end - i);
+        if (range.int32)
+            store_slopes<AreaInt32>(t, b, i, end - i);
         else
-            put_slopes<Wide>(t, b, i, end - i);
+            store_slopes<AreaDouble>(t, b, i, end - i);
     }
 }
 
@@ -250,7 +253,8 @@ TriangleSource triangle_source(const GatherInput& in) {
     };
     TriangleSource s{};
     s.index = mesh.index_in_spatial_order().data();
-    s.place = mesh.clusters.spatial_index.empty() ? nullptr : mesh.clusters.spatial_index.data();
+    s.spatial_index =
+        mesh.clusters.spatial_index.empty() ? nullptr : mesh.clusters.spatial_index.data();
     s.vertex = in.geometry->vertices().data();
     s.position = floats(mesh.position);
     s.normal = floats(mesh.normal);
@@ -269,13 +273,13 @@ TriangleSource triangle_source(const GatherInput& in) {
     return s;
 }
 
-void take_lanes(const std::int32_t* number, const std::uint32_t* ids, int count,
-                LaneTriangles& triangles, int lane) {
+void assign_triangles(const std::int32_t* number, const std::uint32_t* ids, int count,
+                      ShadingSetup& triangles, int lane) {
     SIMD_CALL(take, number, ids, count, triangles, lane);
 }
 
-void set_up_lanes(const TriangleSource& source, LaneTriangles& triangles, Block& block, int first,
-                  int count) {
+void set_up_run(const TriangleSource& source, ShadingSetup& triangles, ShadingBlock& block,
+                int first, int count) {
     SIMD_CALL(set_up_triangles, source, triangles, block, first, count);
     check_triangles(triangles, source.wanted, first, count);
 }

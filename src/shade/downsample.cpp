@@ -1,20 +1,20 @@
-#include "shade/shrink.h"
+#include "shade/downsample.h"
 
-#define SIMD_FILE "shade/shrink.cpp"
+#define SIMD_FILE "shade/downsample.cpp"
 #include "simd/for_each_target.h"
 
 SIMD_BEGIN(scanout::shade)
 
-// The texels of a line that one of half as many covers, from 2i on, and their shares. Of an odd
-// number 2m + 1 each of the m covers 2 + 1/m: the middle ones' shares shift from the first to the
-// third (Guthe and Heckbert 2005). Shares add up to 1, and over the line every texel counts alike.
+// The texels of a line that one of half as many covers, from 2i on, and their weights. Of an odd
+// number 2m + 1 each of the m covers 2 + 1/m: the middle weights shift from the first to the
+// third (Guthe and Heckbert 2005). Weights add up to 1, and over the line every texel counts alike.
 template <class Number>
-struct Shares {
+struct Weights {
     int count;
-    Number share[3];
+    Number weight[3];
 };
 template <class Number>
-SIMD_INLINE Shares<Number> shares_of(Number i, int size) {
+SIMD_INLINE Weights<Number> weights_of(Number i, int size) {
     const Number none = 0.0, half = 0.5, one = 1.0;
     if (size == 1) return {1, {one, none, none}};
     if (size % 2 == 0) return {2, {half, half, none}};
@@ -91,48 +91,49 @@ struct Floats {
     }
 };
 
-SIMD_INLINE void add(F64x8 (&sum)[4], F64x8 share, const Texels& texels) {
+SIMD_INLINE void add(F64x8 (&sum)[4], F64x8 weight, const Texels& texels) {
     SIMD_FOR (int c = 0; c < 4; ++c)
-        sum[c] = sum[c] + share * texels.channel[c];
+        sum[c] = sum[c] + weight * texels.channel[c];
 }
 
 // The sums are in double, so the mean of equal floats is that float.
 template <class Read>
-SIMD_INLINE void shrink(const LevelAbove& above, int y, int width, float* row, const Read& read) {
+SIMD_INLINE void downsample(const LevelAbove& above, int y, int width, float* row,
+                            const Read& read) {
     int i = 0;
-    if (above.width % 2 == 0 && above.height % 2 == 0) // every share is a quarter
+    if (above.width % 2 == 0 && above.height % 2 == 0) // every weight is a quarter
         for (; i + kLanesX8 <= width; i += kLanesX8)
             read.means(std::ptrdiff_t{2} * (std::ptrdiff_t{y} * above.width + i), above.width,
                        row + 4 * i);
-    const Shares<double> down = shares_of(static_cast<double>(y), above.height);
+    const Weights<double> down = weights_of(static_cast<double>(y), above.height);
     for (; i < width; i += kLanesX8) {
         const bool whole = i + kLanesX8 <= width;
         const I32x8 column = minimum(iota<I32x8>(i), I32x8(width - 1));
-        const Shares<F64x8> across = shares_of(to_f64(column), above.width);
+        const Weights<F64x8> across = weights_of(to_f64(column), above.width);
         F64x8 sum[4] = {0.0, 0.0, 0.0, 0.0};
         for (int k = 0; k < down.count; ++k) {
             const int above_row = (2 * y + k) * above.width;
             F64x8 line[4] = {0.0, 0.0, 0.0, 0.0};
             const I32x8 first = I32x8(above_row) + shift_left<1>(column);
             for (int l = 0; l < across.count; ++l)
-                add(line, across.share[l], read.at(first + I32x8(l)));
+                add(line, across.weight[l], read.at(first + I32x8(l)));
             SIMD_FOR (int c = 0; c < 4; ++c)
-                sum[c] = sum[c] + F64x8(down.share[k]) * line[c];
+                sum[c] = sum[c] + F64x8(down.weight[k]) * line[c];
         }
-        float room[4 * kLanesX8]; // a row ends where the next one begins
-        float* const to = whole ? row + 4 * i : room;
+        float scratch[4 * kLanesX8]; // a row ends where the next one begins
+        float* const to = whole ? row + 4 * i : scratch;
         store_texels(sum, to);
         if (whole) continue;
         for (int k = 0; k < 4 * (width - i); ++k)
-            row[4 * i + k] = room[k];
+            row[4 * i + k] = scratch[k];
     }
 }
 
-void shrink_any(const LevelAbove& above, int y, int width, float* row) {
+void downsample_any(const LevelAbove& above, int y, int width, float* row) {
     if (above.codes != nullptr)
-        shrink(above, y, width, row, Codes{above.codes, above.colour, above.alpha});
+        downsample(above, y, width, row, Codes{above.codes, above.colour, above.alpha});
     else
-        shrink(above, y, width, row, Floats{above.texels});
+        downsample(above, y, width, row, Floats{above.texels});
 }
 
 SIMD_END
@@ -140,10 +141,10 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::shade {
 
-SIMD_REGISTER(shrink_any);
+SIMD_REGISTER(downsample_any);
 
-void shrink_row(const LevelAbove& above, int y, int width, float* row) {
-    SIMD_CALL(shrink_any, above, y, width, row);
+void downsample_row(const LevelAbove& above, int y, int width, float* row) {
+    SIMD_CALL(downsample_any, above, y, width, row);
 }
 
 } // namespace scanout::shade

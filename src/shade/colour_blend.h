@@ -16,27 +16,27 @@ namespace scanout::shade {
 
 using LayerColour = std::array<float, 3>; // white is 1
 
-class ComposedLayers {
+class ColourBlend {
 public:
     static constexpr std::uint32_t kNothing = 0xffffffff; // the background
 
     struct Pixel {
-        std::uint16_t number;     // in the tile
-        std::uint16_t edge_pixel; // index in the gatherer's list of edge pixels
-        std::uint32_t slot;       // place of its first sample among those that were added
-        std::uint32_t ground;     // place of what is opaque at its first sample
+        std::uint16_t number;      // in the tile
+        std::uint16_t edge_pixel;  // index in the gatherer's list of edge pixels
+        std::uint32_t slot;        // place of its first sample among those that were added
+        std::uint32_t opaque_base; // place of what is opaque at its first sample
     };
-    // What a sample shows, less the background's share of it; and that share.
+    // What a sample shows, less what the background adds to it; and the transmittance.
     struct Sample {
         LayerColour colour;
-        float through;
+        float transmittance;
     };
     struct Background {
         LayerColour colour; // times its alpha
         float alpha;
     };
     // Of one layer twice: in the blend space, and linear where somebody wants that.
-    enum class Of : std::uint8_t { mixture, linear };
+    enum class Of : std::uint8_t { blend_space, linear };
 
     // A part of a tile.
     void begin();
@@ -44,9 +44,9 @@ public:
     std::uint32_t add_sample(std::span<const std::uint32_t> nearest_first);
     // All samples have been added. Fragments are the first layers, by their place in the list.
     void begin_pixels(std::size_t fragments);
-    // Layers of the samples of a pixel that are opaque; kNothing where none is.
+    // TransparencyPass of the samples of a pixel that are opaque; kNothing where none is.
     void add_pixel(std::uint16_t number, std::uint16_t edge_pixel, std::uint32_t slot,
-                   std::span<const std::uint32_t> ground);
+                   std::span<const std::uint32_t> opaque_base);
     std::uint32_t add_opaque_layer() { return layers_++; }
 
     // What lies outside of [0, 1] is cut off where a layer lies before another.
@@ -60,7 +60,7 @@ public:
 
 private:
     std::vector<std::uint32_t> order_, end_; // fragments of all samples; where a sample's end
-    std::vector<std::uint32_t> ground_;
+    std::vector<std::uint32_t> opaque_base_;
     std::vector<Pixel> pixels_;
     std::array<std::vector<LayerColour>, 2> colour_; // Of
     std::uint32_t layers_ = 0;

@@ -1,4 +1,4 @@
-#include "shade/wide_filter.h"
+#include "shade/reconstruction_filter.h"
 
 #include "shade/check_lanes.h"
 
@@ -6,11 +6,11 @@
 
 namespace scanout::shade {
 
-WideFilter::WideFilter(std::span<const raster::SampleOffset> pattern,
-                       double (*weight)(double distance)) {
+ReconstructionFilter::ReconstructionFilter(std::span<const raster::SampleOffset> pattern,
+                                           double (*kernel)(double distance)) {
     const auto along = [&](std::size_t cell, std::int32_t offset) {
         const double distance = static_cast<double>(cell) - 1 + offset / 256.0 - 0.5;
-        return weight(distance < 0 ? -distance : distance);
+        return kernel(distance < 0 ? -distance : distance);
     };
     std::array<std::array<double, 16>, kCells> exact{};
     double total = 0;
@@ -23,28 +23,28 @@ WideFilter::WideFilter(std::span<const raster::SampleOffset> pattern,
     for (std::size_t cell = 0; cell < kCells; ++cell) {
         for (std::size_t s = 0; s < pattern.size(); ++s)
             sample_[cell][s] = static_cast<float>(exact[cell][s] / total);
-        whole_[cell] = share(cell, all);
+        total_[cell] = weight(cell, all);
     }
 }
 
-std::size_t WidePicture::bytes() const {
-    std::size_t all = own.pixel.size() * sizeof own.pixel[0] + part.size() * sizeof part[0];
-    for (const std::vector<WideParts>& parts : of_tile)
-        all += parts.size() * sizeof(WideParts);
+std::size_t SplatPicture::bytes() const {
+    std::size_t all = own.pixel.size() * sizeof own.pixel[0] + splat.size() * sizeof splat[0];
+    for (const std::vector<FilterSplat>& splats : of_tile)
+        all += splats.size() * sizeof(FilterSplat);
     return all;
 }
 
-void WidePicture::reset(int width, int height, int tile, int across, int tiles) {
+void SplatPicture::reset(int width, int height, int tile, int across, int tiles) {
     own.reset(width, height);
-    part.assign(own.pixel.size(), -1);
+    splat.assign(own.pixel.size(), -1);
     tile_size = tile;
     tiles_across = across;
     of_tile.resize(static_cast<std::size_t>(tiles));
-    for (std::vector<WideParts>& parts : of_tile)
-        parts.clear();
+    for (std::vector<FilterSplat>& splats : of_tile)
+        splats.clear();
 }
 
-bool filter_area(const WideFilter& filter, WidePicture& from, const image::Rect& area,
+bool filter_area(const ReconstructionFilter& filter, SplatPicture& from, const image::Rect& area,
                  PixelSums& sums) {
     // Sums of weights round; a pixel that primitives fill is full.
     constexpr float kFull = 1 - 0x1p-18F;
@@ -58,21 +58,21 @@ bool filter_area(const WideFilter& filter, WidePicture& from, const image::Rect&
                     std::clamp(x + static_cast<int>(cell % 3) - 1, 0, from.own.width - 1);
                 const int py =
                     std::clamp(y + static_cast<int>(cell / 3) - 1, 0, from.own.height - 1);
-                const std::int32_t part = from.part_at(px, py);
+                const std::int32_t splat = from.splat_at(px, py);
                 const std::array<float, 4>& own = from.own.at(px, py);
                 for (std::size_t c = 0; c < 4; ++c)
-                    sum[c] += part < 0 ? own[c] * filter.whole(cell)
-                                       : from.of_tile[from.tile_of(px, py)]
-                                                     [static_cast<std::size_t>(part)][cell][c];
+                    sum[c] += splat < 0 ? own[c] * filter.total_weight(cell)
+                                        : from.of_tile[from.tile_of(px, py)]
+                                                      [static_cast<std::size_t>(splat)][cell][c];
             }
             sums.red[i] = sum[0];
             sums.green[i] = sum[1];
             sums.blue[i] = sum[2];
-            sums.through[i] = sum[3] > kFull ? 0.0F : 1 - sum[3];
+            sums.transmittance[i] = sum[3] > kFull ? 0.0F : 1 - sum[3];
             any = any || sum[3] > 0;
         }
-    for (const auto* channel : {&sums.red, &sums.green, &sums.blue, &sums.through})
-        check_values(std::span(*channel).first(i), "sum", "the wide filter");
+    for (const auto* channel : {&sums.red, &sums.green, &sums.blue, &sums.transmittance})
+        check_values(std::span(*channel).first(i), "sum", "the reconstruction filter");
     return any;
 }
 

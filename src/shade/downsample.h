@@ -14,6 +14,6 @@ struct LevelAbove {
 };
 
 // Row y of the level below, four floats a texel: `width` texels, half of those above.
-void shrink_row(const LevelAbove& above, int y, int width, float* row);
+void downsample_row(const LevelAbove& above, int y, int width, float* row);
 
 } // namespace scanout::shade

@@ -1,19 +1,19 @@
-#include "shade/alpha_lanes.h"
+#include "shade/alpha_evaluator.h"
 
 #include "shade/check_lanes.h"
-#include "shade/primitives.h"
+#include "shade/primitive_cache.h"
 
 namespace scanout::shade {
 
 using raster::kSubpixel;
 
-AlphaLanes::AlphaLanes()
-    : block_(std::make_unique<Block>()), primitives_(std::make_unique<Gatherer::Primitives>()) {}
-AlphaLanes::~AlphaLanes() = default;
+AlphaEvaluator::AlphaEvaluator()
+    : block_(std::make_unique<ShadingBlock>()), primitives_(std::make_unique<PrimitiveCache>()) {}
+AlphaEvaluator::~AlphaEvaluator() = default;
 
-void AlphaLanes::begin(const GatherInput& input, At at, std::vector<float>& out) {
+void AlphaEvaluator::begin(const GatherInput& input, At at, std::vector<float>& out) {
     in_ = input;
-    in_.frame = &input.layers->frame;
+    in_.frame = &input.transparency->frame;
     at_ = at;
     out_ = &out;
     out.clear();
@@ -23,12 +23,12 @@ void AlphaLanes::begin(const GatherInput& input, At at, std::vector<float>& out)
     block_->count = block_->runs = 0;
 }
 
-void AlphaLanes::bind(std::int32_t index) {
+void AlphaEvaluator::bind(std::int32_t index) {
     run_block();
     material_ = index;
-    Block& b = *block_;
+    ShadingBlock& b = *block_;
     b.material = &in_.material(index);
-    const MaterialAlpha& alpha = in_.layers->alpha[static_cast<std::size_t>(index + 1)];
+    const MaterialAlpha& alpha = in_.transparency->alpha[static_cast<std::size_t>(index + 1)];
     constant_ = !alpha.diffuse_map && !alpha.opacity_map;
     for (BoundMap& map : b.map)
         map = {};
@@ -36,15 +36,15 @@ void AlphaLanes::bind(std::int32_t index) {
     if (alpha.opacity_map) b.map[kOpacityMap] = bound_map(in_, kOpacityMap, *b.material);
 }
 
-void AlphaLanes::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
+void AlphaEvaluator::add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
     const std::int32_t material = in_.mesh->material[triangle];
     if (material != material_) bind(material);
     out_->push_back(block_->material->opacity);
-    if (!constant_) add_lane(triangle, x, y, sample);
+    if (!constant_) add_item(triangle, x, y, sample);
 }
 
-void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
-    Block& b = *block_;
+void AlphaEvaluator::add_item(std::uint32_t triangle, int x, int y, raster::SampleOffset sample) {
+    ShadingBlock& b = *block_;
     if (b.count == kBlockSize) run_block();
     if (primitives_->full()) {
         run_block();
@@ -55,13 +55,13 @@ void AlphaLanes::add_lane(std::uint32_t triangle, int x, int y, raster::SampleOf
                                          : raster::SampleOffset{x * kSubpixel + sample.x,
                                                                 y * kSubpixel + sample.y};
     place_[b.count] = out_->size() - 1;
-    shade::add_lane(b, Gatherer::Primitives::at(primitive, place.x, place.y), place.x, place.y);
+    shade::add_item(b, PrimitiveCache::at(primitive, place.x, place.y), place.x, place.y);
 }
 
-void AlphaLanes::run_block() {
-    Block& b = *block_;
+void AlphaEvaluator::run_block() {
+    ShadingBlock& b = *block_;
     if (b.count == 0) return;
-    for (const Stage* stage : in_.layers->stages) {
+    for (const Stage* stage : in_.transparency->stages) {
         stage->run(b, *in_.frame);
         check_lanes(b, *in_.frame, *stage);
     }
@@ -70,7 +70,7 @@ void AlphaLanes::run_block() {
     b.count = b.runs = 0;
 }
 
-void AlphaLanes::finish() {
+void AlphaEvaluator::finish() {
     run_block();
 }
 

@@ -10,9 +10,9 @@
 
 namespace scanout::shade {
 
-class Gatherer::Primitives {
+class PrimitiveCache {
 public:
-    Primitives();
+    PrimitiveCache();
     // Ids mean another frame's triangles now.
     void clear();
     // No room for another triangle: what points to the present ones must be done first.
@@ -42,22 +42,21 @@ private:
     const Primitive& add_later(std::uint32_t triangle);
     void add_pieces(const GatherInput& input, std::uint32_t triangle,
                     const std::array<std::uint32_t, 3>& corner);
-    static constexpr std::size_t kRoom = 512, kSlots = 1024;
+    static constexpr std::size_t kMaxPrimitives = 512, kSlots = 1024;
     Primitive& next(std::uint32_t triangle, bool clipped);
     std::vector<Primitive> pool_; // in use: the first `used_`
     std::size_t used_ = 0;
-    std::size_t ready_ = 0;               // those behind are yet to be set up
-    std::unique_ptr<LaneTriangles> room_; // of set_up_primitives
-    std::vector<std::uint16_t> slot_;     // by id modulo kSlots: place in the pool
+    std::size_t ready_ = 0;                 // those behind are yet to be set up
+    std::unique_ptr<ShadingSetup> scratch_; // of set_up_primitives
+    std::vector<std::uint16_t> slot_;       // by id modulo kSlots: place in the pool
 };
 
 // Never outside the range of its ends.
-float between(double from, double to, double share);
+float between(double from, double to, double t);
 
-// Clipped triangles of one triangle stand side by side. On their common edge both say the same, so
-// that the rounding of this does not show.
-inline bool Gatherer::Primitives::is_of_second(const Primitive& first, std::int32_t x,
-                                               std::int32_t y) {
+// Pieces of one triangle stand side by side. On their common edge both say the same, so that the
+// rounding of this does not show.
+inline bool PrimitiveCache::is_of_second(const Primitive& first, std::int32_t x, std::int32_t y) {
     if (first.across < 0) return false;
     const auto outside = [&](int k) { return (first.a[k] * x + first.b[k] * y) + first.c[k] < 0; };
     return first.across == Primitive::kFolded ? outside(0) || outside(1) || outside(2)

@@ -1,4 +1,4 @@
-// The alpha of many fragments, found in blocks of lanes by the plan's alpha stages: before anything
+// The alpha of many fragments, found in blocks of items by the plan's alpha stages: before anything
 // is shaded, so that what is hidden behind it never is.
 #pragma once
 
@@ -10,14 +10,14 @@
 
 namespace scanout::shade {
 
-class AlphaLanes {
+class AlphaEvaluator {
 public:
-    // Where a lane's alpha is found: at the sample itself, or at the centre of the pixel where the
+    // Where a item's alpha is found: at the sample itself, or at the centre of the pixel where the
     // triangle covers it.
     enum class At : std::uint8_t { sample, centre };
 
-    AlphaLanes();
-    ~AlphaLanes();
+    AlphaEvaluator();
+    ~AlphaEvaluator();
     // input.layers is set. Values go to out, which grows as fragments are added.
     void begin(const GatherInput& input, At at, std::vector<float>& out);
     // The next value: of a triangle at a pixel's sample. Those side by side are cheapest.
@@ -26,7 +26,7 @@ public:
     void finish();
 
 private:
-    void add_lane(std::uint32_t triangle, int x, int y, raster::SampleOffset sample);
+    void add_item(std::uint32_t triangle, int x, int y, raster::SampleOffset sample);
     void bind(std::int32_t material);
     void run_block();
 
@@ -35,9 +35,9 @@ private:
     std::vector<float>* out_ = nullptr;
     std::int32_t material_ = -2; // of the block; -2: none yet
     bool constant_ = true;       // no map matters
-    std::unique_ptr<Block> block_;
-    std::unique_ptr<Gatherer::Primitives> primitives_;
-    std::size_t place_[kBlockSize] = {}; // of each lane's value
+    std::unique_ptr<ShadingBlock> block_;
+    std::unique_ptr<PrimitiveCache> primitives_;
+    std::size_t place_[kBlockSize] = {}; // of each item's value
 };
 
 } // namespace scanout::shade

@@ -1,4 +1,4 @@
-#include "shade/layers.h"
+#include "shade/transparency_pass.h"
 
 #include "shade/check_lanes.h"
 
@@ -9,7 +9,7 @@ namespace scanout::shade {
 
 using raster::kTileSize;
 
-struct Layers::Task {
+struct TransparencyPass::Task {
     const raster::Geometry& geometry;
     const GatherInput& in;
     const raster::VisibilityTile& visibility;
@@ -34,20 +34,20 @@ float BlendList::depth_at(const BlendFragment& f, int sample) const {
     return depth[f.depths + static_cast<std::uint32_t>(std::popcount(before))];
 }
 
-std::size_t Layers::bytes() const {
+std::size_t TransparencyPass::bytes() const {
     const auto of = [](const auto& list) {
         return list.capacity() * sizeof(decltype(*list.data()));
     };
-    return sizeof *this + probe_.bytes() + ground_.bytes() + of(alpha_) + of(triangles_) +
+    return sizeof *this + probe_.bytes() + opaque_base_.bytes() + of(alpha_) + of(triangles_) +
            of(candidates_) + of(pixels_.list.fragments) + of(pixels_.list.depth) +
-           of(pixels_.of_pixel) + of(pixels_.start) + of(pixels_.through) + of(pixels_.slot) +
-           of(at_sample_) + (composed_ != nullptr ? composed_->bytes() : 0);
+           of(pixels_.of_pixel) + of(pixels_.start) + of(pixels_.transmittance) + of(pixels_.slot) +
+           of(at_sample_) + (colour_blend_ != nullptr ? colour_blend_->bytes() : 0);
 }
 
 // Alpha is that of the texture itself: in smaller ones the means of holes and threads are all above
 // the threshold somewhere, or all below it, and the whole surface would vanish in the distance.
-void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
-                     raster::VisibilityTile& visibility) {
+void TransparencyPass::cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
+                               raster::VisibilityTile& visibility) {
     geometry.of_mode(tile, raster::AlphaMode::cut_out, triangles_);
     if (triangles_.empty()) return;
     const MipChains none;
@@ -55,8 +55,8 @@ void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInp
     in.mips = &none;
     probe_.reset(visibility);
     candidates_.clear();
-    lanes_.begin(in, AlphaLanes::At::sample, alpha_);
-    constexpr std::size_t kMost = 1 << 15;
+    alpha_evaluator_.begin(in, AlphaEvaluator::At::sample, alpha_);
+    constexpr std::size_t kMaxCandidates = 1 << 15;
     for (const std::uint32_t triangle : triangles_) {
         const image::Rect box = common(probe_.draw(geometry, triangle), visibility.area());
         for (int s = 0; s < visibility.samples(); ++s) {
@@ -66,109 +66,114 @@ void Layers::cut_out(const raster::Geometry& geometry, int tile, const GatherInp
                     candidates_.push_back({triangle, probe_.depth(x, y, s),
                                            static_cast<std::uint16_t>(pixel_of(visibility, x, y)),
                                            static_cast<std::uint8_t>(s)});
-                    lanes_.add(triangle, x, y, visibility.pattern()[static_cast<std::size_t>(s)]);
+                    alpha_evaluator_.add(triangle, x, y,
+                                         visibility.pattern()[static_cast<std::size_t>(s)]);
                 }
             }
         }
-        if (candidates_.size() < kMost) continue;
+        if (candidates_.size() < kMaxCandidates) continue;
         draw_candidates(in, visibility);
-        lanes_.begin(in, AlphaLanes::At::sample, alpha_);
+        alpha_evaluator_.begin(in, AlphaEvaluator::At::sample, alpha_);
     }
     draw_candidates(in, visibility);
 }
 
 // The nearest wins, whichever comes first.
-void Layers::draw_candidates(const GatherInput& in, raster::VisibilityTile& visibility) {
-    lanes_.finish();
+void TransparencyPass::draw_candidates(const GatherInput& in, raster::VisibilityTile& visibility) {
+    alpha_evaluator_.finish();
     const image::Rect& area = visibility.area();
     for (std::size_t i = 0; i < candidates_.size(); ++i) {
         const Candidate& c = candidates_[i];
-        if (alpha_[i] >= in.layers->cut)
-            visibility.draw_sample(area.x0 + c.pixel % kTileSize, area.y0 + c.pixel / kTileSize, c.sample,
-                            c.depth, c.id);
+        if (alpha_[i] >= in.transparency->cut)
+            visibility.draw_sample(area.x0 + c.pixel % kTileSize, area.y0 + c.pixel / kTileSize,
+                                   c.sample, c.depth, c.id);
     }
     candidates_.clear();
 }
 
-const raster::VisibilityTile& Layers::ground(const raster::Geometry& geometry, int tile,
-                                             const raster::VisibilityTile& visibility) {
-    ground_ = visibility;
+const raster::VisibilityTile&
+TransparencyPass::opaque_base(const raster::Geometry& geometry, int tile,
+                              const raster::VisibilityTile& visibility) {
+    opaque_base_ = visibility;
     geometry.of_mode(tile, raster::AlphaMode::blended, triangles_);
     for (const std::uint32_t triangle : triangles_)
-        geometry.draw_one(triangle, ground_);
-    return ground_;
+        geometry.draw_one(triangle, opaque_base_);
+    return opaque_base_;
 }
 
-std::uint64_t Layers::shade(const raster::Geometry& geometry, int tile, const GatherInput& in,
-                            const raster::VisibilityTile& visibility, Gatherer& gatherer,
-                            image::Image& picture) {
+std::uint64_t TransparencyPass::shade(const raster::Geometry& geometry, int tile,
+                                      const GatherInput& in,
+                                      const raster::VisibilityTile& visibility, Gatherer& gatherer,
+                                      image::Image& picture) {
     geometry.of_mode(tile, raster::AlphaMode::blended, triangles_);
     if (triangles_.empty()) return visibility.empty() ? 0 : gatherer.shade(visibility, in, picture);
-    if (in.layers->blended->sort_triangles != nullptr)
-        in.layers->blended->sort_triangles(triangles_, in);
+    if (in.transparency->blended->sort_triangles != nullptr)
+        in.transparency->blended->sort_triangles(triangles_, in);
     probe_.reset(visibility);
-    if (in.layers->blend->compose != nullptr && composed_ == nullptr)
-        composed_ = std::make_unique<ComposedLayers>();
-    pixels_.composed = composed_.get();
-    return shade_part({geometry, in, visibility, gatherer, picture}, visibility.area());
+    if (in.transparency->blend->compose != nullptr && colour_blend_ == nullptr)
+        colour_blend_ = std::make_unique<ColourBlend>();
+    pixels_.colour_blend = colour_blend_.get();
+    return shade_region({geometry, in, visibility, gatherer, picture}, visibility.area());
 }
 
 // A list that is full is drawn in parts of half the pixels; a single pixel may have as many
 // fragments as there are triangles.
-std::uint64_t Layers::shade_part(const Task& task, const image::Rect& part) {
-    if (find(task, part))
+std::uint64_t TransparencyPass::shade_region(const Task& task, const image::Rect& region) {
+    if (find(task, region))
         return task.gatherer.shade(task.visibility, task.in, task.picture, &pixels_);
-    image::Rect first = part, second = part;
-    if (part.height() > 1)
-        first.y1 = second.y0 = part.y0 + part.height() / 2;
+    image::Rect first = region, second = region;
+    if (region.height() > 1)
+        first.y1 = second.y0 = region.y0 + region.height() / 2;
     else
-        first.x1 = second.x0 = part.x0 + part.width() / 2;
-    return shade_part(task, first) + shade_part(task, second);
+        first.x1 = second.x0 = region.x0 + region.width() / 2;
+    return shade_region(task, first) + shade_region(task, second);
 }
 
 // False when there are too many.
-bool Layers::find(const Task& task, const image::Rect& part) {
-    pixels_.part = part;
+bool TransparencyPass::find(const Task& task, const image::Rect& region) {
+    pixels_.region = region;
     pixels_.samples = task.visibility.samples();
     BlendList& list = pixels_.list;
     list.fragments.clear();
     list.depth.clear();
-    lanes_.begin(task.in, AlphaLanes::At::centre, alpha_);
+    alpha_evaluator_.begin(task.in, AlphaEvaluator::At::centre, alpha_);
     for (const std::uint32_t triangle : triangles_) {
-        const image::Rect box = common(probe_.draw(task.geometry, triangle), part);
-        if (!box.empty() && !find(task, box, triangle) && part.width() * part.height() > 1)
+        const image::Rect box = common(probe_.draw(task.geometry, triangle), region);
+        if (!box.empty() && !find(task, box, triangle) && region.width() * region.height() > 1)
             return false;
     }
-    lanes_.finish();
+    alpha_evaluator_.finish();
     found_ += list.fragments.size();
     for (std::size_t i = 0; i < list.fragments.size(); ++i)
         list.fragments[i].alpha = alpha_[i];
     sort_by_pixel();
-    if (composed_ != nullptr) composed_->begin();
-    const auto place = composed_ != nullptr ? &Layers::arrange : &Layers::weigh;
+    if (colour_blend_ != nullptr) colour_blend_->begin();
+    const auto place =
+        colour_blend_ != nullptr ? &TransparencyPass::arrange : &TransparencyPass::weigh;
     for (int row = 0; row < kTileSize; ++row)
         for (std::uint64_t bits = pixels_.rows[static_cast<std::size_t>(row)]; bits != 0;
              bits &= bits - 1)
             (this->*place)(task, row * kTileSize + std::countr_zero(bits));
-    if (composed_ != nullptr) composed_->begin_pixels(list.fragments.size());
+    if (colour_blend_ != nullptr) colour_blend_->begin_pixels(list.fragments.size());
     note_list();
     if (noted_ == nullptr) return true;
     for (const BlendFragment& f : list.fragments)
-        if (f.shown != 0) (*noted_)[f.pixel / kTileSize] |= std::uint64_t{1} << f.pixel % kTileSize;
+        if (f.visible != 0)
+            (*noted_)[f.pixel / kTileSize] |= std::uint64_t{1} << f.pixel % kTileSize;
     return true;
 }
 
 // By what the list holds, not by the room that earlier tiles made: the same on every worker.
-void Layers::note_list() {
+void TransparencyPass::note_list() {
     const BlendList& list = pixels_.list;
     const auto of = [](const auto& held) { return held.size() * sizeof(decltype(*held.data())); };
     longest_list_ =
         std::max(longest_list_, of(list.fragments) + of(list.depth) + of(pixels_.of_pixel) +
-                                    of(pixels_.through) + of(alpha_) +
-                                    (composed_ != nullptr ? composed_->list_bytes() : 0));
+                                    of(pixels_.transmittance) + of(alpha_) +
+                                    (colour_blend_ != nullptr ? colour_blend_->list_bytes() : 0));
 }
 
-bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {
+bool TransparencyPass::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {
     BlendList& list = pixels_.list;
     for (int y = box.y0; y < box.y1; ++y) {
         for (int x = box.x0; x < box.x1; ++x) {
@@ -182,15 +187,16 @@ bool Layers::find(const Task& task, const image::Rect& box, std::uint32_t triang
             list.fragments.push_back({triangle, depths,
                                       static_cast<std::uint16_t>(pixel_of(task.visibility, x, y)),
                                       static_cast<std::uint16_t>(mask), 0, 0, 0});
-            lanes_.add(triangle, x, y,
-                       task.visibility.pattern()[static_cast<std::size_t>(std::countr_zero(mask))]);
+            alpha_evaluator_.add(
+                triangle, x, y,
+                task.visibility.pattern()[static_cast<std::size_t>(std::countr_zero(mask))]);
         }
     }
-    return list.fragments.size() <= task.in.layers->most_fragments;
+    return list.fragments.size() <= task.in.transparency->most_fragments;
 }
 
 // A counting sort: the fragments of a pixel keep their order.
-void Layers::sort_by_pixel() {
+void TransparencyPass::sort_by_pixel() {
     const auto& fragments = pixels_.list.fragments;
     auto& start = pixels_.start;
     start.assign(raster::VisibilityTile::kPlane + 1, 0);
@@ -208,49 +214,49 @@ void Layers::sort_by_pixel() {
         start[p] = start[p - 1];
     start[0] = 0;
     pixels_.slot.resize(raster::VisibilityTile::kPlane);
-    pixels_.through.clear();
+    pixels_.transmittance.clear();
 }
 
-void Layers::weigh(const Task& task, int pixel) {
+void TransparencyPass::weigh(const Task& task, int pixel) {
     pixels_.slot[static_cast<std::size_t>(pixel)] =
-        static_cast<std::uint32_t>(pixels_.through.size());
-    const float share = 1.0F / static_cast<float>(pixels_.samples);
-    const auto sort_sample = task.in.layers->blended->sort_sample;
-    const auto meet = task.in.layers->blend->meet;
+        static_cast<std::uint32_t>(pixels_.transmittance.size());
+    const float sample_weight = 1.0F / static_cast<float>(pixels_.samples);
+    const auto sort_sample = task.in.transparency->blended->sort_sample;
+    const auto meet = task.in.transparency->blend->meet;
     auto& fragments = pixels_.list.fragments;
     for (int s = 0; s < pixels_.samples; ++s) {
         at_sample_.clear();
         for (const std::uint32_t f : pixels_.fragments(pixel))
             if ((fragments[f].mask >> s & 1) != 0) at_sample_.push_back(f);
         if (sort_sample != nullptr) sort_sample(at_sample_, pixels_.list, s);
-        float through = 1;
+        float transmittance = 1;
         for (const std::uint32_t f : at_sample_) {
             BlendFragment& fragment = fragments[f];
-            const Blend::Shares shares = meet(fragment.alpha, through);
-            check_values(std::array{shares.weight, shares.through}, "share", "blending");
-            if (shares.weight != 0) {
-                fragment.weight += shares.weight * share;
-                fragment.shown = static_cast<std::uint16_t>(fragment.shown | 1U << s);
+            const Blend::Weights weights = meet(fragment.alpha, transmittance);
+            check_values(std::array{weights.weight, weights.transmittance}, "weight", "blending");
+            if (weights.weight != 0) {
+                fragment.weight += weights.weight * sample_weight;
+                fragment.visible = static_cast<std::uint16_t>(fragment.visible | 1U << s);
             }
-            through = shares.through;
-            if (through <= 0) break;
+            transmittance = weights.transmittance;
+            if (transmittance <= 0) break;
         }
-        pixels_.through.push_back(through);
+        pixels_.transmittance.push_back(transmittance);
     }
 }
 
 // All that lets something through: whatever the colours in front, it may be seen.
-void Layers::arrange(const Task& task, int pixel) {
-    const auto sort_sample = task.in.layers->blended->sort_sample;
+void TransparencyPass::arrange(const Task& task, int pixel) {
+    const auto sort_sample = task.in.transparency->blended->sort_sample;
     auto& fragments = pixels_.list.fragments;
     for (const std::uint32_t f : pixels_.fragments(pixel))
-        if (fragments[f].alpha != 0) fragments[f].shown = fragments[f].mask;
+        if (fragments[f].alpha != 0) fragments[f].visible = fragments[f].mask;
     for (int s = 0; s < pixels_.samples; ++s) {
         at_sample_.clear();
         for (const std::uint32_t f : pixels_.fragments(pixel))
-            if ((fragments[f].shown >> s & 1) != 0) at_sample_.push_back(f);
+            if ((fragments[f].visible >> s & 1) != 0) at_sample_.push_back(f);
         if (sort_sample != nullptr) sort_sample(at_sample_, pixels_.list, s);
-        const std::uint32_t place = composed_->add_sample(at_sample_);
+        const std::uint32_t place = colour_blend_->add_sample(at_sample_);
         if (s == 0) pixels_.slot[static_cast<std::size_t>(pixel)] = place;
     }
 }

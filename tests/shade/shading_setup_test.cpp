@@ -4,8 +4,8 @@
 #include "base/jobs.h"
 #include "rows.h"
 #include "shade/gather.h"
-#include "shade/lane_triangles.h"
-#include "shade/primitives.h"
+#include "shade/primitive_cache.h"
+#include "shade/shading_setup.h"
 #include "support/random.h"
 #include "support/targets.h"
 
@@ -60,15 +60,15 @@ std::int64_t area(std::span<const raster::ScreenVertex> v, std::uint32_t triangl
 
 // A block's lanes with triangles of their own, at random samples near them.
 struct TriangleLanes {
-    std::unique_ptr<Block> block = std::make_unique<Block>();
-    std::unique_ptr<LaneTriangles> triangles = std::make_unique<LaneTriangles>();
+    std::unique_ptr<ShadingBlock> block = std::make_unique<ShadingBlock>();
+    std::unique_ptr<ShadingSetup> triangles = std::make_unique<ShadingSetup>();
 
-    std::uint32_t id(int lane) const { return triangles->id[triangles->of_lane[lane]]; }
+    std::uint32_t id(int lane) const { return triangles->id[triangles->triangle_of[lane]]; }
     void add(Random& random, std::uint32_t id, const raster::ScreenVertex& near) {
         const int lane = block->count++;
         const bool again = lane > 0 && triangles->id[triangles->count - 1] == id;
         if (!again) triangles->id[triangles->count++] = id;
-        triangles->of_lane[lane] = triangles->count - 1;
+        triangles->triangle_of[lane] = triangles->count - 1;
         block->x[lane] = (near.x & -256) + 128 + 256 * random.whole(-1, 1);
         block->y[lane] = (near.y & -256) + 128 + 256 * random.whole(-1, 1);
         triangles->sample_x[lane] = random.whole(-128, 127);
@@ -83,8 +83,8 @@ std::uint32_t bits(float value) {
 // At a lane of `set_up`, which has moved from where it was in `before`.
 void expect_same(const GatherInput& in, const Primitive& p, const TriangleLanes& before,
                  const TriangleLanes& set_up, int lane) {
-    const LaneTriangles& t = *set_up.triangles;
-    const int n = t.of_lane[lane];
+    const ShadingSetup& t = *set_up.triangles;
+    const int n = t.triangle_of[lane];
     const std::int32_t x = before.block->x[lane], y = before.block->y[lane];
     const auto at =
         place_in_pixel(in, p, x >> 8, y >> 8, {t.sample_x[lane] + 128, t.sample_y[lane] + 128});
@@ -108,7 +108,7 @@ void expect_same(const GatherInput& in, const Primitive& p, const TriangleLanes&
 // Set up alone and with others.
 void expect_same(const GatherInput& in, const Primitive& alone, const Primitive& together) {
     ASSERT_EQ(alone.id, together.id);
-    ASSERT_EQ(alone.whole, together.whole);
+    ASSERT_EQ(alone.fits_int32, together.fits_int32);
     ASSERT_EQ(alone.clipped, together.clipped);
     ASSERT_EQ(alone.across, together.across);
     ASSERT_EQ(alone.step, together.step);
@@ -118,9 +118,9 @@ void expect_same(const GatherInput& in, const Primitive& alone, const Primitive&
     ASSERT_TRUE(same(alone.a, together.a));
     ASSERT_TRUE(same(alone.b, together.b));
     ASSERT_TRUE(same(alone.c, together.c));
-    ASSERT_TRUE(same(alone.whole_a, together.whole_a));
-    ASSERT_TRUE(same(alone.whole_b, together.whole_b));
-    ASSERT_TRUE(same(alone.whole_c, together.whole_c));
+    ASSERT_TRUE(same(alone.a_int32, together.a_int32));
+    ASSERT_TRUE(same(alone.b_int32, together.b_int32));
+    ASSERT_TRUE(same(alone.c_int32, together.c_int32));
     ASSERT_TRUE(same(alone.least, together.least));
     ASSERT_TRUE(same(alone.inverse_w, together.inverse_w));
     if (triangle_source(in).wants_facing()) {
@@ -133,8 +133,8 @@ void expect_same(const GatherInput& in, const Primitive& alone, const Primitive&
 }
 
 // As many at once as there are lanes, which fill registers or do not.
-void check_together(const GatherInput& in, const TriangleLanes& lanes, Gatherer::Primitives& alone) {
-    auto primitives = std::make_unique<Gatherer::Primitives>();
+void check_together(const GatherInput& in, const TriangleLanes& lanes, PrimitiveCache& alone) {
+    auto primitives = std::make_unique<PrimitiveCache>();
     const int count = lanes.block->count;
     for (int lane = 0; lane < count; ++lane) {
         primitives->get_later(lanes.id(lane));
@@ -147,9 +147,9 @@ void check_together(const GatherInput& in, const TriangleLanes& lanes, Gatherer:
 }
 
 // The block's lanes at triangles that are set up once; lanes `own` to `end` at their own.
-std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives& once,
-                                    const TriangleLanes& set_up, int own, int end) {
-    auto block = std::make_unique<Block>(*set_up.block);
+std::unique_ptr<ShadingBlock> interpolated(const GatherInput& in, PrimitiveCache& once,
+                                           const TriangleLanes& set_up, int own, int end) {
+    auto block = std::make_unique<ShadingBlock>(*set_up.block);
     const scene::Material material;
     block->material = &material;
     block->triangles = set_up.triangles.get();
@@ -157,16 +157,16 @@ std::unique_ptr<Block> interpolated(const GatherInput& in, Gatherer::Primitives&
     while (block->count < count) {
         const int lane = block->count;
         if (lane == own && own < end)
-            add_lanes(*block, nullptr, end - own);
+            add_items(*block, nullptr, end - own);
         else
-            add_lanes(*block, &once.get(in, set_up.id(lane)), 1);
+            add_items(*block, &once.get(in, set_up.id(lane)), 1);
     }
     find_stage("interpolate", "perspective")->run(*block, *in.frame);
     return block;
 }
 
 // What stages read; lanes of both kinds side by side in the block.
-void expect_same_attributes(const GatherInput& in, Gatherer::Primitives& once,
+void expect_same_attributes(const GatherInput& in, PrimitiveCache& once,
                             const TriangleLanes& set_up) {
     const int count = set_up.block->count;
     const auto expected = interpolated(in, once, set_up, 0, 0);
@@ -191,30 +191,30 @@ struct Counts {
 };
 
 void check(const GatherInput& in, const TriangleLanes& lanes, Counts& counts) {
-    auto once = std::make_unique<Gatherer::Primitives>();
+    auto once = std::make_unique<PrimitiveCache>();
     const int count = lanes.block->count;
     scanout::test::on_every_target([&](const std::string&) {
-        const TriangleLanes own{std::make_unique<Block>(*lanes.block),
-                        std::make_unique<LaneTriangles>(*lanes.triangles)};
+        const TriangleLanes own{std::make_unique<ShadingBlock>(*lanes.block),
+                                std::make_unique<ShadingSetup>(*lanes.triangles)};
         // In two parts, so that registers are not full, and do not begin where blocks do.
         const int part = count / 3;
-        set_up_lanes(triangle_source(in), *own.triangles, *own.block, 0, part);
-        set_up_lanes(triangle_source(in), *own.triangles, *own.block, part, count - part);
+        set_up_run(triangle_source(in), *own.triangles, *own.block, 0, part);
+        set_up_run(triangle_source(in), *own.triangles, *own.block, part, count - part);
         once->clear();
         for (int lane = 0; lane < count && !testing::Test::HasFatalFailure(); ++lane) {
             const Primitive& p = once->get(in, own.id(lane));
             expect_same(in, p, lanes, own, lane);
             counts.lanes += 1;
             counts.moved += own.block->x[lane] != lanes.block->x[lane] ? 1 : 0;
-            counts.large += p.whole ? 0 : 1;
-            counts.turned += own.triangles->side[own.triangles->of_lane[lane]] < 0 ? 1 : 0;
+            counts.large += p.fits_int32 ? 0 : 1;
+            counts.turned += own.triangles->side[own.triangles->triangle_of[lane]] < 0 ? 1 : 0;
         }
         check_together(in, lanes, *once);
         if (!testing::Test::HasFatalFailure()) expect_same_attributes(in, *once, own);
     });
 }
 
-TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
+TEST(ShadingSetup, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
     Jobs jobs(1);
     Random random(7);
     Counts counts;
@@ -257,7 +257,7 @@ TEST(LaneTriangles, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
         const TriangleSource source = triangle_source(in);
         TriangleLanes lanes;
         for (std::uint32_t id = 0; id < static_cast<std::uint32_t>(triangles); ++id) {
-            if (!is_whole(source, id) || area(vertices, id) == 0) continue;
+            if (!is_unclipped(source, id) || area(vertices, id) == 0) continue;
             // Some show in more lanes than a register has.
             const int most = kBlockSize - lanes.block->count;
             for (int left = std::min(most, random.whole(0, 9) == 0 ? 20 : random.whole(1, 3));

@@ -1,8 +1,8 @@
-#include "shade/looks.h"
+#include "shade/shading_key.h"
 
 namespace scanout::shade {
 
-Look Looks::of_mesh(std::uint32_t id) const {
+ShadingKey ShadingKeys::of_mesh(std::uint32_t id) const {
     const std::size_t triangles = mesh->triangles(), lines = mesh->lines();
     if (id < triangles) return {mesh->material[id], true};
     const std::size_t line = id - triangles;
