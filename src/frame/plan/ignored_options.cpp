@@ -54,7 +54,7 @@ void add_contradictions(const FramePlan& plan, Lines& lines) {
     const auto* const transparency = find_row(shade::transparency::kRows, o.transparency);
     const struct {
         std::string_view effect;
-        bool in_vain;
+        bool ignored;
         std::string because;
     } rows[] = {
         {"shadow", shadow != nullptr && shadow->by == shade::ShadowBy::facing,
@@ -67,7 +67,7 @@ void add_contradictions(const FramePlan& plan, Lines& lines) {
          fmt::format("--transparency {} blends nothing; say another, or auto", o.transparency)},
         {"blending", blends_nothing(o), "--blend none blends nothing; say another, or auto"}};
     for (const auto& row : rows) {
-        if (!row.in_vain || !asked_on(o, row.effect) || !plan.decision(row.effect)->on()) continue;
+        if (!row.ignored || !asked_on(o, row.effect) || !plan.decision(row.effect)->on()) continue;
         // The contradiction is the better reason.
         lines.erase(std::remove(lines.begin(), lines.end(), to_string(*plan.decision(row.effect))),
                     lines.end());
@@ -75,7 +75,7 @@ void add_contradictions(const FramePlan& plan, Lines& lines) {
     }
 }
 
-// A technique on an axis of its own. To leave something out is never in vain.
+// A technique on an axis of its own. To leave something out always has an effect.
 void add_choice(const FramePlan& plan, const Decision& d, Lines& lines) {
     const std::string asked = asked_for(plan.options, d.effect);
     if (is_auto(asked) || asked == "none") return;
@@ -149,7 +149,7 @@ void add_details(const FramePlan& plan, Lines& lines) {
     const bool compares =
         row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).compares;
     const struct {
-        bool in_vain;
+        bool ignored;
         std::string option, because;
     } rows[] = {
         {!is_auto(o.texture) && filter == nullptr, "--texture " + o.texture,
@@ -177,7 +177,7 @@ void add_details(const FramePlan& plan, Lines& lines) {
          fmt::format("--shadow-filter {}", o.shadow_filter),
          "it is for --shadow map_pcf and map_soft"}};
     for (const auto& row : rows)
-        if (row.in_vain) lines.push_back(nothing(row.option, row.because));
+        if (row.ignored) lines.push_back(nothing(row.option, row.because));
     if (!is_auto(o.texture) && filter != nullptr && filter->card.name != o.texture)
         lines.push_back(fmt::format("--texture {} is not possible: {}; {} in its place", o.texture,
                                     why_off(plan, "mipmaps", because("mipmaps")),

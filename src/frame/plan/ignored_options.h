@@ -1,4 +1,5 @@
-// What the user or the model asked for and a frame cannot show: one line each, with the reason.
+// Ignored options: what the user or the model asked for and a frame cannot show, one line each with
+// the reason.
 #pragma once
 
 #include "frame/plan/plan.h"
@@ -8,8 +9,8 @@
 
 namespace scanout::frame {
 
-// Of effects that are forced on, techniques and numbers that nothing in this frame reads, and of
-// maps that have no place on the model.
+// Lines about effects that are forced on, techniques and numbers that nothing in this frame reads,
+// and maps of a model without texture coordinates.
 std::vector<std::string> ignored_options(const FramePlan& plan);
 
 } // namespace scanout::frame

@@ -35,7 +35,7 @@ struct Decision {
 };
 std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 ..."
 
-// What is not drawn as opaque.
+// Alpha test and blending.
 struct TransparencyPlan {
     std::vector<raster::AlphaMode>
         layers; // of the default material, then of each; empty: all opaque
@@ -49,15 +49,15 @@ struct TransparencyPlan {
     const shade::Filter* filter = nullptr;
 };
 
-// What throws shadows, and how.
+// Shadow casters, and the technique of their shadows.
 struct ShadowPlan {
     // Of the frame's stages; null: there is no pass either.
     const shade::ShadowStage* stage = nullptr;
     ShadowPlane plane; // on which projected shadows fall
     // Of the default material, then of each: opaque, cut_out (in maps with its holes) or nothing.
-    // Empty: all throw whole shadows.
+    // Empty: all cast whole shadows.
     std::vector<raster::AlphaMode> casters;
-    // Of each of the plan's lights: what its maps are drawn of.
+    // By light of the plan: the faces that its shadow maps are drawn of.
     std::vector<raster::Facing> in_maps;
 };
 
@@ -69,7 +69,7 @@ struct FramePlan {
     // The stages of a block, in order: interpolation, maps, lights, shadow, shading, emission,
     // exposure, tone.
     std::vector<const shade::Stage*> stages;
-    shade::Attributes attributes;                    // what has to be fetched for a block
+    shade::Attributes attributes;                    // what the stages read of each item
     const shade::Filter* filter = nullptr;           // how maps are read; null where none is
     std::vector<scene::Light> lights;                // those that reach something
     const AntiAliasing* aa = nullptr;                // how edges are smoothed

@@ -119,7 +119,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
-// Why backs may be seen, or why not; of meshes whose normals lean to no back.
+// Why back faces may be visible, or why not, of a mesh whose normals lean to no back.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
                                    const ViewFacts& view) {
     const geom::MeshTopology& topology = facts.topology;
@@ -159,8 +159,8 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
                        : "the mesh is closed and wound outwards: no back can be seen"};
 }
 
-// Which side of the faces is lit. Where no back can be seen, the side that the normals point to is
-// the one that the eye sees.
+// One-sided or two-sided lighting. Where no back face can be visible, the side that the normals
+// point to is the side that the eye sees.
 void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, const ViewFacts& view) {
     const std::size_t leaning = facts.topology.leaning_normals;
     auto [needed, because] =
@@ -188,7 +188,7 @@ bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFa
                         [](const LightFacts& light) { return light.shadows_disjoint; });
 }
 
-// Is some triangle neither blended, as things stand, nor clear?
+// Some triangle is neither blended in this plan nor invisible.
 bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
     const auto asked = options.effects.find("blending");
     const bool cuts =
@@ -221,7 +221,7 @@ struct Casting {
             in_maps[i] = raster::Facing::front;
         }
     }
-    // What maps are drawn of, where it is not all.
+    // The faces that shadow maps are drawn of, where back faces can be left out.
     std::string why_fronts() const {
         if (outside == 0) return {};
         const std::string of =

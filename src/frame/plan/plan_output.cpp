@@ -1,4 +1,4 @@
-// From surfaces and light to codes: what is seen at a sample, tone, edges, encoding.
+// From surfaces and light to codes: depth test, tone mapping, anti-aliasing, encoding.
 #include "base/check.h"
 #include "frame/facts/brightness.h"
 #include "frame/plan/planner.h"
@@ -14,8 +14,8 @@
 namespace scanout::frame {
 namespace {
 
-// Brighter than white: so much above 1 that the row's two decimals say it. Up to here the light
-// that is cut off is less than a code of 8 bits.
+// Light above it exceeds white: so much above 1 that the row's two decimals say it. Below, what a
+// clamp cuts off is less than a code of 8 bits.
 constexpr double kBright = 1.005;
 
 // Do pixels show more than one thing? Lines and points are seen at all samples of a pixel.

@@ -1,4 +1,4 @@
-// Which materials let light through.
+// Transparency: which materials are alpha-tested or blended, and by which technique.
 #include "frame/plan/planner.h"
 #include "rows.h"
 
@@ -29,7 +29,7 @@ const shade::Transparency& transparency_of(const FrameOptions& o) {
     return row_or(shade::transparency::kRows, o.transparency, shade::transparency::exact);
 }
 
-// The nearest surface is seen, and a pixel shows no more than its own samples.
+// The depth test keeps the nearest surface, and the filter of a pixel is its own box.
 bool nearest_alone(const FrameOptions& o) {
     return row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).test ==
                raster::DepthTest::greater &&

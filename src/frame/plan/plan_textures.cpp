@@ -84,7 +84,7 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
     return {};
 }
 
-// Where u and v come from.
+// The mapping: where u and v come from.
 Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.mapping;
     const shade::Stage &own = shade::mapping::uv, &made = shade::mapping::box;
@@ -217,7 +217,7 @@ Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& 
     TRY_VOID(choose(shade::texture::kRows, plan.options.texture, shade::texture::trilinear));
     planner.effect("mipmaps", "on", false, "no texture is read"); // else plan_filter says why
     TRY_VOID(plan_wrap(planner, plan, facts));
-    // Whatever reads coordinates, they are made, not fetched.
+    // A mapping stage computes the coordinates for all that read them: none are fetched.
     if (plan.mapped) plan.attributes.uv = plan.transparency.attributes.uv = false;
     return {};
 }

@@ -1,5 +1,5 @@
-// How a plan is built: row by row, in parts that each decide one kind of thing. Shared by the files
-// plan*.cpp; everyone else wants frame/plan/plan.h.
+// Builds a plan row by row, by functions that each decide one kind of thing; plan.cpp calls them in
+// order. Shared by the files plan*.cpp; everyone else includes frame/plan/plan.h.
 #pragma once
 
 #include "frame/facts/view_facts.h"
@@ -30,14 +30,14 @@ class Planner {
 public:
     Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
 
-    // A row of an effect that is decided (see above); its techniques may be those of an axis.
+    // Adds the row of an effect, as decide() says; its techniques may be those of an axis.
     bool effect(std::string name, std::string_view technique, bool needed, std::string because,
                 std::string_view axis = {});
-    // Notes what was chosen on an axis that is no effect: its own option decides.
+    // Adds the row of an axis that is no effect: its own option decides.
     void choice(std::string axis, std::string_view technique, const std::string& asked,
                 std::string because, bool needed = true);
     void stage(const shade::Stage& stage);
-    // A stage that another one calls; it reads `needs` of every lane.
+    // Adds a stage that another stage calls; it reads `needs` of every item.
     void called(const shade::Stage& stage, shade::Attributes needs);
 
 private:
@@ -45,19 +45,20 @@ private:
     FramePlan& plan_;
 };
 
-// Sizes and counts that are possible.
+// Fails where a size or a count is out of range.
 Result<void> check_numbers(const FrameOptions& options);
-// A plan of options that are checked. All of it but what plan_filter decides; nothing but these
-// facts is asked of the view.
+// First phase: all of a plan but the texture filter. The options must have passed check_numbers. Of
+// the view it reads these facts alone, so that plans can be cached by them.
 Result<FramePlan> plan_without_filter(const FrameOptions& options, const SceneFacts& facts,
                                       const ViewFacts& view);
-// How the maps that the plan's stages read are filtered in a view, and which textures have mipmaps.
-// Allocates nothing in a plan that was such a one before.
+// Second phase, each frame: the filter of the maps that the plan's stages read, and the textures
+// that have mip levels, both by the view's minification. Allocates nothing in a plan that had them
+// before.
 void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& view);
 
 // map_Kd, or what is computed in its place.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// Some light is not black; whether it reaches anything is another question.
+// Some light is not black, whether it reaches the model or not.
 bool some_light_shines(const FrameOptions& options);
 // Does the user have physical materials reflect by Ks and Ns, as the others do?
 bool by_ks_alone(const FramePlan& plan);
@@ -72,28 +73,27 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.
 Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// How what the stages read is read: where coordinates come from, and edges; after all that reads a
-// map is decided.
+// Texture coordinates and wrap modes; to be called after every stage that reads a map is decided.
 Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// --blend none shows the nearest surface whole: as opaque ones are shown, and drawn as these, where
-// the nearest is seen, and a pixel shows no more than its own samples.
+// --blend none draws blended surfaces as opaque ones, where the depth test keeps the nearest and
+// the filter of a pixel is its own box.
 bool blends_nothing(const FrameOptions& options);
-// What is blended throws no shadow: what comes through it would have to be tinted.
+// Shadow casters by material: blended ones cast none, for their shadows would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
-// Which surfaces are seen, and how they are mixed: choices of the user's.
+// Depth test, depth format and blending: choices of the user's.
 Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts);
-// Marks in a buffer of their own. Where they are all that is shown, the second takes everything
-// else out of a plan that is whole.
+// The stencil buffer. Where the picture is its counts alone (overdraw), plan_counts takes all else
+// out of the finished plan.
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 void plan_counts(FramePlan& plan);
-// Is there light above 1, and what becomes of it? Highlights alone do not count: MTL means them to
-// burn out, and a curve would dim all else for their sake.
+// Exposure and tone mapping, by whether light exceeds 1. Highlights alone do not count: MTL means
+// them to burn out, and a curve would dim all else for their sake.
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                        FramePlan& plan);
-// How edges are smoothed.
+// Anti-aliasing.
 Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                         FramePlan& plan);
-// From light to codes.
+// Encoding and dither: from light to codes.
 Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                          FramePlan& plan);
 

@@ -15,7 +15,7 @@ double magnitude(float x) {
     return double{x < 0 ? -x : x};
 }
 
-// Of all maps, the most texels that a unit of u or v spans.
+// The most texels that a unit of u or v spans, over all maps.
 double texels(const scene::Scene& scene) {
     int side = 1;
     for (const scene::Texture& texture : scene.textures)
