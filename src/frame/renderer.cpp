@@ -4,6 +4,7 @@
 #include "base/stopwatch.h"
 #include "frame/cleared_tiles.h"
 #include "frame/pass/lights.h"
+#include "frame/pass/shading_input.h"
 #include "frame/pass/shadow_pass.h"
 #include "frame/pass/stencil_marks.h"
 #include "frame/plan/step_limits.h"
@@ -18,7 +19,7 @@
 #include <vector>
 
 namespace scanout::frame {
-// What one worker needs for a tile.
+// Buffers of one worker, for a tile.
 struct TileWorker {
     raster::VisibilityTile visibility;
     raster::DeferredTriangles deferred; // scratch
@@ -27,7 +28,7 @@ struct TileWorker {
     std::uint64_t lanes = 0;
     int number = 0;               // among the workers
     raster::Geometry::ById by_id; // of counts
-    // Of some anti-aliasings alone; empty with the others.
+    // Empty but for the techniques of anti-aliasing that read them.
     raster::AreaTile areas;
     shade::LinearPicture drawn; // of a tile that is larger than its pixels
     shade::PixelSums sums;
@@ -42,7 +43,7 @@ Visibility empty_visibility(int width, int height, int samples) {
 }
 
 // Copies a tile's samples out.
-void keep(const raster::VisibilityTile& tile, Visibility& out) {
+void copy_samples(const raster::VisibilityTile& tile, Visibility& out) {
     const image::Rect& area = tile.area();
     for (int s = 0; s < tile.samples(); ++s) {
         for (int y = area.y0; y < area.y1; ++y) {
@@ -70,7 +71,7 @@ void clear(const image::Rect& area, const image::Rgba8& background, image::Image
         std::copy(first.begin(), first.end(), row(y).begin());
 }
 
-// What is drawn, after the geometry and the shadows.
+// Input of the tiles, after geometry stage and shadow pass.
 struct FrameInput {
     const scene::Scene& scene;
     const scene::View& view;
@@ -124,30 +125,6 @@ const FrameStats& Renderer::stats() const {
     return state_->stats;
 }
 
-static shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
-                                     const FrameLights& lights) {
-    shade::FrameState frame;
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            frame.normal_matrix[r][c] = static_cast<float>(view.normal[c][r]);
-    frame.orthographic = view.projection == scene::Projection::orthographic;
-    frame.attributes = plan.attributes;
-    frame.filter = plan.filter;
-    frame.reflection = plan.reflection;
-    frame.matt = plan.matt;
-    frame.sides = plan.sides;
-    frame.vertex_normals = plan.vertex_normals;
-    frame.vertex_lights = plan.vertex_lights;
-    frame.shadow_filter = plan.options.shadow_filter;
-    frame.source = plan.source;
-    frame.mapped = plan.mapped;
-    lights.describe(frame);
-    frame.exposure = plan.exposure;
-    frame.white = plan.white;
-    frame.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals;
-    return frame;
-}
-
 // Makes the frame's shadows, or frees what those of an earlier frame held.
 static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowScene& in,
                                const raster::ScreenTransform& transform, int tile_size,
@@ -164,56 +141,7 @@ static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowSc
     return pass.get();
 }
 
-static shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
-                                       const FramePlan& plan, const raster::Geometry& geometry,
-                                       const raster::ScreenTransform& transform,
-                                       const shade::FrameState& frame,
-                                       const shade::MipChains& mips) {
-    shade::GatherInput in;
-    in.mesh = &scene.mesh;
-    in.keys = {&scene.mesh, plan.only_material};
-    in.geometry = &geometry;
-    in.transform = &transform;
-    in.set_view(view);
-    in.materials = scene.materials;
-    in.textures = scene.textures;
-    in.mips = &mips;
-    in.wrap = plan.wrap;
-    in.stages = plan.stages;
-    in.frame = &frame;
-    in.mirrored = view.mirrored;
-    in.background = plan.options.background;
-    in.output = plan.output;
-    if (frame.orthographic) return in; // every ray is the same; the extent may be no float
-    const int scale = plan.aa->scale;
-    in.rays.scale_x = static_cast<float>(2 * view.half_width / (plan.options.width * scale));
-    in.rays.offset_x = static_cast<float>(-view.half_width);
-    in.rays.scale_y = static_cast<float>(-2 * view.half_height / (plan.options.height * scale));
-    in.rays.offset_y = static_cast<float>(view.half_height);
-    return in;
-}
-
-static shade::TransparencyInput transparency_input(const FramePlan& plan,
-                                                   const shade::FrameState& frame) {
-    const TransparencyPlan& t = plan.transparency;
-    shade::TransparencyInput in;
-    in.cut_out = t.cut_out;
-    in.blended = t.blended;
-    in.blend = t.blend;
-    in.opaque_blended = t.opaque_blended;
-    in.alpha = t.alpha;
-    in.stages = t.stages;
-    in.frame = frame;
-    in.frame.attributes = t.attributes;
-    in.frame.filter = t.filter;
-    in.frame.steps = nullptr; // alpha is always exact
-    in.frame.source = nullptr;
-    in.cut = static_cast<float>(plan.options.alpha_cut);
-    in.most_fragments = static_cast<std::size_t>(plan.options.max_fragments);
-    return in;
-}
-
-// By areas: what is seen at the centre decides only where lines and points are.
+// By areas: visibility at the pixel's centre decides only where lines and points are.
 static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t triangles,
                         const shade::GatherInput& in, TileWorker& worker, image::Image& picture) {
     const image::Rect& area = worker.visibility.area();
@@ -254,7 +182,7 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
         shade::resolve_area(worker.sums, in.output, in.background, area, picture);
 }
 
-// What a tile shows at its samples, cut-out surfaces and lines included.
+// Visibility at a tile's samples: opaque and alpha-tested triangles, then lines.
 static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                          TileWorker& worker) {
     geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
@@ -281,7 +209,7 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     if (empty) return;
     worker.visibility.reset(samples, aa.samples, f.plan.visible);
     draw_samples(geometry, tile, f.in, worker);
-    if (f.visibility != nullptr) keep(worker.visibility, *f.visibility);
+    if (f.visibility != nullptr) copy_samples(worker.visibility, *f.visibility);
     worker.gatherer.set_sum_sink(f.filter == nullptr
                                      ? shade::PixelSumSink{}
                                      : shade::PixelSumSink{&splats.own, f.filter, &splats});
@@ -296,7 +224,7 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
         shade_samples(geometry, tile, f.in, worker, back_buffer);
 }
 
-// The same, and marks what it shows.
+// The same, and marks the pixels that show something in the stencil buffer.
 void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& worker) {
     shade::TransparencyPass::Pixels blended{};
     if (worker.transparency != nullptr) worker.transparency->note_pixels(&blended);
@@ -321,7 +249,7 @@ void Renderer::State::count_work() {
     }
 }
 
-// What the frame's buffers need not hold is let go.
+// Frees the buffers that the frame does not need.
 void Renderer::State::prepare_workers(bool transparent, bool areas) {
     for (std::size_t i = 0; i < workers.size(); ++i) {
         TileWorker& worker = workers[i];
@@ -338,7 +266,7 @@ void Renderer::State::prepare_workers(bool transparent, bool areas) {
     }
 }
 
-// What the tiles gave to each other becomes pixels.
+// Reconstruction filter: resolves pixels from what tiles gave to each other.
 void Renderer::State::filter_tiles(const Frame& f) {
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         shade::PixelSums& sums = workers[static_cast<std::size_t>(number)].sums;
@@ -391,7 +319,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
         splats = {};
 }
 
-// Nothing is shaded, and what is seen is found for those who ask alone.
+// Overdraw: counts triangles, shades nothing, and finds visibility only where the caller wants it.
 void Renderer::State::count_frame(const FrameInput& input) {
     prepare_workers(false, false);
     splats = {};
@@ -404,7 +332,7 @@ void Renderer::State::count_frame(const FrameInput& input) {
         if (input.visibility == nullptr) return;
         visible.reset(geometry.tile_area(tile), 1, input.plan.visible);
         geometry.draw(tile, visible);
-        keep(visible, *input.visibility);
+        copy_samples(visible, *input.visibility);
     });
 }
 

@@ -1,0 +1,31 @@
+// From a plan to the inputs of shading: all that stages, the gatherer and the transparency pass
+// read of a frame's plan, view and lights is set here.
+#pragma once
+
+#include "frame/pass/lights.h"
+#include "frame/plan/plan.h"
+#include "raster/screen/screen.h"
+#include "raster/stage/geometry.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+#include "shade/gather.h"
+#include "shade/mip_chain.h"
+#include "shade/stage.h"
+
+namespace scanout::frame {
+
+// The state refers to the plan and the lights: both must outlive it. Shadows and step limits are
+// the renderer's to add.
+shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
+                              const FrameLights& lights);
+
+// The input refers to all that is given: all must outlive it.
+shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
+                                const FramePlan& plan, const raster::Geometry& geometry,
+                                const raster::ScreenTransform& transform,
+                                const shade::FrameState& frame, const shade::MipChains& mips);
+
+// frame: of the plan's opaque surfaces. The input refers to the plan, which must outlive it.
+shade::TransparencyInput transparency_input(const FramePlan& plan, const shade::FrameState& frame);
+
+} // namespace scanout::frame
