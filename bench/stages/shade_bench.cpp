@@ -7,9 +7,9 @@
 #include "frame/renderer.h"
 #include "rows.h"
 #include "scene/view.h"
-#include "shade/mip_chain.h"
-#include "shade/output.h"
-#include "shade/resolve.h"
+#include "shade/mip/mip_chain.h"
+#include "shade/resolve/output.h"
+#include "shade/resolve/resolve.h"
 #include "tests/support/random.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "raster/coverage/depth_rule.h"
 #include "raster/culling/cull.h"
 #include "rows.h"
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 #include "shade/sides.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"

@@ -10,9 +10,9 @@
 #include "frame/plan/step_limits.h"
 #include "raster/stage/geometry.h"
 #include "rows.h"
-#include "shade/gather.h"
+#include "shade/gather/gather.h"
 #include "shade/shadow.h"
-#include "shade/transparency_pass.h"
+#include "shade/transparency/transparency_pass.h"
 
 #include <algorithm>
 #include <optional>

@@ -7,7 +7,7 @@
 #include "image/image.h"
 #include "scene/scene.h"
 #include "scene/view.h"
-#include "shade/linear_picture.h"
+#include "shade/resolve/linear_picture.h"
 
 #include <cstdint>
 #include <memory>

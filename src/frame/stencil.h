@@ -1,7 +1,7 @@
 // The stencil buffer: a byte a pixel in which a frame marks what it draws, apart from colour and
 // depth, and what is made of the marks [Primer 1.6]: the techniques of axis `stencil`. The buffer
 // lives only while a plan wants it. Shadow volumes count at samples, in counts of their own
-// (shade/shadow_count.h).
+// (shade/shadow/shadow_count.h).
 #pragma once
 
 #include "base/technique.h"

@@ -3,7 +3,7 @@
 #ifdef SCANOUT_CHECK_LANES
 #include "base/check.h"
 #include "rows.h"
-#include "shade/shading_setup.h"
+#include "shade/setup/shading_setup.h"
 
 #include <algorithm>
 #include <array>

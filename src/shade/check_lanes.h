@@ -4,7 +4,7 @@
 // lanes that a mask discards. Elsewhere it is nothing.
 #pragma once
 
-#include "shade/resolve.h"
+#include "shade/resolve/resolve.h"
 #include "shade/stage.h"
 
 #include <span>

@@ -88,6 +88,10 @@ class House(unittest.TestCase):
     def test_a_row_named_twice_is_seen(self):
         self.assert_one(self.row_faults({"src/techniques.h": "#define SCANOUT_TEXTURE(X) X(nearest) X(bilinear) X(nearest)\n"}), "more than one row")
 
+    def test_a_helper_of_an_axis_has_a_header(self):
+        helper = {"src/shade/texture/taps.cpp": "", "src/shade/texture/taps.h": ""}
+        self.assertEqual(self.row_faults(helper), [])
+
     def test_rows_of_a_table_need_no_files(self):
         table = {"src/shade/texture/bilinear.cpp": None, "src/shade/texture/rows.cpp": "constinit const Filter bilinear{};\n"}
         self.assertEqual(self.row_faults(table), [])

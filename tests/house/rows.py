@@ -3,7 +3,7 @@
 
 A row is X(name) or X(name, ...) inside `#define SCANOUT_<AXIS>(X)`; its file is src/*/<axis>/<name>.cpp, or, where it is no more
 than a row, the table src/*/<axis>/rows.cpp. A folder is an axis if and only if the table names it; other folders of a module
-hold its stages.
+hold its stages. A file of an axis that no row names is a helper if a header of its name stands beside it.
 """
 import pathlib
 import re
@@ -35,7 +35,8 @@ def faults(root):
     text = table.read_text() if table.is_file() else ""
     named, axes = rows(text), {axis for axis, _ in tables(text)}
     places = [((p.parent.name, name), p.relative_to(root))
-              for p in sorted(src.glob("*/*/*.cpp")) if p.parent.name in axes for name in names_in(p)]
+              for p in sorted(src.glob("*/*/*.cpp")) if p.parent.name in axes for name in names_in(p)
+              if (p.parent.name, name) in named or not p.with_suffix(".h").is_file()]
     files = dict(places)
     if not axes:
         yield "src/techniques.h: names no axis"

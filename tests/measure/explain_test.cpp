@@ -2,7 +2,7 @@
 #include "image/flip.h"
 #include "measure/explain.h"
 #include "measure/median.h"
-#include "shade/reconstruction_filter.h"
+#include "shade/resolve/reconstruction_filter.h"
 #include "support/scenes.h"
 
 #include <gmock/gmock.h>

@@ -4,8 +4,8 @@
 #include "rows.h"
 #include "shade/block.h"
 #include "shade/check_lanes.h"
-#include "shade/gather.h"
-#include "shade/mip_chain.h"
+#include "shade/gather/gather.h"
+#include "shade/mip/mip_chain.h"
 
 #include <algorithm>
 #include <array>

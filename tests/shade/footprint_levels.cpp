@@ -3,7 +3,7 @@
 #define SIMD_FILE "shade/footprint_levels.cpp"
 #include "simd/for_each_target.h"
 
-#include "shade/footprint-inl.h"
+#include "shade/setup/footprint-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 

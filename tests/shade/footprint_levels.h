@@ -1,4 +1,4 @@
-// shade/footprint-inl.h over arrays, on the target that is chosen.
+// shade/setup/footprint-inl.h over arrays, on the target that is chosen.
 #pragma once
 
 #include "shade/stage.h"

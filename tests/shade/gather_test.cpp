@@ -1,7 +1,7 @@
 // Where a triangle is shaded in a pixel: at the centre if it covers it, else at its first covered
 // sample. For clipped triangles, too, coverage and shading say the same.
 #include "base/jobs.h"
-#include "shade/gather.h"
+#include "shade/gather/gather.h"
 #include "support/random.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // Interpolation that divides seldom, against the exact weights in double: the ladder of
 // HARD-CASES L3, independence of runs, and the bound that adaptive interpolation keeps.
 #include "block.h"
-#include "shade/interpolation_step.h"
+#include "shade/setup/interpolation_step.h"
 
 #include <cmath>
 #include <map>

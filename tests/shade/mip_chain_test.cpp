@@ -1,5 +1,5 @@
 // The levels of a texture: means of what they cover, in linear light, at any size (HARD-CASES 46).
-#include "shade/mip_chain.h"
+#include "shade/mip/mip_chain.h"
 #include "support/meshes.h"
 #include "support/random.h"
 #include "support/targets.h"

@@ -4,8 +4,8 @@
 #include "image/dither.h"
 #include "math/srgb.h"
 #include "rows.h"
-#include "shade/output.h"
-#include "shade/resolve.h"
+#include "shade/resolve/output.h"
+#include "shade/resolve/resolve.h"
 
 #include <bit>
 #include <cmath>

@@ -3,9 +3,9 @@
 // triangles, on every target; under a sanitizer a sixth of them, which go through the same code.
 #include "base/jobs.h"
 #include "rows.h"
-#include "shade/gather.h"
-#include "shade/primitive_cache.h"
-#include "shade/shading_setup.h"
+#include "shade/gather/gather.h"
+#include "shade/setup/primitive_cache.h"
+#include "shade/setup/shading_setup.h"
 #include "support/random.h"
 #include "support/targets.h"
 

@@ -1,6 +1,6 @@
 #include "rows.h"
 #include "shade/block.h"
-#include "shade/mip_chain.h"
+#include "shade/mip/mip_chain.h"
 #include "support/srgb_formula.h"
 
 #include <bit>

@@ -2,7 +2,7 @@
 // name, however many names share a slot of the table.
 #include "raster/coverage/coverage.h"
 #include "raster/micro/small_triangles.h"
-#include "shade/tile_pixels.h"
+#include "shade/gather/tile_pixels.h"
 #include "support/random.h"
 #include "support/targets.h"
 

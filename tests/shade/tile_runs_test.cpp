@@ -1,6 +1,6 @@
 #include "image/image.h"
-#include "shade/block_pixels.h"
-#include "shade/tile_runs.h"
+#include "shade/gather/block_pixels.h"
+#include "shade/gather/tile_runs.h"
 #include "support/random.h"
 #include "support/targets.h"
 

@@ -5,7 +5,7 @@
 #include "frame/view/eye.h"
 #include "scene/scene.h"
 #include "scene/view.h"
-#include "shade/mip_chain.h"
+#include "shade/mip/mip_chain.h"
 
 #include <vector>
 

@@ -10,7 +10,7 @@
 #include "raster/stage/geometry.h"
 #include "scene/scene.h"
 #include "shade/shadow.h"
-#include "shade/transparency_pass.h"
+#include "shade/transparency/transparency_pass.h"
 
 #include <memory>
 #include <vector>

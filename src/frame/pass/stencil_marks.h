@@ -4,7 +4,7 @@
 #include "base/jobs.h"
 #include "frame/stencil.h"
 #include "raster/stage/geometry.h"
-#include "shade/transparency_pass.h"
+#include "shade/transparency/transparency_pass.h"
 
 namespace scanout::frame {
 

@@ -9,7 +9,7 @@
 #include "frame/stencil.h"
 #include "image/convolution.h"
 #include "raster/culling/cull.h"
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
 

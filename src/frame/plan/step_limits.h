@@ -3,7 +3,7 @@
 
 #include "frame/plan/plan.h"
 #include "scene/scene.h"
-#include "shade/interpolation_step.h"
+#include "shade/setup/interpolation_step.h"
 
 namespace scanout::frame {
 

@@ -1,6 +1,6 @@
 // Samples are mixed as codes, as renderers did that knew no sRGB: edges between light and dark come
 // out too dark. Half black, half white is 128 instead of 188; a quarter of white loses most, 73.
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 #define SIMD_FILE "shade/blend_space/encoded.cpp"
 #include "simd/for_each_target.h"

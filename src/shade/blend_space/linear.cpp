@@ -1,5 +1,5 @@
 // Samples are mixed as light mixes: in linear light, encoded once (HARD-CASES 70).
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 namespace scanout::shade::blend_space {
 

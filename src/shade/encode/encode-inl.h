@@ -9,7 +9,7 @@
 #define SCANOUT_SHADE_ENCODE_INL_H
 #endif
 
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 #include "simd/lanes-inl.h"
 

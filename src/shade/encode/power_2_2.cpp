@@ -1,7 +1,7 @@
 // "Gamma 2.2": a plain power instead of sRGB's curve, up to 9 codes off, in the darks
 // (HARD-CASES 47).
 #include "math/transcendental.h"
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 #define SIMD_FILE "shade/encode/power_2_2.cpp"
 #include "simd/for_each_target.h"

@@ -1,6 +1,6 @@
 // "Gamma 2": the square root, the cheapest curve that looks like sRGB, up to 10 codes off
 // (HARD-CASES 47).
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 #define SIMD_FILE "shade/encode/square_root.cpp"
 #include "simd/for_each_target.h"

@@ -1,6 +1,6 @@
 // sRGB, exactly: the nearest code of the piecewise curve (IEC 1999; Microsoft 2015, 3.2.3.8, allows
 // 0.6 code; this is 0.5).
-#include "shade/output.h"
+#include "shade/resolve/output.h"
 
 #define SIMD_FILE "shade/encode/srgb.cpp"
 #include "simd/for_each_target.h"

@@ -1,6 +1,7 @@
 // For every triangle the cheapest of affine, every 16 and every 8 pixels and perspective whose
-// error is bounded by 1/256 texel and half a code (shade/interpolation_step.h; HARD-CASES L3).
-#include "shade/interpolation_step.h"
+// error is bounded by 1/256 texel and half a code (shade/setup/interpolation_step.h; HARD-CASES
+// L3).
+#include "shade/setup/interpolation_step.h"
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/adaptive.cpp"

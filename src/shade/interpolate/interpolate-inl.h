@@ -9,10 +9,10 @@
 #define SCANOUT_SHADE_INTERPOLATE_INL_H
 #endif
 
-#include "shade/shading_setup.h"
+#include "shade/setup/shading_setup.h"
 
-#include "shade/footprint-inl.h"
 #include "shade/interpolate/weights-inl.h"
+#include "shade/setup/footprint-inl.h"
 #include "simd/entries-inl.h"
 #include "simd/vec3-inl.h"
 

@@ -8,9 +8,9 @@
 #define SIMD_FILE "shade/map/bump.cpp"
 #include "simd/for_each_target.h"
 
-#include "shade/footprint-inl.h"
 #include "shade/map/scalar-inl.h"
 #include "shade/map/tangent-inl.h"
+#include "shade/setup/footprint-inl.h"
 
 SIMD_BEGIN(scanout::shade::map)
 

@@ -10,7 +10,7 @@
 #define SCANOUT_SHADE_TANGENT_INL_H
 #endif
 
-#include "shade/shading_setup.h"
+#include "shade/setup/shading_setup.h"
 
 #include "simd/entries-inl.h"
 #include "simd/vec3-inl.h"

@@ -9,7 +9,7 @@
 #define SCANOUT_SHADE_PROJECT_INL_H
 #endif
 
-#include "shade/footprint-inl.h"
+#include "shade/setup/footprint-inl.h"
 #include "simd/vec3-inl.h"
 
 SIMD_BEGIN(scanout::shade::mapping)

@@ -1,6 +1,6 @@
 // Light once a face, in its middle, with its own normal. Bouknight 1970, [Primer 7.3].
+#include "shade/shading/vertex_lighting.h"
 #include "shade/stage.h"
-#include "shade/vertex_lighting.h"
 
 #define SIMD_FILE "shade/shading/flat.cpp"
 #include "simd/for_each_target.h"

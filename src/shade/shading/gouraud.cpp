@@ -1,8 +1,8 @@
 // Light at the vertices, interpolated in between: a highlight inside a triangle is lost.
 // Gouraud 1971, [Primer 7.3]. The parts with and without albedo are interpolated apart, so textures
 // stay sharp.
+#include "shade/shading/vertex_lighting.h"
 #include "shade/stage.h"
-#include "shade/vertex_lighting.h"
 
 #define SIMD_FILE "shade/shading/gouraud.cpp"
 #include "simd/for_each_target.h"

@@ -7,7 +7,7 @@
 #define SCANOUT_SHADE_SHADOW_PLANE_INL_H
 #endif
 
-#include "shade/shading_setup.h"
+#include "shade/setup/shading_setup.h"
 #include "shade/shadow.h"
 #include "shade/stage.h"
 

@@ -2,7 +2,7 @@
 // lies in the floor under one of them is dark. Exact there, and nothing else receives any.
 // Blinn 1988, [Primer 10]. Its parts: this stage, the projection (frame/pass/shadow_polygons.h) and
 // the count of what covers a sample (raster/count/stencil_count.h).
-#include "shade/shadow_count.h"
+#include "shade/shadow/shadow_count.h"
 #include "shade/stage.h"
 
 namespace scanout::shade::shadow {

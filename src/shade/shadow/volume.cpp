@@ -3,7 +3,7 @@
 // nor an eye inside of it matters. Crow 1977, Everitt and Kilgard 2002, [Primer 10]. Its parts:
 // this stage, the volumes (frame/pass/shadow_polygons.h) and the count after visibility
 // (raster/count/stencil_count.h).
-#include "shade/shadow_count.h"
+#include "shade/shadow/shadow_count.h"
 #include "shade/stage.h"
 
 namespace scanout::shade::shadow {

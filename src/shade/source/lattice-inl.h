@@ -7,7 +7,7 @@
 #define SCANOUT_SHADE_LATTICE_INL_H
 #endif
 
-#include "shade/texel-inl.h"
+#include "shade/mip/texel-inl.h"
 
 SIMD_BEGIN(scanout::shade::source)
 

@@ -5,7 +5,7 @@
 #define SIMD_FILE "shade/texture/bilinear.cpp"
 #include "simd/for_each_target.h"
 
-#include "shade/texel-inl.h"
+#include "shade/mip/texel-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 

@@ -1,8 +1,8 @@
 // Anisotropic filtering with up to so many probes along the pixel's footprint: rows of
-// shade/anisotropy.h.
+// shade/mip/anisotropy.h.
 #include "rows.h"
 
-#include "shade/anisotropy.h"
+#include "shade/mip/anisotropy.h"
 
 namespace scanout::shade::texture {
 

@@ -6,7 +6,7 @@
 #define SIMD_FILE "shade/texture/trilinear.cpp"
 #include "simd/for_each_target.h"
 
-#include "shade/mip-inl.h"
+#include "shade/mip/mip-inl.h"
 
 SIMD_BEGIN(scanout::shade::texture)
 

@@ -2,7 +2,7 @@
 // sorts; wrong where triangles intersect or overlap in a circle, or a large one lies beside small
 // ones: there two layers change places, an error of up to the product of their alphas. Newell,
 // Newell and Sancha 1972 without the splitting; [Primer 1.6].
-#include "shade/gather.h"
+#include "shade/gather/gather.h"
 #include "shade/transparency.h"
 
 #include <algorithm>

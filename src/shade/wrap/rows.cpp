@@ -1,4 +1,4 @@
-// What lies beyond a texture's edges: rows of shade/texel-inl.h, which has the arithmetic.
+// What lies beyond a texture's edges: rows of shade/mip/texel-inl.h, which has the arithmetic.
 #include "rows.h"
 
 #include "shade/stage.h"

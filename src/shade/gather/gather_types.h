@@ -1,0 +1,38 @@
+// What the gatherer's lists hold.
+#pragma once
+
+#include "shade/gather/gather.h"
+
+#include <cstdint>
+
+namespace scanout::shade {
+
+inline constexpr std::uint32_t kNoLayer = 0xffffffff;
+
+// One primitive in an edge pixel.
+struct Gatherer::Fragment {
+    std::uint32_t id;
+    ShadingKey key;
+    std::uint16_t pixel;            // in the tile
+    std::uint8_t sample;            // the first that shows it
+    std::uint8_t rank;              // of a pixel with blended fragments: 0 is shaded first
+    std::uint16_t edge_pixel;       // index in the list of edge pixels
+    float weight;                   // in the pixel; 0 where `layer` says what becomes of it
+    std::uint16_t samples;          // bit s says that it shows at sample s
+    std::uint8_t at_x, at_y;        // a place that shows it, from the pixel's corner, 1/256 pixel
+    std::uint32_t layer = kNoLayer; // of a composed pixel
+};
+
+// What a item adds to an edge pixel.
+struct Gatherer::Contribution {
+    std::uint16_t edge_pixel; // index in the list of edge pixels
+    std::uint16_t samples;    // of the fragment
+    float weight;
+    std::uint32_t layer;
+};
+
+inline std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]
+    return static_cast<std::uint8_t>(offset);
+}
+
+} // namespace scanout::shade

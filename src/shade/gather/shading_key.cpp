@@ -1,0 +1,12 @@
+#include "shade/gather/shading_key.h"
+
+namespace scanout::shade {
+
+ShadingKey ShadingKeys::of_mesh(std::uint32_t id) const {
+    const std::size_t triangles = mesh->triangles(), lines = mesh->lines();
+    if (id < triangles) return {mesh->material[id], true};
+    const std::size_t line = id - triangles;
+    return {line < lines ? mesh->line_material[line] : mesh->point_material[line - lines], false};
+}
+
+} // namespace scanout::shade

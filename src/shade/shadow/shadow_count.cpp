@@ -1,0 +1,104 @@
+#include "shade/shadow/shadow_count.h"
+
+#include "base/check.h"
+#include "shade/shadow.h"
+#include "shade/transparency/transparency_pass.h"
+
+#include <bit>
+
+namespace scanout::shade {
+namespace {
+
+// Is the light on the side of the triangle that the eye sees?
+bool lit(const Primitive& t, const FrameState& frame, const scene::ViewLight& light) {
+    const DVec3 facing(t.facing[0], t.facing[1], t.facing[2]);
+    DVec3 normal;
+    for (int r = 0; r < 3; ++r) {
+        const float* row = frame.normal_matrix[r];
+        normal[r] = dot3(DVec3(row[0], row[1], row[2]), facing);
+    }
+    if (light.kind == scene::LightKind::directional) return dot3(normal, DVec3(light.towards)) > 0;
+    const DVec3 corner(t.position[0][0], t.position[1][0], t.position[2][0]);
+    return dot3(normal, DVec3(light.position) - corner) > 0;
+}
+
+// The samples of a pixel that show the triangle, and those of them over which nothing was counted.
+struct VisibleSamples {
+    int samples = 0, bright = 0;
+};
+VisibleSamples visible_at(const TileShadow& shadow, const float* count, std::uint32_t id, int x,
+                          int y) {
+    const raster::VisibilityTile& tile = *shadow.tile;
+    const auto at =
+        static_cast<std::size_t>((y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0));
+    VisibleSamples visible;
+    for (int s = 0; s < tile.samples(); ++s) {
+        if (tile.id(x, y, s) != id) continue;
+        ++visible.samples;
+        if (count[at + static_cast<std::size_t>(s) * raster::VisibilityTile::kPlane] == 0)
+            ++visible.bright;
+    }
+    return visible;
+}
+
+// The same of a blended surface, which stands in front of what was counted.
+VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& polygons,
+                               const BlendedPixels& blended, std::uint32_t id, int x, int y) {
+    const raster::VisibilityTile& tile = *shadow.tile;
+    const int pixel = (y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0);
+    const BlendFragment* fragment = nullptr;
+    for (const std::uint32_t i : blended.fragments(pixel))
+        if (blended.list.fragments[i].id == id) fragment = &blended.list.fragments[i];
+    CHECK(fragment != nullptr);
+    VisibleSamples visible;
+    for (unsigned left = fragment->visible; left != 0; left &= left - 1) {
+        const int s = std::countr_zero(left);
+        const raster::SampleOffset at = tile.pattern()[static_cast<std::size_t>(s)];
+        const double depth = blended.list.depth_at(*fragment, s);
+        float count = 0;
+        for (const std::uint32_t i : polygons.here)
+            count += stencil_at(polygons.all[i], x * raster::kSubpixel + at.x,
+                                y * raster::kSubpixel + at.y, depth, id, polygons.where);
+        ++visible.samples;
+        if (count == 0) ++visible.bright;
+    }
+    return visible;
+}
+
+// Takes the light k from the items of a run that lie in shadow.
+void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::size_t k) {
+    const TileShadow& shadow = *b.shadow;
+    const std::uint32_t id = run.primitive->id;
+    if (!shadow.receives.empty() && shadow.receives[id] == 0) return;
+    const bool faces = lit(*run.primitive, frame, frame.lights[k]);
+    for (int item = run.first; item < run.first + run.count; ++item) {
+        const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
+        float visibility = 0;
+        if (faces) {
+            VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
+            if (visible.samples == 0) {
+                CHECK(b.blended != nullptr);
+                visible = visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
+            }
+            CHECK_LT(0, visible.samples);
+            visibility = static_cast<float>(visible.bright) / static_cast<float>(visible.samples);
+        }
+        for (auto& colour : b.light[k].colour)
+            colour[item] *= visibility;
+    }
+}
+
+} // namespace
+
+void shadow_by_counts(ShadingBlock& b, const FrameState& frame) {
+    if (!b.lit || frame.shadows == nullptr) return;
+    CHECK(b.shadow != nullptr);
+    for (std::size_t k = 0; k < frame.lights.size(); ++k) {
+        if (!frame.shadows[k].casts) continue;
+        CHECK(b.shadow->count[k] != nullptr);
+        for (int i = 0; i < b.runs; ++i)
+            shade_run(b, frame, b.run[i], k);
+    }
+}
+
+} // namespace scanout::shade

@@ -1,0 +1,103 @@
+// What is not opaque in a tile: samples cut out by their alpha, and fragments that blend with what
+// lies behind. Blending is a sum: a fragment's weight is its alpha times what all fragments before
+// it let through, at every sample; then it is shaded once, like any other, and added by its weight.
+// Nothing that is hidden is shaded, and a pixel whose fragments all have alpha 1 or 0 is what it
+// would be without blending, to the bit. Modes in which a fragment's colour says what it lets
+// through have no weights: see shade/transparency/colour_blend.h.
+#pragma once
+
+#include "raster/tile/probe.h"
+#include "shade/gather/gather.h"
+#include "shade/transparency.h"
+#include "shade/transparency/alpha_evaluator.h"
+#include "shade/transparency/colour_blend.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace scanout::shade {
+
+// Fragments of a part of a tile, with their weights.
+struct BlendedPixels {
+    image::Rect region; // of the tile, in pixels of the picture
+    int samples = 1;
+    BlendList list;
+    std::vector<std::uint32_t> of_pixel;               // fragments, by pixel
+    std::vector<std::uint32_t> start;                  // where a pixel's begin in it; and the end
+    std::array<std::uint64_t, raster::kTileSize> rows; // bit x: the pixel has some
+    // What reaches the opaque surface of each sample, of pixels that have some, from `slot` on.
+    std::vector<float> transmittance;
+    std::vector<std::uint32_t> slot; // of a pixel of the tile
+    // Where the fragments' colours decide, and not their weights: their order. Then nothing is in
+    // `transmittance`, and slots are places of its samples.
+    ColourBlend* colour_blend = nullptr;
+
+    std::span<const std::uint32_t> fragments(int pixel) const {
+        const auto p = static_cast<std::size_t>(pixel);
+        return std::span(of_pixel).subspan(start[p], start[p + 1] - start[p]);
+    }
+};
+
+// One a worker.
+class TransparencyPass {
+public:
+    // Draws the samples of cut-out triangles whose alpha lets them.
+    void cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
+                 raster::VisibilityTile& visibility);
+    // The tile with its blended triangles, as if they were opaque.
+    const raster::VisibilityTile& opaque_base(const raster::Geometry& geometry, int tile,
+                                              const raster::VisibilityTile& visibility);
+    // Shades the tile with its blended fragments, in parts when they are more than the list holds.
+    // Returns how many items were shaded.
+    std::uint64_t shade(const raster::Geometry& geometry, int tile, const GatherInput& input,
+                        const raster::VisibilityTile& visibility, Gatherer& gatherer,
+                        image::Image& picture);
+
+    // Bit x of row y, from the tile's corner: some of what was shaded since blends there.
+    using Pixels = std::array<std::uint64_t, raster::kTileSize>;
+    // Also notes the pixels there, of the tiles that follow; null: nowhere.
+    void note_pixels(Pixels* pixels) { noted_ = pixels; }
+
+    void begin_frame() {
+        found_ = longest_list_ = 0;
+        colour_blend_.reset();
+    }
+    std::uint64_t fragments() const { return found_; } // blended ones since then
+    // Of the longest list since then: fragments with their depths and weights.
+    std::size_t list_bytes() const { return longest_list_; }
+    std::size_t bytes() const; // held
+
+private:
+    struct Task; // the arguments of one tile
+    struct Candidate {
+        std::uint32_t id;
+        float depth;
+        std::uint16_t pixel;
+        std::uint8_t sample;
+    };
+    void draw_candidates(const GatherInput& input, raster::VisibilityTile& visibility);
+    std::uint64_t shade_region(const Task& task, const image::Rect& region);
+    bool find(const Task& task, const image::Rect& region);
+    bool find(const Task& task, const image::Rect& region, std::uint32_t triangle);
+    void sort_by_pixel();
+    void weigh(const Task& task, int pixel);
+    void arrange(const Task& task, int pixel);
+    void note_list();
+
+    raster::Probe probe_;
+    raster::VisibilityTile opaque_base_;
+    AlphaEvaluator alpha_evaluator_;
+    std::vector<float> alpha_;
+    std::vector<std::uint32_t> triangles_;
+    std::vector<Candidate> candidates_;
+    BlendedPixels pixels_;
+    std::unique_ptr<ColourBlend> colour_blend_; // while a blend mode wants it
+    std::vector<std::uint32_t> at_sample_;
+    std::uint64_t found_ = 0;
+    std::size_t longest_list_ = 0;
+    Pixels* noted_ = nullptr;
+};
+
+} // namespace scanout::shade
