@@ -6,9 +6,11 @@ find_package(TBB 2021 CONFIG REQUIRED)      # libtbb-dev
 find_package(glm CONFIG REQUIRED)           # libglm-dev
 find_package(hwy CONFIG REQUIRED)           # libhwy-dev
 find_package(PNG REQUIRED)                  # libpng-dev
+find_package(ZLIB REQUIRED)                 # zlib1g-dev
 find_package(JPEG REQUIRED)                 # libjpeg62-turbo-dev
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)    # libxxhash-dev
+pkg_check_modules(UTF8PROC REQUIRED IMPORTED_TARGET libutf8proc) # libutf8proc-dev
 pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)             # libstb-dev
 if(SCANOUT_PROGRAM)
   find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev

@@ -1,6 +1,6 @@
 #include "io/find_file.h"
 
-#include "io/text.h"
+#include "io/file_name.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -47,11 +47,11 @@ std::optional<std::string> FileFinder::entry_in_any_case(const std::string& fold
         fs::directory_iterator entries(folder.empty() ? "." : folder, error);
         for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
             const std::string entry = entries->path().filename().string();
-            const auto [same, first] = known->second.try_emplace(lower_case(entry), entry);
+            const auto [same, first] = known->second.try_emplace(folded(entry), entry);
             if (!first && entry < same->second) same->second = entry;
         }
     }
-    const auto found = known->second.find(lower_case(name));
+    const auto found = known->second.find(folded(name));
     return found == known->second.end() ? std::nullopt : std::optional(found->second);
 }
 
@@ -78,12 +78,13 @@ std::optional<std::string> FileFinder::find(const std::string& folder, std::stri
 std::optional<std::string> FileFinder::find_anywhere(const std::string& folder,
                                                      const std::string& other_folder,
                                                      std::string_view name) {
-    const std::string slashed = with_slashes(name);
-    const std::string bare = slashed.substr(slashed.rfind('/') + 1);
-    for (const std::string_view wanted : {name, std::string_view(bare)}) {
-        if (auto path = find(folder, wanted)) return path;
-        if (other_folder != folder)
-            if (auto path = find(other_folder, wanted)) return path;
+    for (const std::string& spelling : spellings(name)) {
+        const std::string slashed = with_slashes(spelling);
+        for (const std::string& wanted : {spelling, slashed.substr(slashed.rfind('/') + 1)}) {
+            if (auto path = find(folder, wanted)) return path;
+            if (other_folder != folder)
+                if (auto path = find(other_folder, wanted)) return path;
+        }
     }
     return std::nullopt;
 }

@@ -13,12 +13,13 @@ std::string folder_of(const std::string& path); // "" for a bare file name
 
 class FileFinder {
 public:
-    // The path of `name`, relative to `folder`: as it stands; with '\' as '/'; in any case (ASCII).
-    // Only names that exist are returned, whatever they are: Mapping refuses what is no regular
-    // file.
+    // The path of `name`, relative to `folder`: as it stands; with '\' as '/'; in any case,
+    // composed or decomposed, and as Latin-1 (file_name.h). Only names that exist are returned,
+    // whatever they are: Mapping refuses what is no regular file.
     std::optional<std::string> find(const std::string& folder, std::string_view name);
 
-    // find() in `folder`, then in `other_folder`, then by the bare file name in both.
+    // find() in `folder`, then in `other_folder`, then by the bare file name in both; likewise for
+    // the name's other spellings.
     std::optional<std::string> find_anywhere(const std::string& folder,
                                              const std::string& other_folder,
                                              std::string_view name);
@@ -27,7 +28,7 @@ private:
     std::optional<std::string> entry_in_any_case(const std::string& folder, std::string_view name);
 
     // Folders are read once: a model may name thousands of files that are not there.
-    using Entries = std::unordered_map<std::string, std::string>; // lower case -> as it stands
+    using Entries = std::unordered_map<std::string, std::string>; // folded -> as it stands
     std::unordered_map<std::string, Entries> folders_;
 };
 

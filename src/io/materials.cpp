@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <unordered_map>
@@ -19,9 +20,9 @@ namespace scanout::io {
 namespace {
 
 // Bounds on what one model may make us look up; no honest file comes near.
-constexpr std::size_t kMostLibraries = 256;
-constexpr std::size_t kMostTextures = 4096;
-constexpr std::size_t kMostWordsPerLibraryLine = 16;
+constexpr std::size_t kMaxLibraries = 256;
+constexpr std::size_t kMaxTextures = 4096;
+constexpr std::size_t kMaxWordsPerLibraryLine = 16;
 constexpr std::size_t kTextureWarnings = 20; // told one by one, the rest together
 
 std::string canonical(const std::string& path) {
@@ -39,7 +40,7 @@ struct Word {
 std::vector<Word> words_of(const std::string& text) {
     std::vector<Word> words;
     for (std::size_t i = text.find_first_not_of(" \t");
-         i < text.size() && words.size() < kMostWordsPerLibraryLine;
+         i < text.size() && words.size() < kMaxWordsPerLibraryLine;
          i = text.find_first_not_of(" \t", i)) {
         const std::size_t begin = i;
         const std::size_t quote = text[i] == '"' ? text.find('"', i + 1) : std::string::npos;
@@ -81,15 +82,27 @@ bool holds_normals(const image::Image& image) {
 
 class MaterialLoader {
 public:
-    MaterialLoader(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
-                   std::uint64_t texture_bytes)
-        : obj_(obj), obj_path_(obj_path), folder_(folder_of(obj_path)), warnings_(warnings),
+    MaterialLoader(const std::string& model_path, Warnings& warnings, std::uint64_t texture_bytes)
+        : model_path_(model_path), folder_(folder_of(model_path)), warnings_(warnings),
           texture_bytes_left_(texture_bytes) {}
 
-    Materials load() {
-        read_libraries();
-        for (const NameAtLine& used : obj_.materials)
+    Materials load(const std::vector<NameAtLine>& pictures) {
+        for (const NameAtLine& picture : pictures) {
+            scene::Material& material = out_.materials.emplace_back();
+            material.map_diffuse.path = picture.name;
+            material.map_diffuse.line = picture.line;
+            material.diffuse = Vec3(1);
+            load_map(material.map_diffuse, "TextureFile", model_path_);
+            if (material.map_diffuse.texture < 0) material = {};
+        }
+        return std::move(out_);
+    }
+
+    Materials load(const ObjFile& obj) {
+        read_libraries(obj.libraries, !obj.materials.empty());
+        for (const NameAtLine& used : obj.materials)
             use(used);
+        use_only_material(obj);
         name_what_is_not_drawn();
         return std::move(out_);
     }
@@ -104,9 +117,14 @@ private:
         std::size_t library, material;
     };
 
-    void read_libraries();
+    void read_libraries(const std::vector<NameAtLine>& lines, bool materials_are_used);
+    std::optional<std::string> own_library();
+    void read_own_library(const std::string& own, std::size_t line, std::string_view why);
     void read_library(const std::string& name, std::size_t line);
     void use(const NameAtLine& used);
+    void use_only_material(const ObjFile& obj);
+    void add_material(Library& library, const MtlMaterial& m);
+    std::int32_t opaque_texture(std::int32_t texture);
     void name_what_is_not_drawn();
     void load_normal_maps(scene::Material& material, const std::string& library_path);
     void load_map(scene::TextureMap& map, std::string_view keyword,
@@ -116,8 +134,7 @@ private:
     std::int32_t load_texture(const std::string& path, const std::string& where);
     void texture_fault(const std::string& name, std::string line);
 
-    const ObjFile& obj_;
-    const std::string& obj_path_;
+    const std::string& model_path_;
     std::string folder_;
     Warnings& warnings_;
     Materials out_;
@@ -128,23 +145,41 @@ private:
     bool library_missing_ = false;
     std::unordered_map<std::string, std::int32_t>
         textures_; // by folder and name, then by real path
+    std::unordered_map<std::int32_t, std::int32_t> opaque_textures_;
     std::uint64_t texture_bytes_left_;
     std::size_t texture_faults_ = 0;
 };
 
-void MaterialLoader::read_libraries() {
-    for (const NameAtLine& line : obj_.libraries) {
+void MaterialLoader::read_libraries(const std::vector<NameAtLine>& lines, bool materials_are_used) {
+    for (const NameAtLine& line : lines) {
         if (!seen_lines_.insert(line.name).second) continue;
-        if (seen_lines_.size() > kMostLibraries || seen_libraries_.size() > kMostLibraries) {
+        if (seen_lines_.size() > kMaxLibraries || seen_libraries_.size() > kMaxLibraries) {
             library_missing_ = true;
             warnings_.add("libraries",
                           fmt::format("{}:{}: more than {} material libraries; the rest is ignored",
-                                      obj_path_, line.line, kMostLibraries));
+                                      model_path_, line.line, kMaxLibraries));
             return;
         }
         for (const std::string& name : library_names(finder_, folder_, line.name))
             read_library(name, line.line);
     }
+    if (const auto own = own_library(); lines.empty() && materials_are_used && own)
+        read_own_library(*own, 1, "names no material library");
+}
+
+// A model whose library was renamed, or is not named at all: one with the model's own name is what
+// its exporter wrote.
+std::optional<std::string> MaterialLoader::own_library() {
+    const std::string bare = model_path_.substr(model_path_.rfind('/') + 1);
+    const std::string name = bare.substr(0, bare.find('.')) + ".mtl";
+    return finder_.find(folder_, name) ? std::optional(name) : std::nullopt;
+}
+
+void MaterialLoader::read_own_library(const std::string& own, std::size_t line,
+                                      std::string_view why) {
+    warnings_.add("own library", fmt::format("{}:{}: {}; '{}' of the model's own name is taken",
+                                             model_path_, line, why, shown(own)));
+    read_library(own, line);
 }
 
 // A library is read once, however often it is named; it cannot name others, so nothing can go in
@@ -153,18 +188,21 @@ void MaterialLoader::read_library(const std::string& name, std::size_t line) {
     const auto path = finder_.find_anywhere(folder_, folder_, name);
     if (!seen_libraries_.insert(path ? canonical(*path) : name).second) return;
     if (!path) {
+        if (const auto own = own_library())
+            return read_own_library(*own, line,
+                                    fmt::format("material library '{}' is not there", shown(name)));
         library_missing_ = true;
         warnings_.add("library",
                       fmt::format("{}:{}: material library '{}' is not there; its materials are "
                                   "drawn plain",
-                                  obj_path_, line, shown(name)));
+                                  model_path_, line, shown(name)));
         return;
     }
     const auto file = Mapping::open(*path);
     if (!file || not_a_text_model(file->text())) {
         library_missing_ = true;
         warnings_.add("library",
-                      fmt::format("{}:{}: {}; its materials are drawn plain", obj_path_, line,
+                      fmt::format("{}:{}: {}; its materials are drawn plain", model_path_, line,
                                   file ? *path + ": is no material library" : file.error().what));
         return;
     }
@@ -190,17 +228,33 @@ void MaterialLoader::use(const NameAtLine& used) {
         out_.of_name.push_back(-1);
         if (!library_missing_) // else it is told already
             warnings_.add("material",
-                          fmt::format("{}:{}: material '{}' is not defined; drawn plain", obj_path_,
-                                      used.line, shown(used.name)));
+                          fmt::format("{}:{}: material '{}' is not defined; drawn plain",
+                                      model_path_, used.line, shown(used.name)));
         return;
     }
     Library& library = libraries_[found->second.library];
-    const MtlMaterial& m = library.materials[found->second.material];
+    out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
+    add_material(library, library.materials[found->second.material]);
+}
+
+// A library of one material and a model that uses none: its exporter left the line out.
+void MaterialLoader::use_only_material(const ObjFile& obj) {
+    if (!obj.materials.empty() || libraries_.size() != 1 || libraries_[0].materials.size() != 1)
+        return;
+    warnings_.add(
+        "only material",
+        fmt::format("{}: uses no material (usemtl): the only one of its library, '{}', is "
+                    "taken",
+                    model_path_, shown(libraries_[0].materials[0].material.name)));
+    out_.of_rest = 0;
+    add_material(libraries_[0], libraries_[0].materials[0]);
+}
+
+void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
     for (const std::string_view what : m.not_drawn)
         if (std::find(library.not_drawn.begin(), library.not_drawn.end(), what) ==
             library.not_drawn.end())
             library.not_drawn.push_back(what);
-    out_.of_name.push_back(static_cast<std::int32_t>(out_.materials.size()));
     scene::Material& material = out_.materials.emplace_back(m.material);
     // The other maps stay names until something draws them: what is not used costs nothing.
     load_map(material.map_opacity, "map_d", library.path);
@@ -213,10 +267,20 @@ void MaterialLoader::use(const NameAtLine& used) {
         material.map_opacity.channel = alpha ? 'm' : 'l';
     }
     load_map(material.map_diffuse, "map_Kd", library.path);
-    // Kd 0 0 0 beside a map is an exporter's "see the map"; without the map it would be a hole.
-    if (material.map_diffuse.given() && material.map_diffuse.texture < 0 &&
-        material.diffuse == Vec3(0))
-        material.diffuse = scene::Material().diffuse;
+    // Kd 0 0 0 beside a map is an exporter's "see the map" (Maya's); without the map it would be a
+    // hole.
+    if (material.map_diffuse.given() && material.diffuse == Vec3(0)) {
+        const bool drawn = material.map_diffuse.texture >= 0;
+        material.diffuse = drawn ? Vec3(1) : scene::Material().diffuse;
+        if (drawn)
+            warnings_.add(
+                "Kd 0 with map",
+                fmt::format("{}:{}: Kd is 0 beside map_Kd and would hide it; it counts as 1",
+                            library.path, m.line));
+    }
+    // The alpha of map_Kd says how opaque it is where no other map does.
+    if (material.map_opacity.texture >= 0 && material.map_diffuse.texture >= 0)
+        material.map_diffuse.texture = opaque_texture(material.map_diffuse.texture);
     load_normal_maps(material, library.path);
     if (has_highlight(material)) {
         load_map(material.map_specular, "map_Ks", library.path);
@@ -232,6 +296,21 @@ void MaterialLoader::use(const NameAtLine& used) {
     if (m.metalness_by_map && material.map_metalness.texture < 0) material.metalness.reset();
     if (m.specular_by_map && material.map_specular.texture < 0) material.specular = Vec3(0);
     if (m.emission_by_map && material.map_emission.texture < 0) material.emission = Vec3(0);
+}
+
+// The texture without its alpha channel: itself where that says nothing.
+std::int32_t MaterialLoader::opaque_texture(std::int32_t texture) {
+    const auto [known, is_new] = opaque_textures_.try_emplace(texture, texture);
+    if (!is_new) return known->second;
+    const scene::Texture& given = out_.textures[static_cast<std::size_t>(texture)];
+    const auto is_opaque = [](const image::Rgba8& p) { return p.a == 255; };
+    const auto pixels = given.image.pixels();
+    if (std::all_of(pixels.begin(), pixels.end(), is_opaque)) return texture;
+    scene::Texture opaque = given;
+    for (image::Rgba8& p : opaque.image.pixels())
+        p.a = 255;
+    out_.textures.push_back(std::move(opaque));
+    return known->second = static_cast<std::int32_t>(out_.textures.size()) - 1;
 }
 
 void MaterialLoader::load_normal_maps(scene::Material& material, const std::string& library_path) {
@@ -265,9 +344,9 @@ std::int32_t MaterialLoader::texture(const std::string& name, const std::string&
     const std::string folder = folder_of(library_path);
     const auto [known, is_new] = textures_.try_emplace(folder + '\n' + name, -1);
     if (!is_new) return known->second;
-    if (textures_.size() > 2 * kMostTextures) {
+    if (textures_.size() > 2 * kMaxTextures) {
         warnings_.add("textures", fmt::format("{}: more than {} textures; the rest is drawn plain",
-                                              where, kMostTextures));
+                                              where, kMaxTextures));
         return -1;
     }
     const auto path = finder_.find_anywhere(folder, folder_, name);
@@ -289,6 +368,16 @@ std::int32_t MaterialLoader::load_texture(const std::string& path, const std::st
     if (!picture) {
         texture_fault(path, fmt::format("{}: {}; drawn plain", where, picture.error().what));
         return -1;
+    }
+    // An alpha channel of zeros is one that nobody painted.
+    const auto pixels = picture->pixels();
+    if (std::all_of(pixels.begin(), pixels.end(), [](const image::Rgba8& p) { return p.a == 0; })) {
+        for (image::Rgba8& p : picture->pixels())
+            p.a = 255;
+        warnings_.add(
+            "alpha zero",
+            fmt::format("{}: '{}' has an alpha channel of 0 everywhere; it is drawn opaque", where,
+                        shown(path)));
     }
     const std::uint64_t bytes = picture->pixels().size_bytes();
     texture_bytes_left_ -= bytes;
@@ -331,7 +420,13 @@ std::vector<std::string> library_names(FileFinder& finder, const std::string& fo
 
 Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
                          std::uint64_t texture_bytes) {
-    return MaterialLoader(obj, obj_path, warnings, texture_bytes).load();
+    return MaterialLoader(obj_path, warnings, texture_bytes).load(obj);
+}
+
+Materials load_texture_materials(const std::vector<NameAtLine>& pictures,
+                                 const std::string& model_path, Warnings& warnings,
+                                 std::uint64_t texture_bytes) {
+    return MaterialLoader(model_path, warnings, texture_bytes).load(pictures);
 }
 
 } // namespace scanout::io

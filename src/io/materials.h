@@ -16,6 +16,7 @@ struct Materials {
     std::vector<scene::Material> materials; // those used and defined, in the order of first use
     std::vector<scene::Texture> textures;   // each file once
     std::vector<std::int32_t> of_name; // one an ObjFile::materials: index above, -1 not defined
+    std::int32_t of_rest = -1;         // index above for what uses no material
     std::uint64_t bytes = 0;           // of the libraries, and of the textures decoded
 };
 
@@ -26,6 +27,12 @@ inline constexpr std::uint64_t kTextureBytes = std::uint64_t{1} << 30;
 // bring them all over `texture_bytes`, as its header tells; smaller ones after it are still drawn.
 Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
                          std::uint64_t texture_bytes = kTextureBytes);
+
+// A material for each of these pictures, which is its diffuse map; of those that cannot be read the
+// material is plain, with a warning.
+Materials load_texture_materials(const std::vector<NameAtLine>& pictures,
+                                 const std::string& model_path, Warnings& warnings,
+                                 std::uint64_t texture_bytes = kTextureBytes);
 
 // The file names behind one mtllib: several with blanks between them, or one that holds blanks,
 // quoted, with backslashes before its blanks, or bare. Names that exist in `folder` decide; what is

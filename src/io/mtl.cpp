@@ -51,8 +51,8 @@ constexpr std::array<std::string_view, 12> kNotKept = {"Kt",      "Ps",      "Pc
                                                        "aniso",   "anisor",  "map_Ps",    "map_aat",
                                                        "map_RMA", "map_ORM", "sharpness", "Km"};
 
-constexpr double kMost = 1e6;    // of colours, exponents and options
-constexpr double kFarOff = 1e30; // what is beyond this is read as this
+constexpr double kMaxNumber = 1e6; // of colours, exponents and options
+constexpr double kFarOff = 1e30;   // what is beyond this is read as this
 
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
@@ -161,13 +161,13 @@ bool MtlReader::number_statement(std::string_view key) {
         return n ? std::optional(between(name, *n, least, most)) : std::nullopt;
     };
     if (key == "ns") {
-        if (const auto n = within("Ns", 0, kMost)) now_->shininess = static_cast<float>(*n);
+        if (const auto n = within("Ns", 0, kMaxNumber)) now_->shininess = static_cast<float>(*n);
     } else if (key == "pr") {
         if (const auto n = within("Pr", 0, 1)) now_->roughness = static_cast<float>(*n);
     } else if (key == "pm") {
         if (const auto n = within("Pm", 0, 1)) now_->metalness = static_cast<float>(*n);
     } else if (key == "ni") {
-        if (const auto n = within("Ni", 0, kMost)) now_->refraction = static_cast<float>(*n);
+        if (const auto n = within("Ni", 0, kMaxNumber)) now_->refraction = static_cast<float>(*n);
     } else if (key == "illum") {
         if (const auto n = within("illum", 0, 10)) now_->illumination = static_cast<int>(*n);
     } else if (key == "d") {
@@ -202,10 +202,13 @@ bool MtlReader::map_statement(std::string_view key) {
 // d and Tr both say how opaque a material is; exporters disagree on Tr. By the rule Tr = 1 - d, and
 // where a file gives both, d is the one that everybody reads alike: d wins, whatever the order. Tr
 // alone with 1 would be a material that cannot be seen, which nobody exports; older MeshLab writes
-// it for opaque ones. So Tr 1 alone means opaque, and every other Tr alone follows the rule.
+// it for opaque ones. So Tr 1 alone means opaque, and every other Tr alone follows the rule. d 0,
+// too, is what exporters write who mean nothing by it.
 void MtlReader::finish_material() {
     if (now_ == nullptr) return;
-    if (dissolve_)
+    if (dissolve_ && *dissolve_ == 0)
+        warn("MTL d 0", "d 0 would hide the material; it is drawn opaque");
+    else if (dissolve_)
         now_->opacity = static_cast<float>(*dissolve_);
     else if (transparency_ && *transparency_ < 1)
         now_->opacity = static_cast<float>(1 - *transparency_);
@@ -289,7 +292,7 @@ void MtlReader::colour(std::string_view name, Vec3& colour) {
         b = *given_b;
     }
     for (int c = 0; c < 3; ++c)
-        colour[c] = static_cast<float>(between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMost));
+        colour[c] = static_cast<float>(between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMaxNumber));
 }
 
 // One "-option arguments" at the cursor. False, and the cursor stays, when there is none.
@@ -343,10 +346,9 @@ bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
     } else if (option == "-texres") {
         float texels = 0;
         good = number(texels);
-        constexpr float kMostTexels =
-            65536; // of a texture's side; beyond it, or not a number: that
-        const bool fits = -kMostTexels <= texels && texels <= kMostTexels;
-        map.resolution = static_cast<int>(fits ? texels : kMostTexels);
+        constexpr float kMaxTexels = 65536; // of a texture's side; beyond it, or not a number: that
+        const bool fits = -kMaxTexels <= texels && texels <= kMaxTexels;
+        map.resolution = static_cast<int>(fits ? texels : kMaxTexels);
     } else
         good = false;
     if (!good) at = before;
@@ -378,7 +380,7 @@ bool MtlReader::skip_unknown_option() {
 
 void MtlReader::limit_options(std::string_view name, TextureMap& map) {
     const auto limit = [&](std::string_view option, float& value) {
-        value = between(fmt::format("{} {}", name, option), value, -kMost, kMost);
+        value = between(fmt::format("{} {}", name, option), value, -kMaxNumber, kMaxNumber);
     };
     limit("-bm", map.bump_multiplier);
     limit("-boost", map.boost);

@@ -6,6 +6,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "geom/polygon_mesh.h"
+#include "io/name_at_line.h"
 #include "io/text_parts.h"
 
 #include <cstddef>
@@ -15,12 +16,6 @@
 #include <vector>
 
 namespace scanout::io {
-
-// A name in the file and the line that first gives it.
-struct NameAtLine {
-    std::string name;
-    std::size_t line = 0;
-};
 
 struct ObjFile {
     // Materials in polygons are indices into `materials`. Positions that could not be read are NaN,

@@ -213,9 +213,76 @@ TEST(Textures, ABlackKdBesideAMapThatCannotBeUsedIsNoBlackHole) {
     ASSERT_EQ(m.size(), 4u);
     EXPECT_EQ(m[0].diffuse, scene::Material().diffuse) << "as a material that says nothing";
     EXPECT_EQ(m[1].diffuse, Vec3(1, 0, 0));
-    EXPECT_EQ(m[2].diffuse, Vec3(0)) << "the file's word stands where its map does";
+    EXPECT_EQ(m[2].diffuse, Vec3(1)) << "Maya's Kd 0 means the map";
     EXPECT_EQ(m[3].diffuse, Vec3(0)) << "black without a map is black";
-    EXPECT_EQ(l.warnings.lines().size(), 1u) << all_lines(l.warnings);
+    EXPECT_EQ(l.warnings.lines().size(), 2u) << all_lines(l.warnings);
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl:7: Kd is 0 beside map_Kd"}));
+}
+
+TEST(Textures, TheAlphaOfTheDiffuseMapCountsOnlyWithoutAnOpacityMap) {
+    const Folder folder;
+    folder.write_picture("t.png", 1, 1, {10, 20, 30, 128});
+    folder.write("m.mtl", "newmtl both\nmap_Kd t.png\nmap_d t.png\nnewmtl one\nmap_Kd t.png\n"
+                          "newmtl gone\nmap_Kd t.png\nmap_d gone.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl both\nusemtl one\nusemtl gone\n");
+    const auto texel = [&](std::size_t material) {
+        const auto& map = l.materials.materials.at(material).map_diffuse;
+        return l.materials.textures.at(static_cast<std::size_t>(map.texture)).image.at(0, 0);
+    };
+    EXPECT_EQ(texel(0), (image::Rgba8{10, 20, 30, 255}));
+    EXPECT_EQ(texel(1), (image::Rgba8{10, 20, 30, 128}));
+    EXPECT_EQ(texel(2), (image::Rgba8{10, 20, 30, 128}));
+    EXPECT_EQ(l.materials.textures.size(), 2u);
+}
+
+TEST(Textures, AnAlphaChannelOfZerosIsOneThatNobodyPainted) {
+    const Folder folder;
+    folder.write_picture("t.png", 2, 2, {10, 20, 30, 0});
+    folder.write("m.mtl", "newmtl a\nmap_Kd t.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\n");
+    EXPECT_EQ(l.materials.textures.at(0).image.at(1, 1), (image::Rgba8{10, 20, 30, 255}));
+    EXPECT_TRUE(warned(l.warnings, {"m.mtl:2: map_Kd", "alpha channel of 0 everywhere"}));
+}
+
+TEST(Textures, NamesAreFoundInOtherSpellings) {
+    const Folder folder;
+    folder.write_picture("my tex.png", 1, 1, {1, 0, 0, 255});
+    folder.write_picture("gr\xc3\xbc\xc3\xa9.png", 1, 1, {2, 0, 0, 255}); // composed
+    folder.write("m.mtl", "newmtl percent\nmap_Kd my%20tex.png\n"
+                          "newmtl comment\nmap_Kd my tex.png # wood\n"
+                          "newmtl latin\nmap_Kd gr\xfc\xe9.png\n"
+                          "newmtl decomposed\nmap_Kd gru\xcc\x88"
+                          "e\xcc\x81.png\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl percent\nusemtl comment\nusemtl "
+                                  "latin\nusemtl decomposed\n");
+    EXPECT_EQ(all_lines(l.warnings), "");
+    ASSERT_EQ(l.materials.materials.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(l.materials.materials[i].map_diffuse.texture, i < 2 ? 0 : 1) << i;
+}
+
+TEST(Libraries, OneOfTheModelsOwnNameStandsInForOneThatIsMissing) {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl red\nKd 1 0 0\n");
+    for (const char* named : {"mtllib old-name.mtl\nusemtl red\n", "usemtl red\n"}) {
+        const Loaded l = load(folder, named);
+        ASSERT_EQ(l.materials.materials.size(), 1u) << named;
+        EXPECT_EQ(l.materials.materials[0].diffuse, Vec3(1, 0, 0));
+        EXPECT_TRUE(warned(l.warnings, {"'m.mtl' of the model's own name is taken"}));
+    }
+    EXPECT_THAT(load(folder, "").materials.materials, IsEmpty()) << "nothing asks for one";
+}
+
+TEST(Libraries, TheOnlyMaterialIsThatOfAModelThatUsesNone) {
+    const Folder folder;
+    folder.write("one.mtl", "newmtl a\nKd 0 1 0\n");
+    folder.write("two.mtl", "newmtl a\nKd 0 1 0\nnewmtl b\n");
+    const Loaded one = load(folder, "mtllib one.mtl\n"), two = load(folder, "mtllib two.mtl\n");
+    ASSERT_EQ(one.materials.materials.size(), 1u);
+    EXPECT_EQ(one.materials.of_rest, 0);
+    EXPECT_TRUE(warned(one.warnings, {"uses no material (usemtl)", "'a', is taken"}));
+    EXPECT_THAT(two.materials.materials, IsEmpty());
+    EXPECT_EQ(two.materials.of_rest, -1);
 }
 
 TEST(Textures, AnOpacityMapIsReadByItsAlphaWhereThatSaysSomething) {

@@ -84,7 +84,10 @@ TEST(Mtl, DissolveAndTransparencyAgreeOnWhatCanBeSeen) {
     EXPECT_EQ(opacity("Tr 0.5\nd 0.75"), 0.75f) << "in any order";
     EXPECT_EQ(opacity("d 1\nTr 1"), 1);
     EXPECT_EQ(opacity("d 7"), 1);
-    EXPECT_EQ(opacity("d -7"), 0);
+    EXPECT_EQ(opacity("d -7"), 1) << "0 hides the material, which nobody means";
+    EXPECT_EQ(opacity("d 0"), 1);
+    EXPECT_EQ(opacity("d 0\nTr 0.5"), 1);
+    EXPECT_TRUE(warned(read_one("d 0").warnings, {"d 0 would hide the material"}));
 }
 
 TEST(Mtl, ColoursThatAreNotThreeNumbersKeepTheDefaultAndSaySo) {
