@@ -187,9 +187,9 @@ stage_tsan() {
 # Each reader 25 seconds, one on each core; a crash, a hang or 1 GB is a failure.
 stage_fuzz() {
     configure_asan
-    build asan fuzz_obj fuzz_mtl fuzz_stl fuzz_image
+    build asan fuzz_obj fuzz_mtl fuzz_stl fuzz_ply fuzz_off fuzz_image
     local name
-    for name in obj mtl stl image; do
+    for name in obj mtl stl ply off image; do
         while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
         check fuzz "$name" &
     done

@@ -21,7 +21,8 @@ namespace {
 Result<void> check_view(const Settings& s) {
     if (s.arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
-    if (s.arguments.size() == 1) TRY_VOID(check_readable(s.arguments.front()));
+    if (s.arguments.size() == 1 && s.arguments.front() != "-")
+        TRY_VOID(check_readable(s.arguments.front()));
     if (!s.replay.empty()) TRY_VOID(check_readable(s.replay));
     if (s.pixel_format && s.backend != Backend::headless)
         return fail(Exit::usage,

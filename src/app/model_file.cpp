@@ -8,14 +8,15 @@
 
 namespace scanout::app {
 
-Result<LoadedModel> load_model(const std::string& path, Jobs& jobs,
+Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
                                const std::function<bool(double)>& progress) {
-    TRY_VOID(check_readable(path));
+    if (path != "-") TRY_VOID(check_readable(path));
     const Stopwatch watch;
     Warnings warnings;
     io::LoadOptions options;
     options.progress = progress;
     options.jobs = &jobs;
+    options.format = settings.model_format;
     io::LoadTimes times;
     options.times = &times;
     TRY(scene::Scene scene, io::load(path, options, warnings));
@@ -26,7 +27,7 @@ Result<LoadedModel> load_model_with_messages(const std::string& path, const Sett
                                              Jobs& jobs) {
     Result<LoadedModel> model = [&] {
         ProgressBar bar("reading " + path, settings.quiet);
-        return load_model(path, jobs, [&](double fraction) {
+        return load_model(path, settings, jobs, [&](double fraction) {
             bar.show(fraction);
             return true;
         });

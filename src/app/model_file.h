@@ -22,7 +22,8 @@ struct LoadedModel {
 };
 
 // `progress` is called with the fraction of the work that is done; false cancels.
-Result<LoadedModel> load_model(const std::string& path, Jobs& jobs,
+// The path "-" is standard input.
+Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
                                const std::function<bool(double)>& progress);
 
 // As load_model, with a progress bar on standard error when it is a terminal and loading takes

@@ -128,6 +128,11 @@ Result<void> read_shadow_plane(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_model_format(Settings& s, std::string_view text) {
+    TRY(s.model_format, io::format_named(text));
+    return {};
+}
+
 Result<void> read_light(Settings& s, std::string_view text) {
     TRY_VOID(add_light(s.frame.lights, !s.light_given, text));
     s.light_given = true;
@@ -308,6 +313,9 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"up", 0, "", "y -y z -z x -x", "y", 0, 0, Group::camera, kDraw,
      Choice([](Settings& s, std::size_t i) { s.camera.up = static_cast<scene::UpAxis>(i); }),
      "the model's axis that points up"},
+    {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kDraw, Parsed(read_model_format),
+     "what the model's file is, where its content does not tell (obj stl ply off); a model named - "
+     "is read from standard input"},
 
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kDraw, Parsed(read_scale),
      "scale the model about its centre, first"},

@@ -3,6 +3,7 @@
 
 #include "frame/options.h"
 #include "image/pixel_format.h"
+#include "io/formats.h"
 #include "scene/view.h"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ struct Settings {
 
     frame::FrameOptions frame;
     scene::ModelTransform model;
+    std::optional<io::ModelFormat> model_format; // --model-format
     scene::CameraOptions camera;
     std::string named_view; // --view; already in `camera`
     bool camera_given = false, light_given = false;

@@ -262,8 +262,8 @@ Result<void> ViewSession::outcome() const {
 Result<void> ViewSession::load(bool again) {
     const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
     load_start_ = std::chrono::steady_clock::now();
-    Result<LoadedModel> model =
-        load_model(path, parts_.jobs, [this](double share) { return report_progress(share); });
+    Result<LoadedModel> model = load_model(path, settings_, parts_.jobs,
+                                           [this](double share) { return report_progress(share); });
     if (quit_) return {};
     ++generation_;
     explainer_.reset(); // of a model that is going

@@ -99,6 +99,54 @@ Result<Mapping> Mapping::open(const std::string& path, const Admit& admit) {
     return mapping;
 }
 
+Result<Mapping> Mapping::fill(const Source& source, std::uint64_t max_bytes,
+                              const std::string& path) {
+    constexpr std::size_t kFirst = std::size_t{1} << 20;
+    Mapping mapping;
+    for (std::size_t used = 0;;) {
+        if (used == mapping.size_) {
+            const std::size_t size = used == 0 ? kFirst : 2 * used;
+            void* data = used == 0 ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE,
+                                            MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)
+                                   : ::mremap(mapping.data_, used, size, MREMAP_MAYMOVE);
+            if (data == MAP_FAILED)
+                return fail(Exit::unreadable, "{}: is too large for this machine's memory", path);
+            mapping.data_ = static_cast<char*>(data);
+            mapping.size_ = size;
+        }
+        TRY(const std::size_t more, source(mapping.data_ + used, mapping.size_ - used));
+        if (more == 0) {
+            mapping.shrink(used);
+            return mapping;
+        }
+        used += more;
+        if (used > max_bytes)
+            return fail(Exit::unreadable,
+                        "{}: holds more than the {} MB that it may take: cut the model into parts",
+                        path, max_bytes / kMegabyte);
+    }
+}
+
+Result<Mapping> Mapping::read_all(int fd, std::uint64_t max_bytes, const std::string& path) {
+    const auto source = [&](char* data, std::size_t room) -> Result<std::size_t> {
+        for (;;) {
+            const ssize_t n = ::read(fd, data, room);
+            if (n >= 0) return static_cast<std::size_t>(n);
+            if (errno != EINTR) return unreadable(path, errno);
+        }
+    };
+    return fill(source, max_bytes, path);
+}
+
+// Gives back what lies behind `size` bytes.
+void Mapping::shrink(std::size_t size) {
+    const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    const std::size_t kept = (size + page - 1) / page * page;
+    if (kept < size_) ::munmap(data_ + kept, size_ - kept);
+    if (kept == 0) data_ = nullptr;
+    size_ = size;
+}
+
 Mapping::Mapping(Mapping&& other) noexcept
     : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0)),
       dropped_(std::exchange(other.dropped_, 0)) {}

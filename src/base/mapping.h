@@ -1,6 +1,6 @@
-// A regular file's bytes, read into memory pages of their own. Devices, pipes and folders are
-// refused, so that no reader can be made to read for ever. The file itself is not mapped: one that
-// is cut short while it is parsed would end the program with SIGBUS.
+// A file's bytes, read into memory pages of their own. Of what is opened by its name devices, pipes
+// and folders are refused, so that no reader can be made to read for ever. The file itself is not
+// mapped: one that is cut short while it is parsed would end the program with SIGBUS.
 #pragma once
 
 #include "base/result.h"
@@ -23,6 +23,16 @@ public:
     // empty file gives an empty view. Holes of a sparse file are zeros that take no memory.
     static Result<Mapping> open(const std::string& path, const Admit& admit = nullptr);
 
+    // Writes at most `room` bytes to `data` and returns how many; 0: there are no more.
+    using Source = std::function<Result<std::size_t>(char* data, std::size_t room)>;
+
+    // All bytes that a source has. More than `max_bytes` are an error that names `path`.
+    static Result<Mapping> fill(const Source& source, std::uint64_t max_bytes,
+                                const std::string& path);
+
+    // All bytes that can be read from a file descriptor, a pipe included.
+    static Result<Mapping> read_all(int fd, std::uint64_t max_bytes, const std::string& path);
+
     Mapping() = default;
     Mapping(Mapping&& other) noexcept;
     Mapping& operator=(Mapping&& other) noexcept;
@@ -38,6 +48,7 @@ public:
 
 private:
     Mapping(char* data, std::size_t size) : data_(data), size_(size) {}
+    void shrink(std::size_t size);
     char* data_ = nullptr;
     std::size_t size_ = 0;
     std::size_t dropped_ = 0;

@@ -87,6 +87,14 @@ struct Cursor {
         return NumberFault::none;
     }
 
+    // The number here ends at a comma that digits follow, as where a locale has decimal commas.
+    bool number_before_comma() const {
+        const char* p = at;
+        double value = 0;
+        return read_number(p, end, value) == NumberFault::none && end - p > 1 && *p == ',' &&
+               p[1] >= '0' && p[1] <= '9';
+    }
+
     // The rest of the statement, continuation lines joined, without blanks at its ends. Names
     // longer than kLongestName are cut.
     static constexpr std::size_t kLongestName = 65536;

@@ -38,7 +38,7 @@ std::string from_latin1(std::string_view text) {
     return out;
 }
 
-int hex_digit(char c) {
+int hex_value(char c) {
     if (c >= '0' && c <= '9') return c - '0';
     if (c >= 'a' && c <= 'f') return c - 'a' + 10;
     if (c >= 'A' && c <= 'F') return c - 'A' + 10;
@@ -48,8 +48,8 @@ int hex_digit(char c) {
 std::string percent_decoded(std::string_view name) {
     std::string out;
     for (std::size_t i = 0; i < name.size(); ++i) {
-        const int high = i + 2 < name.size() && name[i] == '%' ? hex_digit(name[i + 1]) : -1;
-        const int low = high >= 0 ? hex_digit(name[i + 2]) : -1;
+        const int high = i + 2 < name.size() && name[i] == '%' ? hex_value(name[i + 1]) : -1;
+        const int low = high >= 0 ? hex_value(name[i + 2]) : -1;
         if (low < 0) {
             out += name[i];
             continue;

@@ -1,32 +1,30 @@
 #include "io/load.h"
 
-#include "base/available_memory.h"
 #include "base/mapping.h"
-#include "base/memory.h"
 #include "base/stopwatch.h"
 #include "geom/build.h"
+#include "io/gzip.h"
 #include "io/materials.h"
+#include "io/memory_limit.h"
 #include "io/obj.h"
+#include "io/off.h"
+#include "io/ply.h"
 #include "io/stl.h"
-#include "io/text.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <exception>
+#include <iterator>
 #include <new>
 #include <utility>
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <unistd.h>
 
 namespace scanout::io {
 namespace {
-
-constexpr std::array kFormats = {
-    Format{".obj", "Wavefront OBJ with MTL materials: polygons, lines, points"},
-    Format{".stl", "STL, binary and ASCII: triangles"},
-};
 
 // A model's arrays are large and short-lived. glibc takes the first that is freed as a sign to put
 // the following ones into the heap, where holes between them stay resident: 3.3 times the file at
@@ -43,51 +41,10 @@ public:
     LargeBlocksMapped& operator=(const LargeBlocksMapped&) = delete;
 };
 
-constexpr std::uint64_t kMegabyte = 1'000'000;
-
-// The least that a facet of a binary STL file takes at the peak of loading: 90 bytes are measured
-// on a smooth surface of two million, 114 on one that is all edges.
-constexpr std::uint64_t kBytesPerFacet = 80;
-
-// What loading may take, told in advance where the file's header is enough, and watched.
-class MemoryLimit {
-public:
-    explicit MemoryLimit(std::uint64_t bytes)
-        : before_(resident_bytes()), limit_(bytes != 0 ? bytes : available_bytes()) {}
-
-    // An OBJ file says nothing in advance: megabytes of comments or zeros take no memory at all.
-    Result<> admit_stl(std::string_view head, std::uint64_t size, const std::string& path) const {
-        const std::uint64_t facets = stl_facets_told(head, size);
-        if (facets * kBytesPerFacet <= limit_) return {};
-        return fail(Exit::unreadable,
-                    "{}: its {} triangles take at least {} MB of memory to load, and {} MB are "
-                    "available: close other programs, or cut the model into parts",
-                    path, facets, facets * kBytesPerFacet / kMegabyte, limit_ / kMegabyte);
-    }
-
-    // False from the moment on when too much is taken. The mesh takes as much again as the arrays
-    // that it is built of, while what is left of the file leaves memory before.
-    bool holds(std::uint64_t left_of_file) {
-        const std::uint64_t now = resident_bytes();
-        const std::uint64_t taken = now > before_ ? now - before_ : 0;
-        const std::uint64_t arrays = taken > left_of_file ? taken - left_of_file : 0;
-        exceeded_ = exceeded_ || std::max(taken, 2 * arrays) > limit_;
-        return !exceeded_;
-    }
-    bool was_exceeded() const { return exceeded_; }
-    std::uint64_t megabytes() const { return limit_ / kMegabyte; }
-
-private:
-    std::uint64_t before_, limit_;
-    bool exceeded_ = false;
-};
-
-// Of the time that loading takes on one core, in models of a million triangles: how far it is when
-// the file is read.
-constexpr double kReadOfStl = 0.35, kReadOfObj = 0.25;
+const std::string kStandardInput = "standard input";
 
 // What every reader hands on to the common end.
-struct Parts {
+struct ReadModel {
     geom::PolygonMesh polygons;
     Materials materials;
     scene::ModelCounts counts;
@@ -96,117 +53,181 @@ struct Parts {
     double done = 0;                   // of all, when this is read
 };
 
-std::string extension_of(const std::string& path) {
-    const std::string name = path.substr(path.rfind('/') + 1);
-    const std::size_t dot = name.rfind('.');
-    return dot == std::string::npos ? "" : lower_case(std::string_view(name).substr(dot));
-}
+using Reader = Result<ReadModel> (*)(std::string_view file, const std::string& path,
+                                     Warnings& warnings,
+                                     const std::function<bool(double)>& progress,
+                                     const Reading& how);
 
-std::string known_extensions() {
-    std::string text;
-    for (const Format& format : kFormats)
-        text += fmt::format(" {}", format.extension);
-    return text;
-}
-
-void use_materials(geom::PolygonMesh& polygons, const std::vector<std::int32_t>& of_name) {
+void use_materials(geom::PolygonMesh& polygons, const Materials& used) {
     for (auto* materials :
          {&polygons.face_material, &polygons.line_material, &polygons.point_material})
         for (std::int32_t& material : *materials)
-            if (material >= 0) material = of_name[static_cast<std::size_t>(material)];
+            material =
+                material >= 0 ? used.of_name[static_cast<std::size_t>(material)] : used.of_rest;
 }
 
-Result<Parts> read_obj_parts(std::string_view file, const std::string& path, Warnings& warnings,
-                             const std::function<bool(double)>& progress, const Reading& how) {
+void count(ReadModel& model, geom::PolygonMesh&& polygons, std::size_t skipped) {
+    model.counts.vertices = polygons.positions.size();
+    model.counts.faces = polygons.faces();
+    model.counts.lines = polygons.line_begin.size();
+    model.counts.points = polygons.point_vertices.size();
+    model.counts.skipped = skipped;
+    model.polygons = std::move(polygons);
+}
+
+Result<ReadModel> read_obj_model(std::string_view file, const std::string& path, Warnings& warnings,
+                                 const std::function<bool(double)>& progress, const Reading& how) {
     Stopwatch watch;
     TRY(ObjFile obj, read_obj(file, path, warnings, progress, how));
-    Parts parts;
-    parts.times.parse = watch.milliseconds();
+    ReadModel model;
+    model.times.parse = watch.milliseconds();
     watch.restart();
-    parts.materials = load_materials(obj, path, warnings);
-    parts.times.materials = watch.milliseconds();
-    use_materials(obj.polygons, parts.materials.of_name);
-    parts.counts.vertices = obj.polygons.positions.size();
-    parts.counts.faces = obj.polygons.faces();
-    parts.counts.lines = obj.polygons.line_begin.size();
-    parts.counts.points = obj.polygons.point_vertices.size();
-    parts.counts.skipped = obj.skipped;
-    parts.polygons = std::move(obj.polygons);
-    return parts;
+    model.materials = load_materials(obj, path, warnings);
+    model.times.materials = watch.milliseconds();
+    use_materials(obj.polygons, model.materials);
+    count(model, std::move(obj.polygons), obj.skipped);
+    return model;
 }
 
-Result<Parts> read_stl_parts(std::string_view file, const std::string& path, Warnings& warnings,
-                             const std::function<bool(double)>& progress, const Reading& how) {
+// Appends the materials of faces' colours, which stand behind `materials`.
+void append(Materials& materials, const ColourMaterials& colours) {
+    std::vector<scene::Material> more = colours.materials();
+    std::move(more.begin(), more.end(), std::back_inserter(materials.materials));
+}
+
+Result<ReadModel> read_stl_model(std::string_view file, const std::string& path, Warnings& warnings,
+                                 const std::function<bool(double)>& progress, const Reading& how) {
     const Stopwatch watch;
     TRY(StlResult stl, read_stl(file, path, warnings, progress, how));
-    Parts parts;
-    parts.times.parse = watch.milliseconds();
-    parts.counts.vertices = stl.facets * 3;
-    parts.counts.faces = stl.polygons.faces();
-    parts.counts.skipped = stl.skipped;
-    parts.crease_limit_degrees = kStlCreaseDegrees;
-    parts.polygons = std::move(stl.polygons);
-    return parts;
+    ReadModel model;
+    model.times.parse = watch.milliseconds();
+    model.crease_limit_degrees = kStlCreaseDegrees;
+    append(model.materials, stl.colours);
+    const std::size_t vertices = stl.facets * 3;
+    count(model, std::move(stl.polygons), stl.skipped);
+    model.counts.vertices = vertices;
+    return model;
 }
 
-Result<Parts> read(const std::string& path, const LoadOptions& options, Warnings& warnings) {
-    const std::string extension = extension_of(path);
-    const auto known = std::find_if(kFormats.begin(), kFormats.end(),
-                                    [&](const Format& f) { return f.extension == extension; });
+Result<ReadModel> read_ply_model(std::string_view file, const std::string& path, Warnings& warnings,
+                                 const std::function<bool(double)>& progress, const Reading& how) {
+    Stopwatch watch;
+    TRY(PlyFile ply, read_ply(file, path, warnings, progress, how));
+    ReadModel model;
+    model.times.parse = watch.milliseconds();
+    watch.restart();
+    model.materials = load_texture_materials(ply.textures, path, warnings);
+    append(model.materials, ply.face_colours);
+    model.times.materials = watch.milliseconds();
+    count(model, std::move(ply.polygons), ply.skipped);
+    return model;
+}
+
+Result<ReadModel> read_off_model(std::string_view file, const std::string& path, Warnings& warnings,
+                                 const std::function<bool(double)>& progress, const Reading&) {
+    const Stopwatch watch;
+    TRY(OffFile off, read_off(file, path, warnings, progress));
+    ReadModel model;
+    model.times.parse = watch.milliseconds();
+    append(model.materials, off.face_colours);
+    count(model, std::move(off.polygons), off.skipped);
+    return model;
+}
+
+struct FormatReader {
+    ModelFormat format;
+    Reader read;
+    double fraction; // of the time that loading takes on one core, in models of a million triangles
+};
+constexpr std::array kReaders = {
+    FormatReader{ModelFormat::obj, read_obj_model, 0.25},
+    FormatReader{ModelFormat::stl, read_stl_model, 0.35},
+    FormatReader{ModelFormat::ply, read_ply_model, 0.2},
+    FormatReader{ModelFormat::off, read_off_model, 0.25},
+};
+
+// gzip packs text to a tenth and bytes of one value to a thousandth: what unpacks to more than this
+// many times its size is made to fill memory.
+constexpr std::uint64_t kGzipFactor = 200, kGzipSmall = 64 << 20;
+
+// The bytes of the model: of a file, or of standard input; unpacked where they are packed.
+Result<Mapping> read_bytes(const std::string& path, const MemoryLimit& memory) {
+    const auto admit = [&](std::string_view head, std::uint64_t size) {
+        return memory.admit_stl(head, size, path);
+    };
+    TRY(Mapping file, path == "-" ? Mapping::read_all(STDIN_FILENO, memory.bytes(), kStandardInput)
+                                  : Mapping::open(path, admit));
+    if (!is_gzip(file.text())) return file;
+    const std::uint64_t most = std::max(kGzipSmall, kGzipFactor * file.size());
+    return gunzip(file.text(), path, std::min(memory.bytes(), most));
+}
+
+Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warnings& warnings) {
     MemoryLimit memory(options.memory_bytes);
-    TRY(Mapping file, Mapping::open(path, [&](std::string_view head, std::uint64_t size) {
-            return extension == ".stl" ? memory.admit_stl(head, size, path) : Result<>();
-        }));
-    if (known == kFormats.end()) {
-        if (const auto reason = not_a_text_model(file.text()))
-            return fail(Exit::unreadable, "{}: {}", path, *reason);
-        return fail(Exit::unreadable, "{}: the extension '{}' is not known; known are{}", path,
-                    shown(extension), known_extensions());
-    }
-    const bool stl = extension == ".stl";
-    const double all = stl ? kReadOfStl : kReadOfObj;
+    TRY(Mapping file, read_bytes(path, memory));
+    const std::string name = path == "-" ? kStandardInput : path;
+    TRY(const ModelFormat format, options.format ? Result<ModelFormat>(*options.format)
+                                                 : tell_format(file.text(), file.size(), name));
+    const FormatReader& reader = *std::find_if(kReaders.begin(), kReaders.end(),
+                                               [&](const auto& r) { return r.format == format; });
     // What is read leaves memory at once: the file never stands beside its mesh.
-    const std::function<bool(double)> progress = [&](double share) {
-        const auto done = static_cast<std::size_t>(share * static_cast<double>(file.size()));
+    const std::function<bool(double)> progress = [&](double fraction) {
+        const auto done = static_cast<std::size_t>(fraction * static_cast<double>(file.size()));
         file.drop_before(done);
         return memory.holds(file.size() - done) &&
-               (!options.progress || options.progress(share * all));
+               (!options.progress || options.progress(fraction * reader.fraction));
     };
-    const auto reader = stl ? read_stl_parts : read_obj_parts;
-    auto parts = reader(file.text(), path, warnings, progress, {.jobs = options.jobs});
+    auto model = reader.read(file.text(), name, warnings, progress, {.jobs = options.jobs});
     if (memory.was_exceeded())
         return fail(Exit::unreadable,
                     "{}: needs more memory than the {} MB that are available: close other "
                     "programs, or cut the model into parts",
-                    path, memory.megabytes());
-    if (!parts) return parts;
-    parts->counts.bytes = file.size() + parts->materials.bytes;
-    parts->done = all;
-    return parts;
+                    name, memory.megabytes());
+    if (!model) return model;
+    model->counts.bytes = file.size() + model->materials.bytes;
+    model->done = reader.fraction;
+    return model;
+}
+
+// The colours of vertices are all there is to see where there is no material: nothing dims them.
+void light_vertex_colours_whole(ReadModel& model) {
+    geom::PolygonMesh& m = model.polygons;
+    if (m.colours.empty()) return;
+    const auto white = static_cast<std::int32_t>(model.materials.materials.size());
+    bool used = false;
+    for (auto* materials : {&m.face_material, &m.line_material, &m.point_material})
+        for (std::int32_t& material : *materials)
+            if (material < 0) {
+                material = white;
+                used = true;
+            }
+    if (used) model.materials.materials.emplace_back().diffuse = Vec3(1);
 }
 
 Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& options,
                                    Warnings& warnings) {
-    TRY(Parts parts, read(path, options, warnings));
+    TRY(ReadModel model, read(path, options, warnings));
+    light_vertex_colours_whole(model);
     const Stopwatch watch;
-    geom::BuildOptions build{options.crease_degrees, options.jobs, {}};
+    geom::BuildOptions build{
+        std::min(options.crease_degrees, model.crease_limit_degrees), options.jobs, {}};
     if (options.progress)
-        build.progress = [&](double share) {
-            return options.progress(parts.done + share * (1 - parts.done));
+        build.progress = [&](double fraction) {
+            return options.progress(model.done + fraction * (1 - model.done));
         };
-    geom::BuildResult built = geom::build_mesh(std::move(parts.polygons), build, path, warnings);
-    parts.times.build = watch.milliseconds();
+    geom::BuildResult built = geom::build_mesh(std::move(model.polygons), build, path, warnings);
+    model.times.build = watch.milliseconds();
     if (built.stopped || (options.progress && !options.progress(1)))
         return fail(Exit::unreadable, "{}: loading was cancelled", path);
-    if (options.times != nullptr) *options.times = parts.times;
+    if (options.times != nullptr) *options.times = model.times;
     static std::atomic<std::uint64_t> loaded{0};
     scene::Scene scene;
     scene.path = path;
     scene.revision = ++loaded;
     scene.mesh = std::move(built.mesh);
-    scene.materials = std::move(parts.materials.materials);
-    scene.textures = std::move(parts.materials.textures);
-    scene.counts = parts.counts;
+    scene.materials = std::move(model.materials.materials);
+    scene.textures = std::move(model.materials.textures);
+    scene.counts = model.counts;
     scene.counts.faces -= built.skipped_faces;
     scene.counts.lines -= built.skipped_lines;
     scene.counts.points -= built.skipped_points;
@@ -228,10 +249,6 @@ Result<scene::Scene> load(const std::string& path, const LoadOptions& options, W
     } catch (const std::exception& error) {
         return fail(Exit::internal, "{}: {}", path, error.what());
     }
-}
-
-std::span<const Format> formats() {
-    return kFormats;
 }
 
 } // namespace scanout::io

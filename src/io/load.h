@@ -4,11 +4,12 @@
 #include "base/jobs.h"
 #include "base/result.h"
 #include "base/warnings.h"
+#include "io/formats.h"
 #include "scene/scene.h"
 
 #include <cstdint>
 #include <functional>
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -32,17 +33,13 @@ struct LoadOptions {
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model
     // that takes more is refused: else it would drive the machine into swapping.
     std::uint64_t memory_bytes = 0;
+    std::optional<ModelFormat> format; // given: what the file is, whatever it looks like
 };
 
-// The format is told by the extension (any case) and, for STL, by size and content. Errors are one
+// The format is told by the content and, where that says nothing, by the extension (any case);
+// gzip is unpacked (io/formats.h); the path "-" is standard input. Errors are one
 // line with the path, the reason and what to do: Exit::unreadable for a file that cannot be read,
 // has an unknown extension, or holds nothing to draw. Everything less is a warning.
 Result<scene::Scene> load(const std::string& path, const LoadOptions& options, Warnings& warnings);
-
-// The extensions that load() knows, with one line each, for `scanout list formats`.
-struct Format {
-    std::string_view extension, description;
-};
-std::span<const Format> formats();
 
 } // namespace scanout::io

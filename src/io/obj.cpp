@@ -2,6 +2,7 @@
 
 #include "io/obj_reader.h"
 #include "io/text.h"
+#include "io/vertex_colours.h"
 #include "math/srgb.h"
 
 #include <algorithm>
@@ -197,16 +198,16 @@ void ObjReader::position() {
 void ObjReader::colour(const Numbers<7>& n) {
     auto& colours = out_.polygons.colours;
     const std::size_t vertices = out_.polygons.positions.size();
-    Vec3 linear(1);
+    Vec3 display(1);
     if (n.count >= 6) {
-        linear = Vec3(clamped_colour(n.value[3]), clamped_colour(n.value[4]),
-                      clamped_colour(n.value[5]));
+        display = Vec3(clamped_colour(n.value[3]), clamped_colour(n.value[4]),
+                       clamped_colour(n.value[5]));
         colours.resize(vertices - 1, Vec3(1));
     } else if (n.count >= 3 && n.fault != NumberFault::none) {
         warn("vertex colour", at_.line, "'{}' is not a finite number; this vertex stays white",
              word_here());
     }
-    if (n.count >= 6 || !colours.empty()) colours.push_back(linear);
+    if (n.count >= 6 || !colours.empty()) colours.push_back(display);
 }
 
 void ObjReader::texture_coordinate() {
@@ -341,6 +342,7 @@ Result<> ObjReader::finish() {
     if (bad_positions_ == m.positions.size())
         return fail(Exit::unreadable, "{}: none of its {} vertices has three finite numbers", path_,
                     bad_positions_);
+    if (!m.colours.empty()) decode_vertex_colours(m.colours, path_, warnings_);
     if (!polypaint_.empty() && m.colours.empty()) {
         polypaint_.resize(m.positions.size(), Vec3(1));
         m.colours = std::move(polypaint_);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::int64_t kBias = std::int64_t{1} << 30;
 constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // as ObjReader::position says
-constexpr std::size_t kMostSigned = std::numeric_limits<std::int32_t>::max();
-constexpr std::size_t kMostUnsigned = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMaxSigned = std::numeric_limits<std::int32_t>::max();
+constexpr std::size_t kMaxUnsigned = std::numeric_limits<std::uint32_t>::max();
 
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from) {
@@ -96,7 +96,7 @@ void ObjReader::read_part(std::string_view text) {
 std::int32_t ObjReader::resolve_in_part(std::int64_t index, std::size_t count, Named named) {
     ObjPart::Indices& seen = part_->indices[named];
     const auto n = static_cast<std::int64_t>(count);
-    if (index == 0 || index > std::int64_t{kMostSigned} || index < -kBias) return -1;
+    if (index == 0 || index > std::int64_t{kMaxSigned} || index < -kBias) return -1;
     if (index > 0) {
         seen.from_start = true;
         seen.ahead = std::max(seen.ahead, index - n);
@@ -124,11 +124,11 @@ bool ObjReader::takes(const ObjReader& part) const {
                 !(seen.from_start && seen.from_end);
     }
     return holds && m.positions.size() + p.positions.size() < kMaxVertices &&
-           m.uvs.size() + p.uvs.size() < kMostSigned &&
-           m.normals.size() + p.normals.size() < kMostSigned &&
-           m.corners.size() + p.corners.size() < kMostUnsigned &&
-           m.line_vertices.size() + p.line_vertices.size() < kMostUnsigned &&
-           m.point_vertices.size() + p.point_vertices.size() < kMostUnsigned;
+           m.uvs.size() + p.uvs.size() < kMaxSigned &&
+           m.normals.size() + p.normals.size() < kMaxSigned &&
+           m.corners.size() + p.corners.size() < kMaxUnsigned &&
+           m.line_vertices.size() + p.line_vertices.size() < kMaxUnsigned &&
+           m.point_vertices.size() + p.point_vertices.size() < kMaxUnsigned;
 }
 
 void ObjReader::take(const ObjReader& part) {

@@ -2,6 +2,7 @@
 
 #include "base/chunks.h"
 #include "geom/framing.h"
+#include "io/stl_colours.h"
 #include "io/stl_reader.h"
 #include "io/text.h"
 
@@ -23,7 +24,7 @@ namespace {
 // A binary file: 80 bytes of anything, the number of facets, then for each facet its normal, its
 // three vertices (12 floats, little endian) and two bytes that some programs use for a colour.
 constexpr std::size_t kHeader = 84, kFacet = 50;
-constexpr std::size_t kMostFacets = (std::size_t{1} << 29) / 3; // a frame indexes 2^29 vertices
+constexpr std::size_t kMaxFacets = (std::size_t{1} << 29) / 3; // a frame indexes 2^29 vertices
 
 std::uint32_t little_endian(const char* bytes) {
     std::uint32_t value = 0;
@@ -39,6 +40,12 @@ StlTriangle binary_facet(std::string_view file, std::size_t facet) {
         for (int axis = 0; axis < 3; ++axis, at += 4)
             vertex[axis] = std::bit_cast<float>(little_endian(at));
     return triangle;
+}
+
+std::uint16_t attribute(std::string_view file, std::size_t facet) {
+    const char* at = file.data() + kHeader + facet * kFacet + kFacet - 2;
+    return static_cast<std::uint16_t>(static_cast<unsigned char>(at[0]) |
+                                      static_cast<unsigned char>(at[1]) << 8);
 }
 
 bool is_finite(const StlTriangle& t) {
@@ -101,6 +108,8 @@ Result<StlResult> read_binary(std::string_view file, const std::string& path, Wa
     StlCollector collector(jobs, path, warnings, facets);
     std::vector<StlTriangle> batch;
     std::vector<std::uint8_t> bad;
+    std::vector<std::int32_t> materials;
+    StlColours colours(file.substr(0, 80));
     for (std::size_t first = 0; first < facets; first += kBatch) {
         TRY_VOID(
             report(progress, first * kFacet, file.size(), path)); // a facet behind: none is reread
@@ -113,17 +122,22 @@ Result<StlResult> read_binary(std::string_view file, const std::string& path, Wa
             }
         });
         std::size_t kept = 0;
+        materials.resize(batch.size());
         for (std::size_t i = 0; i < batch.size(); ++i) {
-            if (bad[i] == 0)
+            if (bad[i] == 0) {
+                materials[kept] = colours.number(attribute(file, first + i));
                 batch[kept++] = batch[i];
-            else
+            } else {
                 collector.skip(fmt::format("{}: facet {} has a coordinate that is not a finite "
                                            "number: skipped",
                                            path, first + i + 1));
+            }
         }
-        collector.add(std::span(batch).first(kept));
+        collector.add(std::span(batch).first(kept), std::span(materials).first(kept));
     }
-    return collector.finish();
+    TRY(StlResult result, collector.finish());
+    result.colours = colours.materials();
+    return result;
 }
 
 } // namespace
@@ -132,16 +146,24 @@ std::size_t stl_facets_told(std::string_view head, std::uint64_t size) {
     return is_exactly_binary(head, size) ? little_endian(head.data() + 80) : 0;
 }
 
+bool is_stl(std::string_view head, std::uint64_t size) {
+    return (is_exactly_binary(head, size) && size > kHeader) || begins_like_ascii_stl(head);
+}
+
 Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
                            const std::function<bool(double)>& progress, const Reading& how) {
     std::optional<Jobs> alone;
     Jobs& jobs = how.jobs != nullptr ? *how.jobs : alone.emplace(1);
     if (file.empty()) return fail(Exit::unreadable, "{}: the file is empty", path);
-    if (file.size() / kFacet > kMostFacets) // an ASCII facet is longer than a binary one
+    if (file.substr(0, 4096).find_first_not_of('\0') == std::string_view::npos)
+        return fail(Exit::unreadable,
+                    "{}: holds zero bytes: the download or copy was cut short, fetch it again",
+                    path);
+    if (file.size() / kFacet > kMaxFacets) // an ASCII facet is longer than a binary one
         return fail(Exit::unreadable,
                     "{}: has more than {} facets, which is too many: cut the model "
                     "into parts",
-                    path, kMostFacets);
+                    path, kMaxFacets);
     if (is_exactly_binary(file, file.size()))
         return read_binary(file, path, warnings, progress, jobs);
     if (begins_like_ascii_stl(file))

@@ -5,6 +5,7 @@
 #include "base/result.h"
 #include "base/warnings.h"
 #include "geom/polygon_mesh.h"
+#include "io/colour_materials.h"
 #include "io/text_parts.h"
 
 #include <cstddef>
@@ -21,13 +22,19 @@ namespace scanout::io {
 inline constexpr double kStlCreaseDegrees = 29;
 
 struct StlResult {
-    geom::PolygonMesh polygons; // one triangle a facet; vertices on the same place are one
-    std::size_t facets = 0;     // in `polygons`; the file has three vertices for each
-    std::size_t skipped = 0;    // facets that could not be used
+    // One triangle a facet; vertices on the same place are one. Materials are those of `colours`.
+    geom::PolygonMesh polygons;
+    ColourMaterials colours; // of facets (stl_colours.h)
+    std::size_t facets = 0;  // in `polygons`; the file has three vertices for each
+    std::size_t skipped = 0; // facets that could not be used
 };
 
 // The facets of a binary file whose header and size agree, by its first 84 bytes; 0 for all others.
 std::size_t stl_facets_told(std::string_view head, std::uint64_t size);
+
+// Beyond doubt: binary with a size that agrees with its count, or ASCII. `head`: the file's first
+// bytes.
+bool is_stl(std::string_view head, std::uint64_t size);
 
 // `path` stands in messages. What can be shown is read, with a warning for what cannot: facets that
 // are not three finite points, a file that is cut short, a count that does not hold. Error

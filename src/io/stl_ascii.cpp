@@ -51,7 +51,11 @@ public:
         cursor_.line += part.cursor_.line - 1;
     }
     void finish() {
-        if (open_) skip(fault_.empty() ? "the file ends within a facet" : fault_);
+        if (open_ && fault_.empty() && vertices_ == 3 && more_follows_)
+            triangles_.push_back(triangle_); // else the file may end within its last number
+        else if (open_)
+            skip(fault_.empty() ? "the file ends within a facet" : fault_);
+        open_ = false;
     }
 
     const char* at() const { return cursor_.at; }
@@ -70,6 +74,7 @@ private:
             return;
         }
         const std::string_view word = cursor_.word();
+        more_follows_ = vertices_ == 3;
         if (is_word(word, "vertex"))
             vertex();
         else if (is_word(word, "facet"))
@@ -77,11 +82,31 @@ private:
         else if (is_word(word, "endfacet"))
             end_facet();
         else if (is_word(word, "solid") || is_word(word, "endsolid"))
-            cursor_.skip_to_line_end(rest().size());
+            name();
+    }
+
+    // A name stands behind solid and endsolid, up to the line's end, or up to a facet on its line.
+    void name() {
+        while (!cursor_.at_line_end()) {
+            cursor_.skip_blanks();
+            const Cursor before = cursor_;
+            if (is_word(cursor_.word(), "facet")) {
+                cursor_.skip_blanks();
+                const bool facet = is_word(cursor_.word(), "normal"); // a name may hold the word
+                cursor_ = before;
+                if (facet) return;
+                cursor_.word();
+            }
+            if (cursor_.at == before.at) return; // a continued line
+        }
     }
 
     void begin_facet() {
-        if (open_) skip(fault_.empty() ? "the facet has no 'endfacet'" : fault_);
+        if (open_ && fault_.empty() && vertices_ == 3)
+            triangles_.push_back(triangle_); // its 'endfacet' is missing, which takes nothing away
+        else if (open_ && (vertices_ > 0 || !fault_.empty())) // "end facet" opens an empty one
+            skip(fault_.empty() ? fmt::format("a facet of {} vertices, not three", vertices_)
+                                : fault_);
         open_ = true;
         vertices_ = 0;
         fault_.clear();
@@ -98,7 +123,9 @@ private:
             cursor_.skip_blanks();
             const NumberFault f = cursor_.number(v[axis]);
             if (f == NumberFault::none) continue;
+            const bool comma = !cursor_.at_line_end() && cursor_.number_before_comma();
             fault(f == NumberFault::too_large ? "the number is too large"
+                  : comma                     ? "a decimal comma: numbers have a point"
                                               : "a vertex has three numbers");
             cursor_.skip_to_line_end(rest().size());
             return;
@@ -141,6 +168,7 @@ private:
     bool open_ = false;
     bool skipped_ = false; // some facet
     std::size_t vertices_ = 0;
+    bool more_follows_ = false; // some word behind the facet's three vertices
     StlTriangle triangle_{};
     std::string fault_; // of this facet
     std::size_t fault_line_ = 0;
@@ -212,8 +240,11 @@ bool begins_like_ascii_stl(std::string_view file) {
         cursor.next_line();
     cursor.skip_blanks();
     const std::string_view word = cursor.word();
-    return (is_word(word, "solid") || is_word(word, "facet")) &&
-           file.substr(0, 1024).find('\0') == std::string_view::npos;
+    const std::string_view head = file.substr(0, 1024);
+    const std::size_t last = head.find_last_not_of('\0');   // zeros may stand behind the end
+    const bool solid = is_word(word.substr(0, 5), "solid"); // "solid_t" is seen, too
+    return (solid || is_word(word, "facet")) &&
+           head.substr(0, last + 1).find('\0') == std::string_view::npos;
 }
 
 Result<StlResult> read_ascii_stl(std::string_view file, const std::string& path, Warnings& warnings,

@@ -1,5 +1,6 @@
 #include "io/stl_reader.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <utility>
@@ -40,7 +41,8 @@ StlCollector::StlCollector(Jobs& jobs, const std::string& path, Warnings& warnin
     result_.polygons.face_begin.reserve(expected);
 }
 
-void StlCollector::add(std::span<const StlTriangle> triangles) {
+void StlCollector::add(std::span<const StlTriangle> triangles,
+                       std::span<const std::int32_t> materials) {
     constexpr std::size_t kBlock = 4096;
     geom::PolygonMesh& m = result_.polygons;
     const std::span<const std::uint32_t> numbers =
@@ -48,6 +50,9 @@ void StlCollector::add(std::span<const StlTriangle> triangles) {
     const std::size_t corners = m.corners.size(), faces = m.faces();
     m.corners.resize(corners + numbers.size());
     m.face_begin.resize(faces + triangles.size());
+    m.face_material.resize(faces + triangles.size(), -1);
+    std::copy(materials.begin(), materials.end(),
+              m.face_material.begin() + static_cast<std::ptrdiff_t>(faces));
     for_chunks(jobs_, triangles.size(), kBlock, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
             m.face_begin[faces + i] = static_cast<std::uint32_t>(corners + i * 3);
@@ -67,7 +72,6 @@ Result<StlResult> StlCollector::finish() {
         return fail(Exit::unreadable, "{}; {} has no facet that can be drawn", first_fault_, path_);
     if (result_.facets == 0)
         return fail(Exit::unreadable, "{}: an STL file without facets: nothing to draw", path_);
-    result_.polygons.face_material.assign(result_.facets, -1);
     return std::move(result_);
 }
 

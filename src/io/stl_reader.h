@@ -5,6 +5,7 @@
 #include "io/stl.h"
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -21,7 +22,8 @@ public:
     StlCollector(Jobs& jobs, const std::string& path, Warnings& warnings, std::size_t expected);
 
     // Best many at a time: all cores work on them.
-    void add(std::span<const StlTriangle> triangles);
+    // `materials`: one a triangle, or empty where none has one.
+    void add(std::span<const StlTriangle> triangles, std::span<const std::int32_t> materials = {});
 
     // `line`: the finished message, with its place.
     void skip(std::string line);

@@ -47,3 +47,11 @@ constexpr SrgbTables make_tables() {
 constexpr SrgbTables kSrgb = make_tables();
 
 } // namespace scanout::detail
+
+namespace scanout {
+
+double linear_light_of_srgb(double encoded) {
+    return detail::linear_light(encoded);
+}
+
+} // namespace scanout

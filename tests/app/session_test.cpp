@@ -108,7 +108,7 @@ protected:
     // The picture of `scanout render` for the same settings.
     image::Image rendered(const scene::Pose& pose) {
         Warnings warnings;
-        const LoadedModel model = *load_model(settings.arguments.front(), jobs, {});
+        const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
         frame::FrameOptions options = settings.frame;
         options.width = 160;
         options.height = 120;

@@ -75,8 +75,8 @@ TEST(Load, EveryErrorIsOneLineThatNamesTheFile) {
     folder.write("folder.obj/keep", "");
     ASSERT_EQ(::mkfifo(folder.path("pipe.obj").c_str(), 0600), 0);
     ASSERT_EQ(::symlink("loop.obj", folder.path("loop.obj").c_str()), 0);
-    folder.write("m.xyz", "v 0 0 0\n");
-    folder.write("none", "v 0 0 0\n");
+    folder.write("m.doc", "nothing\n");
+    folder.write("none", "nothing\n");
     folder.write("m.obj.gz", "\x1f\x8b\x08");
     folder.write("empty.obj", "");
     const std::pair<std::string, std::string> cases[] = {
@@ -84,9 +84,9 @@ TEST(Load, EveryErrorIsOneLineThatNamesTheFile) {
         {folder.path("folder.obj"), "folder"},
         {folder.path("pipe.obj"), "regular file"},
         {folder.path("loop.obj"), "symbolic links"},
-        {folder.path("m.xyz"), "'.xyz'"},
-        {folder.path("none"), "known are .obj .stl"},
-        {folder.path("m.obj.gz"), "gunzip"},
+        {folder.path("m.doc"), "'.doc'"},
+        {folder.path("none"), "read: .obj .stl"},
+        {folder.path("m.obj.gz"), "cut short"},
         {folder.path("empty.obj"), "empty"},
         {"/dev/zero", "regular file"},
         {"", ""}};

@@ -1,4 +1,5 @@
-// Every OBJ and STL of the shared collection against what its manifest counts, where it is present.
+// Every OBJ, STL, PLY and OFF of the shared collection against what its manifest counts, where it
+// is present.
 #include "base/mapping.h"
 #include "folder.h"
 #include "io/load.h"
@@ -34,7 +35,7 @@ std::vector<Row> model_rows() {
     for (std::string line; std::getline(in, line);) {
         const std::vector<std::string> cells = split(line, '\t');
         if (cells.size() < 8 || !cells[0].starts_with("models/")) continue;
-        if (cells[1] == "obj" || cells[1] == "stl")
+        if (cells[1] == "obj" || cells[1] == "stl" || cells[1] == "ply" || cells[1] == "off")
             rows.push_back({cells[0], cells[1], cells[3], cells[4], cells[7]});
     }
     return rows;
@@ -62,13 +63,14 @@ const std::map<std::string, std::size_t> kPoints = {
     {"models/obj_cases_assimp/point_cloud.obj", 3},
     {"models/obj_freeform_made/bezier_patch.obj", 16},
 };
+const std::string kNoRows = "models/ply_magnum_importer/empty.ply";
 const std::string kNoVertices = "models/obj_cases_tinyobj/issue-356-leading-spaces-newmtl.obj";
 
 // Unpacked where the collection holds it packed.
 std::string unpacked(const std::string& path, const test::Folder& folder) {
-    if (!path.ends_with(".gz")) return path;
-    const std::string out = folder.path("unpacked.obj");
-    EXPECT_EQ(std::system(("gzip -dc '" + path + "' > '" + out + "'").c_str()), 0);
+    if (!path.ends_with(".xz")) return path; // .gz is read as it is
+    const std::string out = folder.path("unpacked");
+    EXPECT_EQ(std::system(("xz -dc '" + path + "' > '" + out + "'").c_str()), 0);
     return out;
 }
 
@@ -86,9 +88,10 @@ void check(const Row& row, const test::Folder& folder) {
     const std::string path = unpacked(kAssets + row.path, folder);
     Warnings warnings;
     const auto scene = load(path, {}, warnings);
-    if (row.path == kNoVertices) {
+    if (row.path == kNoVertices || row.path == kNoRows) {
         ASSERT_FALSE(scene);
-        EXPECT_NE(scene.error().what.find("no vertices"), std::string::npos);
+        EXPECT_NE(scene.error().what.find(row.path == kNoRows ? "without vertices" : "no vertices"),
+                  std::string::npos);
         return;
     }
     ASSERT_TRUE(scene) << scene.error().what;
@@ -97,8 +100,8 @@ void check(const Row& row, const test::Folder& folder) {
     EXPECT_EQ(std::to_string(counts.faces), row.faces) << row.path;
     if (row.format == "stl") {
         EXPECT_EQ(counts.triangles, counts.faces) << row.path;
-        return;
     }
+    if (row.format != "obj") return;
     EXPECT_EQ(counts.triangles, feature(row.features, "tris").value_or(0)) << row.path;
     EXPECT_EQ(counts.lines, feature(row.features, "lines").value_or(0)) << row.path;
     const auto explained = kPoints.find(row.path);
@@ -118,9 +121,12 @@ TEST(Manifest, EveryModelHasTheCountsThatItsManifestTells) {
         check(row, folder);
         ++checked[row.format];
     }
-    std::printf("checked %d OBJ and %d STL files\n", checked["obj"], checked["stl"]);
+    std::printf("checked %d OBJ, %d STL, %d PLY and %d OFF files\n", checked["obj"], checked["stl"],
+                checked["ply"], checked["off"]);
     EXPECT_GE(checked["obj"], 80);
     EXPECT_GE(checked["stl"], 14);
+    EXPECT_GE(checked["ply"], 55);
+    EXPECT_GE(checked["off"], 10);
 }
 
 TEST(Manifest, SpotIsWrittenIntoTheSceneVertexByVertex) {

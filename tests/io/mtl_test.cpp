@@ -103,13 +103,14 @@ TEST(Mtl, ColoursThatAreNotThreeNumbersKeepTheDefaultAndSaySo) {
 }
 
 TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
-    const MtlRead r = read_one("map_Kd -o 0.1 -s 2 3 -t 1 2 3 -clamp on -blendu off -blendv off -cc "
-                            "on -mm 0.1 0.3 -boost 2 "
-                            "-texres 512 some dir\\my file 01.png\n"
-                            "map_bump -imfchan r bump 2.jpg -bm 1.5\nrefl -type sphere "
-                            "sky.tga\nnorm -bm 3 -colorspace linear n.png\n"
-                            "map_Ka a.png\nmap_Ks b.png\nmap_Ns c.png\nmap_d d.png\nmap_Ke "
-                            "e.png\ndisp f.png\ndecal g.png");
+    const MtlRead r =
+        read_one("map_Kd -o 0.1 -s 2 3 -t 1 2 3 -clamp on -blendu off -blendv off -cc "
+                 "on -mm 0.1 0.3 -boost 2 "
+                 "-texres 512 some dir\\my file 01.png\n"
+                 "map_bump -imfchan r bump 2.jpg -bm 1.5\nrefl -type sphere "
+                 "sky.tga\nnorm -bm 3 -colorspace linear n.png\n"
+                 "map_Ka a.png\nmap_Ks b.png\nmap_Ns c.png\nmap_d d.png\nmap_Ke "
+                 "e.png\ndisp f.png\ndecal g.png");
     EXPECT_EQ(all_lines(r.warnings), "");
     const scene::TextureMap& kd = r.first().map_diffuse;
     EXPECT_EQ(kd.path, "some dir\\my file 01.png");
@@ -159,7 +160,8 @@ TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
 }
 
 TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
-    const MtlRead r = read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
+    const MtlRead r =
+        read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
     EXPECT_EQ(r.first().map_diffuse.path, "a.png");
     EXPECT_EQ(r.first().map_diffuse.scale.x, 2);
     EXPECT_TRUE(r.first().map_diffuse.clamp);
@@ -169,7 +171,8 @@ TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
 }
 
 TEST(Mtl, NumbersOfOptionsThatAreTooLargeAreLimitedInOneLineAName) {
-    const MtlRead r = read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
+    const MtlRead r =
+        read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
     EXPECT_EQ(r.first().map_bump.bump_multiplier, 1e6F);
     EXPECT_EQ(r.first().map_diffuse.scale, Vec3(3, -1e6F, 1));
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: map_bump -bm is 1e+30", "1000000 is taken"}))
@@ -190,8 +193,8 @@ TEST(Mtl, AMapWithoutAColourShowsItsOwnColours) {
 }
 
 TEST(Mtl, NoMessageQuotesTheFile) {
-    const MtlRead r =
-        read_text("secret password\nnewmtl m\nroot:x:0:0\nKd secret\nmap_Kd -bm secret\nNs hidden\n");
+    const MtlRead r = read_text(
+        "secret password\nnewmtl m\nroot:x:0:0\nKd secret\nmap_Kd -bm secret\nNs hidden\n");
     EXPECT_FALSE(r.warnings.empty());
     for (const char* word : {"secret", "root", "hidden", "password"})
         EXPECT_EQ(all_lines(r.warnings).find(word), std::string::npos) << all_lines(r.warnings);

@@ -367,12 +367,13 @@ TEST(Obj, BadTextureCoordinatesAndNormalsKeepTheirNumbersToo) {
     EXPECT_EQ(r.file->skipped, 2u);
 }
 
-TEST(Obj, VertexColoursAreLinearAndVerticesWithoutAreWhite) {
+TEST(Obj, VertexColoursAreDisplayValuesAndVerticesWithoutAreWhite) {
     const Read r =
         read("v 0 0 0\nv 1 0 0 0.25 0.5 1\nv 0 1 0 7\nv 0 2 0 nan 0 0\nv 3 3 3 -1 2 0\nf 1 2 3\n");
     ASSERT_TRUE(r.file);
-    EXPECT_THAT(r.mesh().colours,
-                ElementsAre(Vec3(1), Vec3(0.25, 0.5, 1), Vec3(1), Vec3(1), Vec3(0, 2, 0)));
+    const auto linear = [](double x) { return static_cast<float>(linear_light_of_srgb(x)); };
+    EXPECT_THAT(r.mesh().colours, ElementsAre(Vec3(1), Vec3(linear(0.25), linear(0.5), 1), Vec3(1),
+                                              Vec3(1), Vec3(0, 1, 0)));
     EXPECT_EQ(r.mesh().positions[3], DVec3(0, 2, 0));
     EXPECT_TRUE(warned(r.warnings, {"x.obj:4: 'nan'", "stays white"}));
     EXPECT_TRUE(read(kSquare).mesh().colours.empty());

@@ -1,8 +1,10 @@
 #include "base/mapping.h"
 #include "geom/build.h"
 #include "io/stl.h"
+#include "math/srgb.h"
 #include "same.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -163,10 +165,10 @@ RC_GTEST_PROP(Stl, ADamagedFileLosesOnlyTheFacetsThatAreHit, (std::uint32_t seed
 }
 
 TEST(Stl, KeepsDoublesOfAsciiAndJoinsMinusZero) {
-    const StlRead r =
-        read_facets("solid\nfacet normal 0 0 1\nouter loop\nvertex 581311.123456789 -0 1e-3\nvertex "
-             "+1.5E+2 0.0 0.1\nvertex 0 0.0 -0.0\nendloop\nendfacet\nfacet vertex -0 0 0 "
-             "vertex 1 1 1 vertex 2 2 3 endfacet");
+    const StlRead r = read_facets(
+        "solid\nfacet normal 0 0 1\nouter loop\nvertex 581311.123456789 -0 1e-3\nvertex "
+        "+1.5E+2 0.0 0.1\nvertex 0 0.0 -0.0\nendloop\nendfacet\nfacet vertex -0 0 0 "
+        "vertex 1 1 1 vertex 2 2 3 endfacet");
     ASSERT_TRUE(r.result) << r.error();
     EXPECT_EQ(r.result->polygons.positions[0], DVec3(581311.123456789, 0, 1e-3));
     EXPECT_EQ(r.result->polygons.positions[1], DVec3(150, 0, 0.1));
@@ -189,11 +191,13 @@ TEST(Stl, LineEndsCaseAndLayoutDoNotMatter) {
     for (const char c : text)
         upper += static_cast<char>(std::toupper(c));
     EXPECT_EQ(facets_of(*read_facets(upper).result), kTwo);
-    EXPECT_EQ(facets_of(*read_facets(text.substr(text.find("facet"))).result), kTwo); // no solid line
+    EXPECT_EQ(facets_of(*read_facets(text.substr(text.find("facet"))).result),
+              kTwo); // no solid line
 }
 
 TEST(Stl, ReadsEverySolidOfAFile) {
-    const StlRead r = read_facets(ascii(kTwo) + ascii({kTwo[0]}) + "solid facet vertex\nendsolid facet\n");
+    const StlRead r =
+        read_facets(ascii(kTwo) + ascii({kTwo[0]}) + "solid facet vertex\nendsolid facet\n");
     EXPECT_EQ(r.result->facets, 3u);
     EXPECT_TRUE(r.warnings.empty());
 }
@@ -211,12 +215,12 @@ TEST(Stl, ABadAsciiFacetIsSkippedWithItsLine) {
              Case{"facet\nvertex 0 0 0\nvertex 1 1e999 0\nvertex 0 1 0\nendfacet\n",
                   "a.stl:4: the number is too large"},
              Case{"facet\nvertex 0 0 0\nvertex 1,5 1 0\nvertex 0 1 0\nendfacet\n",
-                  "a.stl:4: a vertex has three numbers"},
+                  "a.stl:4: a decimal comma: numbers have a point"},
              Case{"facet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n",
                   "a.stl:2: a facet of 2 vertices, not three"},
              Case{"facet\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\nendfacet\n",
                   "a.stl:2: a facet of 4 vertices, not three"},
-             Case{"facet\nvertex 0 0 0\n", "a.stl:2: the facet has no 'endfacet'"},
+             Case{"facet\nvertex 0 0 0\n", "a.stl:2: a facet of 1 vertices, not three"},
              Case{"endfacet\n", "a.stl:2: an 'endfacet' without 'facet'"},
              Case{"vertex 1 2 3\nendfacet\n", "a.stl:2: a vertex outside of a facet"},
          }) {
@@ -378,6 +382,71 @@ TEST(Stl, SharedModelsHaveTheirFacets) {
         EXPECT_EQ(result->facets, c.facets) << c.path;
         EXPECT_EQ(result->skipped, c.skipped) << c.path;
     }
+}
+
+TEST(Stl, IsReadWhereOnlyItsWordsAreWrong) {
+    const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                              "vertex 0 1 0\nendloop\n";
+    std::string one_line = "solid t " + facet + "endfacet " + facet + "endfacet endsolid t";
+    std::replace(one_line.begin(), one_line.end(), '\n', ' ');
+    for (const std::string& file :
+         {"solid t\n" + facet + facet + "endsolid t\n", one_line,
+          "solid_t\n" + facet + "endfacet\n" + facet + "endfacet\nendsolid t\n",
+          "solid t\n# a comment\n" + facet + "end facet\n" + facet + "endfacet\n" +
+              std::string(40, '\0')}) {
+        const StlRead r = read_facets(file);
+        ASSERT_TRUE(r.result) << r.error() << "\n" << file;
+        EXPECT_EQ(r.result->facets, 2u) << file;
+        EXPECT_EQ(r.result->skipped, 0u) << file;
+    }
+}
+
+TEST(Stl, ADecimalCommaIsNamed) {
+    const Read r =
+        read("solid t\nfacet\nvertex -1,0 0 0\nvertex 1,0 0 0\nvertex 0 1 0\nendfacet\n");
+    ASSERT_FALSE(r.result);
+    EXPECT_EQ(r.result.error().exit, Exit::unreadable);
+    EXPECT_NE(r.error().find("a.stl:3: a decimal comma"), std::string::npos) << r.error();
+}
+
+TEST(Stl, ZerosOfAnySizeAreADownloadThatWasCutShort) {
+    for (const std::size_t size : {84U, 134U, 5000U, 50084U}) {
+        const StlRead r = read_facets(std::string(size, '\0'));
+        ASSERT_FALSE(r.result) << size;
+        EXPECT_NE(r.error().find("a.stl: holds zero bytes"), std::string::npos) << r.error();
+    }
+}
+
+std::string coloured(const std::string& header, std::initializer_list<std::uint16_t> attributes) {
+    std::string file = binary(
+        std::vector<Facet>(attributes.size(), {DVec3(0), DVec3(1, 0, 0), DVec3(0, 1, 0)}), header);
+    std::size_t facet = 0;
+    for (const std::uint16_t attribute : attributes) {
+        file[84 + facet * 50 + 48] = static_cast<char>(attribute & 0xff);
+        file[84 + facet++ * 50 + 49] = static_cast<char>(attribute >> 8);
+    }
+    return file;
+}
+
+// The two conventions: where "COLOR=" stands in the header, a set upper bit means the object's
+// colour and red is lowest; else it means that there is a colour, and blue is lowest.
+TEST(Stl, ColoursOfFacetsFollowMagicsOrVisCam) {
+    const StlRead magics =
+        read_facets(coloured("COLOR=\xc8\x64\x32\xff, made", {0x001f, 0x8000, 0, 0x7c00}));
+    ASSERT_TRUE(magics.result);
+    EXPECT_EQ(magics.result->polygons.face_material, (std::vector<std::int32_t>{0, 1, 1, 2}));
+    const auto of = [](const StlRead& r, std::size_t i) {
+        return r.result->colours.materials().at(i).diffuse;
+    };
+    EXPECT_EQ(of(magics, 0), Vec3(1, 0, 0));
+    EXPECT_EQ(of(magics, 1), Vec3(srgb_decode(std::uint8_t{200}), srgb_decode(std::uint8_t{100}),
+                                  srgb_decode(std::uint8_t{50})));
+    EXPECT_EQ(of(magics, 2), Vec3(0, 0, 1));
+    const StlRead viscam = read_facets(coloured("made by a test", {0x801f, 0x001f, 0xfc00}));
+    ASSERT_TRUE(viscam.result);
+    EXPECT_EQ(viscam.result->polygons.face_material, (std::vector<std::int32_t>{0, -1, 1}));
+    EXPECT_EQ(of(viscam, 0), Vec3(0, 0, 1));
+    EXPECT_EQ(of(viscam, 1), Vec3(1, 0, 0));
 }
 
 } // namespace

@@ -92,7 +92,7 @@ struct LoadedWithin {
     Warnings warnings;
 };
 LoadedWithin load(const Folder& folder, const std::vector<std::string>& textures,
-            std::uint64_t texture_bytes = kDefault) {
+                  std::uint64_t texture_bytes = kDefault) {
     std::string mtl, obj = "v 0 0 0\nmtllib m.mtl\n";
     for (std::size_t i = 0; i < textures.size(); ++i) {
         mtl += fmt::format("newmtl m{}\nmap_Kd {}\n", i, textures[i]);

@@ -1,0 +1,30 @@
+// OFF, the Object File Format of Geomview (Phillips et al. 1993): vertices and polygons as text,
+// with colours, normals and texture coordinates of vertices where the keyword says so, and colours
+// of faces.
+#pragma once
+
+#include "base/result.h"
+#include "base/warnings.h"
+#include "geom/polygon_mesh.h"
+#include "io/colour_materials.h"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace scanout::io {
+
+struct OffFile {
+    geom::PolygonMesh polygons; // face materials are numbers of `face_colours`
+    ColourMaterials face_colours;
+    std::size_t skipped = 0; // vertices and faces that could not be used
+};
+
+bool is_off(std::string_view file); // begins with one of the format's keywords
+
+// As read_ply() (ply.h). Four-dimensional and binary files are refused.
+Result<OffFile> read_off(std::string_view file, const std::string& path, Warnings& warnings,
+                         const std::function<bool(double)>& progress);
+
+} // namespace scanout::io

@@ -1,0 +1,18 @@
+// Any bytes as an OFF file.
+#include "io/off.h"
+#include "mesh_checks.h"
+
+#include <cstddef>
+#include <cstdint>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    using namespace scanout;
+    Warnings warnings;
+    auto file =
+        io::read_off({reinterpret_cast<const char*>(data), size}, "x.off", warnings, nullptr);
+    fuzz::check_lines(warnings);
+    if (!file) return 0;
+    fuzz::check_polygons(file->polygons);
+    fuzz::check_built(std::move(file->polygons));
+    return 0;
+}
