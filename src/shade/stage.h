@@ -70,7 +70,8 @@ constexpr bool reads_primitives(const Attributes& a) {
     return a.primitive || a.vertices || a.object;
 }
 
-// What all items of one triangle share, or of one piece of it, the vertices in canonical order.
+// What all items of one triangle share, or of a clipped part of it, the vertices in canonical
+// order.
 struct Primitive {
     std::uint32_t id;
     // weight_i = a_i x + b_i y + c_i at a sample (x, y in 1/256 pixel): twice the area opposite
@@ -84,13 +85,13 @@ struct Primitive {
     double least[3]; // a sample is covered where weight_i >= least_i: the top-left rule; 0 and not
                      // asked for where the triangle was clipped
     bool clipped;
-    // Of the first of two pieces: the vertex opposite the edge where the second begins, which is
-    // where that one's weight is negative; kFolded where snapping has turned one of them over, so
-    // that both lie on one side of the edge; -1 where there is no second.
+    // Of the first of two clipped triangles: the vertex opposite the edge where the second begins,
+    // which is where that one's weight is negative; kFolded where snapping has turned one of them
+    // over, so that both lie on one side of the edge; -1 where there is no second.
     static constexpr std::int8_t kFolded = 3;
     std::int8_t across;
-    // Of such a piece: a vertex lies at parameter t between one of the triangle's vertices and
-    // another. Where the frame reads `corners`, position and normal are the triangle's.
+    // Of a clipped triangle: a vertex lies at parameter t between one of the triangle's vertices
+    // and another. Where the frame reads `corners`, position and normal are the triangle's.
     std::uint8_t from[3], to[3];
     float t[3];
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already

@@ -92,7 +92,7 @@ TEST(Clip, WhatIsLeftLiesBeforeTheNearPlane) {
             const EdgePoint& at = polygon.edge_point[k];
             ASSERT_TRUE(at.cut() ? p.w == kNear : same_bits(p, v[at.from])) << i;
             if (!at.cut()) continue;
-            ASSERT_TRUE(at.share >= 0 && at.share <= 1) << i;
+            ASSERT_TRUE(at.t >= 0 && at.t <= 1) << i;
             ASSERT_GE(v[at.from].w, kNear) << i; // from the inside, whichever way round it goes
             ASSERT_LT(v[at.to].w, kNear) << i;
         }

@@ -25,7 +25,7 @@ double distance(int plane, const ClipVertex& v, const ClipBox& box) {
 
 // Of the way from the inside to the outside. d_in >= 0 > d_out, so the denominator is positive,
 // rounding included (HARD-CASES T7).
-double share(double d_in, double d_out) {
+double fraction(double d_in, double d_out) {
     return d_in / (d_in - d_out);
 }
 
@@ -33,7 +33,7 @@ ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double
                      const ClipVertex& out, double d_out) {
     // As a mean with weights: no term is larger than what it gives, however far one vertex lies
     // beyond the other. in + t (out - in) would cancel to noise at ratios above 2^53.
-    const double of_in = -d_out / (d_in - d_out), of_out = share(d_in, d_out);
+    const double of_in = -d_out / (d_in - d_out), of_out = fraction(d_in, d_out);
     ClipVertex v{in.x * of_in + out.x * of_out, in.y * of_in + out.y * of_out,
                  in.z * of_in + out.z * of_out, in.w * of_in + out.w * of_out};
     v.w = plane == 0 ? box.near_w : std::max(v.w, box.near_w);
@@ -61,7 +61,7 @@ NearPolygon cut_near(const std::array<ClipVertex, 3>& triangle, double near_w) {
         const std::uint8_t in = inside ? i : next, beyond = inside ? next : i;
         const double d_in = inside ? di : dn, d_out = inside ? dn : di;
         append(intersect(kNear, box, triangle[in], d_in, triangle[beyond], d_out),
-               {in, beyond, share(d_in, d_out)});
+               {in, beyond, fraction(d_in, d_out)});
     }
     return out;
 }

@@ -12,11 +12,11 @@
 
 namespace scanout::raster {
 
-// A point on a triangle's edge: `share` of the way from one vertex to another; or a vertex, and
+// A point on a triangle's edge: `t` of the way from one vertex to another; or a vertex, and
 // then both are the same.
 struct EdgePoint {
     std::uint8_t from = 0, to = 0; // of the triangle's three
-    double share = 0;
+    double t = 0;
     bool cut() const { return from != to; }
 };
 

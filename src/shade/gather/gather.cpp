@@ -48,9 +48,9 @@ constexpr int kScattered = 2;
 
 // Does a clipped triangle cover the point (1/256 pixel)?
 bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
-    const raster::ClippedTriangles pieces = in.geometry->clipped_of(triangle);
-    return std::any_of(pieces.begin(), pieces.end(), [&](const raster::ClippedTriangle& piece) {
-        return raster::covers(piece, x, y);
+    const raster::ClippedTriangles clipped = in.geometry->clipped_of(triangle);
+    return std::any_of(clipped.begin(), clipped.end(), [&](const raster::ClippedTriangle& one) {
+        return raster::covers(one, x, y);
     });
 }
 
@@ -295,7 +295,7 @@ void Gatherer::add_unlit(const GatherInput& in, std::uint32_t id, int count) {
 void Gatherer::add_lit(const Primitive& primitive, int count) {
     ShadingBlock& b = *block_;
     if (primitive.across < 0) return add_items(b, &primitive, count); // finish_block places them
-    // Of its two pieces each has one run in the block.
+    // Each of its two clipped triangles has one run in the block.
     std::array<std::int32_t, kBlockSize> of_second;
     std::int32_t* const of_first = pixel_ + b.count;
     int first = 0, second = 0;

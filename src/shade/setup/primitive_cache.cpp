@@ -201,27 +201,27 @@ Sorted sort_by_position(const VertexIndices& vertex_index, const geom::Mesh& mes
 // From the very points that are drawn: where a vertex has snapped to, its attributes stand; those
 // of a cut are the only ones that are computed.
 void set_clipped(Primitive& p, const VertexIndices& vertex_index, const GatherInput& in,
-                 const raster::ClippedTriangle& piece) {
-    const raster::ClippedWeights weights = raster::weights_of(piece, in.transform->perspective);
+                 const raster::ClippedTriangle& clipped) {
+    const raster::ClippedWeights weights = raster::weights_of(clipped, in.transform->perspective);
     const Sorted sorted = sort_by_position(vertex_index, *in.mesh);
-    const bool behind = piece.clockwise != in.mirrored;
+    const bool behind = clipped.clockwise != in.mirrored;
     Vertices vertices(p, in, sorted.vertex, {behind != sorted.odd, behind});
     VertexIndices from;
     for (std::size_t k = 0; k < 3; ++k)
-        from[k] = vertex_index[piece.vertex[k].edge_point.from];
+        from[k] = vertex_index[clipped.vertex[k].edge_point.from];
     vertices.set(from);
     vertices.set_places(from);
     for (std::size_t k = 0; k < 3; ++k) {
-        const raster::EdgePoint& place = piece.vertex[k].edge_point;
+        const raster::EdgePoint& point = clipped.vertex[k].edge_point;
         p.inverse_w[k] = 1;
         p.a[k] = weights.a[k];
         p.b[k] = weights.b[k];
         p.c[k] = weights.c[k];
         p.least[k] = 0;
-        p.from[k] = sorted.place[place.from];
-        p.to[k] = sorted.place[place.to];
-        p.t[k] = place.cut() ? static_cast<float>(place.share) : 0.0F;
-        if (place.cut()) vertices.set_cut(k, from[k], vertex_index[place.to], place.share);
+        p.from[k] = sorted.place[point.from];
+        p.to[k] = sorted.place[point.to];
+        p.t[k] = point.cut() ? static_cast<float>(point.t) : 0.0F;
+        if (point.cut()) vertices.set_cut(k, from[k], vertex_index[point.to], point.t);
     }
     if (!in.frame->attributes.vertices) return;
     for (std::size_t k = 0; k < 3; ++k)
@@ -273,7 +273,7 @@ const Primitive& PrimitiveCache::add(const GatherInput& in, std::uint32_t triang
     const std::array<raster::ScreenVertex, 3> vertex = {vertices[v[0]], vertices[v[1]],
                                                         vertices[v[2]]};
     if (!(vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen())) {
-        add_pieces(in, triangle, v);
+        add_clipped(in, triangle, v);
         return pool_[slot];
     }
     Primitive& p = next(triangle, false);
@@ -287,21 +287,21 @@ const Primitive& PrimitiveCache::add(const GatherInput& in, std::uint32_t triang
     return p;
 }
 
-void PrimitiveCache::add_pieces(const GatherInput& in, std::uint32_t triangle,
-                                const VertexIndices& vertex_index) {
-    const raster::ClippedTriangles pieces = in.geometry->clipped_of(triangle);
-    CHECK(pieces.count > 0); // what is visible has an area
-    for (const raster::ClippedTriangle& piece : pieces) {
+void PrimitiveCache::add_clipped(const GatherInput& in, std::uint32_t triangle,
+                                 const VertexIndices& vertex_index) {
+    const raster::ClippedTriangles clipped = in.geometry->clipped_of(triangle);
+    CHECK(clipped.count > 0); // what is visible has an area
+    for (const raster::ClippedTriangle& one : clipped) {
         Primitive& p = next(triangle, true);
         p.fits_int32 = false;
-        set_clipped(p, vertex_index, in, piece);
+        set_clipped(p, vertex_index, in, one);
         check_primitive(p, in.frame->attributes);
     }
-    if (pieces.count < 2) return;
-    const auto& [one, two] = pieces.triangle;
+    if (clipped.count < 2) return;
+    const auto& [one, two] = clipped.triangle;
     pool_[used_ - 2].across = one.clockwise != two.clockwise
                                   ? Primitive::kFolded
-                                  : static_cast<std::int8_t>(raster::opposite_common_edge(pieces));
+                                  : static_cast<std::int8_t>(raster::opposite_common_edge(clipped));
 }
 
 } // namespace scanout::shade

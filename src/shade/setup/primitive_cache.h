@@ -29,10 +29,10 @@ public:
         return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add_later(triangle);
     }
     void set_up(const TriangleSource& source);
-    // Of a triangle drawn as two pieces, the second of which stands behind the first: does the
-    // second cover a sample that shows the triangle (1/256 pixel)? Of other triangles: no.
+    // Of a triangle drawn as two clipped ones, the second of which stands behind the first: does
+    // the second cover a sample that shows the triangle (1/256 pixel)? Of other triangles: no.
     static bool is_of_second(const Primitive& first, std::int32_t x, std::int32_t y);
-    // The piece that does.
+    // The clipped triangle that does.
     static const Primitive& at(const Primitive& first, std::int32_t x, std::int32_t y) {
         return is_of_second(first, x, y) ? *(&first + 1) : first;
     }
@@ -40,8 +40,8 @@ public:
 private:
     const Primitive& add(const GatherInput& input, std::uint32_t triangle);
     const Primitive& add_later(std::uint32_t triangle);
-    void add_pieces(const GatherInput& input, std::uint32_t triangle,
-                    const std::array<std::uint32_t, 3>& corner);
+    void add_clipped(const GatherInput& input, std::uint32_t triangle,
+                     const std::array<std::uint32_t, 3>& corner);
     static constexpr std::size_t kMaxPrimitives = 512, kSlots = 1024;
     Primitive& next(std::uint32_t triangle, bool clipped);
     std::vector<Primitive> pool_; // in use: the first `used_`

@@ -96,7 +96,7 @@ inline void prefetch_spatial_index(const TriangleSource& s, std::uint32_t triang
     if (s.spatial_index != nullptr) __builtin_prefetch(s.spatial_index + triangle);
 }
 
-// Do all vertices stand on the screen? Else it is drawn in pieces, which no item has.
+// Do all vertices stand on the screen? Else it is drawn clipped, which no item has.
 inline bool is_unclipped(const TriangleSource& s, std::uint32_t triangle) {
     const std::uint32_t* v = vertices_of(s, triangle);
     return s.vertex[v[0]].on_screen() && s.vertex[v[1]].on_screen() && s.vertex[v[2]].on_screen();

@@ -92,7 +92,7 @@ private:
         ++b.count;
     }
 
-    // From the triangle's vertices to those of its piece that is drawn.
+    // From the triangle's vertices to those of the clipped triangle that is drawn.
     static void clip(const Primitive& t, float (&light)[3][3]) {
         for (auto& channel : light) {
             const std::array<float, 3> unclipped = {channel[0], channel[1], channel[2]};
