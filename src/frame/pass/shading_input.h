@@ -8,8 +8,8 @@
 #include "raster/stage/geometry.h"
 #include "scene/scene.h"
 #include "scene/view.h"
-#include "shade/gather.h"
-#include "shade/mip_chain.h"
+#include "shade/gather/gather.h"
+#include "shade/mip/mip_chain.h"
 #include "shade/stage.h"
 
 namespace scanout::frame {
