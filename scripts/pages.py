@@ -5,6 +5,7 @@
 
 FOLDER/README.md lists them; FOLDER/<axis>/<name>.md is a page, <name>.png beside it the picture.
 """
+import itertools
 import json
 import pathlib
 import re
@@ -25,21 +26,32 @@ def without_keys(text):
     text = re.sub(rf" \((?:{KEY}[;,]? ?)+\)", "", text)
     text = re.sub(rf"[;,:] {KEY}", "", text)
     text = re.sub(rf"{KEY}[;,] ", "", text)
+    text = re.sub(rf" {KEY}(?=:)", "", text)
     return re.sub(rf"(?:^|(?<=\. )){KEY}\. ?", "", text).strip()
 
 
-def head(path):
-    """The comment that a source file opens with, as one paragraph."""
-    lines = []
-    for line in path.read_text().splitlines():
-        if not line.startswith("//"):
-            break
-        lines.append(line[2:].strip())
-    return without_keys(" ".join(lines))
+def comment(lines):
+    """The lines of a comment as one paragraph."""
+    return without_keys(" ".join(line[2:].strip() for line in lines))
+
+
+def is_comment(line):
+    return line.startswith("//")
+
+
+def head(path, name):
+    """What a technique's source says of it: the comment that its file opens with; in a table of rows the one above its row,
+    if there is one."""
+    lines = path.read_text().splitlines()
+    row = next((i for i, line in enumerate(lines) if re.match(rf"constinit const \w+ {name}\{{", line)), 0)
+    above = list(itertools.takewhile(is_comment, reversed(lines[:row]))) if path.name == "rows.cpp" else []
+    return comment(reversed(above) if above else itertools.takewhile(is_comment, lines))
 
 
 def source_of(card):
-    found = list((ROOT / "src").glob(f"*/{card['axis']}/{card['name']}.cpp"))
+    """Its own file, or the table of its axis where it is no more than a row."""
+    found = list((ROOT / "src").glob(f"*/{card['axis']}/{card['name']}.cpp")) or \
+        list((ROOT / "src").glob(f"*/{card['axis']}/rows.cpp"))
     if len(found) != 1:
         sys.exit(f"{card['axis']} {card['name']}: {len(found)} files src/*/{card['axis']}/{card['name']}.cpp")
     return found[0]
@@ -61,7 +73,7 @@ def page(scanout, card, axis):
     golden = ROOT / f"tests/golden/{card['axis']}_{card['name']}.png"
     source = source_of(card)
     lines = [f"# {card['name']}", "", f"![{card['axis']} {card['name']}]({card['name']}.png)", "",
-             f"{card['blurb']}.", "", head(source), "",
+             f"{card['blurb']}.", "", head(source, card['name']), "",
              f"- Axis: {card['axis']}, number {place + 1} of {len(axis)}: "
              + " · ".join(f"**{c['name']}**" if c is card else link(c) for c in axis),
              f"- Kind: {KINDS[card['kind']]}", f"- Source: {card['source']}"]
