@@ -208,7 +208,7 @@ constexpr Option axis_option(std::string_view name) {
             a.help};
 }
 
-// Rows: name, letter, value, choices, default, least, most, group, commands, slot, help.
+// Rows: name, letter, value, choices, default, min, max, group, commands, slot, help.
 constexpr std::array kOptions = std::to_array<Option>({
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
      Text([](Settings& s) -> std::string& { return s.output; }),
@@ -383,7 +383,7 @@ static_assert(std::all_of(std::begin(kAxes), std::end(kAxes), [](const AxisOptio
 }));
 
 Result<void> outside(const Option& option, std::string_view text) {
-    return fail(Exit::usage, "must be {} to {}, not {}", option.least, option.most, text);
+    return fail(Exit::usage, "must be {} to {}, not {}", option.min, option.max, text);
 }
 
 struct Applier {
@@ -399,7 +399,7 @@ struct Applier {
     Result<void> whole(Number& place) const {
         TRY(const std::int64_t value, parse_integer(text));
         const double wide = static_cast<double>(value);
-        if (wide < option.least || wide > option.most) return outside(option, text);
+        if (wide < option.min || wide > option.max) return outside(option, text);
         place = static_cast<Number>(value);
         return {};
     }
@@ -407,7 +407,7 @@ struct Applier {
     Result<void> operator()(BigInteger slot) const { return whole(slot(settings)); }
     Result<void> operator()(Real slot) const {
         TRY(const double value, parse_real(text));
-        if (value < option.least || value > option.most) return outside(option, text);
+        if (value < option.min || value > option.max) return outside(option, text);
         slot(settings) = value;
         return {};
     }
@@ -432,8 +432,8 @@ struct Applier {
 };
 
 std::string range_text(const Option& option) {
-    return option.most > option.least ? fmt::format("{} to {}", option.least, option.most)
-                                      : std::string();
+    return option.max > option.min ? fmt::format("{} to {}", option.min, option.max)
+                                   : std::string();
 }
 
 } // namespace

@@ -41,7 +41,7 @@ struct Option {
     std::string_view value;        // "WxH", "N"; empty for switches and for choices
     std::string_view choices;      // the words that are allowed, separated by spaces
     std::string_view default_text; // as on the command line; empty: none
-    double least = 0, most = 0;    // of numbers, both included
+    double min = 0, max = 0;       // of numbers, both included
     Group group = Group::general;
     unsigned commands = 0; // of Command
     Slot slot;

@@ -451,7 +451,7 @@ Result<void> ViewSession::render() {
     fill(options_);
     TRY(const frame::FramePlan* const now, plan_.plan(options_, view ? *view : scene::View()));
     picture_ = view ? &renderer_.render(model_->scene, *view, *now) : &background_;
-    in_view_ = view && renderer_.stats().lanes_shaded > 0;
+    in_view_ = view && renderer_.stats().items_shaded > 0;
     return {};
 }
 

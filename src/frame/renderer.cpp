@@ -25,7 +25,7 @@ struct TileWorker {
     raster::DeferredTriangles deferred; // scratch
     shade::Gatherer gatherer;
     std::unique_ptr<shade::TransparencyPass> transparency; // made when a plan wants it
-    std::uint64_t lanes = 0;
+    std::uint64_t items = 0;
     int number = 0;               // among the workers
     raster::Geometry::ById by_id; // of counts
     // Empty but for the techniques of anti-aliasing that read them.
@@ -153,17 +153,17 @@ static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t 
             const std::uint32_t id = worker.visibility.id(x, y);
             if (id >= triangles && id != raster::kNoPrimitive) worker.areas.fill(x, y, id);
         }
-    worker.lanes += worker.gatherer.shade(worker.areas, in, picture);
+    worker.items += worker.gatherer.shade(worker.areas, in, picture);
 }
 
 // By samples, with what blends over them.
 static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                           TileWorker& worker, image::Image& picture) {
     if (in.transparency != nullptr && in.transparency->blended != nullptr)
-        worker.lanes += worker.transparency->shade(geometry, tile, in, worker.visibility,
+        worker.items += worker.transparency->shade(geometry, tile, in, worker.visibility,
                                                    worker.gatherer, picture);
     else if (!worker.visibility.empty())
-        worker.lanes += worker.gatherer.shade(worker.visibility, in, picture);
+        worker.items += worker.gatherer.shade(worker.visibility, in, picture);
 }
 
 // Every pixel of the area from scale x scale of the tile's.
@@ -207,7 +207,7 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     if (!empty || !cleared.is_cleared(tile)) clear(area, f.plan.options.background, back_buffer);
     cleared.set_cleared(tile, empty);
     if (empty) return;
-    worker.visibility.reset(samples, aa.samples, f.plan.visible);
+    worker.visibility.reset(samples, aa.samples, f.plan.depth_rule);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) copy_samples(worker.visibility, *f.visibility);
     worker.gatherer.set_sum_sink(f.filter == nullptr
@@ -240,7 +240,7 @@ void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& wor
 
 void Renderer::State::count_work() {
     for (const TileWorker& worker : workers) {
-        stats.lanes_shaded += worker.lanes;
+        stats.items_shaded += worker.items;
         if (worker.transparency == nullptr) continue;
         stats.fragments_blended += worker.transparency->fragments();
         stats.transparency_bytes += worker.transparency->bytes();
@@ -254,7 +254,7 @@ void Renderer::State::prepare_workers(bool transparent, bool areas) {
     for (std::size_t i = 0; i < workers.size(); ++i) {
         TileWorker& worker = workers[i];
         worker.number = static_cast<int>(i);
-        worker.lanes = 0;
+        worker.items = 0;
         worker.gatherer.set_shadow(nullptr);
         if (!areas) worker.areas = {};
         if (!transparent)
@@ -291,7 +291,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     shade::GatherInput in =
         gather_input(input.scene, input.view, plan, geometry, input.transform, frame, mips);
     in.linear = input.linear;
-    const bool transparent = !plan.transparency.layers.empty();
+    const bool transparent = !plan.transparency.alpha_modes.empty();
     const shade::TransparencyInput transparency =
         transparent ? transparency_input(plan, frame) : shade::TransparencyInput();
     if (transparent) in.transparency = &transparency;
@@ -330,7 +330,7 @@ void Renderer::State::count_frame(const FrameInput& input) {
         raster::VisibilityTile& visible = worker.visibility;
         if (!geometry.is_empty(tile)) count_covering(geometry, tile, visible, worker.by_id, *marks);
         if (input.visibility == nullptr) return;
-        visible.reset(geometry.tile_area(tile), 1, input.plan.visible);
+        visible.reset(geometry.tile_area(tile), 1, input.plan.depth_rule);
         geometry.draw(tile, visible);
         copy_samples(visible, *input.visibility);
     });
@@ -357,10 +357,11 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                     aa.samples,
                                     aa.exact,
                                     tile_size,
-                                    plan.transparency.layers};
-    const bool one_by_one = !plan.transparency.layers.empty() || aa.exact ||
-                            !plan.visible.is_default() || plan.stencil != nullptr;
-    if (!one_by_one) options.occlusion = &s.occlusion;
+                                    plan.transparency.alpha_modes};
+    // Occlusion culling needs triangles that all hide what is behind them by the default rule.
+    const bool occludes = plan.transparency.alpha_modes.empty() && !aa.exact &&
+                          plan.depth_rule.is_default() && plan.stencil == nullptr;
+    if (occludes) options.occlusion = &s.occlusion;
     s.geometry.run(s.jobs, scene.mesh, transform, options);
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();

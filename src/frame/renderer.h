@@ -22,7 +22,7 @@ struct FrameStats {
     double shadow_ms = 0;                  // of geometry_ms: shadow maps, volumes
     std::uint64_t triangles_submitted = 0; // of the mesh
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
-    std::uint64_t lanes_shaded = 0;
+    std::uint64_t items_shaded = 0;
     std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
     std::size_t transparency_bytes = 0;  // held for what is not opaque
     // Of that, the longest list of blended fragments that a part of a tile needed: as many bytes

@@ -99,12 +99,12 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
 
 TEST(Options, NumbersAreTakenInTheirRangeAndRefusedOutsideIt) {
     for (const Option& row : options()) {
-        if (!(row.most > row.least)) continue;
+        if (!(row.max > row.min)) continue;
         Settings settings;
-        EXPECT_TRUE(apply(row, fmt::format("{}", row.least), settings)) << row.name;
-        EXPECT_TRUE(apply(row, fmt::format("{:.0f}", row.most), settings)) << row.name;
-        EXPECT_FALSE(apply(row, fmt::format("{}", row.least - 1), settings)) << row.name;
-        EXPECT_FALSE(apply(row, fmt::format("{:.0f}", row.most + 1), settings)) << row.name;
+        EXPECT_TRUE(apply(row, fmt::format("{}", row.min), settings)) << row.name;
+        EXPECT_TRUE(apply(row, fmt::format("{:.0f}", row.max), settings)) << row.name;
+        EXPECT_FALSE(apply(row, fmt::format("{}", row.min - 1), settings)) << row.name;
+        EXPECT_FALSE(apply(row, fmt::format("{:.0f}", row.max + 1), settings)) << row.name;
         EXPECT_FALSE(apply(row, "99999999999999999999999", settings)) << row.name;
         EXPECT_FALSE(apply(row, "4x", settings)) << row.name;
         EXPECT_FALSE(apply(row, "", settings)) << row.name;

@@ -243,7 +243,7 @@ Result<Json> laws(const Subject& s, Jobs& jobs) {
                 {"effects", std::move(effects)},
                 {"everything", against(whole, draw(s, jobs, everything))},
                 {"blended", whole_plan.transparency.blended != nullptr},
-                {"lanes", whole.stats.lanes_shaded},
+                {"lanes", whole.stats.items_shaded},
                 {"fragments", distinct},
                 {"interior", interior}};
 }

@@ -104,7 +104,7 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
                   dissolved(test::plain(Vec3(1)), 0)},
                  {texels({{1, 2, 3, 255}, {0, 0, 0, 0}})});
     const FramePlan p = plan_of(scene);
-    EXPECT_THAT(p.transparency.layers,
+    EXPECT_THAT(p.transparency.alpha_modes,
                 ElementsAre(AlphaMode::opaque, AlphaMode::opaque, AlphaMode::cut_out,
                             AlphaMode::blended, AlphaMode::nothing));
     EXPECT_EQ(p.transparency.cut_out, find_row(shade::transparency::kRows, "cut_out"));
@@ -116,13 +116,13 @@ TEST(TransparencyPlan, ChoosesByMaterial) {
                 StartsWith("blending exact: 1 of 5 materials (2 of 10 triangles)"));
     FrameOptions options;
     options.transparency = "sorted";
-    EXPECT_THAT(plan_of(scene, options).transparency.layers,
+    EXPECT_THAT(plan_of(scene, options).transparency.alpha_modes,
                 ElementsAre(AlphaMode::opaque, AlphaMode::opaque, AlphaMode::blended,
                             AlphaMode::blended, AlphaMode::nothing));
     options.transparency = "cut_out";
     EXPECT_EQ(plan_of(scene, options).transparency.blended, nullptr);
     options.effects = {{"cut_out", false}, {"blending", false}};
-    EXPECT_TRUE(plan_of(scene, options).transparency.layers.empty());
+    EXPECT_TRUE(plan_of(scene, options).transparency.alpha_modes.empty());
 }
 
 // The golden pictures and hashes of --blend none were drawn from sorted lists: they are the same.
@@ -133,7 +133,7 @@ TEST(TransparencyPlan, ListsNothingWhereTheNearestIsShownWhole) {
     options.blend = "none";
     const FramePlan p = plan_of(scene, options);
     EXPECT_EQ(p.transparency.blended, nullptr);
-    EXPECT_TRUE(p.transparency.layers.empty());
+    EXPECT_TRUE(p.transparency.alpha_modes.empty());
     EXPECT_EQ(to_string(*p.decision("blending")),
               "blending off: --blend none shows the nearest surface whole");
     EXPECT_EQ(p.decision("blend")->technique, "none");
@@ -160,7 +160,7 @@ TEST(TransparencyPlan, SaysWhereAlphaComesFrom) {
 
 TEST(TransparencyPlan, IsEmptyWhereNothingCallsForIt) {
     const FramePlan p = plan_of(scene_of({test::textured(0)}, {test::checkers()}));
-    EXPECT_TRUE(p.transparency.layers.empty());
+    EXPECT_TRUE(p.transparency.alpha_modes.empty());
     EXPECT_TRUE(p.transparency.stages.empty());
     EXPECT_EQ(p.transparency.cut_out, nullptr);
     EXPECT_EQ(p.transparency.blended, nullptr);
@@ -168,7 +168,7 @@ TEST(TransparencyPlan, IsEmptyWhereNothingCallsForIt) {
     EXPECT_FALSE(p.decision("cut_out")->on());
     // Numbers alone want no stage: nothing is evaluated.
     const FramePlan d = plan_of(scene_of({dissolved(test::plain(Vec3(1)), 0.5F)}));
-    EXPECT_FALSE(d.transparency.layers.empty());
+    EXPECT_FALSE(d.transparency.alpha_modes.empty());
     EXPECT_TRUE(d.transparency.stages.empty());
 }
 

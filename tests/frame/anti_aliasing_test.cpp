@@ -29,8 +29,9 @@ struct Flat {
         shot.scene.materials.push_back(plain(colour / scene::kAmbient));
         std::uint32_t index[3];
         for (std::size_t k = 0; k < 3; ++k)
-            index[k] = add_vertex(
-                shot.scene.mesh, Vec3(DVec3(corner[k].x, kFrameSide - corner[k].y, corner[k].z)), unlit);
+            index[k] =
+                add_vertex(shot.scene.mesh,
+                           Vec3(DVec3(corner[k].x, kFrameSide - corner[k].y, corner[k].z)), unlit);
         add_triangle(shot.scene.mesh, index[0], index[1], index[2],
                      static_cast<int>(shot.scene.materials.size() - 1));
     }
@@ -351,7 +352,7 @@ TEST(AntiAliasing, ShadesEachPrimitiveOncePerPixelThatShowsIt) {
         s.options.aa = aa;
         frame::FrameStats stats;
         draw(s, {.stats = &stats});
-        return stats.lanes_shaded;
+        return stats.items_shaded;
     };
     const std::uint64_t by_samples = lanes("samples_16");
     EXPECT_EQ(lanes("tent"), by_samples); // nothing is shaded again for a neighbour

@@ -48,7 +48,7 @@ TEST(ClearedTiles, FramesAreThoseOfANewRenderer) {
         frame::Renderer fresh(jobs);
         const image::Image& expected = fresh.render(scene, view, *plan, nullptr, tile_size);
         ASSERT_TRUE(old.render(scene, view, *plan, nullptr, tile_size) == expected) << i;
-        shown += fresh.stats().lanes_shaded > 0 ? 1 : 0;
+        shown += fresh.stats().items_shaded > 0 ? 1 : 0;
     }
     EXPECT_GT(shown, 200);
     EXPECT_LT(shown, 390);

@@ -521,12 +521,12 @@ TEST(Picture, CountsWhatItDid) {
     EXPECT_EQ(stats.triangles_submitted, 2U);
     EXPECT_GE(stats.triangles_drawn, 2U);
     // Shaded once a pixel, twice where both triangles meet.
-    EXPECT_GE(stats.lanes_shaded, 70U * 50);
-    EXPECT_LE(stats.lanes_shaded, 70U * 50 + 140);
+    EXPECT_GE(stats.items_shaded, 70U * 50);
+    EXPECT_LE(stats.items_shaded, 70U * 50 + 140);
     s.options.cull = frame::Cull::front;
     draw(s, {.threads = 2, .stats = &stats});
     EXPECT_EQ(stats.triangles_drawn, 0U);
-    EXPECT_EQ(stats.lanes_shaded, 0U);
+    EXPECT_EQ(stats.items_shaded, 0U);
 }
 
 } // namespace

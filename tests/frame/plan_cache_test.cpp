@@ -59,7 +59,7 @@ void expect_same(const FramePlan& a, const FramePlan& b) {
     EXPECT_EQ(a.vertex_lights, b.vertex_lights);
     EXPECT_EQ(a.shadow.stage, b.shadow.stage);
     EXPECT_EQ(a.shadow.in_maps, b.shadow.in_maps);
-    EXPECT_EQ(a.transparency.layers, b.transparency.layers);
+    EXPECT_EQ(a.transparency.alpha_modes, b.transparency.alpha_modes);
     EXPECT_EQ(a.transparency.filter, b.transparency.filter);
     EXPECT_EQ(fetched(a.transparency.attributes), fetched(b.transparency.attributes));
 }

@@ -477,7 +477,7 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
         options.transparency = transparency;
         options.aa = aa;
         options.effects = {{"cut_out", true}};
-        return !plan_of(facts, options).transparency.layers.empty();
+        return !plan_of(facts, options).transparency.alpha_modes.empty();
     };
     EXPECT_TRUE(cuts("auto", "auto"));
     EXPECT_TRUE(cuts("auto", "tent"));

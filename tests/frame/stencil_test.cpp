@@ -222,7 +222,7 @@ TEST(Overdraw, ShadesNothingAndStillKnowsWhatIsSeen) {
     draw(s, {.stats = &stats, .visibility = &counted});
     EXPECT_EQ(counted.id, usual.id);
     EXPECT_EQ(counted.depth, usual.depth);
-    EXPECT_EQ(stats.lanes_shaded, 0U);
+    EXPECT_EQ(stats.items_shaded, 0U);
     EXPECT_EQ(stats.shadow_bytes, 0U);
     s.options.samples = 4;
     const auto plan = frame::plan(s.options, frame::facts(s.scene));

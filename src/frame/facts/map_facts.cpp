@@ -36,7 +36,7 @@ bool above_0(std::uint8_t code) {
 // Whether a colour times one that is somewhere as dark as this differs from the colour.
 bool darkened(const Vec3& colour, const Codes& least) {
     for (std::size_t c = 0; c < 3; ++c)
-        if (colour[static_cast<int>(c)] > 0 && least[c] < 255) return true;
+        if (colour[static_cast<int>(c)] > 0 && min[c] < 255) return true;
     return false;
 }
 
@@ -68,8 +68,8 @@ MapFacts::Range MapFacts::range_of(const image::Image& image) {
     for (const image::Rgba8& p : image.pixels()) {
         const Codes codes{p.r, p.g, p.b, p.a};
         for (std::size_t c = 0; c < 4; ++c) {
-            all.least[c] = std::min(all.least[c], codes[c]);
-            all.most[c] = std::max(all.most[c], codes[c]);
+            all.min[c] = std::min(all.min[c], codes[c]);
+            all.max[c] = std::max(all.max[c], codes[c]);
         }
     }
     return all;
@@ -88,13 +88,13 @@ const MapFacts::Range* MapFacts::range(const scene::Material& m, shade::Map map)
 
 bool MapFacts::constant(std::int32_t texture) const {
     const Range& range = ranges_[static_cast<std::size_t>(texture)];
-    return range.least == range.most;
+    return range.min == range.max;
 }
 
 bool MapFacts::is_black(const Vec3& colour, const Range* range) const {
     for (std::size_t c = 0; c < 3; ++c)
         if (colour[static_cast<int>(c)] > 0 &&
-            (range == nullptr || !coordinates_ || range->most[c] > 0))
+            (range == nullptr || !coordinates_ || range->max[c] > 0))
             return false;
     return true;
 }
@@ -111,7 +111,7 @@ bool MapFacts::shines_by_ks(const scene::Material& m) const {
     if (!has_highlight(m)) return false;
     const Range* const exponent = range(m, shade::kShininessMap);
     const bool dull = exponent != nullptr && coordinates_ &&
-                      !any_channel(m.map_shininess, exponent->most, above_0);
+                      !any_channel(m.map_shininess, exponent->max, above_0);
     return !dull && !is_black(m.specular, range(m, shade::kSpecularMap));
 }
 
@@ -122,15 +122,15 @@ bool MapFacts::emits(const scene::Material& m) const {
 Vec3 MapFacts::brightest(const scene::Material& m) const {
     const Range* const texels = range(m, shade::kDiffuseMap);
     if (texels == nullptr) return m.diffuse;
-    const auto at_most = [&](std::size_t c) { return srgb_decode(texels->most[c]); };
+    const auto at_most = [&](std::size_t c) { return srgb_decode(texels->max[c]); };
     return m.diffuse * Vec3(at_most(0), at_most(1), at_most(2));
 }
 
 bool MapFacts::matters_by_ks(const scene::Material& m, shade::Map map) const {
     const Range* const texels = range(m, map);
     if (texels == nullptr || !shines_by_ks(m)) return false;
-    return map == shade::kSpecularMap ? darkened(m.specular, texels->least)
-                                      : any_channel(m.map_shininess, texels->least, less_than_1);
+    return map == shade::kSpecularMap ? darkened(m.specular, texels->min)
+                                      : any_channel(m.map_shininess, texels->min, less_than_1);
 }
 
 bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
@@ -141,23 +141,23 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     const bool lit = m.diffuse != Vec3(0) || shines(m);
     switch (map) {
     case shade::kDiffuseMap:
-        return darkened(m.diffuse, texels->least);
+        return darkened(m.diffuse, texels->min);
     case shade::kEmissionMap:
-        return darkened(m.emission, texels->least);
+        return darkened(m.emission, texels->min);
     case shade::kNormalMap: // red and green of 128: no slope
-        return lit && !(texels->least[0] == 128 && texels->most[0] == 128 &&
-                        texels->least[1] == 128 && texels->most[1] == 128);
+        return lit && !(texels->min[0] == 128 && texels->max[0] == 128 && texels->min[1] == 128 &&
+                        texels->max[1] == 128);
     case shade::kBumpMap:
-        return lit && texels->least != texels->most && m.map_bump.bump_multiplier != 0;
+        return lit && texels->min != texels->max && m.map_bump.bump_multiplier != 0;
     case shade::kSpecularMap:
     case shade::kShininessMap:
         return surface == scene::Surface::glossy && matters_by_ks(m, map);
     case shade::kRoughnessMap:
         return surface == scene::Surface::physical && roughness_of(m) > 0 &&
-               any_channel(m.map_roughness, texels->least, less_than_1);
+               any_channel(m.map_roughness, texels->min, less_than_1);
     case shade::kMetalnessMap:
         return surface == scene::Surface::physical && metalness_of(m) > 0 &&
-               any_channel(m.map_metalness, texels->least, less_than_1);
+               any_channel(m.map_metalness, texels->min, less_than_1);
     default:
         return false;
     }

@@ -37,7 +37,7 @@ public:
 private:
     // The least and the greatest code of a texture's red, green, blue and alpha.
     struct Range {
-        std::array<std::uint8_t, 4> least{255, 255, 255, 255}, most{0, 0, 0, 0};
+        std::array<std::uint8_t, 4> min{255, 255, 255, 255}, max{0, 0, 0, 0};
     };
     static Range range_of(const image::Image& image);
     // What the material's map holds; null where it has none.

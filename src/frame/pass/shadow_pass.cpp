@@ -22,11 +22,11 @@ ViewPlane in_view(const ShadowPlane& of_mesh, const scene::View& view) {
 
 // By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
 std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
-                                  std::span<const raster::AlphaMode> layers) {
+                                  std::span<const raster::AlphaMode> modes) {
     std::vector<std::uint8_t> casts(mesh.triangles(), 1);
-    for (std::size_t i = 0; i < casts.size() && !layers.empty(); ++i)
+    for (std::size_t i = 0; i < casts.size() && !modes.empty(); ++i)
         casts[i] =
-            layers[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::AlphaMode::nothing;
+            modes[static_cast<std::size_t>(mesh.material[i] + 1)] != raster::AlphaMode::nothing;
     return casts;
 }
 
@@ -35,12 +35,12 @@ std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
 void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan, bool projected) {
     const std::optional<ShadowPlane> plane = projected ? std::optional(plan.plane) : std::nullopt;
     if (scene.revision != 0 && casters_.revision == scene.revision && casters_.plane == plane &&
-        casters_.layers == plan.casters)
+        casters_.alpha_modes == plan.casters)
         return;
     const geom::Mesh& mesh = scene.mesh;
     casters_ = {};
     casters_.revision = scene.revision;
-    casters_.layers = plan.casters;
+    casters_.alpha_modes = plan.casters;
     casters_.plane = plane;
     casters_.casts = casting(mesh, plan.casters);
     if (!projected) {

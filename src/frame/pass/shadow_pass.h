@@ -37,7 +37,7 @@ private:
     // revision is the same (0: never).
     struct Casters {
         std::uint64_t revision = 0;
-        std::vector<raster::AlphaMode> layers;
+        std::vector<raster::AlphaMode> alpha_modes;
         std::optional<ShadowPlane> plane;          // of projected shadows
         std::vector<std::uint8_t> casts, receives; // by triangle; empty: all receive
         Welded welded;                             // of volumes

@@ -38,7 +38,7 @@ std::string to_string(const Decision& decision); // "texture bilinear: 30 of 40 
 // Alpha test and blending.
 struct TransparencyPlan {
     std::vector<raster::AlphaMode>
-        layers; // of the default material, then of each; empty: all opaque
+        alpha_modes; // of the default material, then of each; empty: all opaque
     std::vector<shade::MaterialAlpha> alpha;      // as many
     const shade::Transparency* cut_out = nullptr; // null where no triangle wants it
     const shade::Transparency* blended = nullptr;
@@ -79,7 +79,7 @@ struct FramePlan {
     float white = 1;                                 // the light that a tone curve makes 1
     TransparencyPlan transparency;
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
-    raster::DepthRule visible;        // which of several surfaces is seen
+    raster::DepthRule depth_rule;     // which of several surfaces is visible
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:

@@ -325,11 +325,11 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
 
 void plan_casters(FramePlan& plan, const SceneFacts& facts) {
     if (plan.shadow.stage == nullptr) return;
-    const std::vector<raster::AlphaMode>& layers = plan.transparency.layers;
+    const std::vector<raster::AlphaMode>& modes = plan.transparency.alpha_modes;
     bool all = true;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
+    for (std::size_t i = 0; i < modes.size(); ++i) {
         const AlphaClass alpha = facts.alpha.of_material[i];
-        raster::AlphaMode mode = layers[i];
+        raster::AlphaMode mode = modes[i];
         if (mode == raster::AlphaMode::blended)
             mode = alpha == AlphaClass::opaque    ? raster::AlphaMode::opaque
                    : alpha == AlphaClass::cut_out ? raster::AlphaMode::cut_out

@@ -63,9 +63,9 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
     planner.choice("blend", blends || whole ? mix->card.name : "off", o.blend,
                    blends || whole ? std::string(mix->card.blurb) : "nothing is blended",
                    blends || whole);
-    plan.visible = {compare->test, format->standard, format->steps};
+    plan.depth_rule = {compare->test, format->standard, format->steps};
     plan.transparency.blend = mix;
-    if (!plan.visible.is_default())
+    if (!plan.depth_rule.is_default())
         for (const Technique* card : {&format->card, &compare->card})
             plan.techniques.push_back(card);
     if (blends) plan.techniques.push_back(&mix->card);
@@ -122,9 +122,10 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
     if (by->takes_one() && by_number)
         because = "smoother edges are a matter of taste: nobody asked for them";
     const char* const why_not =
-        !by->exact                          ? nullptr
-        : !plan.transparency.layers.empty() ? "areas know no transparency, which this scene has"
-        : !plan.visible.is_default()        ? "areas know the nearest surface alone, in exact depth"
+        !by->exact ? nullptr
+        : !plan.transparency.alpha_modes.empty()
+            ? "areas know no transparency, which this scene has"
+        : !plan.depth_rule.is_default() ? "areas know the nearest surface alone, in exact depth"
         : plan.shadow.stage != nullptr && plan.shadow.stage->by == shade::ShadowBy::volumes
             ? "areas know no stencil, which shadow volumes count in"
             : nullptr;

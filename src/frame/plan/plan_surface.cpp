@@ -106,7 +106,7 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
                                                      cut ? raster::AlphaMode::nothing
                                                          : raster::AlphaMode::opaque};
     for (const AlphaClass c : a.of_material)
-        t.layers.push_back(alpha_mode_of_class[static_cast<std::size_t>(c)]);
+        t.alpha_modes.push_back(alpha_mode_of_class[static_cast<std::size_t>(c)]);
     t.alpha = a.maps;
     for (const shade::Transparency* technique : {t.cut_out, t.blended})
         if (technique != nullptr) plan.techniques.push_back(&technique->card);

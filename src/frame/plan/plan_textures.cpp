@@ -26,7 +26,7 @@ bool has_coordinates(const FramePlan& plan, const SceneFacts& facts) {
 bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
     if ((plan.attributes.maps & shade::bit_of(surface.map)) != 0) return true;
     const TransparencyPlan& t = plan.transparency;
-    if (t.stages.empty() || t.layers[surface.material + 1] == raster::AlphaMode::opaque)
+    if (t.stages.empty() || t.alpha_modes[surface.material + 1] == raster::AlphaMode::opaque)
         return false;
     const shade::MaterialAlpha& alpha = t.alpha[surface.material + 1];
     return surface.map == shade::kDiffuseMap
