@@ -124,7 +124,7 @@ TEST(Plan, AnAxisIsNoEffect) {
     EXPECT_THAT(plan(options, facts).error().what, HasSubstr("say --depth-test NAME"));
 }
 
-TEST(Plan, KnowsWhatIsAskedOfItInVain) {
+TEST(Plan, KnowsTheOptionsThatItIgnores) {
     SceneFacts facts;
     facts.triangles = 10;
     const auto ignored = [&](const FrameOptions& options) {
