@@ -6,6 +6,7 @@
 #define SCANOUT_TEXTURE(X)                                                                         \
     X(nearest)                                                                                     \
     X(bilinear)                                                                                    \
+    X(bicubic)                                                                                     \
     X(mipmap) X(trilinear) X(anisotropic_2) X(anisotropic_4) X(anisotropic_8) X(anisotropic_16)
 #define SCANOUT_WRAP(X) X(repeat) X(mirror) X(clamp)
 #define SCANOUT_MAPPING(X) X(uv) X(plane) X(box) X(cylinder) X(sphere)
