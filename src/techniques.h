@@ -16,7 +16,8 @@
     X(opacity) X(normal) X(bump) X(specular) X(gloss) X(roughness) X(metalness) X(emission)
 #define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
-#define SCANOUT_REFLECTION(X) X(lambert) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
+#define SCANOUT_REFLECTION(X)                                                                      \
+    X(lambert) X(toon) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
 #define SCANOUT_SIDES(X) X(one_sided) X(two_sided)
 #define SCANOUT_CULL(X) X(none) X(back) X(front)
