@@ -11,14 +11,14 @@ namespace {
 // Of the mappings at the model's surface, but near the axis of those around one.
 constexpr double kTurnsPerUnit = 0.5;
 
-struct Corner {
+struct TexturedVertex {
     DVec3 position{0};
     DVec2 texel{0};
 };
 
 // The square of the most texels a unit of a triangle's plane spans in any direction: of the larger
 // singular value of position -> texel. 0 for a triangle without area, which nobody sees.
-double squared_texels_per_unit(const std::array<Corner, 3>& c) {
+double squared_texels_per_unit(const std::array<TexturedVertex, 3>& c) {
     const DVec3 e1 = c[1].position - c[0].position, e2 = c[2].position - c[0].position;
     const DVec2 t1 = c[1].texel - c[0].texel, t2 = c[2].texel - c[0].texel;
     // J J^T = T G^-1 T^T, G the edges' inner products.
@@ -36,14 +36,14 @@ double squared_texels_per_unit(const std::array<Corner, 3>& c) {
 }
 
 // texels_per_unit is its square until all are there.
-void add(TexturedSurface& surface, const std::array<Corner, 3>& triangle, bool first) {
+void add(TexturedSurface& surface, const std::array<TexturedVertex, 3>& triangle, bool first) {
     surface.texels_per_unit = std::max(surface.texels_per_unit, squared_texels_per_unit(triangle));
     surface.planes.add(triangle[0].position, triangle[1].position, triangle[2].position);
     if (first) surface.box_min = surface.box_max = triangle[0].position;
-    for (const Corner& corner : triangle)
+    for (const TexturedVertex& vertex : triangle)
         for (int axis = 0; axis < 3; ++axis) {
-            surface.box_min[axis] = std::min(surface.box_min[axis], corner.position[axis]);
-            surface.box_max[axis] = std::max(surface.box_max[axis], corner.position[axis]);
+            surface.box_min[axis] = std::min(surface.box_min[axis], vertex.position[axis]);
+            surface.box_max[axis] = std::max(surface.box_max[axis], vertex.position[axis]);
         }
 }
 
@@ -88,16 +88,16 @@ std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene) {
                                  .map = use.map,
                                  .texture = shade::mip_use(use.map, *use.options),
                                  .clamp = use.options->clamp});
-            std::array<Corner, 3> corner;
+            std::array<TexturedVertex, 3> vertex;
             for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t v = mesh.index[3 * t + k];
                 const DVec2 uv = mesh.uv.empty() ? DVec2(0) : DVec2(mesh.uv[v]);
-                corner[k] = {DVec3(mesh.position[v]), uv * use.size};
+                vertex[k] = {DVec3(mesh.position[v]), uv * use.size};
             }
             // Mappings lay a turn over the model's width, or more.
             found[at].texels_per_unit_mapped =
                 std::max({use.size.x, -use.size.x, use.size.y, -use.size.y}) * kTurnsPerUnit;
-            add(found[at++], corner, first);
+            add(found[at++], vertex, first);
         }
     }
     for (TexturedSurface& surface : found)

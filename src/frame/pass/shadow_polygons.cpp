@@ -155,27 +155,28 @@ struct VolumeBuilder {
     }
 };
 
-// Cuts a polygon where the height leaves [low, high]; from the inside vertex to the outside one.
-struct Corner {
+struct PolygonVertex {
     DVec3 at{0};
     double height = 0;
 };
 struct Polygon {
-    std::array<Corner, 8> corner; // a triangle, cut twice, has five
-    std::size_t corners = 0;
-    void add(const Corner& c) {
-        CHECK_LT(corners, corner.size());
-        corner[corners++] = c;
+    std::array<PolygonVertex, 8> vertex; // a triangle, clipped twice, has five
+    std::size_t vertices = 0;
+    void add(const PolygonVertex& c) {
+        CHECK_LT(vertices, vertex.size());
+        vertex[vertices++] = c;
     }
 };
-void cut(Polygon& polygon, double sign, double limit) {
+// Sutherland and Hodgman 1974. Clips away what is beyond the height `limit`; sign 1 keeps what is
+// above. Cuts each edge from its inside vertex to its outside one, so that neighbours agree.
+void clip(Polygon& polygon, double sign, double limit) {
     Polygon out;
-    for (std::size_t i = 0; i < polygon.corners; ++i) {
-        const Corner &a = polygon.corner[i], &b = polygon.corner[(i + 1) % polygon.corners];
+    for (std::size_t i = 0; i < polygon.vertices; ++i) {
+        const PolygonVertex &a = polygon.vertex[i], &b = polygon.vertex[(i + 1) % polygon.vertices];
         const double da = sign * (a.height - limit), db = sign * (b.height - limit);
         if (da >= 0) out.add(a);
         if ((da >= 0) == (db >= 0)) continue;
-        const Corner &in = da >= 0 ? a : b, &outside = da >= 0 ? b : a;
+        const PolygonVertex &in = da >= 0 ? a : b, &outside = da >= 0 ? b : a;
         const double d_in = da >= 0 ? da : db, d_out = da >= 0 ? db : da;
         out.add({in.at + (outside.at - in.at) * (d_in / (d_in - d_out)), limit});
     }
@@ -263,17 +264,17 @@ void projected_shadows(const ShadowCaster& t, const ViewPlane& plane, ShadowPoly
                              t.view.translation;
             polygon.add({at, dot3(normal, at) + offset});
         }
-        cut(polygon, 1, least);
+        clip(polygon, 1, least);
         // What is level with a light at a place throws its shadow infinitely far.
-        if (!parallel) cut(polygon, -1, above * (1 - 1 / kFar));
-        std::array<ClipVertex, 8> corner{};
-        std::size_t corners = 0;
-        for (const auto& [at, height] : std::span(polygon.corner).first(polygon.corners)) {
+        if (!parallel) clip(polygon, -1, above * (1 - 1 / kFar));
+        std::array<ClipVertex, 8> projected{};
+        std::size_t count = 0;
+        for (const auto& [at, height] : std::span(polygon.vertex).first(polygon.vertices)) {
             const double w = parallel ? above : above - height;
-            corner[corners++] = to_clip(t.transform, DVec4((at * above - from * height) / w, 1));
+            projected[count++] = to_clip(t.transform, DVec4((at * above - from * height) / w, 1));
         }
-        if (corners >= 3)
-            add_polygon(std::span(corner).first(corners), t.transform, 1, StencilSign::same,
+        if (count >= 3)
+            add_polygon(std::span(projected).first(count), t.transform, 1, StencilSign::same,
                         raster::kNoPrimitive, out.triangles);
     }
     bin(t.grid, out);
