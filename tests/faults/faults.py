@@ -139,7 +139,7 @@ def run_all(folder, wanted):
 
     def sound():
         if not (folder / "build.ninja").exists():
-            made = run("cmake", "--preset", "release", "-S", tree, "-B", folder, "-DSCANOUT_TESTS=ON", "-DSCANOUT_FEW_TARGETS=ON", 
+            made = run("cmake", "--preset", "release", "-S", tree, "-B", folder, "-DSCANOUT_TESTS=ON", "-DSCANOUT_FEW_TARGETS=ON",
                         "-DSCANOUT_PROGRAM=OFF", "-DSCANOUT_UNITY=OFF", cwd=tree)
             if made.returncode != 0:
                 raise Broken(made.stdout[-3000:])
