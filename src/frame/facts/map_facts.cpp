@@ -34,7 +34,7 @@ bool above_0(std::uint8_t code) {
 }
 
 // Whether a colour times one that is somewhere as dark as this differs from the colour.
-bool darkened(const Vec3& colour, const Codes& least) {
+bool darkened(const Vec3& colour, const Codes& min) {
     for (std::size_t c = 0; c < 3; ++c)
         if (colour[static_cast<int>(c)] > 0 && min[c] < 255) return true;
     return false;
