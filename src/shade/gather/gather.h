@@ -148,15 +148,17 @@ private:
     void add_unlit(const GatherInput& input, std::uint32_t id, int count);
     void add_lit(const Primitive& primitive, int count);
     void finish_block(const GatherInput& input, image::Image& picture);
-    void put_pixels(const std::uint32_t* code, image::Image& picture);
+    void store_pixels(const std::uint32_t* code, image::Image& picture);
     void add_pixel_sums();
     // Of pixels whose layers' colours decide (gather_composed.cpp).
     void keep_layer_colours(ColourBlend::Of of, float white);
     void blend_layers(const GatherInput& input);
     void blend_layers(const ColourBlend::Pixel& pixel, ColourBlend::Of of,
                       const GatherInput& input);
-    void keep_linear(LinearPicture& linear) const;
-    std::uint16_t pixel_number(int x, int y) const;
+    void add_linear(LinearPicture& linear) const;
+    std::uint16_t pixel_number(int x, int y) const {
+        return static_cast<std::uint16_t>((y - area_.y0) * raster::kTileSize + (x - area_.x0));
+    }
     float offset_at(int pixel) const;
     const float* item_offsets(const GatherInput& input);
     void resolve_edge_pixels(const GatherInput& input, image::Image& picture);

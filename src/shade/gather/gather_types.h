@@ -31,6 +31,17 @@ struct Gatherer::Contribution {
     std::uint32_t layer;
 };
 
+struct Gatherer::VisibleSurface {
+    float depth; // at the first sample that shows it
+    Fragment fragment;
+};
+
+// May its items set it up, each on its own?
+inline bool Gatherer::is_set_up_per_item(const GatherInput& in, std::uint32_t id) const {
+    return in.frame->per_item_setup && id < in.mesh->triangles() &&
+           (all_unclipped_ || is_unclipped(source_, id));
+}
+
 inline std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]
     return static_cast<std::uint8_t>(offset);
 }
