@@ -289,7 +289,7 @@ TEST_F(PixelsOfATile, KeepTheirOrderWhereEachShowsATriangleOfItsOwn) {
     std::size_t count = 0;
     for (int row = 0; row < kTileSize; ++row) {
         const std::uint64_t some = random.bits() & random.bits();
-        pixels.add_scattered(0, name_of.data() + std::ptrdiff_t{row} * kTileSize, row * kTileSize,
+        pixels.add_ungrouped(0, name_of.data() + std::ptrdiff_t{row} * kTileSize, row * kTileSize,
                              some);
         count += static_cast<std::size_t>(std::popcount(some));
     }

@@ -53,7 +53,7 @@ raster::SampleOffset place_in_pixel(const GatherInput& in, const Primitive& t, i
                    : raster::SampleOffset{x * kSubpixel + sample.x, y * kSubpixel + sample.y};
 }
 
-// Whatever is added next looks like this.
+// Ends the block: what is added next has this key.
 void Gatherer::begin_key(const GatherInput& in, const ShadingKey& key, image::Image& picture) {
     ShadingBlock& b = *block_;
     finish_block(in, picture);
@@ -110,7 +110,8 @@ void Gatherer::add_lit(const Primitive& primitive, int count) {
     if (second > 0) add_items(b, &primitive + 1, second);
 }
 
-// Lanes of interior pixels, and those that have triangles of their own, which are set up there.
+// Sets the sample positions of interior pixels, and sets up the triangles of runs without a
+// primitive.
 void Gatherer::place_block() {
     ShadingBlock& b = *block_;
     triangles_->centred = interior_count_;

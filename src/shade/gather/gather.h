@@ -99,8 +99,8 @@ public:
     ~Gatherer();
     // For the tile that is shaded next; null: nothing was counted.
     void set_shadow(const TileShadow* shadow);
-    // Writes every pixel of the tile that shows a primitive; the others are left alone. With
-    // blended fragments: of their part of the tile. Returns how many items were shaded.
+    // Writes every pixel of the tile that shows a primitive, and no other. With blended fragments:
+    // of their region of the tile. Returns how many items were shaded.
     std::uint64_t shade(const raster::VisibilityTile& tile, const GatherInput& input,
                         image::Image& picture, const BlendedPixels* blended = nullptr);
 
@@ -167,16 +167,16 @@ private:
     image::Rect area_; // of the tile
     int samples_ = 1;  // of a pixel of it
     PixelSumSink sink_;
-    // Pixels of one primitive; those of several are fragments. Where it has few in the tile, each
-    // sets up its own triangle if the frame allows it.
+    // Interior pixels. Triangles with few of them in the tile are set up in the block, if the frame
+    // allows it; others once in primitives_.
     std::unique_ptr<TilePixels> interior_pixels_;
     TriangleSource source_{};      // of triangles by id
-    TriangleSource item_source_{}; // by what interior_pixels_ and edge rows name them
-    bool all_unclipped_ = false;   // every triangle may have items of its own
+    TriangleSource item_source_{}; // by id, or by spatial index after take_small_triangles()
+    bool all_unclipped_ = false;   // every triangle can be set up in the block
     bool set_up_later_ = false;    // primitives, with their block
     std::vector<Fragment> fragments_;
-    // Where all that is drawn looks alike and every item may have a triangle of its own, edge
-    // pixels are no fragments of a list: bits of the tile's rows.
+    // Edge pixels are bits of the tile's rows, not fragments of a list: all primitives have one
+    // key, and every triangle can be set up in the block.
     bool by_rows_ = false;
     std::array<std::uint64_t, raster::kTileSize> edge_bits_{};
     std::array<std::uint16_t, raster::kTileSize>

@@ -143,9 +143,9 @@ static std::uint64_t columns_of(const image::Rect& region) {
     return before(region.x1) & ~before(region.x0);
 }
 
-// Of a tile: with fewer pixels a run, on the mean, its items set up triangles of their own as the
-// pixels come; finding those of each triangle would take longer.
-constexpr int kScattered = 2;
+// Of a tile: below this mean length of its runs, pixels are not grouped by triangle. Grouping would
+// take longer than the set-ups that it saves.
+constexpr int kMinRunLength = 2;
 
 // Where nothing but small triangles shows, each pixel whole.
 bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& in) {
@@ -154,7 +154,7 @@ bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const
         !interior_pixels_->take_small_triangles(*in.keys.only_material, *lists, tile.ids(0).data(),
                                                 area_.width() * area_.height()))
         return false;
-    item_source_.spatial_index = nullptr; // they are named by their places
+    item_source_.spatial_index = nullptr; // ids() are spatial indices
     return true;
 }
 
@@ -175,15 +175,15 @@ void Gatherer::collect(const raster::VisibilityTile& tile, const GatherInput& in
     const std::uint64_t inside = columns_of(region);
     InteriorPixels interior;
     find_interior(rows, region.y0, region.y1, inside, interior);
-    const bool scattered =
-        in.keys.only_material && all_unclipped_ && interior.count < kScattered * interior.runs;
+    const bool ungrouped =
+        in.keys.only_material && all_unclipped_ && interior.count < kMinRunLength * interior.runs;
     by_rows_ = in.keys.only_material && all_unclipped_ && blended == nullptr &&
                sink_.filter == nullptr; // which asks what samples a fragment shows at
-    if (!scattered) interior_pixels_->add_rows(tile.ids(0).data(), interior, region.y0, region.y1);
+    if (!ungrouped) interior_pixels_->add_rows(tile.ids(0).data(), interior, region.y0, region.y1);
     for (int y = region.y0; y < region.y1; ++y) {
         const auto row = static_cast<std::size_t>(y);
-        if (scattered)
-            interior_pixels_->add_scattered(*in.keys.only_material,
+        if (ungrouped)
+            interior_pixels_->add_ungrouped(*in.keys.only_material,
                                             tile.ids(0).data() + row * kTileSize, y * kTileSize,
                                             interior.pixels[row]);
         const std::uint64_t edges = rows[row].edge & inside;

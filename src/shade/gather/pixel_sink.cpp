@@ -28,7 +28,7 @@ const float* Gatherer::item_offsets(const GatherInput& in) {
     return offsets_.data();
 }
 
-// The pixels that a fragment fills as codes; the others add up.
+// Stores the codes of interior pixels, and adds the weighted light of the others to sums_.
 void Gatherer::store_pixels(const std::uint32_t* code, image::Image& picture) {
     const ShadingBlock& b = *block_;
     store_codes(code, pixel_, interior_count_, &picture.at(area_.x0, area_.y0), picture.width());
@@ -44,7 +44,8 @@ void Gatherer::store_pixels(const std::uint32_t* code, image::Image& picture) {
     }
 }
 
-// All of them for a filter. What blends counts alike at all samples that it covers.
+// Adds all items for a filter. A blended fragment has the same weight at all samples that it
+// covers.
 void Gatherer::add_pixel_sums() {
     if (sink_.filter == nullptr) return add_linear(*sink_.own);
     const ShadingBlock& b = *block_;
@@ -101,8 +102,7 @@ void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture)
     }
 }
 
-// The edge pixels' parts go where the filter will look for them, behind those of other parts of the
-// tile.
+// Appends the splats of the edge pixels to those of the tile, where the filter will read them.
 void Gatherer::store_splats() {
     auto& all = sink_.splats->of_tile[sink_.splats->tile_of(area_.x0, area_.y0)];
     for (std::size_t i = 0; i < edge_pixels_.size(); ++i)

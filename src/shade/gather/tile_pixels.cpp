@@ -43,8 +43,8 @@ SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image:
     using raster::kTileSize;
     constexpr int kHalf = kLanes / 2;
     const I32 wanted = static_cast<std::int32_t>(id);
-    const auto put = [&](I32 here, I32 pixels)
-                         SIMD_LAMBDA { to += store_packed(here == wanted, pixels, to); };
+    const auto append = [&](I32 here, I32 pixels)
+                            SIMD_LAMBDA { to += store_packed(here == wanted, pixels, to); };
     if (box.x1 - box.x0 <= kHalf) { // two rows a register
         const int rows = (box.y1 - box.y0 + 1) & -2;
         const int first = box.y0 < kTileSize - rows ? box.y0 : kTileSize - rows;
@@ -53,7 +53,7 @@ SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image:
         I32 pixels = lane + select(lane < I32(kHalf), I32(corner), I32(corner + kTileSize - kHalf));
         const std::uint32_t* from = ids + corner;
         for (int row = 0; row < rows; row += 2, from += 2 * kTileSize) {
-            put(load_halves<I32>(from, from + kTileSize), pixels);
+            append(load_halves<I32>(from, from + kTileSize), pixels);
             pixels = pixels + I32(2 * kTileSize);
         }
         return to;
@@ -61,7 +61,7 @@ SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image:
     for (int y = box.y0; y < box.y1; ++y)
         for (int x = box.x0; x < box.x1; x += kLanes) {
             const int pixel = y * kTileSize + x;
-            put(load<I32>(ids + pixel), iota<I32>(pixel));
+            append(load<I32>(ids + pixel), iota<I32>(pixel));
         }
     return to;
 }
@@ -82,7 +82,7 @@ void find_small_triangles(const raster::BinnedList& list, const std::uint32_t* i
         }
         const I32 number = static_cast<std::int32_t>(o.triangles);
         for (int k = 0; k < TilePixels::kMaxPixelsOfSmall; k += kLanes)
-            store(number, o.triangle + k); // lanes beyond are the next triangle's
+            store(number, o.triangle + k); // items beyond are the next triangle's
         o.pixel += count;
         o.triangle += count;
         o.spatial_index[o.triangles] = binned.spatial_index;
@@ -140,7 +140,7 @@ void TilePixels::add_rows(const std::uint32_t* ids, const InteriorPixels& interi
     SIMD_CALL(find_spans, ids, interior.starts.data(), interior.ends.data(), first, end, *table_);
 }
 
-void TilePixels::add_scattered(std::int32_t material, const std::uint32_t* id, int first,
+void TilePixels::add_ungrouped(std::int32_t material, const std::uint32_t* id, int first,
                                std::uint64_t pixels) {
     if (pixels == 0) return;
     begin_material_batch(material);
@@ -191,7 +191,7 @@ bool TilePixels::take_small_triangles(std::int32_t material,
     return true;
 }
 
-// Buckets of the table; those that look alike stand together.
+// Sorts the table's buckets by key.
 void TilePixels::find_order(const ShadingKeys& keys) {
     order_.clear();
     bool sorted = true;

@@ -95,23 +95,23 @@ public:
     void add(std::uint32_t id, int pixel, int count) { table_->add(id, pixel, count); }
     // Those of rows first to end; ids: of the tile's first row.
     void add_rows(const std::uint32_t* ids, const InteriorPixels& interior, int first, int end);
-    // Those pixels of a row whose bit is set, `first` and those after it, where most show a
-    // triangle of their own: into a batch of the material, in their order. Not together with add().
-    void add_scattered(std::int32_t material, const std::uint32_t* id, int first,
+    // Appends the pixels of a row whose bits are set, `first` being bit 0, to a batch of the
+    // material without grouping them by triangle: cheaper where most show another triangle than
+    // their neighbours. Not to be mixed with add().
+    void add_ungrouped(std::int32_t material, const std::uint32_t* id, int first,
                        std::uint64_t pixels);
 
     // All pixels of a tile that has one sample a pixel, so many pixels, and shows nothing but these
     // small triangles, all of which items may set up. They need no sorting: each triangle's are
-    // found by its id. The triangles are named by their places, which are known. Nothing else is
-    // added before or after it. Returns false, and does nothing, where sorting takes less time.
+    // found by its id. ids() then holds spatial indices. Nothing else is added before or after.
+    // Returns false, and does nothing, where sorting takes less time.
     bool take_small_triangles(std::int32_t material, std::span<const raster::BinnedList> lists,
                               const std::uint32_t* ids, int pixels);
 
-    // Sorts what was added. set_up_per_item(id): may items set up this triangle, each for itself?
-    // Then its pixels, if they are few, are in a batch of its material; else it has a batch of its
-    // own.
-    template <class OwnLanes>
-    void arrange(const ShadingKeys& keys, const OwnLanes& set_up_per_item) {
+    // Sorts what was added. set_up_per_item(id): can this triangle be set up in the block? Then its
+    // pixels, if they are few, are in a batch of its material; else it has a batch of its own.
+    template <class SetUpPerItem>
+    void arrange(const ShadingKeys& keys, const SetUpPerItem& set_up_per_item) {
         find_order(keys);
         for (const Order& next : order_) {
             const auto [id, pixels] = table_->bucket[next.bucket];
@@ -135,10 +135,10 @@ public:
     // Of a pixel in a batch of a material: its triangle; from pixel to pixel the same or the next
     // one.
     const std::int32_t* triangles() const { return triangle_.data(); }
-    // Of these triangles; after take_small_triangles() their places (geom/clusters.h).
+    // Of these triangles; after take_small_triangles() their spatial indices (geom/clusters.h).
     const std::uint32_t* ids() const { return id_.data(); }
     // One primitive, whose pixels follow those of the batch before it. It may have several batches,
-    // where many primitives share the table's slots. Those that look alike stand together.
+    // where many primitives share the table's slots. Batches of one key follow each other.
     struct PrimitiveBatch {
         std::uint32_t id;
         ShadingKey key;

@@ -26,11 +26,11 @@ SIMD_INLINE void affine_lanes(ShadingBlock& b, const Wanted& want, const Run& ru
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
         const F64 x = to_f64(load<I32>(b.x + i)), y = to_f64(load<I32>(b.y + i));
-        put(b, want, of,
-            {to_f32(area_at(t, 1, x, y) * inverse),
-             to_f32(area_at(t, 2, x, y) * inverse),
-             {i, run.first + run.count - i}},
-            i);
+        store_attributes(b, want, of,
+                         {to_f32(area_at(t, 1, x, y) * inverse),
+                          to_f32(area_at(t, 2, x, y) * inverse),
+                          {i, run.first + run.count - i}},
+                         i);
     }
 }
 
@@ -112,7 +112,7 @@ SIMD_INLINE void stepped_row(ShadingBlock& b, const Wanted& want, const Row& row
                 const Weights exact = weights(t, x, to_f64(place_y), live);
                 w = {select(centre, w.one, exact.one), select(centre, w.two, exact.two), live};
             }
-            put(b, want, of, w, at);
+            store_attributes(b, want, of, w, at);
         }
         lane = last;
         left += kUnits;

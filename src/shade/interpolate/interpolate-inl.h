@@ -93,7 +93,8 @@ SIMD_INLINE Wanted wanted(const ShadingBlock& b, const FrameState& frame) {
 
 // One register of lanes from lane i on. Normals are as they mix.
 template <class Of>
-SIMD_INLINE void put(ShadingBlock& b, const Wanted& want, const Of& of, const Weights& w, int i) {
+SIMD_INLINE void store_attributes(ShadingBlock& b, const Wanted& want, const Of& of,
+                                  const Weights& w, int i) {
     if (want.normal != Normals::none) store_vec3(mix_normals(want.normal, of, w), b.normal, i);
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
@@ -127,7 +128,7 @@ SIMD_INLINE void flat_normals(ShadingBlock& b, const FrameState& frame, const Wa
 }
 
 // The material's own.
-SIMD_INLINE void put_albedo(ShadingBlock& b, const Wanted& want) {
+SIMD_INLINE void store_albedo(ShadingBlock& b, const Wanted& want) {
     const F32 red = want.kd[0], green = want.kd[1], blue = want.kd[2];
     for (int i = 0; i < b.count; i += kLanes) {
         store(red, b.albedo[0] + i);
@@ -141,7 +142,8 @@ SIMD_INLINE void perspective_lanes(ShadingBlock& b, const Wanted& want, const Ru
     const Primitive& t = *run.primitive;
     const OfRun of(t);
     for (int i = run.first; i < run.first + run.count; i += kLanes)
-        put(b, want, of,
+        store_attributes(
+            b, want, of,
             weights(t, load<I32>(b.x + i), load<I32>(b.y + i), {i, run.first + run.count - i}), i);
 }
 
@@ -150,10 +152,10 @@ SIMD_INLINE void perspective_own(ShadingBlock& b, const Wanted& want, const Run&
     const ShadingSetup& t = *b.triangles;
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
         const Live live{i, run.first + run.count - i};
-        put(b, want, OfItems{t, {t.triangle_of + i, live.count}},
-            weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
-                       load<F32>(t.weight[2] + i), live),
-            i);
+        store_attributes(b, want, OfItems{t, {t.triangle_of + i, live.count}},
+                         weights_of(load<F32>(t.weight[0] + i), load<F32>(t.weight[1] + i),
+                                    load<F32>(t.weight[2] + i), live),
+                         i);
     }
 }
 
@@ -162,7 +164,7 @@ template <class Rung>
 SIMD_INLINE void run_rung(ShadingBlock& b, const FrameState& frame) {
     if (!b.lit) return;
     const Wanted want = wanted(b, frame);
-    if (!want.colour) put_albedo(b, want);
+    if (!want.colour) store_albedo(b, want);
     Wanted rest = want; // of flat triangles
     rest.normal = Normals::none;
     const bool shades = want.normal != Normals::none;

@@ -56,8 +56,8 @@ public:
         const bool own_normals = wanted.normal && !in_.frame->vertex_normals;
         const float side = side_;
         for (std::size_t k = 0; k < 3; ++k) {
-            if (wanted.position || wanted.vertices) put(p_.position, k, position(v[k]));
-            if (in_.frame->vertex_normals) put(p_.normal, k, normal(v[k]));
+            if (wanted.position || wanted.vertices) set_attribute(p_.position, k, position(v[k]));
+            if (in_.frame->vertex_normals) set_attribute(p_.normal, k, normal(v[k]));
             if (own_normals) {
                 const Vec3& n = mesh.normal[v[k]];
                 p_.normal[0][k] = n.x * side;
@@ -81,7 +81,7 @@ public:
     void set_places(const VertexIndices& v) {
         if (!in_.frame->attributes.object) return;
         for (std::size_t k = 0; k < 3; ++k)
-            put(p_.object, k, DVec3(in_.mesh->position[v[k]]));
+            set_attribute(p_.object, k, DVec3(in_.mesh->position[v[k]]));
     }
 
     // Where the near plane cuts the edge between two vertices of the mesh.
@@ -105,12 +105,12 @@ public:
 
     // What light at vertices or faces reads.
     void set_vertex(std::size_t k, std::uint32_t vertex) {
-        put(p_.position, k, position(vertex));
-        if (in_.frame->vertex_normals) put(p_.normal, k, normal(vertex));
+        set_attribute(p_.position, k, position(vertex));
+        if (in_.frame->vertex_normals) set_attribute(p_.normal, k, normal(vertex));
     }
 
 private:
-    static void put(float (&attribute)[3][3], std::size_t k, const DVec3& value) {
+    static void set_attribute(float (&attribute)[3][3], std::size_t k, const DVec3& value) {
         for (int c = 0; c < 3; ++c)
             attribute[c][k] = static_cast<float>(value[c]);
     }

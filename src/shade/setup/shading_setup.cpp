@@ -178,7 +178,7 @@ SIMD_INLINE void store_slopes(ShadingSetup& t, const ShadingBlock& block, int la
     SIMD_FOR (int k = 0; k < 3; ++k)
         plane.inverse_w[k] = to_f64(entries.of(t.inverse_w[k]));
     for_terms(plane, [&](F64x8& term, int row) SIMD_LAMBDA { term = doubles.of(t.uv_plane[row]); });
-    plane.f0[0] = plane.f0[1] = F64x8(0.0); // of the values, which nobody asks
+    plane.f0[0] = plane.f0[1] = F64x8(0.0); // the values are not read
     const auto at = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(plane).at(area);
     SIMD_FOR (int c = 0; c < 2; ++c) {
         store(at.right[c], t.slope[c] + lane);
