@@ -173,10 +173,13 @@ private:
     TriangleSource source_{};      // of triangles by id
     TriangleSource item_source_{}; // by id, or by spatial index after take_small_triangles()
     bool all_unclipped_ = false;   // every triangle can be set up in the block
-    bool set_up_later_ = false;    // primitives, with their block
+    // Primitives are set up with their block, 8 side by side, not one by one when first seen. Buys
+    // a tenth of the time of the bunny with Blinn-Phong.
+    bool set_up_later_ = false;
     std::vector<Fragment> fragments_;
     // Edge pixels are bits of the tile's rows, not fragments of a list: all primitives have one
-    // key, and every triangle can be set up in the block.
+    // key, and every triangle can be set up in the block. Buys 57 M of 319 M instructions of the
+    // bunny with 4 samples.
     bool by_rows_ = false;
     std::array<std::uint64_t, raster::kTileSize> edge_bits_{};
     std::array<std::uint16_t, raster::kTileSize>

