@@ -33,7 +33,7 @@ inline std::string difference(const geom::PolygonMesh& a, const geom::PolygonMes
     note(same_bits(a.colours, b.colours), " colours");
     note(same_bits(a.uvs, b.uvs), " uvs");
     note(same_bits(a.normals, b.normals), " normals");
-    note(same_bits(a.vertices, b.vertex_lighting), " corners");
+    note(same_bits(a.corners, b.corners), " corners");
     note(same_bits(a.face_begin, b.face_begin), " face_begin");
     note(same_bits(a.face_material, b.face_material), " face_material");
     note(same_bits(a.face_smoothing, b.face_smoothing), " face_smoothing");

@@ -402,8 +402,8 @@ TEST(Stl, IsReadWhereOnlyItsWordsAreWrong) {
 }
 
 TEST(Stl, ADecimalCommaIsNamed) {
-    const Read r =
-        read("solid t\nfacet\nvertex -1,0 0 0\nvertex 1,0 0 0\nvertex 0 1 0\nendfacet\n");
+    const StlRead r =
+        read_facets("solid t\nfacet\nvertex -1,0 0 0\nvertex 1,0 0 0\nvertex 0 1 0\nendfacet\n");
     ASSERT_FALSE(r.result);
     EXPECT_EQ(r.result.error().exit, Exit::unreadable);
     EXPECT_NE(r.error().find("a.stl:3: a decimal comma"), std::string::npos) << r.error();
