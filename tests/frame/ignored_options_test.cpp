@@ -169,7 +169,7 @@ TEST(IgnoredOptions, WhatIsUndoneIsNamedWithWhatUndoesItAndChangesNoBit) {
         shots.push_back(bowl("glass", frame::Cull::none));
         shots.back().scene.materials[0].opacity = 0.5F;
         for (Shot& s : shots) {
-            s.options.aa = s.options.stencil = s.options.texture = "auto";
+            s.options.aa = s.options.stencil = s.options.texture = s.options.reflection = "auto";
             s.options.samples = 1;
             Shot both = s;
             pair.undoing(s.options);

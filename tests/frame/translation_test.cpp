@@ -26,6 +26,7 @@ std::vector<Fragment> fragments; // of the frame drawn last
 
 const shade::Stage kReader{
     {.axis = "test", .name = "reader", .blurb = "", .source = ""},
+    shade::Pass::maps,
     {},
     [](shade::ShadingBlock& b, const shade::FrameState&) {
         for (int i = 0; i < b.count; ++i) {

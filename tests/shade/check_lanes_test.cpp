@@ -356,7 +356,7 @@ TEST_F(ShadeLanesDeathTest, AWideFilterThatIsNotFiniteEndsTheProgram) {
     };
     filtered(0.5F);
     for (const float bad : {kNaN, kInf})
-        EXPECT_DEATH(filtered(bad), "sum of lane 27 is -?(nan|inf) after the wide filter");
+        EXPECT_DEATH(filtered(bad), "sum of lane 27 is -?(nan|inf) after the reconstruction filter");
 }
 
 TEST_F(ShadeLanesDeathTest, LightAtCornersThatIsNotFiniteEndsTheProgram) {
@@ -369,7 +369,7 @@ TEST_F(ShadeLanesDeathTest, LightAtCornersThatIsNotFiniteEndsTheProgram) {
     shade();
     for (const float bad : {kNaN, kInf}) {
         frame_.ambient = {0.1F, bad, 0.1F};
-        EXPECT_DEATH(shade(), "colour of lane [0-9]+ is -?(nan|inf) after vertex lighting");
+        EXPECT_DEATH(shade(), "colour of lane [0-9]+ is -?(nan|inf) after light at vertices");
     }
 }
 

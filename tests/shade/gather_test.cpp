@@ -24,6 +24,7 @@ std::map<std::pair<int, int>, std::pair<int, int>>& shaded() {
 }
 const Stage kNoting{
     {.axis = "test", .name = "noting", .blurb = "", .source = ""},
+    Pass::light,
     {},
     [](ShadingBlock& block, const FrameState&) {
         for (int i = 0; i < block.count; ++i) {
@@ -133,6 +134,7 @@ float speckle(std::uint32_t id, int x, int y, std::uint32_t channel) {
     return static_cast<float>(mixed >> 8) * 0x1p-24F;
 }
 const Stage kSpeckled{{.axis = "test", .name = "speckled", .blurb = "", .source = ""},
+                      Pass::light,
                       {},
                       [](ShadingBlock& block, const FrameState&) {
                           for (int r = 0; r < block.runs; ++r) {
