@@ -1,18 +1,13 @@
 #include "app/view_session.h"
 
-#include "app/explain_report.h"
 #include "app/message.h"
+#include "app/overlay_text.h"
 #include "app/picture.h"
-#include "base/check.h"
 #include "frame/plan/ignored_options.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
+#include <utility>
 
-#include <sys/epoll.h>
-#include <sys/timerfd.h>
 #include <unistd.h>
 
 namespace scanout::app {
@@ -21,46 +16,25 @@ namespace {
 constexpr int kMessageSteps = 3 * kStepsPerSecond;
 constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will not come
 
-Result<void> watch(const Fd& epoll, int fd) {
-    if (fd < 0) return {};
-    epoll_event event{};
-    event.events = EPOLLIN;
-    event.data.fd = fd;
-    if (::epoll_ctl(epoll.get(), EPOLL_CTL_ADD, fd, &event) != 0)
-        return fail(Exit::internal, "epoll_ctl: {}", std::strerror(errno));
-    return {};
-}
-
-std::chrono::nanoseconds refresh_period(const port::Display& display) {
-    const double hz = display.info().refresh_hz;
-    return std::chrono::nanoseconds(static_cast<std::int64_t>(1e9 / (hz > 1 ? hz : 60)));
-}
-
 } // namespace
 
 Result<std::unique_ptr<ViewSession>> ViewSession::create(const Settings& settings,
                                                          SessionParts parts) {
-    Fd epoll(::epoll_create1(EPOLL_CLOEXEC));
-    if (!epoll.valid()) return fail(Exit::internal, "epoll: {}", std::strerror(errno));
-    Fd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
-    if (!timer.valid()) return fail(Exit::internal, "timerfd: {}", std::strerror(errno));
-    for (const int fd : {timer.get(), parts.display.event_fd(), parts.input.event_fd()})
-        TRY_VOID(watch(epoll, fd));
+    TRY(EventLoop loop, EventLoop::create(parts.display.event_fd(), parts.input.event_fd()));
     return std::unique_ptr<ViewSession>(
-        new ViewSession(settings, std::move(parts), std::move(epoll), std::move(timer)));
+        new ViewSession(settings, std::move(parts), std::move(loop)));
 }
 
-ViewSession::ViewSession(const Settings& settings, SessionParts parts, Fd epoll, Fd timer)
-    : settings_(settings), parts_(std::move(parts)), epoll_(std::move(epoll)),
-      timer_(std::move(timer)),
+ViewSession::ViewSession(const Settings& settings, SessionParts parts, EventLoop loop)
+    : settings_(settings), parts_(std::move(parts)), loop_(std::move(loop)),
       steady_(settings.no_times || !settings.record.empty() || !settings.replay.empty()),
       viewer_(settings, parts_.display.info().width, parts_.display.info().height,
               static_cast<int>(settings.arguments.size())),
-      binder_(parts_.display.info().width, parts_.display.info().height, !settings.no_pointer),
-      renderer_(parts_.jobs), composer_(parts_.display.info().width, parts_.display.info().height),
+      binder_(viewer_.width(), viewer_.height(), !settings.no_pointer),
+      script_(std::move(parts_.script)), renderer_(parts_.jobs),
+      composer_(viewer_.width(), viewer_.height()), pacer_(parts_.display.info().refresh_hz),
       log_(settings, parts_.display.info()),
-      background_(parts_.display.info().width, parts_.display.info().height,
-                  settings.frame.background) {}
+      background_(viewer_.width(), viewer_.height(), settings.frame.background) {}
 
 Result<void> ViewSession::run() {
     describe_input();
@@ -72,7 +46,7 @@ Result<void> ViewSession::run() {
         TRY_VOID(advance(now));
         if (quit_) break;
         TRY_VOID(draw_if_due(now));
-        if (viewer_.state().explain == 0) explainer_.reset();
+        if (viewer_.state().explain == 0) explain_.stop();
         if (wants_row()) TRY_VOID(explain_a_row());
         TRY_VOID(wait());
     }
@@ -81,16 +55,15 @@ Result<void> ViewSession::run() {
 
 // A frame for every step that the script names, then what remains when nothing moves any more.
 Result<void> ViewSession::run_instantly() {
-    const std::size_t entries = parts_.script ? parts_.script->size() : 0;
     while (!quit_) {
         TRY_VOID(play_script());
-        while (!viewer_.moving() && lacks_rows() && viewer_.view(model_->scene.mesh))
+        while (!viewer_.moving() && lacks_rows() && viewer_.view(*slot_.mesh()))
             TRY_VOID(explain_a_row());
         if (wants_frame()) TRY_VOID(draw(wanted()));
         if (quit_ || frame_file_) continue;
         TRY_VOID(take_input());
-        if (next_entry_ < entries)
-            viewer_.advance_to((*parts_.script)[next_entry_].step);
+        if (const auto step = script_.next_step())
+            viewer_.advance_to(*step);
         else if (viewer_.state().pointer.visible)
             viewer_.advance_to(viewer_.state().pointer.hide_step);
         else
@@ -103,12 +76,13 @@ Result<void> ViewSession::run_instantly() {
 
 std::optional<std::int64_t> ViewSession::next_step() const {
     std::optional<std::int64_t> next;
-    const auto consider = [&](std::int64_t step) { next = next ? std::min(*next, step) : step; };
+    const auto consider = [&](std::optional<std::int64_t> step) {
+        if (step) next = next ? std::min(*next, *step) : *step;
+    };
     if (viewer_.moving()) consider(viewer_.next_step());
-    if (const auto repeat = binder_.next_repeat()) consider(*repeat);
-    if (!message_.empty()) consider(message_hides_);
-    if (parts_.script && next_entry_ < parts_.script->size())
-        consider((*parts_.script)[next_entry_].step);
+    consider(binder_.next_repeat());
+    consider(message_.next_step());
+    consider(script_.next_step());
     return next;
 }
 
@@ -132,7 +106,7 @@ Result<void> ViewSession::pass_steps(std::int64_t target) {
         viewer_.advance_to(next);
         while (const std::optional<Action> repeat = binder_.repeat(next))
             if (++repeats <= kMaxRepeatsAtOnce) TRY_VOID(take(*repeat));
-        if (!message_.empty() && next >= message_hides_) message_.clear();
+        message_.advance_to(next);
         TRY_VOID(play_script());
     }
     return {};
@@ -140,11 +114,11 @@ Result<void> ViewSession::pass_steps(std::int64_t target) {
 
 // Takes the script's actions that are due; stops at a frame, which has to be drawn first.
 Result<void> ViewSession::play_script() {
-    if (!parts_.script) return {};
-    const Script& script = *parts_.script;
-    while (next_entry_ < script.size() && !frame_file_ && !quit_ &&
-           script[next_entry_].step <= viewer_.step_number())
-        TRY_VOID(take(script[next_entry_++].action));
+    while (!frame_file_ && !quit_) {
+        const Action* const action = script_.take_due(viewer_.step_number());
+        if (action == nullptr) break;
+        TRY_VOID(take(*action));
+    }
     return {};
 }
 
@@ -185,7 +159,7 @@ Result<void> ViewSession::take_input() {
     }
     std::vector<Action> actions;
     binder_.bind(events_, viewer_.step_number(), actions);
-    const bool script_plays = parts_.script && next_entry_ < parts_.script->size();
+    const bool script_plays = script_.next_step().has_value();
     for (const Action& action : actions) {
         const bool leaves = action.id == ActionId::quit || action.id == ActionId::close ||
                             action.id == ActionId::suspend;
@@ -197,12 +171,12 @@ Result<void> ViewSession::take_input() {
 Result<void> ViewSession::take(const Action& action) {
     if (quit_) return {};
     const TimedAction timed{viewer_.step_number(), action};
-    if (!parts_.script) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
+    if (!script_.has_script()) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
-    message_.clear();
+    message_.hide();
     if (action.id == ActionId::toggle_explain)
         viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
-    switch (viewer_.apply(action, model_ ? &model_->scene.mesh : nullptr)) {
+    switch (viewer_.apply(action, slot_.mesh())) {
     case Effect::none:
         break;
     case Effect::load_file:
@@ -228,16 +202,14 @@ Result<void> ViewSession::take(const Action& action) {
 void ViewSession::show_message(const std::string& text) {
     say(text);
     if (steady_) return; // a file's number depends on the folder
-    message_ = text;
-    message_hides_ = viewer_.step_number() + kMessageSteps;
+    message_.show(text, viewer_.step_number() + kMessageSteps);
 }
 
 // The picture alone, without help, information and pointer, in the first free file name.
 Result<void> ViewSession::write_screenshot() {
-    if (!model_) return {};
+    if (slot_.model() == nullptr) return {};
     TRY_VOID(render());
-    const std::string& path = model_->scene.path;
-    std::string name = path.substr(path.rfind('/') + 1);
+    std::string name = file_name_of(slot_.model()->scene.path);
     name = name.substr(0, name.rfind('.'));
     for (int number = 1; number < 1000; ++number) {
         const std::string file = fmt::format("scanout-{}-{:03}.png", name, number);
@@ -253,61 +225,62 @@ Result<void> ViewSession::write_screenshot() {
 
 // ---- Files ------------------------------------------------------------------------------------
 
+const std::string& ViewSession::path() const {
+    return settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
+}
+
 Result<void> ViewSession::outcome() const {
-    if (showed_model_ || error_.empty()) return {};
+    if (slot_.has_held_model() || slot_.error().empty()) return {};
     return fail(Exit::unreadable, "none of the {} models could be read; the last: {}",
-                settings_.arguments.size(), error_);
+                settings_.arguments.size(), slot_.error());
 }
 
 Result<void> ViewSession::load(bool again) {
-    const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
-    load_start_ = std::chrono::steady_clock::now();
-    Result<LoadedModel> model = load_model(path, settings_, parts_.jobs,
-                                           [this](double share) { return report_progress(share); });
+    const Time start = std::chrono::steady_clock::now();
+    Result<LoadedModel> model = load_model(
+        path(), settings_, parts_.jobs, [&](double share) { return report_progress(share, start); });
     if (quit_) return {};
-    ++generation_;
-    explainer_.reset(); // of a model that is going
-    clock_.stop();      // the time that loading took does not turn the model
+    explain_.stop(); // the model that it explains is going
+    clock_.stop();   // the time that loading took does not turn the model
     if (!model) {
         const bool hopeless = settings_.arguments.size() == 1 && !again;
         if (hopeless) return tl::unexpected(model.error());
         say("scanout: " + model.error().what);
-        error_ = model.error().what;
-        model_.reset();
+        slot_.put_error(model.error().what);
         return {};
     }
-    error_.clear();
-    showed_model_ = true;
-    model_ = *std::move(model);
-    plan_ = frame::PlanCache(frame::facts(model_->scene, settings_.frame.shadow_plane));
-    print_warnings(model_->warnings, settings_);
-    // Options that no technique answers to, and cameras that see nothing, are faults of the
-    // command.
-    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
-    TRY(const frame::FramePlan plan, frame::plan(options(), plan_.facts(), view));
+    slot_.put(*std::move(model), settings_.frame);
+    return report_plan();
+}
+
+// Options that no technique answers to, and cameras that see nothing, are faults of the command.
+Result<void> ViewSession::report_plan() {
+    print_warnings(slot_.model()->warnings, settings_);
+    TRY(const scene::View view, viewer_.view(*slot_.mesh()));
+    set_frame_options();
+    TRY(const frame::FramePlan* const plan, slot_.plan(frame_options_, view));
     if (settings_.verbose)
-        for (const frame::Decision& decision : plan.decisions)
+        for (const frame::Decision& decision : plan->decisions)
             say(to_string(decision));
-    print_warnings(frame::ignored_options(plan), settings_);
+    print_warnings(frame::ignored_options(*plan), settings_);
     return {};
 }
 
 // While a file is read: a notice on the display once that takes long, and a look at the keys.
-bool ViewSession::report_progress(double share) {
+bool ViewSession::report_progress(double share, Time start) {
     if (parts_.instant) return true;
     constexpr std::chrono::milliseconds kPatience{300};
     const Time now = std::chrono::steady_clock::now();
-    if (now - std::max(load_start_, last_draw_) < kPatience) return true;
+    if (now - std::max(start, pacer_.last()) < kPatience) return true;
     if (wants_to_leave()) return false;
     lost_ = parts_.display.lost();
     if (lost_ || !parts_.display.ready() || !parts_.display.dispatch()) return true;
-    const std::string& path = settings_.arguments[static_cast<std::size_t>(viewer_.state().file)];
     Overlay notice;
-    notice.notice = {fmt::format("reading {}  {} %", path, static_cast<int>(share * 100))};
+    notice.notice = {fmt::format("reading {}  {} %", path(), static_cast<int>(share * 100))};
     composer_.set_picture(picture_ != nullptr ? *picture_ : background_,
                           [&](image::Image& picture) { draw_overlay(picture, notice); });
     repaint_ = true;
-    last_draw_ = now;
+    pacer_.interrupt(now);
     return present().has_value();
 }
 
@@ -325,165 +298,123 @@ bool ViewSession::wants_to_leave() {
     return quit_;
 }
 
-// ---- Frames -----------------------------------------------------------------------------------
+// ---- The plan on the picture ------------------------------------------------------------------
 
-ViewSession::Shown ViewSession::wanted() const {
-    Shown wanted{viewer_.state().look, generation_, overlay(), std::nullopt};
-    wanted.look.turntable = false; // turning or not, this picture is the same
-    const PointerState& pointer = viewer_.state().pointer;
-    if (pointer.visible && !settings_.no_pointer) wanted.pointer = PixelPlace{pointer.x, pointer.y};
-    return wanted;
-}
-
-Overlay ViewSession::overlay() const {
-    const ViewerState& state = viewer_.state();
-    const port::DisplayInfo& display = parts_.display.info();
-    Overlay overlay;
-    if (state.help) overlay.help = help_sheet(state);
-    overlay.message = message_;
-    if (message_.empty() && model_)
-        overlay.message =
-            viewer_.light_line(model_->scene.mesh, letters_across(display.width, display.height));
-    if (!error_.empty())
-        overlay.notice = broken_into_lines(error_, letters_across(display.width, display.height));
-    if (state.explain > 0) overlay.explain = explain_page().lines;
-    if (!state.info) return overlay;
-    const std::string& path = settings_.arguments[static_cast<std::size_t>(state.file)];
-    overlay.info.push_back(fmt::format("{}  ({} of {})", path.substr(path.rfind('/') + 1),
-                                       state.file + 1, settings_.arguments.size()));
-    if (model_)
-        overlay.info.push_back(fmt::format(
-            "{} triangles  {} vertices  {} warnings  {}x{}", model_->scene.counts.triangles,
-            model_->scene.counts.vertices, model_->warnings.size(), display.width, display.height));
-    overlay.info.push_back(fmt::format(
-        "{}  up {}  cull {}  {} mode", name_of(state.look.projection), name_of(state.look.up),
-        name_of(state.look.cull), state.camera_mode ? "camera" : "model"));
-    return overlay;
+// Of the model on show, as it stands now.
+Result<const frame::FramePlan*> ViewSession::plan() {
+    // What the keys led to may be too near or too far away for any picture: a plan there is still.
+    const Result<scene::View> view = viewer_.view(*slot_.mesh());
+    set_frame_options();
+    return slot_.plan(frame_options_, view ? *view : scene::View());
 }
 
 // The page of the plan that is open, or the first.
-ScreenPage ViewSession::explain_page() const {
+ScreenPage ViewSession::explain_page() {
     const ViewerState& state = viewer_.state();
-    const port::DisplayInfo& display = parts_.display.info();
-    const std::size_t letters = letters_across(display.width, display.height);
+    const std::size_t letters = letters_across(viewer_.width(), viewer_.height());
     const std::size_t others = state.info ? 5 : 1; // lines
-    const std::size_t all = lines_down(display.width, display.height);
+    const std::size_t all = lines_down(viewer_.width(), viewer_.height());
     const std::size_t lines = all > others ? all - others : 1;
     const auto page = static_cast<std::size_t>(state.explain);
     // How far it has come at a moment is a matter of the clock.
-    if (explains_this() && (!steady_ || explainer_->finished()))
-        return screen_table(explainer_->so_far(), rows_, letters, lines, page);
-    const auto now = model_ ? plan() : fail(Exit::internal, "no model");
-    return now ? plan_lines(*now, !steady_, letters, lines, page) : ScreenPage();
-}
-
-// Into the room that it has.
-void ViewSession::fill(frame::FrameOptions& options) const {
-    options = settings_.frame;
-    options.width = background_.width();
-    options.height = background_.height();
-    options.bits = image::min_bits(parts_.display.info().format);
-    options.cull = viewer_.state().look.cull;
-    viewer_.place_lights(model_->scene.mesh, options.lights);
-}
-
-frame::FrameOptions ViewSession::options() const {
-    frame::FrameOptions options;
-    fill(options);
-    return options;
-}
-
-// Of the model on show, as it stands now.
-Result<frame::FramePlan> ViewSession::plan() const {
-    const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    return frame::plan(options(), plan_.facts(), view ? *view : scene::View());
-}
-
-// What the explainer knows is true of what should be seen.
-bool ViewSession::explains_this() const {
-    Look look = viewer_.state().look;
-    look.turntable = false;
-    return explainer_ != nullptr && model_ && viewer_.state().explain > 0 &&
-           explained_generation_ == generation_ && explained_look_ == look;
+    const bool has_figures =
+        state.explain > 0 && (steady_ ? explain_.has_all_rows(key()) : explain_.explains(key()));
+    if (has_figures && slot_.model() != nullptr) return explain_.page(letters, lines, page);
+    if (slot_.model() == nullptr) return {};
+    const Result<const frame::FramePlan*> now = plan();
+    return now ? plan_lines(**now, !steady_, letters, lines, page) : ScreenPage();
 }
 
 // The plan is on the screen, and its figures are not all there.
 bool ViewSession::lacks_rows() const {
-    return viewer_.state().explain > 0 && model_ && (!explains_this() || !explainer_->finished());
+    return viewer_.state().explain > 0 && slot_.model() != nullptr && !explain_.has_all_rows(key());
 }
 
 // And nothing else is to be done.
-bool ViewSession::wants_row() const {
+bool ViewSession::wants_row() {
     return lacks_rows() && in_view_ && !lost_ && parts_.display.ready() && !next_step() &&
            !wants_frame();
 }
 
 // Switches one effect, so that keys are heard in between.
 Result<void> ViewSession::explain_a_row() {
-    if (explains_this()) {
-        explainer_->step();
-        ++rows_;
+    if (explain_.explains(key())) {
+        explain_.measure_row();
         return {};
     }
-    TRY(const scene::View view, viewer_.view(model_->scene.mesh));
+    TRY(const scene::View view, viewer_.view(*slot_.mesh()));
     measure::ExplainOptions how;
     how.times = !steady_;
     how.display = parts_.display.info().format;
     how.seconds_a_row = 0.05;
     how.min_pairs = 1; // keys wait for a row
-    TRY(explainer_, measure::Explainer::create(model_->scene, plan_.facts(), view, options(),
-                                               parts_.jobs, how));
-    rows_ = 0;
-    explained_look_ = viewer_.state().look;
-    explained_look_.turntable = false;
-    explained_generation_ = generation_;
+    set_frame_options();
+    TRY(std::unique_ptr<measure::Explainer> explainer,
+        measure::Explainer::create(slot_.model()->scene, slot_.facts(), view, frame_options_,
+                                   parts_.jobs, how));
+    explain_.begin(std::move(explainer), key());
     return {};
 }
 
+// ---- Frames -----------------------------------------------------------------------------------
+
+ViewSession::Shown ViewSession::wanted() {
+    Shown wanted{key(), overlay(), std::nullopt};
+    const PointerState& pointer = viewer_.state().pointer;
+    if (pointer.visible && !settings_.no_pointer) wanted.pointer = PixelPlace{pointer.x, pointer.y};
+    return wanted;
+}
+
+Overlay ViewSession::overlay() {
+    Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text());
+    if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
+    return overlay;
+}
+
+void ViewSession::set_frame_options() {
+    frame_options_ = settings_.frame;
+    frame_options_.width = background_.width();
+    frame_options_.height = background_.height();
+    frame_options_.bits = image::min_bits(parts_.display.info().format);
+    frame_options_.cull = viewer_.state().look.cull;
+    viewer_.place_lights(*slot_.mesh(), frame_options_.lights);
+}
+
 Result<void> ViewSession::render() {
-    if (!model_) {
+    if (slot_.model() == nullptr) {
         picture_ = &background_;
         return {};
     }
-    // What the keys led to may be too near or too far away for any picture: then none is the
-    // model's.
-    const Result<scene::View> view = viewer_.view(model_->scene.mesh);
-    fill(options_);
-    TRY(const frame::FramePlan* const now, plan_.plan(options_, view ? *view : scene::View()));
-    picture_ = view ? &renderer_.render(model_->scene, *view, *now) : &background_;
+    const Result<scene::View> view = viewer_.view(*slot_.mesh());
+    TRY(const frame::FramePlan* const now, plan());
+    picture_ = view ? &renderer_.render(slot_.model()->scene, *view, *now) : &background_;
     in_view_ = view && renderer_.stats().items_shaded > 0;
     return {};
 }
 
+void ViewSession::compose(const Overlay& overlay) {
+    Overlay complete = overlay;
+    add_frame_text(complete, {slot_.model() == nullptr || in_view_, !steady_,
+                              pacer_.frames_per_second(), renderer_.stats()});
+    composer_.set_picture(*picture_,
+                          [&](image::Image& picture) { draw_overlay(picture, complete); });
+}
+
 Result<void> ViewSession::draw(const Shown& wanted) {
-    const bool new_picture = picture_ == nullptr || !(wanted.look == shown_.look) ||
-                             wanted.generation != shown_.generation;
+    const bool new_picture = picture_ == nullptr || !(wanted.picture == shown_.picture);
     if (new_picture) TRY_VOID(render());
-    if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) {
-        Overlay overlay = wanted.overlay;
-        if (model_ && !in_view_ && overlay.message.empty())
-            overlay.message = "model out of view: press R";
-        if (!overlay.info.empty() && !steady_)
-            overlay.info.push_back(fmt::format("{:.1f} ms  {:.0f} fps", renderer_.stats().total_ms,
-                                               frames_per_second_));
-        if (!overlay.explain.empty() && !steady_)
-            overlay.explain.push_back(fmt::format("geometry {:.1f} ms  tiles {:.1f} ms",
-                                                  renderer_.stats().geometry_ms,
-                                                  renderer_.stats().tiles_ms));
-        composer_.set_picture(*picture_,
-                              [&](image::Image& picture) { draw_overlay(picture, overlay); });
-    }
+    if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) compose(wanted.overlay);
     composer_.set_pointer(wanted.pointer);
     TRY_VOID(present());
     shown_ = wanted;
     repaint_ = false;
     if (const auto file = std::exchange(frame_file_, std::nullopt))
-        TRY_VOID(log_.dump(frame(), *file));
+        TRY_VOID(log_.dump(displayed(), *file));
     return {};
 }
 
 // What the display is given.
-const image::Image& ViewSession::frame() {
+const image::Image& ViewSession::displayed() {
     const image::PixelFormat& format = parts_.display.info().format;
     if (!dithers_unasked(settings_, format)) return composer_.frame();
     undithered_ = image::without_dither(format, composer_.frame());
@@ -492,27 +423,22 @@ const image::Image& ViewSession::frame() {
 
 Result<void> ViewSession::present() {
     const std::vector<image::Rect>& damage = composer_.take_damage();
-    const image::Image& shown = frame();
-    TRY_VOID(parts_.display.present(shown, damage));
-    log_.presented(shown, renderer_.stats());
+    const image::Image& image = displayed();
+    TRY_VOID(parts_.display.present(image, damage));
+    log_.presented(image, renderer_.stats());
     if (parts_.display.ready()) log_.reached();
     return {};
 }
 
 Result<void> ViewSession::draw_if_due(Time now) {
     if (lost_ || !parts_.display.ready() || !wants_frame()) return {};
-    if (!parts_.display.paced() && now < due_) return {};
-    const double passed = std::chrono::duration<double>(now - last_draw_).count();
-    frames_per_second_ = passed > 0 && passed < 0.5 ? 1 / passed : 0;
-    last_draw_ = now;
-    // Half a period of slack: a late wake-up does not make every frame after it late as well.
-    const std::chrono::nanoseconds period = refresh_period(parts_.display);
-    due_ = std::max(due_ + period, now + period / 2);
+    if (!parts_.display.paced() && now < pacer_.due()) return {};
+    pacer_.begin_frame(now);
     return draw(wanted());
 }
 
-// Sleeps until there is something to do. With nothing that moves and nothing to draw no timer is
-// set, and only input, a flip or a signal ends the sleep.
+// Sleeps until there is something to do. With nothing that moves and nothing to draw only input, a
+// flip or a signal ends the sleep.
 Result<void> ViewSession::wait() {
     const bool ready = parts_.display.ready();
     const bool row = wants_row();
@@ -521,44 +447,22 @@ Result<void> ViewSession::wait() {
     const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
         consider(clock_.running() ? clock_.time_of(*next) : std::chrono::steady_clock::now());
-    if (ready && !lost_ && wants_frame()) consider(due_);
-    itimerspec spec{};
-    if (wake) {
-        const auto since_boot = std::max<std::int64_t>(
-            std::chrono::nanoseconds(wake->time_since_epoch()).count(), 1); // 0 would disarm it
-        spec.it_value.tv_sec = since_boot / 1'000'000'000;
-        spec.it_value.tv_nsec = since_boot % 1'000'000'000;
-    }
-    ::timerfd_settime(timer_.get(), TFD_TIMER_ABSTIME, &spec, nullptr);
-
-    std::array<epoll_event, 4> events{};
-    const int count = ::epoll_wait(epoll_.get(), events.data(), static_cast<int>(events.size()),
-                                   row              ? 0
-                                   : ready || lost_ ? -1
-                                                    : kFlipTimeoutMs);
-    if (count < 0 && errno != EINTR)
-        return fail(Exit::internal, "epoll_wait: {}", std::strerror(errno));
-    for (int i = 0; i < count; ++i) {
-        const int fd = events[static_cast<std::size_t>(i)].data.fd;
-        if (fd == timer_.get()) {
-            std::uint64_t expirations = 0;
-            [[maybe_unused]] const ssize_t n = ::read(fd, &expirations, sizeof expirations);
-        } else if (fd == parts_.input.event_fd()) {
-            TRY_VOID(take_input());
-        }
-    }
+    if (ready && !lost_ && wants_frame()) consider(pacer_.due());
+    const int patience = row ? 0 : ready || lost_ ? -1 : kFlipTimeoutMs;
+    TRY(const bool input, loop_.sleep(wake, patience));
+    if (input) TRY_VOID(take_input());
     // Also without an event: this is where a flip that never came counts as done.
     return parts_.display.dispatch();
 }
 
 RunReport ViewSession::report(std::uint64_t start_bytes) {
     RunReport report;
-    if (model_) {
-        report.model_path = model_->scene.path;
-        report.counts = model_->scene.counts;
-        report.warnings = model_->warnings;
-        report.load_ms = model_->load_ms;
-        report.load_times = model_->load_times;
+    if (const LoadedModel* const model = slot_.model()) {
+        report.model_path = model->scene.path;
+        report.counts = model->scene.counts;
+        report.warnings = model->warnings;
+        report.load_ms = model->load_ms;
+        report.load_times = model->load_times;
     }
     report.frames = log_.take_records();
     report.start_bytes = start_bytes;

@@ -5,17 +5,20 @@
 
 #include "app/bindings.h"
 #include "app/composer.h"
+#include "app/event_loop.h"
 #include "app/explain_report.h"
 #include "app/frame_log.h"
-#include "app/model_file.h"
+#include "app/frame_pacer.h"
+#include "app/live_explain.h"
+#include "app/model_slot.h"
 #include "app/overlay.h"
+#include "app/picture_key.h"
 #include "app/recording.h"
+#include "app/script_player.h"
+#include "app/timed_message.h"
 #include "app/viewer.h"
 #include "app/virtual_clock.h"
-#include "base/fd.h"
-#include "frame/plan/plan_cache.h"
 #include "frame/renderer.h"
-#include "measure/explain.h"
 #include "port/display.h"
 #include "port/input.h"
 
@@ -52,14 +55,17 @@ public:
 private:
     using Time = VirtualClock::Time;
 
-    ViewSession(const Settings& settings, SessionParts parts, Fd epoll, Fd timer);
+    ViewSession(const Settings& settings, SessionParts parts, EventLoop loop);
 
     // Files.
+    const std::string& path() const; // of the model on show
     Result<void> load(bool again);
+    Result<void> report_plan();
     // A session in which no model could be read has failed.
     Result<void> outcome() const;
-    bool report_progress(double share);
+    bool report_progress(double share, Time start);
     bool wants_to_leave();
+    Result<void> write_screenshot();
 
     // Actions and time.
     Result<void> take(const Action& action);
@@ -72,74 +78,61 @@ private:
     Result<void> follow_display();
     Result<void> let_go_of_all();
     Result<void> run_instantly();
-    Result<void> write_screenshot();
     void show_message(const std::string& text);
+    Result<void> wait();
+
+    // The plan on the picture.
+    PictureKey key() const { return picture_key(viewer_.state().look, slot_.generation()); }
+    Result<const frame::FramePlan*> plan();
+    ScreenPage explain_page();
+    bool lacks_rows() const;
+    bool wants_row();
+    Result<void> explain_a_row();
 
     // Frames.
     struct Shown {
-        Look look;
-        int generation = -1; // of what load() did
+        PictureKey picture;
         Overlay overlay;
         std::optional<PixelPlace> pointer;
         friend bool operator==(const Shown&, const Shown&) = default;
     };
-    Shown wanted() const;
-    Overlay overlay() const;
-    ScreenPage explain_page() const;
-    bool wants_frame() const { return repaint_ || frame_file_ || !(wanted() == shown_); }
-    Result<void> draw(const Shown& wanted);
-    void fill(frame::FrameOptions& options) const;
-    frame::FrameOptions options() const;
-    Result<frame::FramePlan> plan() const;
-    bool wants_row() const;
-    Result<void> explain_a_row();
-    bool explains_this() const;
-    bool lacks_rows() const;
+    Shown wanted();
+    Overlay overlay();
+    bool wants_frame() { return repaint_ || frame_file_ || !(wanted() == shown_); }
+    void set_frame_options();
     Result<void> render();
-    const image::Image& frame();
-    Result<void> present();
+    void compose(const Overlay& overlay);
+    Result<void> draw(const Shown& wanted);
     Result<void> draw_if_due(Time now);
-    Result<void> wait();
+    const image::Image& displayed();
+    Result<void> present();
 
     const Settings& settings_;
     SessionParts parts_;
-    Fd epoll_, timer_;
+    EventLoop loop_;
     bool steady_; // nothing on the screen depends on clock or folder
     Viewer viewer_;
     Binder binder_;
     VirtualClock clock_;
+    ScriptPlayer script_;
+    ModelSlot slot_;
+    TimedMessage message_;
+    LiveExplain explain_;
     frame::Renderer renderer_;
     Composer composer_;
+    FramePacer pacer_;
     FrameLog log_;
 
-    std::optional<LoadedModel> model_;
-    frame::PlanCache plan_;       // of it
-    frame::FrameOptions options_; // of the picture
-    std::string error_;           // why there is no model
-    bool showed_model_ = false;
-    int generation_ = 0;
-    std::size_t next_entry_ = 0;            // of the script
-    std::optional<std::string> frame_file_; // a script's frame that is due
     std::vector<port::Event> events_;
-    std::string message_;
-    std::int64_t message_hides_ = 0;
     std::string input_described_;
-
+    std::optional<std::string> frame_file_; // where a script wants the next frame
+    frame::FrameOptions frame_options_;     // of the picture, in the room of the last
     Shown shown_;
     image::Image background_;
     const image::Image* picture_ = nullptr;
     image::Image undithered_; // of a display that would dither; else empty
     bool in_view_ = true;     // the picture shows some of the model
-
-    // What each effect costs and changes, found out while nothing else happens, for what is shown.
-    std::unique_ptr<measure::Explainer> explainer_;
-    std::size_t rows_ = 0; // measured
-    Look explained_look_;
-    int explained_generation_ = -1;
-
     bool lost_ = false, repaint_ = true, quit_ = false;
-    Time due_{}, last_draw_{}, load_start_{};
-    double frames_per_second_ = 0;
 };
 
 } // namespace scanout::app

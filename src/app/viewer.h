@@ -27,6 +27,8 @@ public:
     Viewer(const Settings& settings, int width, int height, int files);
 
     const ViewerState& state() const { return state_; }
+    int width() const { return width_; } // pixels of the picture
+    int height() const { return height_; }
     std::int64_t step_number() const { return step_; }
 
     // `mesh` is the model on show, null while there is none: then nothing can be dragged by pixels.

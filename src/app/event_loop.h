@@ -1,0 +1,33 @@
+// Sleeps until a display or an input can be read, or until a time. With no time to wake up at no
+// timer is set: a viewer that has nothing to do costs nothing.
+#pragma once
+
+#include "base/fd.h"
+#include "base/result.h"
+
+#include <chrono>
+#include <optional>
+
+namespace scanout::app {
+
+class EventLoop {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    // Descriptors below 0 are never readable.
+    static Result<EventLoop> create(int display, int input);
+
+    // Sleeps until `wake`, but no longer than `patience` milliseconds (-1: without end, 0: not at
+    // all). True when the input can be read.
+    Result<bool> sleep(std::optional<Time> wake, int patience);
+
+private:
+    EventLoop(Fd epoll, Fd timer, int input)
+        : epoll_(std::move(epoll)), timer_(std::move(timer)), input_(input) {}
+    void set_timer(std::optional<Time> wake);
+
+    Fd epoll_, timer_;
+    int input_;
+};
+
+} // namespace scanout::app

@@ -1,0 +1,56 @@
+#include "app/overlay_text.h"
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
+                                    const Settings& settings) {
+    const ViewerState& state = viewer.state();
+    const std::string& path = settings.arguments[static_cast<std::size_t>(state.file)];
+    std::vector<std::string> lines;
+    lines.push_back(fmt::format("{}  ({} of {})", file_name_of(path), state.file + 1,
+                                settings.arguments.size()));
+    if (const LoadedModel* const model = slot.model())
+        lines.push_back(fmt::format("{} triangles  {} vertices  {} warnings  {}x{}",
+                                    model->scene.counts.triangles, model->scene.counts.vertices,
+                                    model->warnings.size(), viewer.width(), viewer.height()));
+    lines.push_back(fmt::format("{}  up {}  cull {}  {} mode", name_of(state.look.projection),
+                                name_of(state.look.up), name_of(state.look.cull),
+                                state.camera_mode ? "camera" : "model"));
+    return lines;
+}
+
+} // namespace
+
+std::string file_name_of(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
+                     const std::string& message) {
+    const std::size_t letters = letters_across(viewer.width(), viewer.height());
+    Overlay overlay;
+    if (viewer.state().help) overlay.help = help_sheet(viewer.state());
+    overlay.message = message;
+    if (message.empty() && slot.mesh() != nullptr)
+        overlay.message = viewer.light_line(*slot.mesh(), letters);
+    if (!slot.error().empty()) overlay.notice = broken_into_lines(slot.error(), letters);
+    if (viewer.state().info) overlay.info = info_lines(viewer, slot, settings);
+    return overlay;
+}
+
+void add_frame_text(Overlay& overlay, const FrameFacts& frame) {
+    if (!frame.model_in_view && overlay.message.empty())
+        overlay.message = "model out of view: press R";
+    if (!frame.times) return;
+    if (!overlay.info.empty())
+        overlay.info.push_back(
+            fmt::format("{:.1f} ms  {:.0f} fps", frame.stats.total_ms, frame.frames_per_second));
+    if (!overlay.explain.empty())
+        overlay.explain.push_back(fmt::format("geometry {:.1f} ms  tiles {:.1f} ms",
+                                              frame.stats.geometry_ms, frame.stats.tiles_ms));
+}
+
+} // namespace scanout::app

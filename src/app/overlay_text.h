@@ -1,0 +1,31 @@
+// The words on the picture, from what the viewer shows.
+#pragma once
+
+#include "app/model_slot.h"
+#include "app/overlay.h"
+#include "app/settings.h"
+#include "app/viewer.h"
+#include "frame/renderer.h"
+
+#include <string>
+
+namespace scanout::app {
+
+// Help, information, error and message; the plan's lines come from live_explain.h. `message` is
+// shown if there is one, else the line of the light that is selected.
+Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
+                     const std::string& message);
+
+// Adds what only the frame that is being shown knows.
+struct FrameFacts {
+    bool model_in_view = true;
+    bool times = true; // may be on the picture
+    double frames_per_second = 0;
+    frame::FrameStats stats;
+};
+void add_frame_text(Overlay& overlay, const FrameFacts& frame);
+
+// The path's last part.
+std::string file_name_of(const std::string& path);
+
+} // namespace scanout::app

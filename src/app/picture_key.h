@@ -1,0 +1,21 @@
+// What a picture of the viewer depends on. Pictures of equal keys are equal.
+#pragma once
+
+#include "app/viewer_state.h"
+
+namespace scanout::app {
+
+struct PictureKey {
+    Look look;
+    int generation = -1; // of the model slot
+    friend bool operator==(const PictureKey&, const PictureKey&) = default;
+};
+
+// A model that turns gives the picture that it gives when it stands.
+inline PictureKey picture_key(const Look& look, int generation) {
+    PictureKey key{look, generation};
+    key.look.turntable = false;
+    return key;
+}
+
+} // namespace scanout::app
