@@ -45,7 +45,7 @@ std::string explain_text(State s) {
 }
 
 // clang-format off
-// Rows stand in the order of ActionId. Columns: id, name, keys, sheet, help, numbers, repeats, state.
+// Rows stand in the order of ActionId. Columns: id, name, keys, sheet, help, numbers, repeats, state, changes.
 constexpr auto kRows = std::to_array<ActionRow>({
     {Id::rotate_left, "rotate_left", "Left", "Arrows", "rotate", 0, true},
     {Id::rotate_right, "rotate_right", "Right", "", "rotate", 0, true},
@@ -62,8 +62,9 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::roll_left, "roll_left", "[", "[ ]", "roll", 0, true},
     {Id::roll_right, "roll_right", "]", "", "roll", 0, true},
     {Id::reset, "reset", "Home R", "Home R", "back to the start"},
-    {Id::toggle_drive, "toggle_drive", "O", "O", "drive model or camera", 0, false, drive_text},
-    {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front right top iso view", 0, false, view_text},
+    {Id::fit, "fit", "F", "F", "fit into the picture"},
+    {Id::toggle_drive, "toggle_drive", "O", "O", "drive model or camera", 0, false, drive_text, "keys drive"},
+    {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front right top iso view", 0, false, view_text, "view"},
     {Id::view_back, "view_back", "Ctrl+1 Ctrl+KP1", "Ctrl+1 3 7 9", "the opposite views"},
     {Id::view_right, "view_right", "3 KP3", "", "right view"},
     {Id::view_left, "view_left", "Ctrl+3 Ctrl+KP3", "", "left view"},
@@ -71,13 +72,13 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::view_bottom, "view_bottom", "Ctrl+7 Ctrl+KP7", "", "bottom view"},
     {Id::view_iso, "view_iso", "9 KP9", "", "iso view"},
     {Id::view_iso_back, "view_iso_back", "Ctrl+9 Ctrl+KP9", "", "opposite of the iso view"},
-    {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text},
-    {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text},
-    {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text},
+    {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
+    {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
+    {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text, "faces left out"},
     {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
-    {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text},
-    {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text},
-    {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text},
+    {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
+    {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
+    {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text, "turntable"},
     {Id::undo, "undo", "U", "U", "undo"},
     {Id::reload, "reload", "F5", "F5", "read the file again"},
     {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
@@ -131,6 +132,15 @@ std::span<const ActionRow> action_rows() {
 
 const ActionRow& row_of(ActionId id) {
     return kRows[static_cast<std::size_t>(id)];
+}
+
+bool is_view(ActionId id) {
+    return id >= ActionId::view_front && id <= ActionId::view_iso_back;
+}
+
+std::string change_text(ActionId id, const ViewerState& state) {
+    const ActionRow& row = row_of(is_view(id) ? ActionId::view_front : id); // one row for all views
+    return row.changes.empty() ? "" : fmt::format("{}: {}", row.changes, row.state(state));
 }
 
 const ActionRow* find_action(std::string_view name) {

@@ -20,7 +20,7 @@ enum class ActionId : std::uint8_t {
     previous_file, next_file,
     scale_up, scale_down,
     roll_left, roll_right,
-    reset, toggle_drive,
+    reset, fit, toggle_drive,
     view_front, view_back, view_right, view_left, view_top, view_bottom, view_iso, view_iso_back,
     toggle_projection, up_axis_next, cull_next, light_next,
     toggle_info, toggle_explain, toggle_turntable, undo, reload, screenshot, toggle_help, close, quit, suspend,
@@ -39,10 +39,15 @@ struct ActionRow {
     int numbers = 0;      // whole numbers that follow the name in a recording
     bool repeats = false; // while its key is held
     std::string (*state)(const ViewerState&) = nullptr; // for the help sheet: how it stands now
+    std::string_view changes = {}; // what the state is of; empty: the picture shows that
 };
 
 std::span<const ActionRow> action_rows();
 const ActionRow& row_of(ActionId id);
+bool is_view(ActionId id);
+// "projection: orthographic": what the action has changed, and how it stands now. Empty: it is no
+// switch.
+std::string change_text(ActionId id, const ViewerState& state);
 const ActionRow* find_action(std::string_view name); // null: there is none
 
 struct Action {

@@ -14,6 +14,7 @@ namespace scanout::app {
 namespace {
 
 constexpr int kMessageSteps = 3 * kStepsPerSecond;
+constexpr int kHintSteps = 5 * kStepsPerSecond;
 constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will not come
 
 } // namespace
@@ -40,6 +41,7 @@ Result<void> ViewSession::run() {
     describe_input();
     TRY_VOID(load(false));
     if (parts_.instant) return run_instantly();
+    if (!settings_.quiet) show_message("H help, Q quit", kHintSteps);
     while (!quit_) {
         TRY_VOID(follow_display());
         const Time now = std::chrono::steady_clock::now();
@@ -74,16 +76,21 @@ Result<void> ViewSession::run_instantly() {
 
 // ---- Time -------------------------------------------------------------------------------------
 
-std::optional<std::int64_t> ViewSession::next_step() const {
+// The first step that changes more than the message.
+std::optional<std::int64_t> ViewSession::next_change() const {
     std::optional<std::int64_t> next;
     const auto consider = [&](std::optional<std::int64_t> step) {
         if (step) next = next ? std::min(*next, *step) : *step;
     };
     if (viewer_.moving()) consider(viewer_.next_step());
     consider(binder_.next_repeat());
-    consider(message_.next_step());
     consider(script_.next_step());
     return next;
+}
+
+std::optional<std::int64_t> ViewSession::next_step() const {
+    const std::optional<std::int64_t> change = next_change(), message = message_.next_step();
+    return change && message ? std::min(*change, *message) : change ? change : message;
 }
 
 Result<void> ViewSession::advance(Time now) {
@@ -173,10 +180,12 @@ Result<void> ViewSession::take(const Action& action) {
     const TimedAction timed{viewer_.step_number(), action};
     if (!script_.has_script()) log_.took(fmt::format("{} {}", timed.step, to_text(action)));
     if (parts_.recorder && action.id != ActionId::suspend) TRY_VOID(parts_.recorder->write(timed));
-    message_.hide();
+    if (action.id != ActionId::pointer) message_.hide();
     if (action.id == ActionId::toggle_explain)
         viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
-    switch (viewer_.apply(action, slot_.mesh())) {
+    const Effect effect = viewer_.apply(action, slot_.mesh());
+    if (!viewer_.answer().empty()) show_message(viewer_.answer(), kMessageSteps);
+    switch (effect) {
     case Effect::none:
         break;
     case Effect::load_file:
@@ -199,10 +208,13 @@ Result<void> ViewSession::take(const Action& action) {
     return {};
 }
 
-void ViewSession::show_message(const std::string& text) {
+void ViewSession::show_message(const std::string& text, int steps) {
+    if (!steady_) message_.show(text, viewer_.step_number() + steps);
+}
+
+void ViewSession::tell(const std::string& text) {
     say(text);
-    if (steady_) return; // a file's number depends on the folder
-    message_.show(text, viewer_.step_number() + kMessageSteps);
+    show_message(text, kMessageSteps);
 }
 
 // The picture alone, without help, information and pointer, in the first free file name.
@@ -216,10 +228,10 @@ Result<void> ViewSession::write_screenshot() {
         if (::access(file.c_str(), F_OK) == 0) continue;
         TRY(const image::Bytes bytes, image::encode_png(*picture_));
         const Result<void> written = write_picture(file, bytes);
-        show_message(written ? "wrote " + file : written.error().what);
+        tell(written ? "wrote " + file : written.error().what);
         return {};
     }
-    show_message(fmt::format("scanout-{}-001.png to -999.png exist already", name));
+    tell(fmt::format("scanout-{}-001.png to -999.png exist already", name));
     return {};
 }
 
@@ -332,7 +344,7 @@ bool ViewSession::lacks_rows() const {
 
 // And nothing else is to be done.
 bool ViewSession::wants_row() {
-    return lacks_rows() && in_view_ && !lost_ && parts_.display.ready() && !next_step() &&
+    return lacks_rows() && in_view_ && !lost_ && parts_.display.ready() && !next_change() &&
            !wants_frame();
 }
 

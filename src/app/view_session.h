@@ -74,11 +74,14 @@ private:
     Result<void> play_script();
     Result<void> advance(Time now);
     Result<void> pass_steps(std::int64_t target);
+    std::optional<std::int64_t> next_change() const;
     std::optional<std::int64_t> next_step() const;
     Result<void> follow_display();
     Result<void> let_go_of_all();
     Result<void> run_instantly();
-    void show_message(const std::string& text);
+    // On the picture for a moment; not where the picture has to be the same in every run.
+    void show_message(const std::string& text, int steps);
+    void tell(const std::string& text); // the same, and a line on standard error
     Result<void> wait();
 
     // The plan on the picture.

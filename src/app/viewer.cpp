@@ -13,25 +13,11 @@ constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
 constexpr int kZoomStep = 8; // levels: eight steps double the size
 constexpr std::size_t kHistory = 256;
 
-std::int64_t clamp_pan(double units) {
-    constexpr double kLimit = 0x1p52;
-    const double clamped = std::clamp(units, -kLimit, kLimit);
-    return static_cast<std::int64_t>(clamped + (clamped < 0 ? -0.5 : 0.5));
-}
-
-std::int64_t moved(std::int64_t pan, double by_units) {
-    return clamp_pan(static_cast<double>(pan) + by_units);
-}
-
 scene::UpAxis next_axis(scene::UpAxis up) {
     using enum scene::UpAxis;
     constexpr std::array kCycle = {plus_y, plus_z, plus_x, minus_y, minus_z, minus_x};
     const auto here = std::find(kCycle.begin(), kCycle.end(), up) - kCycle.begin();
     return kCycle[static_cast<std::size_t>(here + 1) % kCycle.size()];
-}
-
-bool is_view(ActionId id) {
-    return id >= ActionId::view_front && id <= ActionId::view_iso_back;
 }
 
 } // namespace
@@ -69,6 +55,13 @@ Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {
 }
 
 Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
+    answer_.clear();
+    const Effect effect = carry_out(action, mesh);
+    if (answer_.empty()) answer_ = change_text(action.id, state_);
+    return effect;
+}
+
+Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     switch (action.id) {
     case ActionId::previous_file:
         return change_file(-1);
@@ -96,6 +89,8 @@ Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
             state_.light = -1;
         else if (state_.explain > 0)
             state_.explain = 0;
+        else if (state_.info)
+            state_.info = false;
         else
             return Effect::quit;
         return Effect::none;
@@ -172,6 +167,8 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::reset:
         look = start_;
         return;
+    case ActionId::fit:
+        return fit(mesh);
     case ActionId::toggle_projection:
         look.projection = look.projection == scene::Projection::perspective
                               ? scene::Projection::orthographic
@@ -193,14 +190,21 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
         look_from(static_cast<int>(action.id) - static_cast<int>(ActionId::view_front));
 }
 
+// What the turntable has turned since then is nobody's action, and stays.
 void Viewer::undo() {
-    if (history_.empty()) return;
-    state_.look = history_.back();
+    if (history_.empty()) {
+        answer_ = "nothing to undo";
+        return;
+    }
+    const Remembered& last = history_.back();
+    state_.look = last.look;
+    scene::Pose& pose = state_.look.pose;
+    pose.yaw = scene::wrap_angle(pose.yaw + (turned_ - last.turned));
     history_.pop_back();
 }
 
 void Viewer::remember(const Look& before) {
-    history_.push_back(before);
+    history_.push_back({before, turned_});
     if (history_.size() > kHistory) history_.pop_front();
 }
 
@@ -216,6 +220,12 @@ void Viewer::rotate(int right, int up, const geom::Mesh* mesh) {
         look.pose.yaw = scene::wrap_angle(look.pose.yaw + right);
         look.pose.pitch = scene::wrap_angle(look.pose.pitch - up);
     }
+}
+
+std::int64_t Viewer::moved(std::int64_t pan, double by_units) {
+    constexpr double kLimit = 0x1p52;
+    const double units = std::clamp(static_cast<double>(pan) + by_units, -kLimit, kLimit);
+    return static_cast<std::int64_t>(units + (units < 0 ? -0.5 : 0.5));
 }
 
 void Viewer::move(std::int64_t right, std::int64_t up) {
@@ -326,7 +336,10 @@ void Viewer::zoom_at(int levels, int x, int y, const geom::Mesh* mesh) {
 }
 
 Effect Viewer::change_file(int by) {
-    if (files_ < 2) return Effect::none;
+    if (files_ < 2) {
+        answer_ = "there is one file only";
+        return Effect::none;
+    }
     state_.file = (state_.file + by + files_) % files_;
     return Effect::load_file;
 }
@@ -335,8 +348,11 @@ void Viewer::advance_to(std::int64_t step) {
     if (step <= step_) return;
     const std::int64_t passed = std::exchange(step_, step);
     scene::Pose& pose = state_.look.pose;
-    if (turning())
-        pose.yaw = scene::wrap_angle(pose.yaw + (step - passed) * kTurntableUnitsPerStep);
+    if (turning()) {
+        const std::int64_t turn = (step - passed) * kTurntableUnitsPerStep;
+        pose.yaw = scene::wrap_angle(pose.yaw + turn);
+        turned_ += turn;
+    }
     if (step >= state_.pointer.hide_step) state_.pointer.visible = false;
 }
 

@@ -33,6 +33,9 @@ public:
 
     // `mesh` is the model on show, null while there is none: then nothing can be dragged by pixels.
     Effect apply(const Action& action, const geom::Mesh* mesh);
+    // What the last action has to say for a moment: the new state of what it switched, or why
+    // nothing happened. Empty: the picture says it.
+    const std::string& answer() const { return answer_; }
 
     // How many pages the plan on the display has, one at least: X goes through them.
     void set_explain_pages(int pages) { explain_pages_ = pages; }
@@ -54,7 +57,9 @@ public:
 
 private:
     bool turning() const { return state_.look.turntable && !drag_; }
+    Effect carry_out(const Action& action, const geom::Mesh* mesh);
     scene::CameraOptions camera() const;
+    static std::int64_t moved(std::int64_t pan, double by_units);
     void remember(const Look& before);
     void undo();
     void change_look(const Action& action, const geom::Mesh* mesh);
@@ -71,6 +76,10 @@ private:
     void brighten(int levels);
     void next_light();
     void look_from(int view);
+    void fit(const geom::Mesh* mesh);
+    bool fit_once(const geom::Mesh& mesh);
+    bool fits(const geom::Mesh& mesh) const;
+    void zoom_model(int levels);
     int clamped_elevation(std::int64_t units) const;
     std::int64_t angle_of_pixels(int pixels) const;
     Effect change_file(int by);
@@ -83,7 +92,13 @@ private:
     Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;
     std::int64_t step_ = 0;
-    std::deque<Look> history_;
+    std::string answer_;
+    std::int64_t turned_ = 0; // by the turntable, angle units, since the start
+    struct Remembered {
+        Look look;
+        std::int64_t turned;
+    };
+    std::deque<Remembered> history_;
     struct Drag {
         Look start;
         bool remembered = false;

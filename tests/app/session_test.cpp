@@ -206,6 +206,38 @@ TEST_F(Session, XTurnsThePagesOfThePlanAndThenTakesItAway) {
     EXPECT_LT(press, 6) << "the last page is followed by none";
 }
 
+// At the lower left, where nothing else stands.
+TEST_F(Session, TheFirstSecondsNameTheKeysOfHelpAndEnd) {
+    const auto last_frame = [&](std::vector<TimedInput::Entry> entries) {
+        port::HeadlessDisplay display = make_display();
+        TimedInput input(std::move(entries));
+        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        EXPECT_TRUE((*session)->run());
+        return display.shown();
+    };
+    EXPECT_EQ(last_frame({{200ms, {quit()}}}), rendered({})) << "--quiet";
+    settings.quiet = false;
+    const image::Image hint = last_frame({{200ms, {quit()}}});
+    EXPECT_NE(hint, rendered({}));
+    EXPECT_EQ(last_frame({{6500ms, {quit()}}}), rendered({})) << "it goes by itself";
+    EXPECT_EQ(last_frame({{200ms, {press(XKB_KEY_Home)}}, {300ms, {quit()}}}), rendered({}))
+        << "a key takes it away";
+    settings.no_times = true;
+    EXPECT_EQ(last_frame({{200ms, {quit()}}}), rendered({}));
+}
+
+TEST_F(Session, ASwitchShowsItsStateForAMoment) {
+    const auto last_frame = [&](std::chrono::milliseconds wait) {
+        port::HeadlessDisplay display = make_display();
+        TimedInput input({{100ms, {press(XKB_KEY_o)}}, {wait, {quit()}}});
+        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        EXPECT_TRUE((*session)->run());
+        return display.shown();
+    };
+    EXPECT_NE(last_frame(300ms), rendered({}));
+    EXPECT_EQ(last_frame(3800ms), rendered({}));
+}
+
 TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
     port::Event release = press(XKB_KEY_Left);
     release.pressed = false;

@@ -234,6 +234,93 @@ RC_GTEST_PROP(Viewer, ResetIsTheStartWhateverWasDone, ()) {
     RC_ASSERT(bench.look() == before || before == start);
 }
 
+// What a hand did is undone; what the turntable turned meanwhile is not.
+TEST(Viewer, UndoLeavesTheTurntablesTurnAlone) {
+    Bench bench;
+    bench.act(Id::toggle_turntable);
+    bench.viewer.advance_to(100);
+    bench.act(Id::rotate_up);
+    bench.viewer.advance_to(250);
+    bench.act(Id::undo);
+    EXPECT_EQ(bench.look().pose.pitch, 0);
+    EXPECT_EQ(bench.look().pose.yaw, 250 * kTurntableUnitsPerStep) << "no jump back to step 100";
+    bench.act(Id::undo);
+    EXPECT_FALSE(bench.look().turntable) << "the switch was the hand's";
+    EXPECT_EQ(bench.look().pose.yaw, 250 * kTurntableUnitsPerStep);
+}
+
+TEST(Viewer, ASwitchAnswersWithItsNewState) {
+    Bench bench;
+    for (const auto& [id, answer] : std::vector<std::pair<Id, std::string>>{
+             {Id::toggle_projection, "projection: orthographic"},
+             {Id::toggle_projection, "projection: perspective"},
+             {Id::up_axis_next, "up axis: z"},
+             {Id::cull_next, "faces left out: back"},
+             {Id::toggle_drive, "keys drive: camera"},
+             {Id::view_left, "view: left"},
+             {Id::toggle_turntable, "turntable: on"},
+             {Id::toggle_info, "information: on"},
+             {Id::toggle_info, "information: off"},
+             {Id::toggle_explain, "what runs, and why: on"},
+             {Id::rotate_left, ""}}) {
+        bench.act(id);
+        EXPECT_EQ(bench.viewer.answer(), answer);
+    }
+}
+
+TEST(Viewer, AKeyThatCanDoNothingSaysWhy) {
+    Bench bench;
+    bench.act(Id::undo);
+    EXPECT_EQ(bench.viewer.answer(), "nothing to undo");
+    Viewer single(Settings(), 640, 480, 1);
+    single.apply({Id::next_file, {}, {}, false}, nullptr);
+    EXPECT_EQ(single.answer(), "there is one file only");
+}
+
+// The corners of the triangle, in pixels from the picture's middle.
+std::vector<std::pair<double, double>> corners(const Bench& bench) {
+    const scene::View view = bench.view();
+    std::vector<std::pair<double, double>> places;
+    for (const Vec3& v : bench.mesh.position) {
+        const DVec3 seen = view.linear * DVec3(v.x, v.y, v.z) + view.translation;
+        const double distance = view.projection == scene::Projection::perspective ? -seen.z : 1;
+        places.emplace_back(320 * seen.x / (distance * view.half_width),
+                            240 * seen.y / (distance * view.half_height));
+    }
+    return places;
+}
+
+TEST(Viewer, FFitsTheModelIntoThePictureFromWhereverItIs) {
+    for (const Id projection : {Id::rotate_left, Id::toggle_projection})
+        for (const bool camera : {false, true}) {
+            Bench bench;
+            bench.act(projection);
+            if (camera) bench.act(Id::toggle_drive);
+            bench.act(Id::rotate_up);
+            bench.act(Id::roll_left);
+            for (int i = 0; i < 40; ++i)
+                bench.act(Id::move_right);
+            for (int i = 0; i < 50; ++i)
+                bench.act(Id::scale_up);
+            const Look lost = bench.look();
+            bench.act(Id::fit);
+            EXPECT_EQ(bench.viewer.answer(), "");
+            EXPECT_EQ(bench.look().pose.roll, lost.pose.roll) << "turned as it was";
+            EXPECT_EQ(bench.look().orbit.elevation, lost.orbit.elevation);
+            double left = 0, right = 0, bottom = 0, top = 0;
+            for (const auto& [x, y] : corners(bench)) {
+                left = std::min(left, x), right = std::max(right, x);
+                bottom = std::min(bottom, y), top = std::max(top, y);
+            }
+            EXPECT_GT(std::min({left / 320, -right / 320, bottom / 240, -top / 240}), -0.951);
+            EXPECT_GT(std::max((right - left) / 640, (top - bottom) / 480), 0.92) << "no smaller";
+            EXPECT_NEAR(left + right, 0, 6) << "in the middle";
+            EXPECT_NEAR(bottom + top, 0, 6);
+            bench.act(Id::undo);
+            EXPECT_EQ(bench.look(), lost);
+        }
+}
+
 TEST(Viewer, TheTurntableTurnsByStepsHoweverTheyAreCut) {
     Bench once, often;
     once.act(Id::toggle_turntable);
@@ -288,6 +375,17 @@ TEST(Viewer, FilesGoRoundAndASingleFileStays) {
     EXPECT_EQ(bench.viewer.state().file, 0);
     Viewer single(Settings(), 640, 480, 1);
     EXPECT_EQ(single.apply({Id::next_file, {}, {}, false}, nullptr), Effect::none);
+}
+
+TEST(Viewer, EscapeClosesWhatIsOpenBeforeItQuits) {
+    Bench bench;
+    bench.act(Id::toggle_info);
+    bench.act(Id::toggle_explain);
+    bench.act(Id::light_next);
+    for (int open = 0; open < 3; ++open)
+        EXPECT_EQ(bench.act(Id::close), Effect::none);
+    EXPECT_FALSE(bench.viewer.state().info);
+    EXPECT_EQ(bench.act(Id::close), Effect::quit);
 }
 
 TEST(Viewer, EscapeClosesTheHelpAndElseQuits) {
