@@ -183,6 +183,7 @@ Result<void> ViewSession::take(const Action& action) {
     if (action.id != ActionId::pointer) message_.hide();
     if (action.id == ActionId::toggle_explain)
         viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
+    if (action.id == ActionId::cull_next && !steady_) return change_culling(action);
     const Effect effect = viewer_.apply(action, slot_.mesh());
     if (!viewer_.answer().empty()) show_message(viewer_.answer(), kMessageSteps);
     switch (effect) {
@@ -205,6 +206,18 @@ Result<void> ViewSession::take(const Action& action) {
         quit_ = true;
         break;
     }
+    return {};
+}
+
+// Of a closed mesh that is seen from outside the backs are hidden: that nothing happens is no
+// fault.
+Result<void> ViewSession::change_culling(const Action& action) {
+    TRY_VOID(render());
+    const image::Image before = *picture_;
+    viewer_.apply(action, slot_.mesh());
+    TRY_VOID(render());
+    const bool same = slot_.model() != nullptr && *picture_ == before;
+    show_message(viewer_.answer() + (same ? " (no pixel changes)" : ""), kMessageSteps);
     return {};
 }
 

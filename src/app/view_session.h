@@ -69,6 +69,7 @@ private:
 
     // Actions and time.
     Result<void> take(const Action& action);
+    Result<void> change_culling(const Action& action);
     void describe_input();
     Result<void> take_input();
     Result<void> play_script();

@@ -84,7 +84,7 @@ protected:
         settings.quiet = true;
     }
     port::HeadlessDisplay make_display(const image::PixelFormat& format = {}) {
-        return std::move(*port::HeadlessDisplay::create(160, 120, format));
+        return std::move(*port::HeadlessDisplay::create(width, height, format));
     }
     // Runs until the input quits; how many frames were presented.
     std::size_t run(std::vector<TimedInput::Entry> entries) {
@@ -95,6 +95,20 @@ protected:
         const Result<void> ended = (*session)->run();
         EXPECT_TRUE(ended) << ended.error().what;
         return display.frames();
+    }
+    // What is on the display at the end.
+    image::Image last_frame(std::vector<TimedInput::Entry> entries) {
+        port::HeadlessDisplay display = make_display();
+        TimedInput input(std::move(entries));
+        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        EXPECT_TRUE((*session)->run());
+        return display.shown();
+    }
+    static image::Image with_message(image::Image picture, const std::string& message) {
+        Overlay overlay;
+        overlay.message = message;
+        draw_overlay(picture, overlay);
+        return picture;
     }
     // Plays a script at once; leaves its pictures in the folder.
     Result<void> play(const std::string& text, port::Display& display) {
@@ -110,16 +124,17 @@ protected:
         Warnings warnings;
         const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
         frame::FrameOptions options = settings.frame;
-        options.width = 160;
-        options.height = 120;
+        options.width = width;
+        options.height = height;
         const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
-                                                   settings.camera, {}, 160, 120);
+                                                   settings.camera, {}, width, height);
         const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
         frame::Renderer renderer(jobs);
         return renderer.render(model.scene, view, plan);
     }
 
     test::TemporaryFolder folder;
+    int width = 160, height = 120;
     Settings settings;
     Jobs jobs{2};
 };
@@ -208,17 +223,9 @@ TEST_F(Session, XTurnsThePagesOfThePlanAndThenTakesItAway) {
 
 // At the lower left, where nothing else stands.
 TEST_F(Session, TheFirstSecondsNameTheKeysOfHelpAndEnd) {
-    const auto last_frame = [&](std::vector<TimedInput::Entry> entries) {
-        port::HeadlessDisplay display = make_display();
-        TimedInput input(std::move(entries));
-        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
-        EXPECT_TRUE((*session)->run());
-        return display.shown();
-    };
     EXPECT_EQ(last_frame({{200ms, {quit()}}}), rendered({})) << "--quiet";
     settings.quiet = false;
-    const image::Image hint = last_frame({{200ms, {quit()}}});
-    EXPECT_NE(hint, rendered({}));
+    EXPECT_EQ(last_frame({{200ms, {quit()}}}), with_message(rendered({}), "H help, Q quit"));
     EXPECT_EQ(last_frame({{6500ms, {quit()}}}), rendered({})) << "it goes by itself";
     EXPECT_EQ(last_frame({{200ms, {press(XKB_KEY_Home)}}, {300ms, {quit()}}}), rendered({}))
         << "a key takes it away";
@@ -227,15 +234,27 @@ TEST_F(Session, TheFirstSecondsNameTheKeysOfHelpAndEnd) {
 }
 
 TEST_F(Session, ASwitchShowsItsStateForAMoment) {
-    const auto last_frame = [&](std::chrono::milliseconds wait) {
-        port::HeadlessDisplay display = make_display();
-        TimedInput input({{100ms, {press(XKB_KEY_o)}}, {wait, {quit()}}});
-        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
-        EXPECT_TRUE((*session)->run());
-        return display.shown();
-    };
-    EXPECT_NE(last_frame(300ms), rendered({}));
-    EXPECT_EQ(last_frame(3800ms), rendered({}));
+    width = 640; // room for the message
+    EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_o)}}, {300ms, {quit()}}}),
+              with_message(rendered({}), "keys drive: camera"));
+    EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_o)}}, {3800ms, {quit()}}}), rendered({}));
+}
+
+TEST_F(Session, CullingThatChangesNoPixelSaysSo) {
+    width = 640; // room for the message
+    const image::Image closed = rendered({});
+    EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_c)}}, {300ms, {quit()}}}),
+              with_message(closed, "faces left out: back (no pixel changes)"));
+    // Its lower half alone, from above: the backs of the walls are seen.
+    settings.arguments = {folder.write("open.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n"
+                                                   "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                                                   "f 4 3 2 1\nf 1 2 6 5\nf 4 1 5 8\n")};
+    settings.camera.elevation_degrees = 50;
+    settings.frame.cull = frame::Cull::back;
+    const image::Image culled = rendered({});
+    settings.frame.cull = frame::Cull::none;
+    EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_c)}}, {300ms, {quit()}}}),
+              with_message(culled, "faces left out: back"));
 }
 
 TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
