@@ -82,6 +82,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::undo, "undo", "U", "U", "undo"},
     {Id::reload, "reload", "F5", "F5", "read the file again"},
     {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
+    {Id::print_view, "print_view", "K", "K", "this view as a command"},
     {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
     {Id::close, "close", "Escape", "Esc", "close what is open, else quit"},
     {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C", "quit"},

@@ -50,8 +50,11 @@ Result<Tapes> open_tapes(const Settings& settings) {
     return tapes;
 }
 
-Result<void> show(const Settings& settings, SessionParts parts, const char* backend,
-                  std::uint64_t start_bytes) {
+// The commands that the user noted.
+using Commands = std::vector<std::string>;
+
+Result<Commands> show(const Settings& settings, SessionParts parts, const char* backend,
+                      std::uint64_t start_bytes) {
     const port::DisplayInfo& info = parts.display.info();
     if (settings.verbose)
         say(fmt::format("display {} {}, {}x{} {}", backend, info.name, info.width, info.height,
@@ -59,10 +62,11 @@ Result<void> show(const Settings& settings, SessionParts parts, const char* back
     TRY(const std::unique_ptr<ViewSession> session,
         ViewSession::create(settings, std::move(parts)));
     TRY_VOID(session->run());
-    return write_report(settings, to_json(session->report(start_bytes)));
+    TRY_VOID(write_report(settings, to_json(session->report(start_bytes))));
+    return session->noted_commands();
 }
 
-Result<void> show_headless(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
+Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
     const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
     TRY(port::HeadlessDisplay display,
         port::HeadlessDisplay::create(settings.frame.width, settings.frame.height, format));
@@ -112,7 +116,7 @@ Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
     return fail(Exit::no_display, "no display: {}; `scanout render` draws without one", refused);
 }
 
-Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
+Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
     TRY(const std::unique_ptr<console::Session> session,
         console::Session::open(!settings.device.empty()));
     TRY(const OpenDisplay open, open_display(settings, session->seat()));
@@ -134,14 +138,15 @@ Result<void> show_on_console(const Settings& settings, Tapes tapes, std::uint64_
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
     TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));
-    if (settings.backend == Backend::headless) {
-        TRY_VOID(show_headless(settings, std::move(tapes), start_bytes));
-        return Exit::ok;
-    }
-    const Result<void> shown = show_on_console(settings, std::move(tapes), start_bytes);
-    if (settings.verbose && (shown || shown.error().exit != Exit::no_display))
+    const bool on_console = settings.backend != Backend::headless;
+    const Result<Commands> noted = on_console
+                                       ? show_on_console(settings, std::move(tapes), start_bytes)
+                                       : show_headless(settings, std::move(tapes), start_bytes);
+    if (on_console && settings.verbose && (noted || noted.error().exit != Exit::no_display))
         say("console restored");
-    if (!shown) return tl::unexpected(shown.error());
+    if (!noted) return tl::unexpected(noted.error());
+    for (const std::string& command : *noted)
+        say(command, stdout);
     return Exit::ok;
 }
 

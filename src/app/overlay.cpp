@@ -48,6 +48,17 @@ void draw_in_the_middle(image::Image& picture, const std::vector<std::string>& l
                std::max(0, (picture.height() - block.height) / 2), scale);
 }
 
+// A message of one line stays one, cut where the picture ends: it must not cover the model.
+std::vector<std::string> message_lines(const std::string& message, std::size_t letters) {
+    std::vector<std::string> lines;
+    const std::size_t end = message.find('\n');
+    lines.push_back(message.substr(0, end));
+    if (end == std::string::npos) return lines;
+    for (std::string& line : broken_into_lines(message.substr(end + 1), letters))
+        lines.push_back(std::move(line));
+    return lines;
+}
+
 } // namespace
 
 std::vector<std::string> help_sheet(const ViewerState& state) {
@@ -94,7 +105,8 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
     left.insert(left.end(), overlay.explain.begin(), overlay.explain.end());
     if (!left.empty() && overlay.help.empty()) draw_block(picture, left, 0, 0, scale);
     if (!overlay.message.empty()) {
-        const std::vector<std::string> lines = {overlay.message};
+        const std::vector<std::string> lines =
+            message_lines(overlay.message, letters_across(picture.width(), picture.height()));
         draw_block(picture, lines, 0, picture.height() - size_of(lines, scale).height, scale);
     }
     if (!overlay.notice.empty()) draw_in_the_middle(picture, overlay.notice, scale);

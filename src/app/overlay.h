@@ -14,8 +14,8 @@ struct Overlay {
     std::vector<std::string> help;    // the sheet's lines; empty: closed
     std::vector<std::string> info;    // lines at the upper left
     std::vector<std::string> explain; // lines under them
-    std::string message;              // a line at the lower left
-    std::vector<std::string> notice;  // lines in the middle: loading, errors
+    std::string message;             // a line at the lower left; after \n more, as long as it takes
+    std::vector<std::string> notice; // lines in the middle: loading, errors
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 

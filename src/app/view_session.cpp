@@ -3,6 +3,7 @@
 #include "app/message.h"
 #include "app/overlay_text.h"
 #include "app/picture.h"
+#include "app/view_command.h"
 #include "frame/plan/ignored_options.h"
 
 #include <algorithm>
@@ -195,6 +196,9 @@ Result<void> ViewSession::take(const Action& action) {
         return load(true);
     case Effect::screenshot:
         return write_screenshot();
+    case Effect::print_view:
+        note_command();
+        break;
     case Effect::frame:
         frame_file_ = action.text;
         break;
@@ -239,13 +243,26 @@ Result<void> ViewSession::write_screenshot() {
     for (int number = 1; number < 1000; ++number) {
         const std::string file = fmt::format("scanout-{}-{:03}.png", name, number);
         if (::access(file.c_str(), F_OK) == 0) continue;
-        TRY(const image::Bytes bytes, image::encode_png(*picture_));
+        TRY(const image::Bytes bytes, image::encode_png(*picture_, command()));
         const Result<void> written = write_picture(file, bytes);
         tell(written ? "wrote " + file : written.error().what);
         return {};
     }
     tell(fmt::format("scanout-{}-001.png to -999.png exist already", name));
     return {};
+}
+
+std::string ViewSession::command() const {
+    if (slot_.model() == nullptr) return {};
+    const std::string options = view_options(viewer_, settings_, *slot_.mesh());
+    return options.empty() ? "" : view_command(path(), options);
+}
+
+void ViewSession::note_command() {
+    const std::string now = command();
+    if (now.empty()) return;
+    noted_commands_.push_back(now);
+    show_message("at the end on standard output:\n" + now, kMessageSteps);
 }
 
 // ---- Files ------------------------------------------------------------------------------------

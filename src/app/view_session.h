@@ -51,6 +51,8 @@ public:
 
     RunReport report(std::uint64_t start_bytes);
     int frames_drawn() const { return log_.count(); }
+    // What K noted, for standard output once the console is text again.
+    const std::vector<std::string>& noted_commands() const { return noted_commands_; }
 
 private:
     using Time = VirtualClock::Time;
@@ -66,6 +68,8 @@ private:
     bool report_progress(double share, Time start);
     bool wants_to_leave();
     Result<void> write_screenshot();
+    std::string command() const; // that shows the same; empty: none does
+    void note_command();
 
     // Actions and time.
     Result<void> take(const Action& action);
@@ -129,6 +133,7 @@ private:
 
     std::vector<port::Event> events_;
     std::string input_described_;
+    std::vector<std::string> noted_commands_;
     std::optional<std::string> frame_file_; // where a script wants the next frame
     frame::FrameOptions frame_options_;     // of the picture, in the room of the last
     Shown shown_;

@@ -117,6 +117,8 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         return Effect::reload;
     case ActionId::screenshot:
         return Effect::screenshot;
+    case ActionId::print_view:
+        return Effect::print_view;
     case ActionId::frame:
         return Effect::frame;
     case ActionId::suspend:

@@ -19,7 +19,16 @@ inline constexpr int kTurntableUnitsPerStep =
 inline constexpr int kPointerSteps = 3 * kStepsPerSecond;
 
 // What an action asks of the session.
-enum class Effect : std::uint8_t { none, load_file, reload, screenshot, frame, suspend, quit };
+enum class Effect : std::uint8_t {
+    none,
+    load_file,
+    reload,
+    screenshot,
+    print_view,
+    frame,
+    suspend,
+    quit
+};
 
 class Viewer {
 public:

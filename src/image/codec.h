@@ -16,7 +16,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 // PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture. An empty
 // picture has no PNG (Exit::internal).
-Result<Bytes> encode_png(const Image& image);
+// description: UTF-8 that the file says of itself (PNG 3, 11.3.3); empty: nothing.
+Result<Bytes> encode_png(const Image& image, const std::string& description = {});
 Bytes encode_ppm(const Image& image); // P6: alpha is dropped
 Bytes encode_pam(const Image& image); // P7, RGB_ALPHA
 

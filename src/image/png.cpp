@@ -136,6 +136,15 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
     writer->file.insert(writer->file.end(), bytes, bytes + count);
 }
 
+void describe(Writer& writer, std::string& description) {
+    std::string keyword = "Description";
+    png_text text{};
+    text.compression = PNG_ITXT_COMPRESSION_NONE;
+    text.key = keyword.data();
+    text.text = description.data();
+    png_set_text(writer.png, writer.info, &text, 1);
+}
+
 void write_header(Writer& writer, const Image& image, bool opaque) {
     png_set_write_fn(writer.png, &writer, write_bytes, nullptr);
     png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width()),
@@ -160,13 +169,15 @@ void write_rows(Writer& writer, const Image& image) {
 
 } // namespace
 
-Result<Bytes> encode_png(const Image& image) {
+Result<Bytes> encode_png(const Image& image, const std::string& description) {
     if (image.empty()) return fail(Exit::internal, "a picture without pixels cannot become a PNG");
     const auto full = [](const Rgba8& pixel) { return pixel.a == 255; };
     const bool opaque = std::all_of(image.pixels().begin(), image.pixels().end(), full);
     Writer writer;
     writer.file.reserve(image.pixels().size_bytes() / 8);
+    std::string text = description; // libpng wants to be able to write to it
     const bool done = guarded(writer.png, [&] {
+        if (!text.empty()) describe(writer, text);
         write_header(writer, image, opaque);
         write_rows(writer, image);
     });

@@ -240,6 +240,18 @@ TEST_F(Session, ASwitchShowsItsStateForAMoment) {
     EXPECT_EQ(last_frame({{100ms, {press(XKB_KEY_o)}}, {3800ms, {quit()}}}), rendered({}));
 }
 
+TEST_F(Session, KNotesTheViewAsACommandForTheEnd) {
+    port::HeadlessDisplay display = make_display();
+    TimedInput input({{100ms, {press(XKB_KEY_Left), press(XKB_KEY_k)}}, {100ms, {quit()}}});
+    auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+    ASSERT_TRUE((*session)->run());
+    ASSERT_EQ((*session)->noted_commands().size(), 1U);
+    const std::string& command = (*session)->noted_commands().front();
+    EXPECT_EQ(command.find("scanout render " + settings.arguments.front() + " --size 160x120 "), 0U)
+        << command;
+    EXPECT_NE(command.find(" --rotate 0,-5,0 "), std::string::npos) << command;
+}
+
 TEST_F(Session, CullingThatChangesNoPixelSaysSo) {
     width = 640; // room for the message
     const image::Image closed = rendered({});

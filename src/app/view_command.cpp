@@ -1,0 +1,106 @@
+#include "app/view_command.h"
+
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+// Ten digits are finer than any picture; a rest of rounding is 0.
+std::string number(double value) {
+    return std::abs(value) < 1e-10 ? "0" : fmt::format("{:.10g}", value);
+}
+
+std::string triple(const DVec3& v) {
+    return fmt::format("{},{},{}", number(v.x), number(v.y), number(v.z));
+}
+
+// About x, then y, then z, in degrees: m = Rz * Ry * Rx. Columns come first: m[column][row].
+DVec3 angles_of(const DMat3& m) {
+    const double across = std::sqrt(m[0][0] * m[0][0] + m[0][1] * m[0][1]);
+    const double y = scanout::atan2(-m[0][2], across);
+    // With the y turn at a right angle x and z turn about one axis: z takes none of it.
+    if (across < 1e-9) return DVec3(scanout::atan2(-m[2][1], m[1][1]), y, 0) * kDegrees;
+    return DVec3(scanout::atan2(m[1][2], m[2][2]), y, scanout::atan2(m[0][1], m[0][0])) * kDegrees;
+}
+
+// The model's transform, of which `placed` is rotation times scale. A scale keeps the sign that the
+// command line gave it.
+scene::ModelTransform transform_of(const DMat3& placed, const DVec3& given_scale) {
+    scene::ModelTransform transform;
+    DMat3 rotation = placed;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double size = length(placed[axis]);
+        transform.scale[axis] = std::copysign(size, given_scale[axis]);
+        rotation[axis] = placed[axis] / transform.scale[axis];
+    }
+    transform.rotate_degrees = angles_of(rotation);
+    return transform;
+}
+
+// A camera without roll that looks at the model's centre along the present line of sight.
+scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
+                               const Settings& settings, scene::UpAxis up) {
+    const DVec3 back(to_view[0][2], to_view[1][2], to_view[2][2]); // towards the eye, world
+    scene::CameraOptions camera;
+    camera.azimuth_degrees = scanout::atan2(back.x, back.z) * kDegrees;
+    camera.elevation_degrees =
+        std::clamp(scanout::atan2(back.y, std::sqrt(back.x * back.x + back.z * back.z)) * kDegrees,
+                   -90.0, 90.0);
+    camera.fov_degrees = settings.camera.fov_degrees;
+    camera.projection = view.projection;
+    camera.up = up;
+    const double half_fov = camera.fov_degrees / 2;
+    camera.distance = view.projection == scene::Projection::perspective
+                          ? view.near_distance * 0x1p14 // that share of it make_view() takes
+                          : view.half_height * cos_degrees(half_fov) / sin_degrees(half_fov);
+    return camera;
+}
+
+} // namespace
+
+std::string view_options(const Viewer& viewer, const Settings& settings, const geom::Mesh& mesh) {
+    const Look& look = viewer.state().look;
+    const Result<scene::View> now = viewer.view(mesh);
+    if (!now) return {};
+    const DMat3 up = scene::up_rotation(look.up);
+    const scene::CameraOptions camera =
+        camera_of(*now, now->world_axes * transpose(up), settings, look.up);
+    const Result<scene::View> plain =
+        scene::make_view(mesh, {}, {}, camera, {}, viewer.width(), viewer.height());
+    if (!plain) return {};
+    const DMat3 to_world = up * transpose(plain->world_axes); // from view space
+    scene::ModelTransform model = transform_of(
+        to_world * now->linear * transpose(up) * double{mesh.radius}, settings.model.scale);
+    model.translate = to_world * (now->translation + DVec3(0, 0, camera.distance));
+    std::string text = fmt::format(
+        "--size {}x{} --camera {},{},{} --projection {} --up {} --cull {}", viewer.width(),
+        viewer.height(), number(camera.azimuth_degrees), number(camera.elevation_degrees),
+        number(camera.distance), name_of(look.projection), name_of(look.up), name_of(look.cull));
+    if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
+        text += fmt::format(" --fov {}", number(camera.fov_degrees));
+    return text + fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
+                              triple(model.rotate_degrees), triple(model.translate));
+}
+
+std::string view_command(const std::string& path, const std::string& options) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-";
+    std::string quoted = path;
+    if (path.find_first_not_of(kPlain) != std::string::npos) {
+        quoted = "'";
+        for (const char c : path)
+            quoted += c == '\'' ? "'\\''" : std::string(1, c);
+        quoted += "'";
+    }
+    return fmt::format("scanout render {} {} -o view.png", quoted, options);
+}
+
+} // namespace scanout::app
