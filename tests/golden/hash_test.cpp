@@ -53,6 +53,8 @@ std::vector<Shot> hashed_shots() {
     shots.back().camera.eye = DVec3(0, 0, 0.5);
     shots.back().camera.target = DVec3(0, 0, 0);
     shots.back().options.aa = "area";
+    shots.push_back(near_clip("near_clip_by_area"));
+    shots.back().options.aa = "area";
     shots.push_back(soup("soup_under_a_tent", 500, 0.8, 6));
     shots.back().options.aa = "tent";
     shots.back().options.dither = "bayer";
