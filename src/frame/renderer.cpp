@@ -136,8 +136,8 @@ static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowSc
     const FrameOptions& o = in.plan.options;
     const AntiAliasing& aa = *in.plan.aa;
     if (pass == nullptr) pass = std::make_unique<ShadowPass>(in.jobs.threads());
-    pass->run(in, transform, {o.width * aa.scale, o.height * aa.scale, tile_size, aa.samples},
-              lights);
+    pass->run(in, transform,
+              {o.width * aa.scale, o.height * aa.scale, tile_size, aa.samples, aa.exact}, lights);
     return pass.get();
 }
 
@@ -214,7 +214,7 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
                                      ? shade::PixelSumSink{}
                                      : shade::PixelSumSink{&splats.own, f.filter, &splats});
     const bool blends = f.in.transparency != nullptr && f.in.transparency->blended != nullptr;
-    if (f.shadows != nullptr && (blends || !worker.visibility.empty()))
+    if (f.shadows != nullptr && (blends || aa.exact || !worker.visibility.empty()))
         worker.gatherer.set_shadow(f.shadows->count(tile, worker.number, worker.visibility));
     if (aa.exact)
         shade_areas(geometry, tile, f.scene.mesh.triangles(), f.in, worker, back_buffer);

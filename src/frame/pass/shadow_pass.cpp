@@ -61,6 +61,7 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
     const std::size_t count = lights.lights().size();
     maps_.clear();
     lights_.assign(count, {});
+    areas_ = grid.areas;
     if (volume || projected) {
         polygons_.resize(count);
         find_casters(in.scene, in.plan.shadow, projected);
@@ -104,6 +105,7 @@ const shade::TileShadow* ShadowPass::count(int tile, int worker, const Visibilit
     shade::TileShadow& made = tiles_[static_cast<std::size_t>(worker)];
     made = {};
     made.tile = &visible;
+    made.areas = areas_;
     made.receives = casters_.receives;
     for (std::size_t k = 0; k < polygons_.size(); ++k) {
         if (!lights_[k].casts) continue;

@@ -47,6 +47,7 @@ private:
     ShadowMaps maps_;
     std::vector<ShadowPolygons> polygons_; // of each light; empty where maps are read
     Casters casters_;
+    bool areas_ = false; // ScreenTiles
     std::vector<ShadowEdge> edges_; // scratch
     std::vector<shade::LightShadow> lights_;
     std::vector<std::vector<float>> counts_; // of each worker

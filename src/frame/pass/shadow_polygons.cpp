@@ -62,7 +62,8 @@ void bin(const ScreenTiles& grid, ShadowPolygons& polygons) {
     const int across = tiles(grid.width);
     polygons.tiles.resize(static_cast<std::size_t>(across) *
                           static_cast<std::size_t>(tiles(grid.height)));
-    const raster::SampleExtent extent = extent_of(raster::sample_pattern(grid.samples));
+    const raster::SampleExtent extent =
+        grid.areas ? raster::SampleExtent{} : extent_of(raster::sample_pattern(grid.samples));
     for (std::size_t i = 0; i < polygons.triangles.size(); ++i) {
         const image::Rect box =
             pixel_bounds(polygons.triangles[i].triangle, grid.width, grid.height, extent);

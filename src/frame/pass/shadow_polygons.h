@@ -19,6 +19,7 @@ namespace scanout::frame {
 // The tiles of the picture, numbered along rows.
 struct ScreenTiles {
     int width = 0, height = 0, tile_size = 0, samples = 1;
+    bool areas = false; // instead of samples
 };
 
 // The triangles that cast shadows, the light, and the screen.

@@ -26,7 +26,7 @@ struct ClippedSetup {
     double terms = 0;       // bound of the terms that may cancel in these slopes
     double least, most;     // depth of the vertices
     image::Rect box;        // pixels that it may touch, of a picture of any size
-    SampleExtent extent;    // of the pattern of all these tiles
+    SampleExtent extent;    // holds the patterns of all these tiles
     ClippedSetup(const ClippedTriangle& triangle, const SampleExtent& extent);
 
     double depth_of(const double (&e)[3]) const {

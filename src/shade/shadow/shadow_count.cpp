@@ -4,6 +4,7 @@
 #include "shade/shadow.h"
 #include "shade/transparency/transparency_pass.h"
 
+#include <algorithm>
 #include <bit>
 
 namespace scanout::shade {
@@ -65,6 +66,38 @@ VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& pol
     return visible;
 }
 
+// The same of a part of a pixel, which is shaded at one place (1/256 pixel). No depth is asked for:
+// areas know no volumes.
+VisibleSamples visible_by_area(const TileShadow& shadow, std::size_t k, std::uint32_t id,
+                               std::int32_t x, std::int32_t y) {
+    const TilePolygons& polygons = shadow.polygons[k];
+    CHECK(polygons.where == raster::StencilWhere::everywhere);
+    const image::Rect& area = shadow.tile->area();
+    constexpr std::int32_t kInPixel = raster::kSubpixel - 1;
+    if (raster::SampleOffset{x & kInPixel, y & kInPixel} == raster::kPixelCentre) { // most
+        const int column = (x >> raster::kSubpixelBits) - area.x0,
+                  row = (y >> raster::kSubpixelBits) - area.y0;
+        const float count = shadow.count[k][row * raster::kTileSize + column];
+        return {.samples = 1, .bright = count == 0 ? 1 : 0};
+    }
+    const auto covers = [&](std::uint32_t i) {
+        return stencil_at(polygons.all[i], x, y, 0, id, polygons.where) != 0;
+    };
+    const bool dark = std::any_of(polygons.here.begin(), polygons.here.end(), covers);
+    return {.samples = 1, .bright = dark ? 0 : 1};
+}
+
+// Of an item's pixel.
+VisibleSamples visible_of(const ShadingBlock& b, std::size_t k, std::uint32_t id, int item) {
+    const TileShadow& shadow = *b.shadow;
+    if (shadow.areas) return visible_by_area(shadow, k, id, b.x[item], b.y[item]);
+    const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
+    const VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
+    if (visible.samples > 0) return visible;
+    CHECK(b.blended != nullptr);
+    return visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
+}
+
 // Takes the light k from the items of a run that lie in shadow.
 void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::size_t k) {
     const TileShadow& shadow = *b.shadow;
@@ -72,14 +105,9 @@ void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::si
     if (!shadow.receives.empty() && shadow.receives[id] == 0) return;
     const bool faces = lit(*run.primitive, frame, frame.lights[k]);
     for (int item = run.first; item < run.first + run.count; ++item) {
-        const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
         float visibility = 0;
         if (faces) {
-            VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
-            if (visible.samples == 0) {
-                CHECK(b.blended != nullptr);
-                visible = visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
-            }
+            const VisibleSamples visible = visible_of(b, k, id, item);
             CHECK_LT(0, visible.samples);
             visibility = static_cast<float>(visible.bright) / static_cast<float>(visible.samples);
         }
