@@ -83,6 +83,18 @@ struct Triangle {
         }
         return false;
     }
+    // Is a vertex' normal another than the face's own, but for rounding?
+    bool is_smooth(const Mesh& mesh, const std::uint32_t* v) const {
+        constexpr double kStraight = 0x1p-16; // sine: lights no face from behind by a code
+        const auto bends = [&](const DVec3& normal) {
+            const DVec3 across = cross3(normal, n);
+            return dot3(normal, n) <= 0 ||
+                   dot3(across, across) > kStraight * kStraight * dot3(normal, normal) * dot3(n, n);
+        };
+        return dot3(n, n) > 0 &&
+               (bends(DVec3(mesh.normal[v[0]])) || bends(DVec3(mesh.normal[v[1]])) ||
+                bends(DVec3(mesh.normal[v[2]])));
+    }
 };
 
 void include(Box& box, const DVec3& low, const DVec3& high) {
@@ -276,6 +288,11 @@ MeshTopology topology(const Mesh& mesh, const std::vector<bool>& lets_through) {
     const std::vector<Solid> solids = locate(result, mesh, components, of);
     result.flat = is_flat(planes.planes());
     result.convex_components = convex_components(mesh, components, of, solids);
+    if (!result.flat && result.convex_components.empty()) return result;
+    for (std::size_t i = 0; i + 2 < mesh.index.size(); i += 3) {
+        const std::uint32_t* v = &mesh.index[i];
+        result.smooth_triangles += Triangle(mesh, v).is_smooth(mesh, v) ? 1 : 0;
+    }
     return result;
 }
 

@@ -32,6 +32,9 @@ struct MeshTopology {
     // or is closed, wound outwards, and nothing of it rises above any of its (few) planes. None of
     // many components.
     std::vector<Box> convex_components;
+    // Of a flat mesh and of convex components: triangles with a normal that is not the face's own.
+    // These normals let light show on faces that turn away from it.
+    std::size_t smooth_triangles = 0;
     std::size_t open_triangles = 0; // of the other components
     PlaneSet open_planes;           // in which those lie: before all of them no back is seen
     // Of the closed components; the last is of all that come after it, too.

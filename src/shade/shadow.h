@@ -54,7 +54,7 @@ struct TileShadow {
     const float* count[scene::kMaxLights] = {};
     // For what no sample of the tile shows: blended surfaces, in front of what was counted.
     TilePolygons polygons[scene::kMaxLights];
-    // By areas a pixel may show what its centre, where polygons are counted, does not: every lane
+    // By areas a pixel may show what its centre, where polygons are counted, does not: every item
     // asks at its own place.
     bool areas = false;
     // By triangle: which receive the shadow. Empty: all do.

@@ -81,6 +81,49 @@ TEST(DisjointShadows, WhatStandsApartThrowsNoShadowOnOneAnother) {
     EXPECT_GT(shading, 50);
 }
 
+// A face that turns away from a lamp lies in its own shadow, though the normals that shade it, or
+// the side of it that the file calls its front, may be lit.
+TEST(DisjointShadows, FallsOnConvexBodiesThatAreLitFromBehind) {
+    test::Shot smooth = test::shot("smooth");
+    smooth.scene.materials = {test::plain(Vec3(0.7F))};
+    test::add_sphere(smooth.scene.mesh, Vec3(0), 0.9F, 6, 4, 0);
+    smooth.scene.mesh.uv.clear();
+    test::Shot sheet = test::shot("sheet");
+    sheet.scene.materials = smooth.scene.materials;
+    test::add_square(sheet.scene.mesh, 0.8F, 0, 0);
+    sheet.scene.mesh.uv.clear();
+    sheet.options.effects["two_sided"] = false;
+    sheet.camera.azimuth_degrees = 200; // its back, and the lamp stands before its front
+    for (test::Shot s : {smooth, sheet}) {
+        scene::Light lamp = test::light_of(LightKind::directional, 0.9);
+        lamp.casts = true;
+        s.options.lights = {lamp, test::light_of(LightKind::ambient, 0.1)};
+        const image::Image planned = test::draw(s);
+        s.options.effects["shadow"] = true;
+        EXPECT_EQ(test::draw(s), planned) << s.name;
+        s.options.effects["shadow"] = false;
+        EXPECT_NE(test::draw(s), planned) << s.name;
+    }
+}
+
+// Of a convex body whose backs show, the near side stands between the lamp and the far one.
+TEST(DisjointShadows, FallsOnTheFarSideOfABox) {
+    test::Shot s = test::shot("far side");
+    s.scene.materials = {test::plain(Vec3(0.7F))};
+    test::add_cube(s.scene.mesh, 0.5F, 0);
+    s.scene.mesh.uv.clear();
+    s.camera.elevation_degrees = 20;
+    s.options.depth_test = "less";
+    scene::Light lamp = test::light_of(LightKind::directional, 0.9);
+    lamp.casts = true;
+    s.options.lights = {lamp, test::light_of(LightKind::ambient, 0.1)};
+    const image::Image planned = test::draw(s);
+    s.options.effects["shadow"] = true;
+    EXPECT_EQ(test::draw(s), planned);
+    s.options.effects["shadow"] = false;
+    EXPECT_NE(test::draw(s), planned);
+}
+
 TEST(DisjointShadows, IsToldFromBoxesAndTheLight) {
     scene::View view;
     view.near_distance = 0.01;

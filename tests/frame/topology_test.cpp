@@ -227,6 +227,25 @@ TEST(MeshTopology, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
     EXPECT_TRUE(geom::topology(cube).convex_components.empty()) << "too many";
 }
 
+TEST(MeshTopology, TellsWhichFacesAreShadedByOtherNormalsThanTheirOwn) {
+    geom::Mesh mesh = empty_mesh();
+    test::add_cube(mesh, 0.25F);
+    EXPECT_EQ(geom::topology(mesh).smooth_triangles, 0U);
+    mesh.normal[0] = mesh.normal[0] + Vec3(1e-6F); // rounding
+    EXPECT_EQ(geom::topology(mesh).smooth_triangles, 0U);
+    mesh.normal[0] = mesh.normal[0] + Vec3(1e-3F);
+    EXPECT_EQ(geom::topology(mesh).smooth_triangles, 2U) << "both triangles of a side";
+    geom::Mesh ball = empty_mesh();
+    test::add_sphere(ball, Vec3(0), 0.5F, 6, 4);
+    EXPECT_EQ(geom::topology(ball).convex_components.size(), 1U);
+    EXPECT_GT(geom::topology(ball).smooth_triangles, 30U);
+    geom::Mesh sheet = empty_mesh();
+    test::add_square(sheet, 0.5F);
+    sheet.normal[2] = {0, 0, -1};
+    EXPECT_TRUE(geom::topology(sheet).flat);
+    EXPECT_EQ(geom::topology(sheet).smooth_triangles, 2U);
+}
+
 // And no bit of the picture has one: volumes, which are exact, against none.
 TEST(MeshTopology, AConvexModelHasNoShadowsAndNoShadowPass) {
     test::Random random(3);

@@ -1,5 +1,6 @@
 // Lights, sides, reflection, shadows, and how often they are evaluated.
 #include "base/check.h"
+#include "frame/facts/map_facts.h"
 #include "frame/plan/planner.h"
 #include "rows.h"
 #include "shade/sides.h"
@@ -177,13 +178,31 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
     if (on) plan.techniques.push_back(&lit.card);
 }
 
+// Does light show on some face that turns away from it? Such a face lies in its own shadow.
+bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
+    const auto leans = [&](shade::Map map) {
+        const auto asked = plan.options.effects.find(map_effect(map));
+        return facts.mapped_triangles[map] > 0 &&
+               (asked == plan.options.effects.end() || asked->second);
+    };
+    return facts.topology.smooth_triangles > 0 || plan.sides == shade::Sides::file ||
+           leans(shade::kNormalMap) || leans(shade::kBumpMap);
+}
+
 // From inside, a convex body's near side stands between the lights and its far side.
+bool shows_far_side(const FrameOptions& options, const ViewFacts& view) {
+    const raster::DepthTestRow& test =
+        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
+    return options.cull == Cull::front || view.inside || test.test != raster::DepthTest::greater ||
+           row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard;
+}
+
 bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFacts& view,
                     const std::vector<LightFacts>& of_lights) {
     const geom::MeshTopology& topology = facts.topology;
+    if (is_lit_from_behind(plan, facts)) return true;
     if (topology.flat) return false;
-    if (topology.convex_components.empty() || plan.options.cull == Cull::front || view.inside)
-        return true;
+    if (topology.convex_components.empty() || shows_far_side(plan.options, view)) return true;
     return !std::all_of(of_lights.begin(), of_lights.end(),
                         [](const LightFacts& light) { return light.shadows_disjoint; });
 }
