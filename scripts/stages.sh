@@ -4,12 +4,12 @@
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm avx3)
+long_stages=(lint analyze faults arm avx3 walk)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [counts]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
-    [avx3]="build test avx3"
+    [avx3]="build test avx3" [walk]="build test"
 )
 
 # What one stage compiled another does not compile again, above all the release of ./run, which differs in no more than
@@ -237,6 +237,14 @@ stage_avx3() {
     configure test release
     build test test_golden test_simd test_shade
     check python3 -B tests/avx3/avx3.py build/test build/test/avx3
+}
+
+# Random frames for $WALK_SECONDS, or 20 minutes, from the seed $WALK_SEED, or a new one, which is printed.
+stage_walk() {
+    configure test release
+    build test walk
+    python3 -B tests/effects/make_models.py build/test/walk
+    check build/test/tests/walk "${WALK_SECONDS:-1200}" "${WALK_SEED:-0}" build/test/walk models
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
