@@ -13,7 +13,7 @@ struct Loop : ::testing::Test {
     static void raise(const Fd& fd) { EXPECT_EQ(::eventfd_write(fd.get(), 1), 0); }
 
     Fd display{::eventfd(0, EFD_NONBLOCK)}, input{::eventfd(0, EFD_NONBLOCK)};
-    EventLoop loop = *EventLoop::create(display.get(), input.get());
+    EventLoop loop = EventLoop::create(display.get(), input.get()).value();
 };
 
 TEST_F(Loop, SleepsUntilTheTimeAndNotShorter) {
@@ -42,7 +42,7 @@ TEST_F(Loop, SaysWhetherTheInputWokeIt) {
 }
 
 TEST(EventLoop, DoesWithoutDescriptors) {
-    EventLoop loop = *EventLoop::create(-1, -1);
+    EventLoop loop = EventLoop::create(-1, -1).value();
     EXPECT_FALSE(*loop.sleep(std::nullopt, 0));
 }
 

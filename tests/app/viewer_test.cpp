@@ -11,7 +11,7 @@ namespace {
 
 using Id = ActionId;
 
-geom::Mesh triangle() {
+geom::Mesh viewed_triangle() {
     geom::Mesh mesh;
     mesh.position = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
     mesh.normal.assign(3, Vec3(0, 0, 1));
@@ -29,7 +29,7 @@ struct Bench {
     }
     const Look& look() const { return viewer.state().look; }
     scene::View view() const { return *viewer.view(mesh); }
-    geom::Mesh mesh = triangle();
+    geom::Mesh mesh = viewed_triangle();
     Viewer viewer;
 };
 
