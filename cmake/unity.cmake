@@ -1,7 +1,7 @@
 # Several sources of a module make one unit of compilation. Most of the time for a kernel goes into reading Highway once
 # for every SIMD target, most of the time for another file into reading headers: a unit reads them once. What differs:
 # names of anonymous namespaces are those of a unit, so files of a module must not share them.
-option(SCANOUT_UNITY "Compile several files of a module together; OFF: each alone, quicker after a change of one file" OFF)
+option(SCANOUT_UNITY "Compile several files of a module together; OFF: each alone, quicker after a change of one file" ON)
 
 # scanout_unity(<target> <most> <source>...): kernels together with kernels, other files with others, at most so many of
 # them in a unit.
