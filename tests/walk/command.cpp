@@ -79,7 +79,7 @@ void add_numbers(Words& words, Random& random) {
     if (chance(random, 0.1)) say(words, "--alpha-cut", fmt::format("{:.3g}", random.unit()));
     if (chance(random, 0.1))
         say(words, "--background", one_of(Words{"transparent", "black", "white"}, random));
-    if (chance(random, 0.5)) say(words, "--shadow-size", fmt::to_string(1 << random.whole(4, 9)));
+    if (chance(random, 0.5)) say(words, "--shadow-size", fmt::to_string(1 << random.whole(6, 9)));
     if (chance(random, 0.1)) say(words, "--shadow-filter", fmt::to_string(random.whole(1, 9)));
 }
 
@@ -97,7 +97,7 @@ CommandMaker::CommandMaker() {
     }
     const auto plan = frame::plan({}, frame::SceneFacts());
     for (const frame::Decision& d : plan->decisions)
-        if (is_option("--effect", d.effect + "=on")) effects_.push_back(d.effect);
+        if (!d.choice && is_option("--effect", d.effect + "=on")) effects_.push_back(d.effect);
 }
 
 std::vector<std::string> CommandMaker::make(const ModelPlace& model, Random& random) const {
