@@ -195,7 +195,7 @@ def idle_maps(folder):
     png(os.path.join(folder, "white.png"), 8, 8, lambda x, y: (255, 255, 255))
     png(os.path.join(folder, "black.png"), 8, 8, lambda x, y: (0, 0, 0))
     png(os.path.join(folder, "tiles.png"), 16, 16, checker(16, 4))
-    model = Model("Kd 0.5 0.3 0.1\nmap_Kd white.png", "Kd 0 0 0\nmap_Kd tiles.png\nnorm tiles.png",
+    model = Model("Kd 0.5 0.3 0.1\nmap_Kd white.png", "Kd 0 0 0\nnorm tiles.png",
                   "Kd 0.1 0.4 0.2\nKe 1 1 1\nmap_Ke black.png", "Kd 0.2 0.2 0.5\nKs 0.9 0.9 0.9\nNs 40\nmap_Ks black.png",
                   "Kd 0.5 0.2 0.4\nKs 0.9 0.9 0.9\nNs 40\nmap_Ns black.png")
     for i in range(5):
