@@ -130,6 +130,7 @@ private:
     PlyFile out_;
     std::uint64_t vertices_told_ = 0; // by the header: faces may stand before them
     bool has_normals_ = false, has_uvs_ = false;
+    bool vertices_read_ = false;
     bool ended_ = false; // nothing behind can be read
 };
 
@@ -140,6 +141,7 @@ Result<PlyFile> PlyReader::read() {
             const auto columns = vertex_columns(e);
             has_normals_ = columns && columns->normal;
             has_uvs_ = columns && columns->uv;
+            break;
         }
     if (vertices_told_ > kMaxPlyVertices && size_ > kMaxPlyVertices)
         return fail(Exit::unreadable, "{}: has more than {} vertices: cut the model into parts",
@@ -153,7 +155,7 @@ Result<PlyFile> PlyReader::read() {
 
 Result<> PlyReader::element(const PlyElement& e) {
     if (e.properties.empty()) return {};
-    if (e.name == "vertex") return vertices(e);
+    if (e.name == "vertex" && !vertices_read_) return vertices(e); // the first of that name
     if (e.name == "face" && e.find(kVertexLists)) return faces(e);
     if (e.name == "tristrips" && e.find(kVertexLists)) return strips(e);
     if (e.name == "edge" && e.find(kVertex1) && e.find(kVertex2)) return edges(e);
@@ -253,6 +255,7 @@ void PlyReader::store_vertex(const VertexColumns& columns, std::size_t vertex,
 }
 
 Result<> PlyReader::vertices(const PlyElement& e) {
+    vertices_read_ = true;
     const auto columns = vertex_columns(e);
     if (!columns)
         return fail(Exit::unreadable, "{}: its vertices have no x, y and z: nothing to draw",
