@@ -202,7 +202,7 @@ fuzz() {
     "build/asan/tests/fuzz/fuzz_$1" -max_total_time=25 -rss_limit_mb=1024 -timeout=10 \
         -artifact_prefix="build/asan/fuzz-$1-" "$corpus" "tests/fuzz/seeds/$1" >"$log" 2>&1 || status=$?
     if [ $status = 0 ]; then tail -n 1 "$log"; else tail -n 60 "$log"; fi
-    return $status
+    [ $status = 0 ] # libFuzzer ends with 77 where it finds something, which is no skipped test
 }
 
 stage_guests() {
