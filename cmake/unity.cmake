@@ -26,6 +26,8 @@ function(scanout_unity target most)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
     set_target_properties(${target} PROPERTIES SCANOUT_MAY_SHADOW ON)
   endif()
+  # A unit of kernels includes itself, under a compiler cache by its path from the build's folder.
+  target_include_directories(${target} PRIVATE ${PROJECT_BINARY_DIR})
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP
                         UNITY_BUILD_CODE_BEFORE_INCLUDE "#undef SIMD_FILE\n#define SIMD_UNIT __BASE_FILE__")
 endfunction()
