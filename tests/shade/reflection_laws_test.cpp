@@ -263,6 +263,21 @@ TEST(ReflectionLaws, GgxIsTheFormula) {
     }
 }
 
+TEST(ReflectionLaws, ToonHasThreeTonesAndAHighlightThatIsThereOrNot) {
+    for (int degrees = 0; degrees <= 120; ++degrees) {
+        const double cosine = std::cos((degrees + 0.5) * std::numbers::pi / 180);
+        const DVec3 light = at_angles((degrees + 0.5) * std::numbers::pi / 180, 1);
+        const double tone = cosine <= 0 ? 0 : (std::floor(cosine * 3) + 0.5) / 3;
+        EXPECT_NEAR(highlight("toon", scene::Material(), light, {0, 0, 1}, 1), tone, 1e-6)
+            << degrees;
+        // Seen straight on, the half vector leans by half of the light's angle.
+        const double lobe = std::pow(std::cos((degrees + 0.5) / 2 * std::numbers::pi / 180), 20);
+        EXPECT_NEAR(highlight("toon", scanout::test::plain(Vec3(0), Vec3(1), 20), light, {0, 0, 1}),
+                    cosine > 0 && lobe >= 0.5 ? 1 : 0, 1e-6)
+            << degrees;
+    }
+}
+
 TEST(ReflectionLaws, EveryModelIsLinearInTheAlbedo) {
     Random random(4);
     const scene::Material shiny = scanout::test::plain(Vec3(1), Vec3(0.4F), 25);
