@@ -19,7 +19,7 @@ TEST(ScriptPlayer, GivesEachActionOnceItsStepHasCome) {
     EXPECT_TRUE(player.has_script());
 }
 
-TEST(ScriptPlayer, WithoutAScriptHasNothingToDo) {
+TEST(ScriptPlayer, WithoutAScriptGivesNoAction) {
     ScriptPlayer player(std::nullopt);
     EXPECT_FALSE(player.has_script());
     EXPECT_FALSE(player.next_step());

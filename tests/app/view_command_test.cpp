@@ -1,5 +1,6 @@
 #include "app/command_line.h"
 #include "app/view_command.h"
+#include "triangle_mesh.h"
 
 #include <sstream>
 
@@ -8,17 +9,6 @@
 
 namespace scanout::app {
 namespace {
-
-geom::Mesh triangle() {
-    geom::Mesh mesh;
-    mesh.position = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
-    mesh.normal.assign(3, Vec3(0, 0, 1));
-    mesh.index = {0, 1, 2};
-    mesh.material = {-1};
-    mesh.face = {0};
-    mesh.radius = 1;
-    return mesh;
-}
 
 std::vector<std::string> words(const std::string& text) {
     std::istringstream stream(text);
@@ -43,7 +33,7 @@ Settings settings_of(const std::string& options) {
 
 // Whatever keys and mouse did, from wherever the command line began.
 RC_GTEST_PROP(ViewCommand, ShowsTheSameAgain, ()) {
-    const geom::Mesh mesh = triangle();
+    const geom::Mesh mesh = test::triangle_mesh();
     const std::string start = *rc::gen::element<std::string>(
         "", "--camera 30,-20,4 --fov 60", "--scale 1,2,-0.5 --rotate 10,20,30 --up z",
         "--eye 1,2,4 --look-at 0.1,0,0 --translate 0.2,0,0.1");

@@ -1,4 +1,5 @@
 #include "app/viewer.h"
+#include "triangle_mesh.h"
 
 #include <cmath>
 #include <cstring>
@@ -11,17 +12,6 @@ namespace {
 
 using Id = ActionId;
 
-geom::Mesh viewed_triangle() {
-    geom::Mesh mesh;
-    mesh.position = {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 1, 0)};
-    mesh.normal.assign(3, Vec3(0, 0, 1));
-    mesh.index = {0, 1, 2};
-    mesh.material = {-1};
-    mesh.face = {0};
-    mesh.radius = 1;
-    return mesh;
-}
-
 struct Bench {
     explicit Bench(const Settings& settings = {}) : viewer(settings, 640, 480, 3) {}
     Effect act(Id id, std::array<int, 3> numbers = {}) {
@@ -29,7 +19,7 @@ struct Bench {
     }
     const Look& look() const { return viewer.state().look; }
     scene::View view() const { return *viewer.view(mesh); }
-    geom::Mesh mesh = viewed_triangle();
+    geom::Mesh mesh = test::triangle_mesh();
     Viewer viewer;
 };
 
