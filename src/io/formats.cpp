@@ -23,6 +23,9 @@ constexpr std::array kFormats = {
     Format{ModelFormat::off, "off", ".off", "OFF, ASCII: polygons, lines, points, colours"},
 };
 
+// As much of a file is looked at, however large it is.
+constexpr std::size_t kHeadBytes = 65536;
+
 // Formats that are told apart in order to be named.
 struct ForeignFormat {
     std::string_view name;
@@ -122,6 +125,7 @@ std::string extension_of(const std::string& path) {
 
 Result<ModelFormat> tell_format(std::string_view head, std::uint64_t size,
                                 const std::string& path) {
+    head = head.substr(0, kHeadBytes);
     if (const auto told = format_of_content(head, size)) return *told;
     const std::string extension = extension_of(path);
     if (const ForeignFormat* foreign = foreign_format(head, extension))

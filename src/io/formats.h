@@ -25,8 +25,9 @@ std::span<const Format> formats();
 // The format of --format's name; an error (Exit::usage) lists those that are read.
 Result<ModelFormat> format_named(std::string_view name);
 
-// What the file holds. `head`: its first bytes, at least 4096 where it has as many; `size`: of the
-// whole. An error (Exit::unreadable) says what the file is instead, as far as that can be told.
+// What the file holds. `head`: its first bytes, 64 KB where it has as many (more are not looked
+// at); `size`: of the whole. An error (Exit::unreadable) says what the file is instead, as far as
+// that can be told.
 Result<ModelFormat> tell_format(std::string_view head, std::uint64_t size, const std::string& path);
 
 // The path's last extension in lower case, ".gz" not counted; "" when it has none.

@@ -55,6 +55,13 @@ TEST(Formats, TheContentDecidesBeforeTheName) {
         }
 }
 
+// However large the file is.
+TEST(Formats, OnlyTheFirst64KilobytesTell) {
+    const std::string start = "{" + std::string(65535, ' ');
+    EXPECT_FALSE(tell_format(start.substr(0, 1000) + "\"asset\"", 2000, "a.obj"));
+    EXPECT_TRUE(tell_format(start + "\"asset\"", 70000, "a.obj"));
+}
+
 TEST(Formats, AFormatThatIsNotReadIsNamed) {
     const struct {
         const char *path, *head, *name;
