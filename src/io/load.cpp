@@ -164,8 +164,9 @@ Result<Mapping> read_bytes(const std::string& path, const MemoryLimit& memory) {
 
 Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warnings& warnings) {
     MemoryLimit memory(options.memory_bytes);
-    TRY(Mapping file, read_bytes(path, memory));
     const std::string name = path == "-" ? kStandardInput : path;
+    TRY(Mapping file, read_bytes(path, memory));
+    TRY_VOID(memory.admit_stl(file.text(), file.size(), name)); // now that it is unpacked
     TRY(const ModelFormat format, options.format ? Result<ModelFormat>(*options.format)
                                                  : tell_format(file.text(), file.size(), name));
     const FormatReader& reader = *std::find_if(kReaders.begin(), kReaders.end(),
