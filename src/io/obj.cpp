@@ -1,6 +1,7 @@
 #include "io/obj.h"
 
 #include "io/obj_reader.h"
+#include "io/points.h"
 #include "io/text.h"
 #include "io/vertex_colours.h"
 #include "math/srgb.h"
@@ -347,8 +348,11 @@ Result<> ObjReader::finish() {
         polypaint_.resize(m.positions.size(), Vec3(1));
         m.colours = std::move(polypaint_);
     }
-    if (m.faces() == 0 && m.line_begin.empty() && m.point_vertices.empty())
-        all_vertices_as_points();
+    if (show_lone_vertices(m))
+        warnings_.add("points",
+                      fmt::format("{}: has no face, line or point that can be drawn; its vertices "
+                                  "({}) are shown as points",
+                                  path_, m.point_vertices.size()));
     return {};
 }
 

@@ -254,16 +254,4 @@ void ObjReader::check_doubtful() {
     erase_at(m.point_material, points);
 }
 
-void ObjReader::all_vertices_as_points() {
-    geom::PolygonMesh& m = out_.polygons;
-    for (std::size_t i = 0; i < m.positions.size(); ++i)
-        if (geom::is_finite(m.positions[i]))
-            m.point_vertices.push_back(static_cast<std::uint32_t>(i));
-    m.point_material.assign(m.point_vertices.size(), -1);
-    warnings_.add("points",
-                  fmt::format("{}: has no face, line or point that can be drawn; its vertices "
-                              "({}) are shown as points",
-                              path_, m.point_vertices.size()));
-}
-
 } // namespace scanout::io

@@ -86,7 +86,6 @@ private:
     // False, with a warning, when `what` cannot be drawn with this vertex.
     bool check_vertex(std::int64_t vertex, std::string_view what, std::size_t line);
     std::size_t line_end(std::size_t line) const;
-    void all_vertices_as_points();
 
     // obj_parts.cpp
     // Reads some parts at once; false when there are none to be had.

@@ -2,6 +2,7 @@
 
 #include "geom/framing.h"
 #include "io/cursor.h"
+#include "io/points.h"
 #include "io/text.h"
 #include "io/vertex_colours.h"
 
@@ -272,12 +273,7 @@ Result<OffFile> OffReader::finish() {
     if (std::none_of(m.positions.begin(), m.positions.end(), geom::is_finite))
         return fail(Exit::unreadable, "{}: an OFF file without vertices: nothing to draw", path_);
     if (!m.colours.empty()) decode_vertex_colours(m.colours, path_, warnings_);
-    if (m.faces() == 0 && m.line_begin.empty() && m.point_vertices.empty()) {
-        m.point_vertices.resize(m.positions.size());
-        for (std::size_t i = 0; i < m.positions.size(); ++i)
-            m.point_vertices[i] = static_cast<std::uint32_t>(i);
-        m.point_material.assign(m.positions.size(), -1);
-    }
+    show_lone_vertices(m);
     return std::move(out_);
 }
 
