@@ -2,7 +2,9 @@
 
 #include "geom/framing.h"
 #include "io/ply_body.h"
+#include "io/ply_columns.h"
 #include "io/ply_header.h"
+#include "io/points.h"
 #include "io/text.h"
 #include "io/vertex_colours.h"
 
@@ -22,72 +24,6 @@ constexpr std::size_t kMaxPlyVertices = std::size_t{1} << 29; // a frame indexes
 constexpr std::size_t kMaxPlyCorners = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kReportRows = 65536;
 
-using Index = std::optional<std::size_t>; // of a property
-using Names = std::span<const std::string_view>;
-constexpr std::string_view kVertexLists[] = {"vertex_indices", "vertex_index"};
-constexpr std::string_view kX[] = {"x"}, kY[] = {"y"}, kZ[] = {"z"};
-constexpr std::string_view kNx[] = {"nx"}, kNy[] = {"ny"}, kNz[] = {"nz"};
-constexpr std::string_view kU[] = {"s", "u", "texture_u", "tu", "s0"};
-constexpr std::string_view kV[] = {"t", "v", "texture_v", "tv", "t0"};
-constexpr std::string_view kRed[] = {"red", "diffuse_red", "r"};
-constexpr std::string_view kGreen[] = {"green", "diffuse_green", "g"};
-constexpr std::string_view kBlue[] = {"blue", "diffuse_blue", "b"};
-constexpr std::string_view kSplat[][1] = {{"f_dc_0"}, {"f_dc_1"}, {"f_dc_2"}};
-constexpr std::string_view kTexcoord[] = {"texcoord"}, kTexnumber[] = {"texnumber"};
-constexpr std::string_view kVertex1[] = {"vertex1"}, kVertex2[] = {"vertex2"};
-
-// The scale that takes a colour's stored values to [0, 1]; floats are in it already.
-double colour_scale(PlyType type) {
-    switch (type) {
-    case PlyType::float32:
-    case PlyType::float64:
-        return 1;
-    case PlyType::int8:
-    case PlyType::uint8:
-        return 1 / 255.0;
-    default:
-        return 1 / 65535.0;
-    }
-}
-
-// Where an element's rows keep a colour.
-struct ColourColumns {
-    std::array<std::size_t, 3> property{};
-    std::array<double, 3> scale{};
-
-    static std::optional<ColourColumns> find(const PlyElement& element) {
-        constexpr std::array<Names, 3> kNames = {kRed, kGreen, kBlue};
-        ColourColumns columns;
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Index property = element.find(kNames[i]);
-            if (!property || element.properties[*property].list_length_type) return std::nullopt;
-            columns.property[i] = *property;
-            columns.scale[i] = colour_scale(element.properties[*property].type);
-        }
-        return columns;
-    }
-};
-
-// Which properties of a vertex are what.
-struct VertexColumns {
-    std::array<std::size_t, 3> position{};
-    std::optional<std::array<std::size_t, 3>> normal, splat_colour;
-    std::optional<std::array<std::size_t, 2>> uv;
-    std::optional<ColourColumns> colour;
-};
-
-template <std::size_t N>
-std::optional<std::array<std::size_t, N>> find_all(const PlyElement& element,
-                                                   const std::array<Names, N>& names) {
-    std::array<std::size_t, N> columns{};
-    for (std::size_t i = 0; i < N; ++i) {
-        const Index property = element.find(names[i]);
-        if (!property || element.properties[*property].list_length_type) return std::nullopt;
-        columns[i] = *property;
-    }
-    return columns;
-}
-
 class PlyReader {
 public:
     PlyReader(std::string_view file, const PlyHeader& header, const std::string& path,
@@ -102,11 +38,10 @@ public:
 private:
     Result<> element(const PlyElement& element);
     Result<> vertices(const PlyElement& element);
-    std::optional<VertexColumns> vertex_columns(const PlyElement& element);
-    void store_vertex(const VertexColumns& columns, std::size_t vertex, const double* values);
-    void make_vertices(const VertexColumns& columns, std::size_t count);
+    void store_vertex(const PlyVertexColumns& columns, std::size_t vertex, const double* values);
+    void make_vertices(const PlyVertexColumns& columns, std::size_t count);
     Result<> faces(const PlyElement& element);
-    std::int32_t face_colour(const ColourColumns& colour, const PlyRow& row);
+    std::int32_t face_colour(const PlyColours& colour, const PlyRow& row);
     Result<> strips(const PlyElement& element);
     Result<> edges(const PlyElement& element);
     Result<> skip(const PlyElement& element);
@@ -138,7 +73,7 @@ Result<PlyFile> PlyReader::read() {
     for (const PlyElement& e : header_.elements)
         if (e.name == "vertex") {
             vertices_told_ = e.count;
-            const auto columns = vertex_columns(e);
+            const auto columns = ply_vertex_columns(e);
             has_normals_ = columns && columns->normal;
             has_uvs_ = columns && columns->uv;
             break;
@@ -156,9 +91,9 @@ Result<PlyFile> PlyReader::read() {
 Result<> PlyReader::element(const PlyElement& e) {
     if (e.properties.empty()) return {};
     if (e.name == "vertex" && !vertices_read_) return vertices(e); // the first of that name
-    if (e.name == "face" && e.find(kVertexLists)) return faces(e);
-    if (e.name == "tristrips" && e.find(kVertexLists)) return strips(e);
-    if (e.name == "edge" && e.find(kVertex1) && e.find(kVertex2)) return edges(e);
+    if (e.name == "face" && e.find(kPlyVertexLists)) return faces(e);
+    if (e.name == "tristrips" && e.find(kPlyVertexLists)) return strips(e);
+    if (e.name == "edge" && e.find(kPlyVertex1) && e.find(kPlyVertex2)) return edges(e);
     warnings_.add("ply element", fmt::format("{}: element '{}' has nothing to draw and is left out",
                                              path_, shown(e.name)));
     return skip(e);
@@ -214,19 +149,7 @@ void PlyReader::bad_row(const PlyElement& e, std::size_t row, std::string_view f
 
 // --- Vertices
 
-std::optional<VertexColumns> PlyReader::vertex_columns(const PlyElement& e) {
-    const auto position = find_all<3>(e, {kX, kY, kZ});
-    if (!position) return std::nullopt;
-    VertexColumns columns;
-    columns.position = *position;
-    columns.normal = find_all<3>(e, {kNx, kNy, kNz});
-    columns.uv = find_all<2>(e, {kU, kV});
-    columns.colour = ColourColumns::find(e);
-    if (!columns.colour) columns.splat_colour = find_all<3>(e, {kSplat[0], kSplat[1], kSplat[2]});
-    return columns;
-}
-
-void PlyReader::make_vertices(const VertexColumns& columns, std::size_t count) {
+void PlyReader::make_vertices(const PlyVertexColumns& columns, std::size_t count) {
     geom::PolygonMesh& m = out_.polygons;
     m.positions.resize(count, DVec3(std::numeric_limits<double>::quiet_NaN()));
     if (columns.normal) m.normals.resize(count, Vec3(0));
@@ -234,7 +157,7 @@ void PlyReader::make_vertices(const VertexColumns& columns, std::size_t count) {
     if (columns.colour || columns.splat_colour) m.colours.resize(count, Vec3(1));
 }
 
-void PlyReader::store_vertex(const VertexColumns& columns, std::size_t vertex,
+void PlyReader::store_vertex(const PlyVertexColumns& columns, std::size_t vertex,
                              const double* values) {
     constexpr double kHarmonic = 0.28209479177387814; // the constant spherical harmonic
     geom::PolygonMesh& m = out_.polygons;
@@ -256,7 +179,7 @@ void PlyReader::store_vertex(const VertexColumns& columns, std::size_t vertex,
 
 Result<> PlyReader::vertices(const PlyElement& e) {
     vertices_read_ = true;
-    const auto columns = vertex_columns(e);
+    const auto columns = ply_vertex_columns(e);
     if (!columns)
         return fail(Exit::unreadable, "{}: its vertices have no x, y and z: nothing to draw",
                     path_);
@@ -308,11 +231,11 @@ bool PlyReader::vertex_index(double value, std::int32_t& index) const {
 
 Result<> PlyReader::faces(const PlyElement& e) {
     geom::PolygonMesh& m = out_.polygons;
-    const std::size_t indices = *e.find(kVertexLists);
-    Index uv = e.find(kTexcoord), texture = e.find(kTexnumber);
+    const std::size_t indices = *e.find(kPlyVertexLists);
+    PlyColumn uv = e.find(kPlyTexcoord), texture = e.find(kPlyTexnumber);
     if (uv && (has_uvs_ || !e.properties[*uv].list_length_type)) uv.reset();
     if (texture && e.properties[*texture].list_length_type) texture.reset();
-    const auto colour = ColourColumns::find(e);
+    const auto colour = PlyColours::find(e);
     const bool one_texture = out_.textures.size() == 1 && (uv || has_uvs_);
     return each_row(e, [&](std::size_t i, const PlyRow& row) -> Result<> {
         const std::span<const double> corners = row.list(indices);
@@ -354,7 +277,7 @@ Result<> PlyReader::faces(const PlyElement& e) {
     });
 }
 
-std::int32_t PlyReader::face_colour(const ColourColumns& colour, const PlyRow& row) {
+std::int32_t PlyReader::face_colour(const PlyColours& colour, const PlyRow& row) {
     const auto code = [&](std::size_t i) {
         const double value = row.scalar(colour.property[i]) * colour.scale[i];
         return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
@@ -367,7 +290,7 @@ std::int32_t PlyReader::face_colour(const ColourColumns& colour, const PlyRow& r
 // each time; -1 begins a new strip.
 Result<> PlyReader::strips(const PlyElement& e) {
     geom::PolygonMesh& m = out_.polygons;
-    const std::size_t indices = *e.find(kVertexLists);
+    const std::size_t indices = *e.find(kPlyVertexLists);
     return each_row(e, [&](std::size_t i, const PlyRow& row) -> Result<> {
         std::int32_t before[2] = {-1, -1}, vertex = -1;
         std::size_t length = 0;
@@ -405,7 +328,7 @@ Result<> PlyReader::strips(const PlyElement& e) {
 
 Result<> PlyReader::edges(const PlyElement& e) {
     geom::PolygonMesh& m = out_.polygons;
-    const std::size_t first = *e.find(kVertex1), second = *e.find(kVertex2);
+    const std::size_t first = *e.find(kPlyVertex1), second = *e.find(kPlyVertex2);
     return each_row(e, [&](std::size_t i, const PlyRow& row) -> Result<> {
         std::int32_t a = -1, b = -1;
         const auto has = [&](std::size_t p, std::int32_t& v) {
@@ -465,12 +388,7 @@ Result<PlyFile> PlyReader::finish() {
     if (std::none_of(m.positions.begin(), m.positions.end(), geom::is_finite))
         return fail(Exit::unreadable, "{}: a PLY file without vertices: nothing to draw", path_);
     if (!m.colours.empty()) decode_vertex_colours(m.colours, path_, warnings_);
-    if (m.faces() == 0 && m.line_begin.empty()) {
-        m.point_vertices.resize(m.positions.size());
-        for (std::size_t i = 0; i < m.positions.size(); ++i)
-            m.point_vertices[i] = static_cast<std::uint32_t>(i);
-        m.point_material.assign(m.positions.size(), -1);
-    }
+    show_lone_vertices(m);
     return std::move(out_);
 }
 
