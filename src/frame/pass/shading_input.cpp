@@ -69,7 +69,7 @@ shade::TransparencyInput transparency_input(const FramePlan& plan, const shade::
     in.frame.steps = nullptr; // alpha is always exact
     in.frame.source = nullptr;
     in.cut = static_cast<float>(plan.options.alpha_cut);
-    in.most_fragments = static_cast<std::size_t>(plan.options.max_fragments);
+    in.max_fragments = static_cast<std::size_t>(plan.options.max_fragments);
     return in;
 }
 

@@ -192,7 +192,7 @@ bool TransparencyPass::find(const Task& task, const image::Rect& box, std::uint3
                 task.visibility.pattern()[static_cast<std::size_t>(std::countr_zero(mask))]);
         }
     }
-    return list.fragments.size() <= task.in.transparency->most_fragments;
+    return list.fragments.size() <= task.in.transparency->max_fragments;
 }
 
 // A counting sort: the fragments of a pixel keep their order.
