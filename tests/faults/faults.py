@@ -182,6 +182,8 @@ def main():
         wrong = list(check(ROOT))
         print(*wrong, sep="\n", end="\n" if wrong else "")
         sys.exit(bool(wrong))
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
+        sys.exit(__doc__)
     sys.exit(not run_all(pathlib.Path(sys.argv[1]), sys.argv[2:]))
 
 

@@ -104,7 +104,9 @@ void check_effects(const Frame& frame, const frame::FramePlan& plan, const Drawn
         const auto other = frame.plan(forced);
         if (!other) return; // what is forced may need a technique that is not asked for
         Drawn drawn = frame.draw(*other);
-        drawn.visible = whole.visible; // the law is about pixels, not about which samples are kept
+        // What is drawn as blended or cut out leaves no id of its own behind.
+        if (forced.contains("blending") || forced.contains("cut_out"))
+            drawn.visible = whole.visible;
         if (const std::string by = differs(whole, drawn); !by.empty())
             faults.push_back(fmt::format("Z7: {}: {}", what, by));
     };
