@@ -295,7 +295,8 @@ struct LightStage : Stage, LightTraits {};
 struct ReflectionTraits {
     bool highlight = true;       // where Ks and Ns give one
     bool physical = false;       // by Pr and Pm, where the material says them
-    const Stage* matt = nullptr; // the same without a highlight; null: that is lambert
+    // The same without a highlight; null: that is lambert, or this stage where it has none.
+    const Stage* matt = nullptr;
 };
 struct ReflectionStage : Stage, ReflectionTraits {};
 

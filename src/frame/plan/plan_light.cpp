@@ -113,7 +113,9 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     if (const MaterialSet* calling = materials_calling(facts, plan, "highlight"))
         std::transform(calling->begin(), calling->end(), std::back_inserter(plan.matt),
                        [](bool calls) { return calls ? 0 : 1; });
-    const shade::Stage& matt = glossy->matt != nullptr ? *glossy->matt : shade::reflection::lambert;
+    const shade::Stage& matt = glossy->matt != nullptr ? *glossy->matt
+                               : glossy->highlight     ? shade::reflection::lambert
+                                                       : *glossy;
     use(scene::Surface::matt, matt, shiny < facts.triangles || facts.triangles == 0);
     use(scene::Surface::glossy, highlight ? *glossy : matt, shiny > rough);
     use(scene::Surface::physical, highlight ? *physical : matt, rough > 0);
