@@ -13,7 +13,7 @@ struct ConsoleState {
 };
 
 // Keyboard mode and text mode, in the order that also revives a screen which the kernel believes to
-// be in text mode but has not redrawn: GRAPHICS, then TEXT [VM 6].
+// be in text mode but has not redrawn: GRAPHICS, then TEXT.
 void restore_modes(const ConsoleState& state);
 // These, and switching without asking us.
 void restore_console(const ConsoleState& state);

@@ -1,4 +1,4 @@
-// The table of contents: every axis, and on each its techniques, cheapest first. One name = one
+// The table of contents: every axis, and on each its techniques: rungs cheapest first. One name = one
 // row of src/<module>/<axis> = one entry everywhere: command line, lists, goldens, tests.
 #pragma once
 

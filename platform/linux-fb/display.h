@@ -1,6 +1,6 @@
 // Frames on a frame buffer device, /dev/fb0: 16, 24 or 32 bits, any channel offsets, padded lines.
 // There is no flip: damaged rows are copied from the back buffer. Panning is not used: under the
-// kernel's DRM emulation it reports success and shows the wrong page [VM 5].
+// kernel's DRM emulation it reports success and shows the wrong page.
 #pragma once
 
 #include "platform/seat.h"

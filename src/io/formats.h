@@ -22,7 +22,7 @@ struct Format {
 };
 std::span<const Format> formats();
 
-// The format of --format's name; an error (Exit::usage) lists those that are read.
+// The format of --model-format's name; an error (Exit::usage) lists those that are read.
 Result<ModelFormat> format_named(std::string_view name);
 
 // What the file holds. `head`: its first bytes, 64 KB where it has as many (more are not looked
