@@ -157,7 +157,7 @@ def run_all(folder, wanted):
 def exists(root, test):
     """Does a source define the test? Suite/case of TEST_P: a row of INSTANTIATE_TEST_SUITE_P, too."""
     module, name = test.split(".", 1)
-    text = "\n".join(path.read_text() for path in sorted((root / "tests" / module).glob("*_test.cpp")))
+    text = "\n".join(path.read_text() for path in sorted((root / "tests" / module).rglob("*_test.cpp")))
     parts = re.fullmatch(r"(?:(\w+)/)?(\w+)\.(\w+)(?:/\S+)?", name)
     if parts is None:
         return False

@@ -356,7 +356,8 @@ TEST_F(ShadeLanesDeathTest, AWideFilterThatIsNotFiniteEndsTheProgram) {
     };
     filtered(0.5F);
     for (const float bad : {kNaN, kInf})
-        EXPECT_DEATH(filtered(bad), "sum of lane 27 is -?(nan|inf) after the reconstruction filter");
+        EXPECT_DEATH(filtered(bad),
+                     "sum of lane 27 is -?(nan|inf) after the reconstruction filter");
 }
 
 TEST_F(ShadeLanesDeathTest, LightAtCornersThatIsNotFiniteEndsTheProgram) {

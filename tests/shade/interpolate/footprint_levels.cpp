@@ -1,6 +1,6 @@
-#include "shade/footprint_levels.h"
+#include "shade/interpolate/footprint_levels.h"
 
-#define SIMD_FILE "shade/footprint_levels.cpp"
+#define SIMD_FILE "shade/interpolate/footprint_levels.cpp"
 #include "simd/for_each_target.h"
 
 #include "shade/setup/footprint-inl.h"

@@ -1,9 +1,9 @@
 // From light to codes: every encoding against its formula in double, dither against Bayer's
 // promise, and the film's curve.
-#include "block.h"
 #include "image/dither.h"
 #include "math/srgb.h"
 #include "rows.h"
+#include "shade/block.h"
 #include "shade/resolve/output.h"
 #include "shade/resolve/resolve.h"
 

@@ -1,6 +1,6 @@
 // Interpolation that divides seldom, against the exact weights in double: the ladder of
 // HARD-CASES L3, independence of runs, and the bound that adaptive interpolation keeps.
-#include "block.h"
+#include "shade/block.h"
 #include "shade/setup/interpolation_step.h"
 
 #include <cmath>
@@ -119,7 +119,7 @@ TEST(InterpolationSteps, HaveTheErrorsOfTheLadder) {
         }
 }
 
-Primitive random_triangle(Random& random, double ratio) {
+Primitive random_primitive(Random& random, double ratio) {
     DVec2 p[3];
     double area = 0;
     do {
@@ -155,7 +155,7 @@ TEST(InterpolationSteps, DoNotDependOnWhereRunsEnd) {
     Row row;
     int rows = 0;
     for (int round = 0; round < 40; ++round) {
-        Primitive t = random_triangle(random, std::exp2(random.in(0, 10)));
+        Primitive t = random_primitive(random, std::exp2(random.in(0, 10)));
         const int y = random.whole(0, 500);
         const auto [first, count] = covered(t, y);
         if (count < 3) continue;
@@ -178,7 +178,7 @@ TEST(InterpolationSteps, ThatAreChosenKeepTheBoundAndAreTheCheapestRungs) {
     std::map<int, int> chosen;
     double closest = 0;
     for (int round = 0; round < 400; ++round) {
-        Primitive t = random_triangle(random, 1 + std::exp2(random.in(-14, 6)));
+        Primitive t = random_primitive(random, 1 + std::exp2(random.in(-14, 6)));
         StepLimits limits;
         limits.attributes.uv = true;
         limits.uv = 1.0 / 256 / std::exp2(random.in(0, 8)); // 1/256 texel of 1 to 256 a unit
@@ -206,7 +206,7 @@ TEST(InterpolationSteps, OfEqualDistancesAreNoneAndOfUncertainNormalsAll) {
     StepLimits limits;
     limits.attributes = {.normal = true, .uv = true, .colour = true, .ray = true, .position = true};
     for (int round = 0; round < 50; ++round) {
-        Primitive t = random_triangle(random, 1);
+        Primitive t = random_primitive(random, 1);
         EXPECT_EQ(step_for(t, limits), kAffine); // limits of 0: it is exact
         t.inverse_w[0] = 0.5F;
         EXPECT_EQ(step_for(t, limits), 0);
@@ -214,7 +214,7 @@ TEST(InterpolationSteps, OfEqualDistancesAreNoneAndOfUncertainNormalsAll) {
         t.inverse_w[0] = 1;
         EXPECT_EQ(step_for(t, limits), 0); // has no areas on the screen
     }
-    Primitive t = random_triangle(random, 1.01);
+    Primitive t = random_primitive(random, 1.01);
     limits = {};
     limits.attributes.normal = true;
     limits.normal = 1;

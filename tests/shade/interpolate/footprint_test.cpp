@@ -1,6 +1,6 @@
 // The level of detail against planes in long double (HARD-CASES 38, 39, P14).
 #include "raster/screen/clip.h"
-#include "shade/footprint_levels.h"
+#include "shade/interpolate/footprint_levels.h"
 #include "support/random.h"
 #include "support/targets.h"
 

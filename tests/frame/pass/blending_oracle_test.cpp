@@ -34,11 +34,11 @@ struct Sheets {
         geom::Mesh& mesh = shot.scene.mesh;
         std::uint32_t index[3];
         for (std::size_t k = 0; k < 3; ++k) {
-            index[k] =
-                add_vertex(mesh,
-                           {static_cast<float>(v[k].x) / 256,
-                            kOracleSide - static_cast<float>(v[k].y) / 256, static_cast<float>(z[k])},
-                           unlit);
+            index[k] = add_vertex(mesh,
+                                  {static_cast<float>(v[k].x) / 256,
+                                   kOracleSide - static_cast<float>(v[k].y) / 256,
+                                   static_cast<float>(z[k])},
+                                  unlit);
             mesh.colour.push_back(c);
         }
         add_triangle(mesh, index[0], index[1], index[2],
