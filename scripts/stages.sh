@@ -156,11 +156,13 @@ sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
 
 # Cases that judge numbers by the million: instrumented, their oracles alone take a quarter of an hour. The other cases,
 # the hashes and the pictures go through the same code.
-numbers='^(raster\.(ExactCoverage|Guard\.(A|Tri|Its)|Depth|P[12]/|Row17/|ClippedTriangle\.Covers|Clip\.TheTwoSides|Coverage\.(ATurned|AFan))'
-numbers+='|frame\.(Shadow\..*RaysSay|AntiAliasing|Metamorphic\.Scaling|Minification|ItemsShaded|P4/|P11/|All/BlendingModes'
-numbers+='|Transparency\.(TheLength|AMaterial)|Outline\.IsWhere|TwoSided\.Decided|ShadowEdgeOn|FrontFaceShadows\.OfAClosed'
-numbers+='|DisjointShadows|IgnoredOptions\.WhatIs|Blending\.OfTwoHundred|OcclusionHistory)'
-numbers+='|geom\.(Build\.Progress|SpatialOrder\.SaysHowFar)|app\.Session\.AReplayShowsThePlan)'
+numbers='^(raster\.(ExactCoverage|Homogeneous\.(AMesh|Tri|Ext)|Guard\.(A|Tri|Its)|Depth|P[12]/|Row17/|ClippedTriangle\.Covers|Clip\.TheTwoSides|Coverage\.(ATurned|AFan))'
+numbers+='|frame\.(Shadow\..*RaysSay|AntiAliasing|Metamorphic\.(Scaling|TheOrder)|Minification|ItemsShaded|P4/|P11/|All/BlendingModes'
+numbers+='|Transparency\.(TheLength|AMaterial|TheOrder)|Composing|ClippedArea\.IsThat|Tone\.ALittle|Resolve\.OfEvery|TextureFilter\.Aniso'
+numbers+='|Shadow\.OfALone|Outline\.IsWhere|TwoSided\.Decided|ShadowEdgeOn|FrontFaceShadows\.OfAClosed'
+numbers+='|DisjointShadows|IgnoredOptions\.(WhatIs|Without)|Blending\.OfTwoHundred|OcclusionHistory)'
+numbers+='|geom\.(Build\.Progress|SpatialOrder\.(SaysHowFar|DoesNot)|JoinTable|Triangulate\.PolygonsOf|LineFaces\.OfAHub)'
+numbers+='|app\.Session\.AReplayShowsThePlan)'
 
 # AddressSanitizer and UndefinedBehaviorSanitizer; the fuzz targets belong to the same build.
 configure_asan() { configure asan asan "${sanitized[@]}" -DSCANOUT_FUZZ=ON; }
