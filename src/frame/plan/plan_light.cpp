@@ -122,6 +122,11 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
+// Depth in steps that may be as long as the model.
+bool is_depth_coarse(const FrameOptions& options) {
+    return row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard;
+}
+
 // Why back faces may be visible, or why not, of a mesh whose normals lean to no back.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
                                    const ViewFacts& view) {
@@ -135,7 +140,7 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
         return {false, fmt::format("--depth-test {} shows nothing", options.depth_test)};
     if (test.test != raster::DepthTest::greater)
         return {true, fmt::format("--depth-test {} may show backs", options.depth_test)};
-    if (row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard)
+    if (is_depth_coarse(options))
         return {true, fmt::format("--depth {} may take backs for as near as what hides them",
                                   options.depth)};
     if (topology.inside_out > 0)
@@ -196,14 +201,15 @@ bool shows_far_side(const FrameOptions& options, const ViewFacts& view) {
     const raster::DepthTestRow& test =
         row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
     return options.cull == Cull::front || view.inside || test.test != raster::DepthTest::greater ||
-           row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard;
+           is_depth_coarse(options);
 }
 
 bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFacts& view,
-                    const std::vector<LightFacts>& of_lights) {
+                    const std::vector<LightFacts>& of_lights, shade::ShadowBy by) {
     const geom::MeshTopology& topology = facts.topology;
     if (is_lit_from_behind(plan, facts)) return true;
-    if (topology.flat) return false;
+    // Volumes are counted at the depth that is stored: before or behind the plane.
+    if (topology.flat) return by == shade::ShadowBy::volumes && is_depth_coarse(plan.options);
     if (topology.convex_components.empty() || shows_far_side(plan.options, view)) return true;
     return !std::all_of(of_lights.begin(), of_lights.end(),
                         [](const LightFacts& light) { return light.shadows_disjoint; });
@@ -262,7 +268,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
                casting.sized > 0 ? shade::shadow::map_soft : shade::shadow::map_pcf));
     const bool attached = stage->by == shade::ShadowBy::facing;
     const bool floor = stage->by != shade::ShadowBy::projection || facts.shadow_plane.triangles > 0;
-    const bool falls = attached || shadows_itself(plan, facts, view, of_lights);
+    const bool falls = attached || shadows_itself(plan, facts, view, of_lights, stage->by);
     const bool at_pixels = attached || !shading.needs.vertices;
     const bool throws = attached || something_throws(plan.options, facts);
     std::string because =
