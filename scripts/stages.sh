@@ -246,7 +246,7 @@ stage_walk() {
     configure test release
     build test walk
     python3 -B tests/effects/make_models.py build/test/walk
-    check build/test/tests/walk "${WALK_SECONDS:-1200}" "${WALK_SEED:-0}" build/test/walk models
+    check build/test/tests/walk "${WALK_SECONDS:-1200}s" "${WALK_SEED:-0}" build/test/walk models
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.

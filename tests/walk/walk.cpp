@@ -1,8 +1,8 @@
-// walk SECONDS SEED SCRATCH FOLDER...: draws random frames of the models in the folders, and of
-// some that it writes to SCRATCH, and checks what must hold of each (laws.h). A frame is drawn in a
-// process of its own kin, so one that ends by a signal is a finding like any other. What breaks a
-// law is printed as a command line to paste. `walk 0 SEED:ROUND SCRATCH FOLDER...` does one round
-// again.
+// walk HOW_LONG SEED SCRATCH FOLDER...: draws random frames of the models in the folders, and of
+// some that it writes to SCRATCH, and checks what must hold of each (laws.h). HOW_LONG is a number
+// of rounds, the same ones on every machine, or a time: "600s". A frame is drawn in a process of
+// its own kin, so one that ends by a signal is a finding like any other. What breaks a law is
+// printed as a command line to paste. `walk 0 SEED:ROUND SCRATCH FOLDER...` does one round again.
 #include "io/load.h"
 #include "math/bits.h"
 #include "walk/command.h"
@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -96,12 +97,33 @@ void do_round(const Walk& walk, Shared& shared) {
 
 using Clock = std::chrono::steady_clock;
 
-// Rounds until the time is up, in a child; after one that ended it, in the next child.
-void run(const Walk& walk, Clock::time_point end, Shared& shared) {
-    while (Clock::now() < end && shared.findings < kMaxFindings) {
+// So many rounds, or as many as there is time for.
+struct HowLong {
+    std::uint64_t rounds = ~std::uint64_t{0};
+    Clock::time_point end = Clock::time_point::max();
+
+    static std::optional<HowLong> of(const std::string& text) {
+        char* unit = nullptr;
+        const double number = std::strtod(text.c_str(), &unit);
+        if (unit == text.c_str() || number < 0) return {};
+        HowLong how_long;
+        if (*unit == 's')
+            how_long.end = Clock::now() + std::chrono::milliseconds(std::llround(number * 1e3));
+        else
+            how_long.rounds = static_cast<std::uint64_t>(number);
+        return how_long;
+    }
+    bool goes_on(const Shared& shared) const {
+        return shared.round < rounds && Clock::now() < end && shared.findings < kMaxFindings;
+    }
+};
+
+// The rounds, in a child; after one that ended it, in the next child.
+void run(const Walk& walk, const HowLong& how_long, Shared& shared) {
+    while (how_long.goes_on(shared)) {
         const pid_t child = ::fork();
         if (child == 0) {
-            for (; Clock::now() < end && shared.findings < kMaxFindings; ++shared.round)
+            for (; how_long.goes_on(shared); ++shared.round)
                 do_round(walk, shared);
             ::_exit(0);
         }
@@ -117,11 +139,11 @@ void run(const Walk& walk, Clock::time_point end, Shared& shared) {
 }
 
 int main(const std::vector<std::string>& words) {
-    if (words.size() < 4) {
-        std::fputs("walk SECONDS SEED[:ROUND] SCRATCH FOLDER...\n", stderr);
+    const auto how_long = words.size() < 4 ? std::nullopt : HowLong::of(words[0]);
+    if (!how_long) {
+        std::fputs("walk ROUNDS|SECONDSs SEED[:ROUND] SCRATCH FOLDER...\n", stderr);
         return 2;
     }
-    const double seconds = std::strtod(words[0].c_str(), nullptr);
     char* rest = nullptr;
     std::uint64_t seed = std::strtoull(words[1].c_str(), &rest, 10);
     if (seed == 0)
@@ -137,8 +159,7 @@ int main(const std::vector<std::string>& words) {
         shared.round = std::strtoull(rest + 1, nullptr, 10);
         do_round(walk, shared);
     } else {
-        run(walk, Clock::now() + std::chrono::milliseconds(static_cast<int>(seconds * 1e3)),
-            shared);
+        run(walk, *how_long, shared);
     }
     fmt::print("walk: seed {}: {} frames drawn, {} command lines refused, of {} models; {} "
                "broke a law\n",
