@@ -1,4 +1,4 @@
-// All techniques there are, of whatever module: what `scanout list techniques` prints.
+// All techniques of all modules: `scanout list techniques` prints them.
 #pragma once
 
 #include "base/technique.h"
@@ -11,7 +11,7 @@ namespace scanout::frame {
 
 // In the order of techniques.h.
 const std::vector<const Technique*>& techniques();
-// What a technique reads of each lane; nothing for those that are no stage and no filter.
+// The inputs that a technique reads of each lane; empty for techniques that are no stage or filter.
 shade::Attributes reads(const Technique& technique);
 std::vector<std::string_view> names_on(std::string_view axis);
 

@@ -1,5 +1,5 @@
-// Fast clear: tiles of the back buffer that hold the background alone since an earlier frame. Where
-// nothing is drawn again, nothing needs to be cleared.
+// Fast clear: the tiles of the back buffer that have held only the background since an earlier
+// frame. If nothing is drawn in such a tile again, it need not be cleared.
 #pragma once
 
 #include "image/image.h"
@@ -12,7 +12,8 @@ namespace scanout::frame {
 
 class ClearedTiles {
 public:
-    // What makes tiles of two frames the same pixels.
+    // Two frames with equal layouts cut the back buffer into the same tiles with the same
+    // background.
     struct Layout {
         int width, height, tile_size, tiles;
         image::Rgba8 background;
@@ -23,12 +24,12 @@ public:
         layout_ = layout;
         cleared_.assign(static_cast<std::size_t>(layout.tiles), 0);
     }
-    // Something but the tiles has written to the back buffer.
+    // Something other than the tiles has written to the back buffer.
     void forget() { layout_.reset(); }
 
     bool is_cleared(int tile) const { return cleared_[static_cast<std::size_t>(tile)] != 0; }
     void set_cleared(int tile, bool cleared) {
-        cleared_[static_cast<std::size_t>(tile)] = cleared ? 1 : 0; // a byte a tile: workers' own
+        cleared_[static_cast<std::size_t>(tile)] = cleared ? 1 : 0; // a byte: no word is shared
     }
 
 private:

@@ -1,4 +1,4 @@
-// What the user can ask of a frame. One struct, from the command line to the plan.
+// The options of a frame that the user can set: one struct, from the command line to the plan.
 #pragma once
 
 #include "image/image.h"
@@ -34,7 +34,7 @@ struct FrameOptions {
     Cull cull = Cull::none;
     image::Rgba8 background{48, 51, 56, 255};
     // A technique by name for each axis that is asked (src/techniques.h): interpolate, texture,
-    // wrap ...; "auto" lets the plan decide from the scene, and of aa `samples`.
+    // wrap ...; "auto" lets the plan decide from the scene; for aa, `samples` does.
 #define SCANOUT_ASKED_asked(axis) std::string axis = "auto";
 #define SCANOUT_ASKED_listed(axis)
 #define SCANOUT_ASKED_planned(axis)
@@ -44,15 +44,15 @@ struct FrameOptions {
 #undef SCANOUT_ASKED_asked
 #undef SCANOUT_ASKED_listed
 #undef SCANOUT_ASKED_planned
-    int shadow_size = 1024;                // texels a side of a shadow map
-    int shadow_filter = 3;                 // texels a side that a filtered shadow asks
-    std::optional<FilePlane> shadow_plane; // on which projected shadows fall; else on the ground
+    int shadow_size = 1024;                // side of a shadow map, texels
+    int shadow_filter = 3;                 // side of a filtered shadow's kernel, texels
+    std::optional<FilePlane> shadow_plane; // receives projected shadows; none: the ground
     std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMaxLights
-    double alpha_cut = 0.5;      // least alpha that a cut-out surface shows
-    int max_fragments = 1 << 16; // of a list of blended ones; what is drawn does not depend on it
-    int bits = 8;                // of the narrowest channel of what shows the picture
+    double alpha_cut = 0.5;      // a cut-out surface shows where alpha is at least this
+    int max_fragments = 1 << 16; // limit of a list of blended ones; changes no bit of the picture
+    int bits = 8;                // bits of the narrowest channel of the display or file
     double exposure = 0;         // stops: light is multiplied by 2^exposure; within +-kMaxStops
-    // Effects (rows of the plan) that are forced on or off; the others follow the scene.
+    // Effects (rows of the plan) that the user forces on or off; the others follow the scene.
     std::map<std::string, bool, std::less<>> effects;
     friend bool operator==(const FrameOptions&, const FrameOptions&) = default;
 };
@@ -68,9 +68,9 @@ inline bool is_auto(std::string_view asked) {
     return asked == "auto";
 }
 
-// Asks for a technique on an axis, instead of what stands there; false for an axis without option.
+// Sets the technique of an axis by name; returns false for an axis that is no option.
 bool ask(FrameOptions& options, std::string_view axis, std::string_view technique);
-// What is asked for on an axis; "auto" where nothing is, or the axis has no option.
+// The technique asked for on an axis; "auto" where none is, or where the axis is no option.
 std::string asked_for(const FrameOptions& options, std::string_view axis);
 std::string option_of(std::string_view axis); // the command line's name of it, without "--"
 

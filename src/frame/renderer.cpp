@@ -141,7 +141,7 @@ static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowSc
     return pass.get();
 }
 
-// By areas: visibility at the pixel's centre decides only where lines and points are.
+// Shades by areas: the visible primitive at a pixel's centre decides only for lines and points.
 static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t triangles,
                         const shade::GatherInput& in, TileWorker& worker, image::Image& picture) {
     const image::Rect& area = worker.visibility.area();
@@ -156,7 +156,7 @@ static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t 
     worker.items += worker.gatherer.shade(worker.areas, in, picture);
 }
 
-// By samples, with what blends over them.
+// Shades by samples, and the fragments that blend over them.
 static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
                           TileWorker& worker, image::Image& picture) {
     if (in.transparency != nullptr && in.transparency->blended != nullptr)
@@ -166,7 +166,7 @@ static void shade_samples(const raster::Geometry& geometry, int tile, const shad
         worker.items += worker.gatherer.shade(worker.visibility, in, picture);
 }
 
-// Every pixel of the area from scale x scale of the tile's.
+// Resolves every pixel of the area from scale x scale of the tile's pixels.
 static void shade_larger(const raster::Geometry& geometry, int tile, const image::Rect& area,
                          int scale, const shade::GatherInput& in, TileWorker& worker,
                          image::Image& picture) {
@@ -266,7 +266,7 @@ void Renderer::State::prepare_workers(bool transparent, bool areas) {
     }
 }
 
-// Reconstruction filter: resolves pixels from what tiles gave to each other.
+// Reconstruction filter: resolves pixels from the splats that tiles gave to each other.
 void Renderer::State::filter_tiles(const Frame& f) {
     jobs.for_each(geometry.tiles(), [&](int tile, int number) {
         shade::PixelSums& sums = workers[static_cast<std::size_t>(number)].sums;
@@ -358,7 +358,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
                                     aa.exact,
                                     tile_size,
                                     plan.transparency.alpha_modes};
-    // Occlusion culling needs triangles that all hide what is behind them by the default rule.
+    // Occlusion culling needs triangles that all occlude by the default depth rule.
     const bool occludes = plan.transparency.alpha_modes.empty() && !aa.exact &&
                           plan.depth_rule.is_default() && plan.stencil == nullptr;
     if (occludes) options.occlusion = &s.occlusion;

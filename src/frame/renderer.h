@@ -23,10 +23,11 @@ struct FrameStats {
     std::uint64_t triangles_submitted = 0; // of the mesh
     std::uint64_t triangles_drawn = 0;     // left after clipping and culling
     std::uint64_t items_shaded = 0;
-    std::uint64_t fragments_blended = 0; // triangles in pixels, in front of what is opaque there
-    std::size_t transparency_bytes = 0;  // held for what is not opaque
-    // Of that, the longest list of blended fragments that a part of a tile needed: as many bytes
-    // for every worker that meets such a part. No thread and no tile's order changes it.
+    std::uint64_t fragments_blended = 0; // triangles in pixels, in front of the opaque surface
+    std::size_t transparency_bytes = 0;  // held for cut-outs and blending
+    // The part of transparency_bytes for the longest list of blended fragments that a part of a
+    // tile needed; each worker that meets such a part holds as much. Independent of threads and
+    // tile order.
     std::size_t blend_list_bytes = 0;
     std::uint64_t shadow_bytes = 0;  // that the pass of the shadows holds
     std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
@@ -34,12 +35,12 @@ struct FrameStats {
     std::uint64_t splat_bytes = 0;   // held for filters that reach into neighbours; 0 without
 };
 
-// What a frame shows at every sample: [(sample * height + y) * width + x]. Of supersampling, every
-// pixel that is shaded; of areas, what is seen at the centre.
+// Visibility at every sample of a frame: [(sample * height + y) * width + x]. With supersampling,
+// of every shaded pixel; with areas, at the pixel's centre.
 struct Visibility {
     int width = 0, height = 0, samples = 0;
     std::vector<std::uint32_t> id; // primitive, or raster::kNoPrimitive
-    std::vector<float> depth;      // reversed; 0 where nothing is
+    std::vector<float> depth;      // reversed; 0 where no primitive is visible
 };
 
 class Renderer {
@@ -47,8 +48,7 @@ public:
     explicit Renderer(Jobs& jobs);
     ~Renderer();
 
-    // The picture stays valid until the next call. tile_size: 8, 16, 32 or 64; no bit depends on
-    // it.
+    // The picture stays valid until the next call. tile_size: 8, 16, 32 or 64; it changes no bit.
     const image::Image& render(const scene::Scene& scene, const scene::View& view,
                                const FramePlan& plan, Visibility* visibility = nullptr,
                                int tile_size = 64, shade::LinearPicture* linear = nullptr);

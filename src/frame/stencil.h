@@ -1,6 +1,6 @@
 // The stencil buffer: a byte a pixel in which a frame marks what it draws, apart from colour and
-// depth, and what is made of the marks [Primer 1.6]: the techniques of axis `stencil`. The buffer
-// lives only while a plan wants it. Shadow volumes count at samples, in counts of their own
+// depth; and the techniques of axis `stencil` that draw a picture from the marks [Primer 1.6]. The
+// buffer exists only while a plan uses it. Shadow volumes count at samples, in counts of their own
 // (shade/shadow/shadow_count.h).
 #pragma once
 
@@ -44,8 +44,8 @@ private:
 struct Stencil {
     enum class Marks : std::uint8_t {
         nothing,
-        visible, // 1 where a pixel shows something of the model, at whatever sample
-        covering // how many primitives lie over the pixel's centre, 255 at most
+        visible, // 1 where some sample of the pixel shows the model
+        covering // number of primitives over the pixel's centre, at most 255
     };
     Technique card;
     Marks marks = Marks::nothing;

@@ -1,5 +1,5 @@
-// Anti-aliasings that are numbers of samples, or areas: raster/coverage/coverage.h,
-// raster/tile/area.h and the resolve have the arithmetic.
+// Anti-aliasing by a number of samples or by exact areas. The arithmetic is in
+// raster/coverage/coverage.h, raster/tile/area.h and the resolve.
 #include "rows.h"
 
 #include "frame/anti_aliasing.h"
@@ -19,8 +19,8 @@ constinit const AntiAliasing none{
     .card = card("none", "one sample a pixel: coverage 0.249 RMSE at an edge", "Crow 1981"),
     .samples = 1};
 
-// 2 to 16 samples of coverage a pixel, in Direct3D's standard pattern; a primitive is shaded once
-// for all of them, at the centre if it covers it.
+// Multisampling: 2 to 16 coverage samples a pixel, in Direct3D's standard pattern. A primitive is
+// shaded once for all of them, at the pixel's centre if it covers that.
 constinit const AntiAliasing samples_2{.card = card("samples_2",
                                                     "2 samples a pixel, shaded once: 0.159 RMSE",
                                                     "Akeley 1993; Microsoft 2015, 19.2"),
@@ -41,8 +41,8 @@ constinit const AntiAliasing samples_16{.card = card("samples_16",
                                                      "Akeley 1993; Microsoft 2015, 19.2"),
                                         .samples = 16};
 
-// A picture of 2 or 4 times the width and height, every pixel of it shaded, and the mean of each
-// square: textures and highlights are smoothed, too.
+// Supersampling: renders the picture at 2 or 4 times the width and height, shades every pixel of
+// it, and averages each square: textures and highlights are smoothed, too.
 constinit const AntiAliasing supersampling_2{
     .card = card("supersampling_2", "2 x 2 shaded pixels for one: 0.086 RMSE, and smooth insides",
                  "Crow 1981"),

@@ -42,7 +42,7 @@ AlphaClass of_channel(const image::Image& image, char channel) {
     }
 }
 
-// Each texture is looked through once for a channel, however many materials have it.
+// Scans each texture once for each channel, however many materials use it.
 class TextureClasses {
 public:
     explicit TextureClasses(const scene::Scene& scene) : scene_(scene) {}

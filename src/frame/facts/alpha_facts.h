@@ -11,7 +11,8 @@
 
 namespace scanout::frame {
 
-// Least first: of several factors the last decides, but for unseen.
+// In ascending order: the product of several factors has the greatest of their kinds, except
+// unseen.
 enum class AlphaClass : std::uint8_t {
     opaque,  // alpha is 1
     cut_out, // 0 in places, else 1
@@ -24,11 +25,12 @@ struct AlphaFacts {
     std::size_t cut_out_triangles = 0, blended_triangles = 0, unseen_triangles = 0;
     std::size_t cut_out_materials = 0, blended_materials = 0, unseen_materials = 0;
     std::size_t materials = 0;       // that triangles have
-    std::size_t blended_by_maps = 0; // of those materials: d is 1, a map lets light through
+    std::size_t blended_by_maps = 0; // blended materials with d 1: a map lets light through
     float min_opacity = 1;           // of blended materials
-    // Of the default material, then of each of the scene; those that no triangle has are opaque.
+    // One entry for the default material, then one for each of the scene; opaque where no triangle
+    // has it.
     std::vector<AlphaClass> of_material;
-    std::vector<shade::MaterialAlpha> maps; // what alpha has to be read from
+    std::vector<shade::MaterialAlpha> maps; // which maps alpha is read from
     std::size_t see_through_triangles() const {
         return cut_out_triangles + blended_triangles + unseen_triangles;
     }

@@ -8,7 +8,7 @@
 namespace scanout::frame {
 namespace {
 
-// What of a scene's materials and triangles calls for an effect.
+// Which materials and triangles of a scene call for an effect.
 class Census {
 public:
     explicit Census(const scene::Scene& scene) : scene_(scene), uses_(scene.materials.size(), 0) {
@@ -39,8 +39,8 @@ public:
         return triangles;
     }
 
-    // Of the materials that triangles have, times the brightest vertex colour. No surface gives
-    // back more than it gets: what a file says beyond 1 counts as 1.
+    // Reflectance of the materials that triangles have, times the brightest vertex colour. No
+    // surface reflects more light than it receives: values above 1 in a file count as 1.
     template <class Diffuse>
     float brightest(Diffuse diffuse_of) const {
         const auto largest = [](const Vec3& c) { return std::max({c.x, c.y, c.z}); };

@@ -1,5 +1,5 @@
-// Facts about a scene, by its data and not by what its file claims: what the plan decides from.
-// Gathered once when a model is loaded.
+// Facts about a scene, measured from its data, not taken from the claims of its file. The plan
+// decides from them. They are gathered once, when a model is loaded.
 #pragma once
 
 #include "frame/facts/alpha_facts.h"
@@ -28,7 +28,7 @@ struct SceneFacts {
     int exponent = 0;                          // and its framing sphere's radius (geom::Mesh):
     double radius = 0.5;                       // where the file's lights stand
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
-    std::size_t physical_triangles = 0;        // of those: it says roughness or metalness
+    std::size_t physical_triangles = 0;        // their material states a roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles
     geom::MeshTopology topology;
     bool uv = false;                                    // some face has texture coordinates

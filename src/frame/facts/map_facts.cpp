@@ -9,8 +9,8 @@ namespace {
 
 using Codes = std::array<std::uint8_t, 4>;
 
-// The channels that a map of one number a texel is made of: the one that -imfchan names, else those
-// of its brightness.
+// The channels from which a map of one number a texel is read: the one that -imfchan names, else
+// those that its brightness is computed from.
 bool any_channel(const scene::TextureMap& map, const Codes& codes, bool (*holds)(std::uint8_t)) {
     switch (map.channel) {
     case 'r':
@@ -33,7 +33,7 @@ bool above_0(std::uint8_t code) {
     return code > 0;
 }
 
-// Whether a colour times one that is somewhere as dark as this differs from the colour.
+// Whether multiplying a colour by a texel as dark as this one changes the colour.
 bool darkened(const Vec3& colour, const Codes& min) {
     for (std::size_t c = 0; c < 3; ++c)
         if (colour[static_cast<int>(c)] > 0 && min[c] < 255) return true;
@@ -137,7 +137,7 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
     const Range* const texels = range(m, map);
     if (texels == nullptr) return false;
     const scene::Surface surface = surface_of(m);
-    // Something of what falls on the surface comes back, in a way that depends on its direction.
+    // The surface reflects some light, and how much depends on the direction of its normal.
     const bool lit = m.diffuse != Vec3(0) || shines(m);
     switch (map) {
     case shade::kDiffuseMap:

@@ -1,6 +1,6 @@
-// Facts about texture maps: which of them can change a pixel, by their texels and the factors of
-// the material. A normal map that is flat everywhere, a white map_Ks or a map_Kd under a black Kd
-// changes nothing.
+// Facts about texture maps: which of them can change a pixel, by their texels and the material's
+// factors. A normal map that is flat everywhere, a white map_Ks, and a map_Kd under a black Kd
+// change nothing.
 #pragma once
 
 #include "scene/scene.h"
@@ -12,11 +12,11 @@
 
 namespace scanout::frame {
 
-// The row of the plan that decides about a map; empty where it is not the map's alone.
+// The plan's row that decides about a map; empty where several things decide.
 std::string_view map_effect(shade::Map map);
 
-// Of scenes with texture coordinates: without them no map is read, and none blackens anything.
-// Maps that could not be read do not matter.
+// For scenes with texture coordinates: without them no map is read, and none makes a product black.
+// Maps whose file could not be read do not count.
 class MapFacts {
 public:
     explicit MapFacts(const scene::Scene& scene);
@@ -40,7 +40,7 @@ private:
         std::array<std::uint8_t, 4> min{255, 255, 255, 255}, max{0, 0, 0, 0};
     };
     static Range range_of(const image::Image& image);
-    // What the material's map holds; null where it has none.
+    // The range of the codes in the material's map; null where it has no map.
     const Range* range(const scene::Material& material, shade::Map map) const;
     // Whether the product of a colour and a map is black.
     bool is_black(const Vec3& colour, const Range* range) const;

@@ -8,7 +8,7 @@
 namespace scanout::frame {
 namespace {
 
-// Of the mappings at the model's surface, but near the axis of those around one.
+// The mappings' turns of u or v a unit at the model's surface, except near the axis of round ones.
 constexpr double kTurnsPerUnit = 0.5;
 
 struct TexturedVertex {
@@ -16,8 +16,8 @@ struct TexturedVertex {
     DVec2 texel{0};
 };
 
-// The square of the most texels a unit of a triangle's plane spans in any direction: of the larger
-// singular value of position -> texel. 0 for a triangle without area, which nobody sees.
+// The square of the greatest number of texels that a unit of the triangle's plane spans in any
+// direction: the larger singular value of position -> texel. 0 for a triangle without area.
 double squared_texels_per_unit(const std::array<TexturedVertex, 3>& c) {
     const DVec3 e1 = c[1].position - c[0].position, e2 = c[2].position - c[0].position;
     const DVec2 t1 = c[1].texel - c[0].texel, t2 = c[2].texel - c[0].texel;
@@ -35,7 +35,7 @@ double squared_texels_per_unit(const std::array<TexturedVertex, 3>& c) {
     return (a + d) / 2 + scanout::sqrt(half * half + b * b);
 }
 
-// texels_per_unit is its square until all are there.
+// texels_per_unit holds its square until all triangles are added.
 void add(TexturedSurface& surface, const std::array<TexturedVertex, 3>& triangle, bool first) {
     surface.texels_per_unit = std::max(surface.texels_per_unit, squared_texels_per_unit(triangle));
     surface.planes.add(triangle[0].position, triangle[1].position, triangle[2].position);

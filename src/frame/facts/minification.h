@@ -1,5 +1,5 @@
-// Texture minification: how many texels a pixel spans in a view, at most. Above one, mip levels are
-// made. Found before drawing, from bounds that are gathered once.
+// Texture minification: the greatest number of texels that a pixel spans in a view. Mip levels are
+// made when it exceeds one. Computed before drawing, from bounds that are gathered once.
 #pragma once
 
 #include "frame/view/eye.h"
@@ -18,7 +18,8 @@ struct TexturedSurface {
     shade::MipUse texture{};
     bool clamp = false;    // -clamp on
     bool constant = false; // all its texels are one colour
-    // At most, in any direction; normalised object units. By the model's uv, and by a mapping.
+    // The greatest number of texels that a normalised object unit spans in any direction: by the
+    // model's uv, and by a mapping.
     double texels_per_unit = 0, texels_per_unit_mapped = 0;
     DVec3 box_min{0}, box_max{0}; // of the triangles
     geom::PlaneSet planes{};      // in which they lie
@@ -26,18 +27,18 @@ struct TexturedSurface {
 // One for each map that a triangle's material has and that could be read.
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene);
 
-// At most, in texels that a pixel spans.
+// The greatest number of texels that a pixel spans.
 struct Minification {
-    double facing = 0;  // where the surface lies farthest away, if it faces the eye there
-    double slanted = 0; // and as it stands
+    double facing = 0;  // at the farthest point, if the surface faced the eye there
+    double slanted = 0; // at the slant that the surface has
 };
 
-// Curved surfaces have a rim where a pixel spans infinitely many texels, a pixel wide or less: what
-// counts is a surface at up to 75 degrees, which spans this many times more than one that faces the
-// eye.
+// The limit for slanted surfaces: a surface at 75 degrees spans this many times the texels of one
+// that faces the eye. The rim of a curved surface spans infinitely many, but it is a pixel wide or
+// less, so it does not count.
 inline constexpr double kMaxSlant = 4;
 
-// 0 where all of the surface lies behind the eye. mapped: its uv are not the model's.
+// 0 where the whole surface lies behind the eye. mapped: a mapping computes its uv.
 Minification texels_per_pixel(const TexturedSurface& surface, const scene::View& view, int width,
                               int height, bool mapped = false);
 

@@ -30,8 +30,8 @@ struct ViewBox {
     double radius() const { return length(half[0]) + length(half[1]) + length(half[2]); }
 };
 
-// Of normals that a plane between two boxes may have: across from one to the other, and along the
-// boxes' sides; each at right angles to the light.
+// Normals of candidate separating planes of two boxes: from one box to the other, and along the
+// boxes' sides; each is made perpendicular to the light.
 bool plane_between(const ViewBox& a, const ViewBox& b, const DVec3& towards_light, double margin) {
     const auto separates = [&](const DVec3& way) {
         const DVec3 across = way - towards_light * dot3(way, towards_light);

@@ -33,7 +33,8 @@ ShadowPlane find_shadow_plane(const geom::Mesh& mesh) {
             high[c] = std::max(high[c], mesh.position[v][c]);
         }
     }
-    // Of equal sides that which is the floor where y is up, then where z is.
+    // Of sides with equal areas, the first wins: the floor where y is up, then the floor where z is
+    // up.
     std::array<ShadowPlane, 6> sides;
     std::array<std::int64_t, 6> area{}; // whole numbers: no order of triangles changes the sum
     for (std::size_t k = 0; k < 6; ++k) {
@@ -44,7 +45,7 @@ ShadowPlane find_shadow_plane(const geom::Mesh& mesh) {
     const DVec3 size = DVec3(high) - DVec3(low);
     const double extent = std::max({size.x, size.y, size.z});
     if (!(extent > 0)) return {};
-    // Of a vertex a bit for every side that it lies in: few lie in any.
+    // A bit mask for each vertex: the sides in which it lies. Few vertices lie in any.
     std::vector<std::uint8_t> lies(mesh.position.size(), 0);
     for (std::size_t v = 0; v < lies.size(); ++v)
         for (std::size_t k = 0; k < 6; ++k)
@@ -72,7 +73,7 @@ ShadowPlane find_shadow_plane(const geom::Mesh& mesh, const FilePlane& by_user) 
     const double length = sqrt(dot3(shorter, shorter));
     ShadowPlane plane;
     plane.normal = shorter / length;
-    // From the model's centre, and in units of the mesh.
+    // The offset from the model's centre, in the mesh's units.
     plane.offset =
         scale(by_user.offset / largest / length - dot3(plane.normal, mesh.centre), -mesh.exponent);
     plane.by_user = true;

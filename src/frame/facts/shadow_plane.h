@@ -1,5 +1,4 @@
-// The plane that receives projected shadows: the floor of the model, or the plane that the user
-// names.
+// The plane that receives projected shadows: the model's floor, or a plane that the user names.
 #pragma once
 
 #include "frame/options.h"

@@ -1,6 +1,6 @@
-// Facts about a view of a scene, found before drawing: all that a plan reads of the view but for
-// minification. They seldom change while a model turns, and while they are the same, so is the plan
-// (temporal coherence: plan_cache.h).
+// Facts about a view of a scene, found before drawing: everything that a plan reads of the view
+// except minification. They seldom change while a model turns; while they stay the same, so does
+// the plan (temporal coherence: plan_cache.h).
 #pragma once
 
 #include "frame/facts/back_faces.h"
@@ -12,7 +12,7 @@
 
 namespace scanout::frame {
 
-// About a light that is not black.
+// Facts about a light that is not black.
 struct LightFacts {
     bool reaches = true;           // some of it falls on the model
     bool shadows_disjoint = true;  // no component casts a shadow on another
@@ -21,7 +21,7 @@ struct LightFacts {
 };
 
 struct ViewFacts {
-    bool in_view = true; // some of the model may be seen; else the others are not found
+    bool in_view = true; // some of the model may be seen; if not, the other facts are not found
     bool orthographic = false;
     bool inside = false; // the eye may be inside of a closed part
     BackFaces backs = BackFaces::none;

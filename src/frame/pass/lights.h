@@ -1,4 +1,4 @@
-// The lights of one frame, in view space: what the stages read of them.
+// The lights of one frame in view space, as the stages read them.
 #pragma once
 
 #include "frame/plan/plan.h"

@@ -5,11 +5,12 @@
 namespace scanout::frame {
 namespace {
 
-// Texels around what throws shadows: the widest filter, and penumbrae (shade/shadow/map_soft.cpp).
+// Empty texels around the shadow casters: for the widest filter, and for penumbrae
+// (shade/shadow/map_soft.cpp).
 constexpr int kMargin = 8, kSoftMargin = 64;
 static_assert(kMaxShadowFilter <= shade::kMaxFilter);
 
-// unit: of positions and of the light (scene::to_floats).
+// unit: the factor of positions and of the light (scene::to_floats).
 shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, double unit) {
     shade::ShadowMap map;
     for (int r = 0; r < 3; ++r) {
@@ -19,7 +20,7 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
     }
     const scene::View& view = from.view;
     map.perspective = view.projection == scene::Projection::perspective;
-    // Angles in perspective, else lengths.
+    // Scales are by angle in perspective, else by length.
     const double length = map.perspective ? 1 : unit;
     const double scale_x = from.texels_x / length, scale_y = from.texels_y / length;
     const double depth_scale =
@@ -39,7 +40,7 @@ shade::ShadowMap map_of(const LightView& from, const scene::ViewLight& light, do
     return map;
 }
 
-// What finds alpha at the texels of what is cut out.
+// The input of the pass that finds the alpha of cut-out triangles at the map's texels.
 shade::TransparencyInput transparency_input(const FramePlan& plan) {
     const TransparencyPlan& alpha = plan.transparency;
     shade::TransparencyInput transparency;
@@ -55,7 +56,7 @@ shade::TransparencyInput transparency_input(const FramePlan& plan) {
 } // namespace
 
 void ShadowMaps::clear() {
-    depths_.resize(maps_.size()); // more than the last frame needed are let go
+    depths_.resize(maps_.size()); // frees those that the last frame did not need
     maps_.clear();
 }
 

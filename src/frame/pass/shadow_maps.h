@@ -17,7 +17,7 @@
 
 namespace scanout::frame {
 
-// The shadow casters of one frame. What it refers to must outlive the frame.
+// The inputs of one frame's shadow casters. All that it refers to must outlive the frame.
 struct ShadowScene {
     Jobs& jobs;
     const scene::Scene& scene;
@@ -51,8 +51,8 @@ private:
     raster::Geometry geometry_;
     std::vector<Worker> workers_;
     std::vector<shade::ShadowMap> maps_;
-    std::vector<Depths> depths_;   // of the maps, and those of the frame before
-    std::vector<LightView> views_; // of one light
+    std::vector<Depths> depths_;   // one for each map; may hold the last frame's, for reuse
+    std::vector<LightView> views_; // of the current light
 };
 
 } // namespace scanout::frame

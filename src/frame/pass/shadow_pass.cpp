@@ -20,7 +20,7 @@ ViewPlane in_view(const ShadowPlane& of_mesh, const scene::View& view) {
     return plane;
 }
 
-// By triangle: 1 where it throws a shadow; what is cut out throws that of the whole triangle.
+// For each triangle, 1 where it casts a shadow; a cut-out one casts the shadow of all its area.
 std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
                                   std::span<const raster::AlphaMode> modes) {
     std::vector<std::uint8_t> casts(mesh.triangles(), 1);
@@ -48,7 +48,7 @@ void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan,
         return;
     }
     casters_.receives = in_shadow_plane(mesh, *plane);
-    for (std::size_t i = 0; i < casters_.casts.size(); ++i) // what lies in it throws none on it
+    for (std::size_t i = 0; i < casters_.casts.size(); ++i) // the plane's own triangles cast none
         if (casters_.receives[i] != 0) casters_.casts[i] = 0;
 }
 

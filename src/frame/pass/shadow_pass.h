@@ -22,14 +22,14 @@ public:
     explicit ShadowPass(int threads)
         : maps_(threads), counts_(static_cast<std::size_t>(threads)),
           tiles_(static_cast<std::size_t>(threads)) {}
-    // Lights that cast vary from then on. The scene must outlive the frame.
+    // Afterwards lights that cast shadows vary from item to item. The scene must outlive the frame.
     void run(const ShadowScene& in, const raster::ScreenTransform& transform,
              const ScreenTiles& grid, FrameLights& lights);
     std::span<const shade::LightShadow> lights() const { return lights_; }
     // Stencil counts of a tile's samples, which the shadow stage reads; null where the plan's
     // technique reads maps. The result is valid until the worker's next call.
     const shade::TileShadow* count(int tile, int worker, const raster::VisibilityTile& visible);
-    // Of maps and polygons, without the planes in which workers count.
+    // The bytes of maps and polygons, without the planes in which workers count.
     std::size_t bytes() const;
 
 private:
@@ -47,7 +47,7 @@ private:
     ShadowMaps maps_;
     std::vector<ShadowPolygons> polygons_; // of each light; empty where maps are read
     Casters casters_;
-    bool areas_ = false; // ScreenTiles
+    bool areas_ = false;            // ScreenTiles
     std::vector<ShadowEdge> edges_; // scratch
     std::vector<shade::LightShadow> lights_;
     std::vector<std::vector<float>> counts_; // of each worker

@@ -15,10 +15,10 @@ namespace {
 using raster::ClipVertex;
 using raster::StencilSign;
 
-// Where a parallel view has no place for what is infinitely far: so many times the way from the
-// light, or the model's depth, is beyond all that can be seen.
+// Stands for infinity where a parallel view cannot show a point at infinity: this many times the
+// distance from the light, or the model's depth, is beyond all that can be seen.
 constexpr double kFar = 0x1p20;
-// Nearer to the plane, in bounding radii, nothing throws a shadow onto it.
+// Triangles nearer to the plane than this, in bounding radii, cast no shadow onto it.
 constexpr double kNearPlane = 0x1p-14;
 
 void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<ShadowEdge>& edges) {
@@ -28,7 +28,7 @@ void add_edges(const std::array<std::uint32_t, 3>& v, std::vector<ShadowEdge>& e
     }
 }
 
-// One entry an edge.
+// Merges the entries of each edge into one.
 void merge(std::vector<ShadowEdge>& edges) {
     std::sort(edges.begin(), edges.end(), [](const ShadowEdge& a, const ShadowEdge& b) {
         return std::tie(a.low, a.high, a.net) < std::tie(b.low, b.high, b.net);
@@ -94,7 +94,7 @@ struct VolumeBuilder {
     DVec3 away(const DVec3& from) const {
         return parallel() ? -DVec3(light.towards) : from - place;
     }
-    // A vertex as the picture has it, and where the light throws it at the end.
+    // A vertex in the picture, and the vertex extruded from the light to infinity.
     ClipVertex near(std::uint32_t v) const { return transform.to_clip(mesh.position[v]); }
     ClipVertex far(std::uint32_t v) const {
         const DVec3 at = position(v), way = away(at);
@@ -122,7 +122,7 @@ struct VolumeBuilder {
         add_polygon(std::span(side).first(corners), transform, static_cast<float>(e.net),
                     StencilSign::facing, raster::kNoPrimitive, out);
     }
-    // From within a closed part a lamp meets its backs first.
+    // A light inside a closed component meets its back faces first.
     bool stands_outside() const {
         if (parallel()) return true;
         DVec3 low(INFINITY), high(-INFINITY);
@@ -168,8 +168,8 @@ struct Polygon {
         vertex[vertices++] = c;
     }
 };
-// Sutherland and Hodgman 1974. Clips away what is beyond the height `limit`; sign 1 keeps what is
-// above. Cuts each edge from its inside vertex to its outside one, so that neighbours agree.
+// Sutherland and Hodgman 1974. Clips away the part beyond the height `limit`; sign 1 keeps the part
+// above it. Cuts each edge from its inside vertex to its outside one, so that neighbours agree.
 void clip(Polygon& polygon, double sign, double limit) {
     Polygon out;
     for (std::size_t i = 0; i < polygon.vertices; ++i) {
@@ -247,7 +247,7 @@ void projected_shadows(const ShadowCaster& t, const ViewPlane& plane, ShadowPoly
     out.where = raster::StencilWhere::everywhere;
     const bool parallel = t.light.kind == scene::LightKind::directional;
     const DVec3 from = parallel ? DVec3(t.light.towards) : place_of(t.light, t.view);
-    // A parallel light has a direction alone: how high it stands, not how far above the plane.
+    // A parallel light has a direction but no position: `above` is its elevation, not a height.
     const double least = kNearPlane * radius_of(t.view), lowest = parallel ? kNearPlane : least;
     DVec3 normal = plane.normal;
     double offset = plane.offset;
@@ -266,7 +266,7 @@ void projected_shadows(const ShadowCaster& t, const ViewPlane& plane, ShadowPoly
             polygon.add({at, dot3(normal, at) + offset});
         }
         clip(polygon, 1, least);
-        // What is level with a light at a place throws its shadow infinitely far.
+        // Points at the height of a light with a position cast their shadow infinitely far away.
         if (!parallel) clip(polygon, -1, above * (1 - 1 / kFar));
         std::array<ClipVertex, 8> projected{};
         std::size_t count = 0;

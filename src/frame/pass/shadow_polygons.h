@@ -1,6 +1,6 @@
 // The polygons of a light's shadows on the screen, binned by tile: the faces of shadow volumes, or
-// the triangles projected onto a plane. Stencil counts of a tile's samples are made of them, after
-// its visibility.
+// triangles projected onto a plane. They are summed into a tile's stencil counts after its
+// visibility.
 #pragma once
 
 #include "raster/count/infinite_polygon.h"
@@ -49,7 +49,7 @@ struct ShadowEdge {
 
 struct ShadowPolygons {
     std::vector<raster::StencilTriangle> triangles;
-    std::vector<std::vector<std::uint32_t>> tiles; // what each may hold, by index
+    std::vector<std::vector<std::uint32_t>> tiles; // indices of triangles that may touch each tile
     raster::StencilWhere where = raster::StencilWhere::behind;
 
     shade::TilePolygons in_tile(int tile) const {
@@ -63,10 +63,10 @@ struct ShadowPolygons {
 };
 
 // Shadow volumes, counted by depth fail: the triangles as near caps, the silhouette edges extruded
-// from the light to infinity as sides, and the far caps. Behind a point, faces that leave a volume
-// less faces that enter one are how many casters hide the light from the point. A closed mesh with
-// the light outside needs the light-facing triangles alone, any other all; an edge between two of
-// them has no side. `edges` is scratch.
+// from the light to infinity as sides, and the far caps. At a point, the faces behind it that leave
+// a volume minus the faces that enter one are the number of casters between the light and the
+// point. A closed mesh with the light outside needs only its light-facing triangles, any other mesh
+// all; an edge between two of them has no side. `edges` is scratch.
 void shadow_volumes(const ShadowCaster& caster, const Welded& welded,
                     std::vector<ShadowEdge>& edges, ShadowPolygons& out);
 

@@ -27,8 +27,8 @@ void mark_visible(raster::AreaTile& tile, StencilBuffer& out) {
             if (!tile.fragments(x, y).empty()) out.row(y)[static_cast<std::size_t>(x)] = 1;
 }
 
-// Whatever comes later, in the order of ids, shows: after each, the pixels that have its id are
-// those that it covers. The coverage is that of the picture itself, to the sample.
+// Draws the triangles in the order of their ids, each over all before it: after each draw, the
+// pixels with its id are the pixels it covers. The coverage is the picture's, to the sample.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
                     raster::Geometry::ById& order, StencilBuffer& out) {
     scratch.reset(geometry.tile_area(tile), 1, {.test = raster::DepthTest::always});

@@ -1,4 +1,4 @@
-// How a frame fills its stencil buffer, and draws what becomes of it (frame/stencil.h).
+// Fills the frame's stencil buffer, and draws a picture from it (frame/stencil.h).
 #pragma once
 
 #include "base/jobs.h"
@@ -8,11 +8,11 @@
 
 namespace scanout::frame {
 
-// Marks the pixels of a tile that show something. A pixel of the picture is a square of `scale`
-// pixels of the tile on each side, all within it. blended: more such pixels; null: none.
+// Marks the pixels of a tile in which something is visible. A pixel of the picture is a square of
+// `scale` x `scale` pixels of the tile, all within it. blended: bits of further pixels; null: none.
 void mark_visible(const raster::VisibilityTile& tile,
                   const shade::TransparencyPass::Pixels* blended, int scale, StencilBuffer& out);
-// The same by areas.
+// The same for a tile of areas.
 void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 
 // Counts the triangles that cover each pixel of a tile (overdraw), hidden or not, but not those

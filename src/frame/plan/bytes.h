@@ -10,7 +10,7 @@
 
 namespace scanout::frame {
 
-// Bytes by the effects' names in the plan; what is off, or holds nothing, is not in it.
+// Bytes by the effects' names in the plan; an effect that is off or holds nothing has no entry.
 using EffectBytes = std::map<std::string, std::uint64_t, std::less<>>;
 
 EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan);

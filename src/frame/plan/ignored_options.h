@@ -1,5 +1,5 @@
-// Ignored options: what the user or the model asked for and a frame cannot show, one line each with
-// the reason.
+// Ignored options: options of the user or the model that a frame cannot show, with one line each
+// that gives the reason.
 #pragma once
 
 #include "frame/plan/plan.h"

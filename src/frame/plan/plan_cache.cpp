@@ -7,7 +7,7 @@
 namespace scanout::frame {
 namespace {
 
-// A turning model shows one of its few sets of facts after another, again and again.
+// A turning model alternates between a few sets of facts.
 constexpr std::size_t kMaxEntries = 16;
 
 } // namespace

@@ -1,5 +1,5 @@
-// A cache of plans: says what frame::plan() says, but plans nothing anew, and allocates nothing,
-// while options and view facts are those of an earlier frame.
+// A cache of plans: returns the result of frame::plan(), but plans and allocates nothing while
+// options and view facts equal those of an earlier frame.
 #pragma once
 
 #include "frame/facts/view_facts.h"

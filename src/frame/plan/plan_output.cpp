@@ -14,18 +14,18 @@
 namespace scanout::frame {
 namespace {
 
-// Light above it exceeds white: so much above 1 that the row's two decimals say it. Below, what a
-// clamp cuts off is less than a code of 8 bits.
+// Light exceeds white when it is above 1 by enough to show in the row's two decimals. A smaller
+// excess that a clamp cuts off is less than a code of 8 bits.
 constexpr double kBright = 1.005;
 
-// Do pixels show more than one thing? Lines and points are seen at all samples of a pixel.
+// Can a pixel show more than one thing? Lines and points are seen at all samples of a pixel.
 bool mixes_samples(const FramePlan& plan, const SceneFacts& facts) {
     const AntiAliasing& aa = *plan.aa;
     return aa.weight != nullptr || aa.scale > 1 ||
            ((aa.exact || aa.samples > 1) && facts.triangles > 0);
 }
 
-// Is no light as bright as 1, by more than rounding? Then a shoulder that ends there bends none.
+// Is all light darker than 1 by more than rounding? Then a shoulder that ends at 1 changes nothing.
 bool nothing_bends(const FramePlan& plan, const SceneFacts& facts, double brightest) {
     const double plain = facts.lines + facts.points > 0 ? double{plan.exposure} : 0;
     return std::max(brightest, plain) < 1 - 0x1p-16 && !plan.decision("highlight")->on() &&
@@ -185,7 +185,8 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
     planner.choice("dither", dither->card.name, options.dither,
                    narrow ? fmt::format("{} bits show their steps", options.bits)
                           : "8 bits hide their steps");
-    // Once, where codes become those that are shown: of fewer bits they are made of whole codes.
+    // Dithers only once, where the display's codes are made: fewer bits are made from whole 8-bit
+    // codes.
     plan.output.dither = dither->ordered && !narrow;
     if (dither->ordered) plan.techniques.push_back(&dither->card);
     return {};

@@ -1,4 +1,5 @@
-// Whether the frame marks pixels, and what is left of a frame whose picture is the marks.
+// Plans the stencil buffer: whether the frame marks pixels, and which stages remain when the
+// picture shows the marks alone.
 #include "frame/plan/planner.h"
 #include "rows.h"
 

@@ -9,13 +9,13 @@
 namespace scanout::frame {
 namespace {
 
-// How much of the scene is of one kind: "3 of 14 materials (120 of 900 triangles)".
+// The share of the scene that is of one kind: "3 of 14 materials (120 of 900 triangles)".
 std::string part(std::size_t materials, std::size_t triangles, const SceneFacts& facts) {
     return fmt::format("{} of {} materials ({} of {} triangles)", materials, facts.alpha.materials,
                        triangles, facts.triangles);
 }
 
-// Where a blended material has its alpha from: its d, or the texels of its maps.
+// Where a blended material's alpha comes from: its d, or the texels of its maps.
 std::string alpha_from(const AlphaFacts& a) {
     if (a.blended_by_maps == a.blended_materials) return "in maps";
     const std::string d = fmt::format("d from {}", a.min_opacity);
@@ -36,12 +36,12 @@ bool nearest_alone(const FrameOptions& o) {
            row_or(aa::kRows, o.aa, aa::none).weight == nullptr;
 }
 
-// Forced on where nothing calls for it, opaque triangles take the way of what is cut out, or of
-// what is blended, and look the same: where pixels are made of samples, which areas are not...
+// Forced on without need, an effect draws opaque triangles as cut-out or blended ones, and the
+// picture must stay the same. As cut-outs it does where pixels are made of samples, not of areas...
 bool opaque_may_be_cut(const FrameOptions& o) {
     return !row_or(aa::kRows, o.aa, aa::none).exact;
 }
-// ...and where the nearest surface also covers all behind it, in whatever order they come.
+// ...and as blended ones where, in addition, the nearest surface hides all behind it in any order.
 bool opaque_may_blend(const FrameOptions& o) {
     return opaque_may_be_cut(o) && nearest_alone(o) &&
            blend_of(o).hides == shade::Hides::by_alpha &&
@@ -67,7 +67,7 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     const bool cuts = a.cut_out_triangles + a.unseen_triangles > 0;
     const bool whole = blends_nothing(o) && a.blended_triangles > 0;
     const bool blends = a.blended_triangles > 0 && !whole;
-    // What would be blended for no reason must not change what is blended for one.
+    // An effect forced on without need must not change the surfaces that really blend.
     const bool may_blend = opaque_may_blend(o), cuts_by_blending = !cuts_by->cuts;
     const bool cut_for_nothing =
         !cuts && (cuts_by_blending ? may_blend && !blends : opaque_may_be_cut(o));

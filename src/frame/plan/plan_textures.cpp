@@ -14,8 +14,8 @@
 namespace scanout::frame {
 namespace {
 
-// Are there coordinates for maps? The model's own, or those that the user's choice makes: a model
-// without any is not dressed by a guess, unless what it wears is computed.
+// Do maps have coordinates? They have the model's uv, or a mapping that the user chooses. A model
+// without uv gets no mapping by a guess, unless its texture is computed.
 bool has_coordinates(const FramePlan& plan, const SceneFacts& facts) {
     const shade::Stage& own = shade::mapping::uv;
     const shade::Stage& asked = row_or(shade::mapping::kRows, plan.options.mapping, own);
@@ -53,7 +53,7 @@ void use(const shade::Filter& filter, bool colour, bool alpha, FramePlan& plan) 
     plan.techniques.insert(first_map, &filter.card); // in the order of techniques.h
 }
 
-// What lies beyond textures' edges: what each map says, unless the user does.
+// Wrap modes, beyond the edges of textures: the user's choice, else what each map says.
 Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.wrap;
     const shade::Wrapping &repeat = shade::wrap::repeat, &clamp = shade::wrap::clamp;
@@ -84,7 +84,7 @@ Result<void> plan_wrap(Planner& planner, FramePlan& plan, const SceneFacts& fact
     return {};
 }
 
-// The mapping: where u and v come from.
+// The mapping: the source of u and v.
 Result<void> plan_mapping(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     const std::string& asked = plan.options.mapping;
     const shade::Stage &own = shade::mapping::uv, &made = shade::mapping::box;
@@ -238,8 +238,9 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
         const Minification texels = texels_per_pixel(surface, view, options.width * plan.aa->scale,
                                                      options.height * plan.aa->scale, plan.mapped);
         most = {std::max(most.facing, texels.facing), std::max(most.slanted, texels.slanted)};
-        // A filter that the user names is drawn as it is; else what is not minified has no
-        // mipmaps, though its rim may show a few texels a pixel.
+        // A filter that the user names is used as it is, with its mip levels; the automatic one
+        // makes none for a texture that is not minified, though a curved surface's rim may show a
+        // few texels a pixel.
         if (automatic && texels.slanted <= 1) continue;
         if (std::find(plan.mips.begin(), plan.mips.end(), surface.texture) == plan.mips.end())
             plan.mips.push_back(surface.texture);

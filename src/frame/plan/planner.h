@@ -13,7 +13,7 @@ namespace scanout::frame {
 
 Error no_such_technique(std::string_view axis, const std::string& asked);
 
-// The row of an axis that the user asked for by name, or the automatic choice.
+// The row of an axis that the user asked for by name, else the automatic choice.
 template <class Row, std::size_t kCount>
 Result<const Row*> choose(const Row* const (&rows)[kCount], const std::string& asked,
                           const Row& automatic) {
@@ -30,10 +30,10 @@ class Planner {
 public:
     Planner(const FrameOptions& options, FramePlan& plan) : options_(options), plan_(plan) {}
 
-    // Adds the row of an effect, as decide() says; its techniques may be those of an axis.
+    // Adds the row of an effect, decided by decide(); its techniques may be the rungs of an axis.
     bool effect(std::string name, std::string_view technique, bool needed, std::string because,
                 std::string_view axis = {});
-    // Adds the row of an axis that is no effect: its own option decides.
+    // Adds the row of an axis that is no effect: the user's option alone decides.
     void choice(std::string axis, std::string_view technique, const std::string& asked,
                 std::string because, bool needed = true);
     void stage(const shade::Stage& stage);
@@ -47,16 +47,16 @@ private:
 
 // Fails where a size or a count is out of range.
 Result<void> check_numbers(const FrameOptions& options);
-// First phase: all of a plan but the texture filter. The options must have passed check_numbers. Of
-// the view it reads these facts alone, so that plans can be cached by them.
+// First phase: the whole plan except the texture filter. The options must have passed
+// check_numbers. The plan reads only these facts of the view, so it can be cached by them.
 Result<FramePlan> plan_without_filter(const FrameOptions& options, const SceneFacts& facts,
                                       const ViewFacts& view);
 // Second phase, each frame: the filter of the maps that the plan's stages read, and the textures
-// that have mip levels, both by the view's minification. Allocates nothing in a plan that had them
-// before.
+// that have mip levels; the view's minification decides both. Allocates nothing if the plan had
+// them before.
 void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& view);
 
-// map_Kd, or what is computed in its place.
+// map_Kd, or the computed texture that replaces it.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Some light is not black, whether it reaches the model or not.
 bool some_light_shines(const FrameOptions& options);
@@ -80,7 +80,7 @@ Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& 
 bool blends_nothing(const FrameOptions& options);
 // Shadow casters by material: blended ones cast none, for their shadows would have to be tinted.
 void plan_casters(FramePlan& plan, const SceneFacts& facts);
-// Depth test, depth format and blending: choices of the user's.
+// Depth test, depth format and blending, which the user chooses.
 Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // The stencil buffer. Where the picture is its counts alone (overdraw), plan_counts takes all else
 // out of the finished plan.

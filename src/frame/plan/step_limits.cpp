@@ -29,8 +29,8 @@ double texels(const scene::Scene& scene) {
     return side * scale;
 }
 
-// How much reflected light changes by, at most, when the normal's tip moves: of cos^n the slope is
-// below the root of n.
+// The greatest change of reflected light when the normal's tip moves; the slope of cos^n is below
+// the square root of n.
 double steepness(const scene::Scene& scene) {
     double steepest = 1;
     for (const scene::Material& m : scene.materials) {
@@ -49,8 +49,8 @@ shade::StepLimits step_limits(const scene::Scene& scene, const FramePlan& plan) 
     for (const scene::Light& l : plan.lights)
         light += double{std::max({l.colour.x, l.colour.y, l.colour.z})} * l.power;
     const double shown = kHalfCode / (light * double{plan.exposure});
-    // Half of the budget each for what vertices have and for where they face; a mean of unit
-    // vectors may be shorter by a tenth.
+    // The vertices' attributes and their normals get half of the error budget each; a mean of unit
+    // vectors may be shorter than 1 by a tenth.
     return {plan.attributes, 1.0 / 256 / texels(scene), shown / 2,
             shown / 2 / (steepness(scene) * 1.2), kPosition};
 }

@@ -1,6 +1,6 @@
-// The outline of what is shown, the stencil's oldest use: the first pass marks the pixels of the
-// model, the second draws where none is marked but one is near. Nothing of the model is drawn over.
-// It comes after all tiles, since a tile does not see its neighbour's pixels.
+// The model's outline, the classic use of a stencil: the first pass marks the pixels of the model,
+// the second draws the unmarked pixels near a marked one, so it draws over no pixel of the model.
+// The second pass comes after all tiles, since a tile does not see its neighbour's pixels.
 #include "frame/stencil.h"
 
 #include <algorithm>
@@ -13,8 +13,8 @@ constexpr image::Rgba8 kColour{255, 140, 0, 255}; // orange: on dark, grey and w
 
 static_assert(kOutlineWidth == 2, "the card says so");
 
-// Pixels whose centres are at most the width apart: of the row that lies so far away, how many to
-// each side.
+// Pixels whose centres are at most the outline's width apart: for a row at this distance, the
+// number of pixels to each side.
 constexpr int reach(int rows) {
     int columns = 0;
     while ((columns + 1) * (columns + 1) + rows * rows <= kOutlineWidth * kOutlineWidth)

@@ -40,7 +40,8 @@ bool may_be_lit(const scene::ViewLight& light, const scene::View& view) {
     const DVec3 way = sphere.centre - place_of(light, view);
     const double distance = length(way);
     if (!(distance > sphere.radius)) return true;
-    // The angle between axis and centre against the cone's and the sphere's half angles together.
+    // Compares the angle between axis and centre with the sum of the cone's and the sphere's half
+    // angles.
     const double sine = sphere.radius / distance, cosine = scanout::sqrt(1 - sine * sine);
     const double cone = double{light.cos_outer};
     if (cone <= -cosine) return true;

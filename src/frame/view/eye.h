@@ -1,4 +1,4 @@
-// Where the eye of a view is in mesh coordinates, and what it sees of a plane there.
+// The eye's position in mesh coordinates, and how it sees a plane there.
 #pragma once
 
 #include "geom/planes.h"
@@ -9,7 +9,8 @@
 
 namespace scanout::frame {
 
-// False of a view without a near plane, as a plan that knows none has: its eye may be anywhere.
+// False in a view without a near plane, as a plan gives that knows no view: the eye may be
+// anywhere.
 bool is_known(const scene::View& view);
 // The eye in mesh coordinates; w is 0 in an orthographic view, whose eye is a direction. Nothing
 // where the model is flattened. geom::height(eye, plane) > 0: the eye sees the plane's front.

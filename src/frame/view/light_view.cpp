@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kWidestTan = 1.75;       // of half a single view: some 60 degrees
 constexpr double kNearShare = 0x1p-14;    // of the distance to the model: nearer throws no shadow
-constexpr double kFarShare = 1 + 0x1p-10; // views are wider by so much than what they hold
+constexpr double kFarShare = 1 + 0x1p-10; // views are wider than their contents by this factor
 
 // Rows: right, up, back; back is a unit vector. Duff et al. 2017.
 DMat3 looking_from(const DVec3& back) {
@@ -39,9 +39,9 @@ struct Bounds {
     }
 };
 
-// Calls f with corners of triangles, in light space. Left out are those of clusters for which
-// skips(middle, extent) holds, f having seen the others so far: no corner is farther from the
-// middle than the extent, along each axis.
+// Calls f with the corners of triangles, in light space. Skips clusters for which skips(middle,
+// extent) is true after the earlier calls of f; along each axis, no corner of a cluster is farther
+// from its middle than its extent.
 template <class Skips, class F>
 void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& rotation,
                  const DVec3& translation, Skips&& skips, F&& f) {
@@ -71,7 +71,8 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& r
         constexpr std::size_t kCorners = Clusters::kTriangles * 3;
         if (!skipped(cluster[c])) call(c * kCorners, std::min((c + 1) * kCorners, index.size()));
     };
-    // Some from all over the mesh first: after these most of the others can be skipped.
+    // Visits a sample of clusters from all over the mesh first: after these, most others can be
+    // skipped.
     for (std::size_t c = 0; c < cluster.size(); c += Clusters::kGroup)
         call_cluster(c);
     for (std::size_t g = 0; g < mesh.clusters.group.size(); ++g) {
@@ -109,7 +110,7 @@ LightView parallel(const scene::ViewLight& light, const geom::Mesh& mesh, const 
     };
     for_corners(mesh, view, rotation, DVec3(0), within, [&](const DVec3& p) { bounds.add(p); });
     const DVec3 middle = (bounds.low + bounds.high) / 2.0;
-    // Nothing is so small or flat that its map would leave the range of floats.
+    // Keeps the map within the range of floats, however small or flat the casters are.
     const DVec3 half = (bounds.high - bounds.low) / 2.0 * kFarShare +
                        DVec3(std::max(radius_of(view) * 0x1p-20, 0x1p-60));
     LightView made = view_of(view, rotation, -middle, half.x, half.y, size, margin);

@@ -13,10 +13,10 @@ namespace scanout::frame {
 struct LightView {
     scene::View view;                  // for the raster: of the mesh, in light space
     DMat3 rotation{1};                 // view space of the eye -> light space
-    DVec3 translation{0};              // then added
+    DVec3 translation{0};              // added after the rotation
     int size = 0;                      // texels a side
     double texels_x = 0, texels_y = 0; // a unit: everywhere, or in perspective at distance 1
-    double half = 0;                   // of a receiver's distance from the middle, texels
+    double half = 0;                   // greatest distance of a receiver from the middle, texels
 };
 
 // The position of a point or spot light, and the extent of view space: in the view's own lengths.
@@ -29,8 +29,8 @@ double radius_of(const scene::View& view); // near the model's, at least
 void light_views(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                  int size, int margin, std::vector<LightView>& out);
 
-// From a light at a place, turned as the eye is: no more is left out before its near plane than of
-// the views of its maps, and no corner of that plane is nearer to the light than one of theirs.
+// The view from a light with a position, turned as the eye is. Its near plane cuts off no more than
+// the near planes of its maps' views do, and no corner of it is nearer to the light than theirs.
 scene::View view_about(const scene::ViewLight& light, const scene::View& view);
 
 } // namespace scanout::frame
