@@ -1,6 +1,6 @@
 // Debug checks of test builds (SCANOUT_CHECK_LANES): no vertex and no depth may be NaN or infinite
-// after its stage; the first that is ends the program with the stage's name. Values that a stage
-// clamps are checked before. Elsewhere these do nothing.
+// after its stage. The first bad value ends the program with the stage's name. Values that a stage
+// clamps are checked before the clamp. In other builds these functions do nothing.
 #pragma once
 
 #include "raster/clipped/clipped_triangle.h"

@@ -51,7 +51,7 @@ Wide determinant(const ExactPoint& p, const ExactPoint& q, const ExactPoint& r) 
     return {high + (low >> 64), static_cast<std::uint64_t>(low)};
 }
 
-// Nothing is added where the three lie on one line.
+// Degenerate triangles, whose three vertices lie on one line, are not added.
 void add(ClippedTriangles& clipped, std::array<ExactPoint, 3> v, std::uint32_t id) {
     bool odd = false;
     for (const std::size_t i : {0, 1, 0}) {
@@ -65,8 +65,8 @@ void add(ClippedTriangles& clipped, std::array<ExactPoint, 3> v, std::uint32_t i
                                                                    (sign > 0) != odd};
 }
 
-// To a whole number. Saturates, and NaN becomes a number: finite ends may lie too far apart for the
-// cut between them.
+// Rounds to a whole number. Saturates, and NaN becomes a number: finite ends may lie so far apart
+// that the cut between them is not finite.
 std::int64_t round_to_whole(double v) {
     constexpr double kMax = 0x1p50;
     v = v > -kMax ? v : -kMax;
@@ -160,9 +160,9 @@ bool covers(const ClippedTriangle& clipped, std::int32_t x, std::int32_t y) {
     return e.at(0, x, y) >= 0 && e.at(1, x, y) >= 0 && e.at(2, x, y) >= 0;
 }
 
-// A vertex (X, Y, W) 2^e of its own power of two e before the divide weighs 2^e times its edge
-// function. What tells e: in perspective z, as depth times w is the near plane's everywhere; else
-// w, which is 1 everywhere.
+// A vertex whose coordinates before the divide are (X, Y, W) 2^e, with an exponent e of its own,
+// weighs its edge function times 2^e. e is read from z in perspective, where depth times w is the
+// near plane's distance at every vertex; else from w, which is 1 at every vertex.
 ClippedWeights weights_of(const ClippedTriangle& clipped, bool perspective) {
     const ExactEdges edges = edges_of(clipped);
     double scale[3], largest = 0;
@@ -199,8 +199,8 @@ double size_of(const ClippedTriangle& clipped) {
 
 image::Rect pixel_bounds(const ClippedTriangle& clipped, int width, int height,
                          const SampleExtent& extent) {
-    // Far beyond any picture; two steps more on either side, for what the division and the
-    // conversion round.
+    // Beyond any picture. Two more steps on either side cover the rounding of the division and the
+    // conversion.
     constexpr double kFar = 0x1p28;
     double low[2] = {kFar, kFar}, high[2] = {-kFar, -kFar};
     for (const ExactPoint& p : clipped.vertex) {

@@ -7,9 +7,9 @@
 // watertight, no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous lines: Olano
 // and Greer 1997.
 //
-// Why the near plane still cuts: an edge to a vertex behind the eye would turn about it when its
-// other end snaps, and be displaced by up to the ratio of their distances from the eye, not 1/256
-// pixel. The cut point lies before the eye, so what is between it and the other end moves less.
+// The near plane must still cut: an edge to a vertex behind the eye would turn about it when its
+// other end snaps, and move by up to the ratio of their distances from the eye, not by 1/256 pixel.
+// The cut point lies before the eye, so the points between it and the other end move less.
 #pragma once
 
 #include "image/image.h"
@@ -26,8 +26,8 @@ namespace scanout::raster {
 
 __extension__ using Int128 = __int128;
 
-// Stands at (x / w, y / w) 2^23 on the screen, in 1/256 pixel; w >= 0, |x|, |y|, w <= 2^50. So
-// scaled, w is as fine as x and y on the screen.
+// Its place on the screen is (x / w, y / w) 2^23, in 1/256 pixel; w >= 0, |x|, |y|, w <= 2^50. At
+// this scale, w has the same precision as x and y on the screen.
 struct ExactPoint {
     static constexpr int kBits = 23;
     std::int64_t x, y, w;
@@ -43,7 +43,7 @@ ExactPoint point_off_screen(const ClipVertex& vertex, const EdgePoint& edge_poin
 struct ClippedTriangle {
     std::array<ExactPoint, 3> vertex;
     std::uint32_t id;
-    bool flipped;   // edges in this order have their interior on the negative side
+    bool flipped;   // in this order the interior is on the negative side of the edges
     bool clockwise; // on the screen, in the order in which the vertices were given
 };
 

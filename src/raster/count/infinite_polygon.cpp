@@ -15,9 +15,9 @@ struct Polygon {
     std::size_t count = 0;
 };
 
-// Signed distance, >= 0 inside: near, then left, right, top, bottom of the guard band. Beyond near
-// is where depth <= 1, that is z <= w, for points and directions alike. A parallel view has no near
-// plane.
+// Signed distance, >= 0 inside: near, then left, right, top, bottom of the guard band. It is
+// inside of near where depth <= 1, that is where z <= w, be it a point or a direction. A parallel
+// view has no near plane.
 double distance(int plane, const ClipVertex& v, const ScreenTransform& t) {
     switch (plane) {
     case 0:
@@ -33,13 +33,14 @@ double distance(int plane, const ClipVertex& v, const ScreenTransform& t) {
     }
 }
 
-// From the inside vertex to the outside one: polygons that share an edge are cut at the same point.
+// Cuts from the inside vertex to the outside one: polygons that share an edge get the same cut
+// point.
 ClipVertex intersect(int plane, const ScreenTransform& transform, const ClipVertex& in, double d_in,
                      const ClipVertex& out, double d_out) {
     const double t = d_in / (d_in - d_out);
     ClipVertex v{in.x + t * (out.x - in.x), in.y + t * (out.y - in.y), in.z + t * (out.z - in.z),
                  in.w + t * (out.w - in.w)};
-    // On the plane exactly, and in front of the eye: the divide that follows must not meet w <= 0.
+    // Puts the vertex exactly on the plane, and in front of the eye: the divide needs w > 0.
     if (transform.perspective) v.w = plane == 0 ? v.z : std::max(v.w, v.z);
     v.w = std::max(v.w, 0x1p-900);
     if (plane == 1 || plane == 2)
@@ -60,7 +61,7 @@ void clip_plane(Polygon& polygon, int plane, const ScreenTransform& transform) {
         if (a_inside != b_inside)
             out.vertex[out.count++] = a_inside ? intersect(plane, transform, a, da, b, db)
                                                : intersect(plane, transform, b, db, a, da);
-        // Rounding may cut a polygon more often than a convex one can be.
+        // Rounding may cut a polygon at more edges than a convex polygon can be cut at.
         if (out.count + 2 > out.vertex.size()) break;
     }
     polygon = out;
@@ -88,10 +89,10 @@ void add_polygon(std::span<const ClipVertex> vertices, const ScreenTransform& tr
     std::array<ScreenVertex, 24> vertex;
     for (std::size_t i = 0; i < polygon.count; ++i) {
         const ClipVertex& v = polygon.vertex[i];
-        if (!(v.w > 0)) return; // nothing of a polygon that only touches the eye's plane is seen
+        if (!(v.w > 0)) return; // a polygon that only touches the eye's plane is not visible
         vertex[i] = transform.to_screen(v);
     }
-    // The fan's hub is the first corner in canonical order, as that of every clipped triangle.
+    // The fan's hub is the first corner in canonical order, as for every clipped triangle.
     const auto before = [](const ScreenVertex& a, const ScreenVertex& b) {
         return std::tie(a.y, a.x, a.depth) < std::tie(b.y, b.x, b.depth);
     };

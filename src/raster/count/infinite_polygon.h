@@ -1,6 +1,6 @@
-// Polygons with vertices at infinity, on the screen: the sides of a shadow volume, which has no far
-// end. Clipped in homogeneous coordinates, where a direction is a point with w = 0. Everitt and
-// Kilgard 2002 (HARD-CASES 44).
+// Polygons with vertices at infinity, on the screen: the sides of a shadow volume have no far end.
+// Clipped in homogeneous coordinates, where a direction is a point with w = 0. Everitt and Kilgard
+// 2002 (HARD-CASES 44).
 #pragma once
 
 #include "raster/count/stencil_count.h"
@@ -11,8 +11,8 @@
 
 namespace scanout::raster {
 
-// A point of view space (w 1), or a direction (w 0) in perspective. A parallel view has no place on
-// its screen for a direction: give a point far along it instead.
+// A point of view space (w 1), or a direction (w 0) in perspective. A parallel view cannot project
+// a direction to its screen: pass a point far along it instead.
 ClipVertex to_clip(const ScreenTransform& transform, const DVec4& view);
 
 // Convex, at most 8 vertices. Appends its triangles to `out`. facing: triangles that wind clockwise

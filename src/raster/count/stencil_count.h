@@ -1,6 +1,6 @@
-// Stencil counts: sums polygons over a tile's samples for shadow volumes and shadows projected onto
-// a plane, after visibility. The same exact coverage as that of visible triangles; sums of small
-// integers, so no order matters.
+// Stencil counts: sums of polygons over a tile's samples, for shadow volumes and shadows projected
+// onto a plane; added after visibility. They use the same exact coverage as visible triangles. They
+// are sums of small integers, so the order does not matter.
 #pragma once
 
 #include "image/image.h"
@@ -13,11 +13,11 @@
 namespace scanout::raster {
 
 struct StencilTriangle {
-    Triangle triangle; // its id: of the scene's triangle that it is, or kNoPrimitive
+    Triangle triangle; // id: the scene's triangle that it is, or kNoPrimitive
     float weight;      // added to the count of the samples it covers
 };
 
-// Laid out as TilePlanes. depth, id: what is visible at the sample.
+// Laid out like TilePlanes. depth, id: of the visible surface at each sample.
 struct StencilPlanes {
     image::Rect area;
     std::span<const SampleOffset> pattern;
@@ -28,7 +28,7 @@ struct StencilPlanes {
 
 // A triangle set up for one tile.
 struct StencilSetup {
-    double a[3], b[3], c[3], least[3]; // edge functions, and from what value on they are inside
+    double a[3], b[3], c[3], least[3]; // edge functions; at least `least` is inside
     double depth_factor[3];            // depth of a vertex / area
     int x0, y0, x1, y1;                // pixels; x0 a multiple of 8 from the tile's corner
     int left, top;                     // of the tile
@@ -37,15 +37,15 @@ struct StencilSetup {
 };
 
 enum class StencilWhere : bool { everywhere, behind };
-inline constexpr double kSameDepth = 0x1p-20; // of a depth: closer than this is the same
+inline constexpr double kSameDepth = 0x1p-20; // relative; depths closer than this are equal
 
-// behind: only where the triangle lies behind the visible surface, or on it. The visible triangle
-// itself counts as on it, and so does what is as near but for kSameDepth: no surface occludes
-// itself.
+// behind: counts only where the triangle lies behind the visible surface or on it. The visible
+// triangle itself counts as on it, and so does any triangle within kSameDepth of its depth: no
+// surface shadows itself.
 void add_to_stencil(const StencilPlanes& tile, const StencilTriangle& triangle, StencilWhere where);
 
-// What the triangle adds at one point (1/256 pixel), where a surface of this depth and id is
-// visible.
+// The weight that the triangle adds at one point (1/256 pixel), where a surface of this depth and
+// id is visible.
 float stencil_at(const StencilTriangle& triangle, std::int32_t x, std::int32_t y, double depth,
                  std::uint32_t id, StencilWhere where);
 

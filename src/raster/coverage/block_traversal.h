@@ -1,4 +1,4 @@
-// Block traversal: what kernels share that visit the blocks of a tile which a triangle may cover.
+// Block traversal: types that the kernels share which visit the blocks of a tile under a triangle.
 #pragma once
 
 #include "raster/coverage/coverage.h"
@@ -21,9 +21,9 @@ struct BlockBounds {
     float edge[3], across[3], down[3];
     float depth, depth_across, depth_down;
     float most;         // of depth, anywhere
-    int x0, y0, x1, y1; // the blocks in question
-    // The sums in float, over all of a tile, are rounded by far less than this of their terms,
-    // which are far from the least floats: depths are 2^-120 or more (scene/view.cpp).
+    int x0, y0, x1, y1; // the blocks that are visited
+    // Rounding of the float sums over all of a tile is far less than this part of their terms. The
+    // terms are far above the smallest floats: depths are 2^-120 or more (scene/view.cpp).
     static constexpr double kMargin = 0x1p-18;
 };
 struct BlockList {
@@ -38,7 +38,7 @@ struct BlockList {
 struct ClippedBlockEdges {
     double first[3], per_x[3], per_y[3], error[3];
 };
-// Bit 8 y + x. unsure: pixels whose sign the errors leave open.
+// Bit 8 y + x. unsure: pixels where the rounding error may exceed the edge function.
 struct ClippedBlockSigns {
     std::uint64_t inside, unsure;
 };

@@ -36,8 +36,8 @@ SIMD_INLINE SetupLanes setup_lanes(const TriangleSetup& w, const Read& read) {
 
 // Blocks of triangles with float depth, one a lane, at one sample of the pattern.
 struct FloatDepthBlocks {
-    // At the first pixel of row `begin` a number that is negative where E + bias is, and its steps
-    // a pixel: floor((E + bias) / 256), 0 where the edge holds for the whole block; or E + bias.
+    // At the first pixel of row `begin`, a number with the sign of E + bias, and its steps a pixel:
+    // floor( (E + bias) / 256), or 0 where the edge holds for the whole block; or E + bias itself.
     std::int32_t first[3][kLanesX8], per_x[3][kLanesX8], per_y[3][kLanesX8];
     std::int32_t begin[kLanesX8], end[kLanesX8]; // rows
     std::int32_t pixel_offset[kLanesX8];         // of the first pixel, in a plane of the tile
@@ -45,7 +45,7 @@ struct FloatDepthBlocks {
     float base[kLanesX8], rest[kLanesX8], per_pixel_x[kLanesX8], per_pixel_y[kLanesX8];
 };
 
-// Row by row, the rows that the triangle's box leaves.
+// Draws row by row, the rows inside of the triangle's box.
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_rows(const DepthRule& rule, const FloatDepthBlocks& b, int lane,
                            SampleOffset at, std::uint32_t primitive, float* depth,
@@ -89,7 +89,7 @@ SIMD_INLINE void draw_rows(const DepthRule& rule, const FloatDepthBlocks& b, int
     }
 }
 
-// The pixels of a block that a triangle's box leaves: where they are few, they are drawn one by one
+// The pixels of a block inside of a triangle's box: where they are few, they are drawn one by one
 // with a triangle a lane, not row by row.
 constexpr int kFew = 3;
 struct Few {
@@ -103,8 +103,8 @@ SIMD_INLINE Few few_pixels(const SetupLanes& w, I32x8 left, I32x8 begin, I32x8 e
     return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
 }
 
-// By the default rule, pixel by pixel. depth_at(column, row): lanes of depth, columns from
-// few.column, rows from b.begin.
+// Draws pixel by pixel, by the default depth rule. depth_at(column, row): lanes of depth, columns
+// from few.column, rows from b.begin.
 template <DepthWrite kWrite, class DepthAt>
 SIMD_INLINE void draw_pixels(const FloatDepthBlocks& b, const Few& few, const DepthAt& depth_at,
                              const std::uint32_t* primitive, float* depth, std::uint32_t* id,
@@ -118,8 +118,8 @@ SIMD_INLINE void draw_pixels(const FloatDepthBlocks& b, const Few& few, const De
     std::int32_t corner[kLanesX8];
     store(load<I32x8>(b.pixel_offset) + load<I32x8>(b.begin) * I32x8(kTileSize) + few.column,
           corner);
-    // Covered samples are collected, a bit each, over several steps: one loop over all of them has
-    // one mispredicted end, not one a step.
+    // Collects covered samples over several steps, a bit each: one loop over all of them ends in
+    // one branch misprediction, instead of one a step.
     constexpr int kSteps = 64 / kLanesX8;
     std::uint64_t waiting = 0;
     float depths[kSteps][kLanesX8];
@@ -148,7 +148,7 @@ SIMD_INLINE void draw_pixels(const FloatDepthBlocks& b, const Few& few, const De
             const MaskX8 in_column = I32x8(i) < few.across;
             if ((bits(in_column) & few.lanes) == 0) break;
             const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) > I32x8(-1));
-            // No branch on whether there are some: it would be mispredicted.
+            // No branch on whether any pixel is covered: it would be mispredicted.
             waiting |= std::uint64_t{bits(inside) & few.lanes} << (steps * kLanesX8);
             store(depth_at(i, j), depths[steps]);
             offset[steps] = j * kTileSize + i;
@@ -204,7 +204,7 @@ SIMD_INLINE void set_up_rows(const SetupLanes& w, const F64x8 (&corner)[3],
     }
 }
 
-// The same for draw_large: of edges that hold for the whole block, too.
+// The same for draw_large, also for edges that hold for the whole block.
 SIMD_INLINE void set_up_firsts(const SetupLanes& w, const F64x8 (&corner)[3], SampleOffset at,
                                std::int32_t (&first)[3][kLanesX8]) {
     const F64x8 x = double(at.x), y = double(at.y);
@@ -231,27 +231,27 @@ SIMD_INLINE AtBlocks at_blocks(const TilePlanes& tile, const SetupLanes& w, I32x
     return at;
 }
 
-// An upper bound of a triangle's depth in blocks; depth: at their corners. 2^-20 of it is far more
-// than all rounding before.
+// An upper bound of a triangle's depth in blocks; depth: at their corners. The margin of 2^-20 is
+// far more than all rounding before.
 SIMD_INLINE F32x8 nearest_in(F64x8 depth, F64x8 per_x, F64x8 per_y) {
     const F64x8 side = double{PixelBlock::kSide}, zero = 0.0;
     const F64x8 reach = (maximum(per_x, zero) + maximum(per_y, zero)) * side;
     return to_f32((depth + reach) * F64x8(1 + 0x1p-20));
 }
 
-// Of the live lanes those whose block the triangle may touch and hi_z does not reject.
+// The live lanes whose block the triangle may touch and hi_z does not reject.
 template <bool kDefault>
 SIMD_INLINE std::uint32_t visible_lanes(const TilePlanes& tile, const SetupLanes& w,
                                         const AtBlocks& at, std::uint32_t live) {
     SIMD_FOR (int k = 0; k < 3; ++k)
         live &= bits(at.edge[k] + w.highest[k] >= F64x8(0.0));
     if (!kDefault || live == 0 || tile.hi_z == nullptr) return live;
-    // Lanes past their triangle's end may be past the tile's.
+    // Lanes past their triangle's end may also be past the tile's end.
     const I32x8 block = minimum(at.top + shift_right<3>(at.left), BlockList::kBlocks - 1);
     return live & bits(nearest_in(at.depth, w.per_x, w.per_y) >= gather(tile.hi_z, block));
 }
 
-// Draws the blocks of `live` lanes, each of a triangle of its own.
+// Draws the blocks of the `live` lanes; each lane has a triangle of its own.
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_float_depth_blocks(const TilePlanes& tile, const SetupLanes& w,
                                          const AtBlocks& block, std::uint32_t live,

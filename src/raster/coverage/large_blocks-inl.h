@@ -11,14 +11,14 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// A block is drawn in steps of a register of pixels, always all of them: the edges alone decide
-// what the triangle covers, and the loop has a fixed length, so no branch is mispredicted.
+// A block is drawn in steps of one register of pixels, always all steps: coverage comes from the
+// edge functions alone, and the loop has a fixed length, so no branch is mispredicted.
 constexpr int kSteps = PixelBlock::kSide * PixelBlock::kSide / kLanes;
 SIMD_INLINE std::ptrdiff_t pixel_offset_of(int step) {
     return std::ptrdiff_t{step / kRegisters * kRows} * kTileSize + step % kRegisters * kLanes;
 }
 
-// What all blocks of a triangle share: differences from a block's corner to its pixels.
+// Shared by all blocks of a triangle: differences from a block's corner to its pixels.
 struct InBlock {
     I32 edge[3][kSteps]; // PixelBlock: n
     F32 depth[kSteps];   // at one sample of the pattern
@@ -59,7 +59,7 @@ SIMD_INLINE void set_up_depth(const TriangleSetup& w, int i, SampleOffset at, In
 // A register of blocks.
 struct LargeBlocks {
     std::int32_t number[kLanesX8];        // in the tile
-    std::int32_t pixel_offset[kLanesX8];  // of the first pixel, in a plane
+    std::int32_t pixel_offset[kLanesX8];  // of the first pixel, in a plane of the tile
     std::int32_t first[3][kLanesX8];      // the edges there: floor((E + bias) / 256)
     float base[kLanesX8], rest[kLanesX8]; // depth at the corner
     float farthest[kLanesX8];             // no depth of the triangle in the block is farther
@@ -90,7 +90,7 @@ SIMD_INLINE F32 draw_block(const DepthRule& rule, const InBlock& in, const Large
 SIMD_INLINE I32x8 next_blocks(std::uint64_t& blocks) {
     std::uint8_t number[kLanesX8];
     SIMD_FOR (int lane = 0; lane < kLanesX8; ++lane) {
-        // Where there are no more, the last block of the tile stands for them.
+        // Missing blocks are filled up with the last block of the tile.
         number[lane] = static_cast<std::uint8_t>(__builtin_ctzll(blocks | std::uint64_t{1} << 63));
         blocks &= blocks - 1;
     }
@@ -186,7 +186,7 @@ SIMD_INLINE void draw_double_depth_block(const TilePlanes& tile, const TriangleS
         for (int row = 0; row < kSide; ++row)
             SIMD_FOR (int r = 0; r < kAcross; ++r) {
                 const F32x8 z = to_f32(depth_of(e[r], depth_factor));
-                // Rounding keeps the sign of a whole number.
+                // Rounding to float keeps the sign of a whole number.
                 const F32x8 inmost = to_f32(
                     minimum(minimum(e[r][0] + bias[0], e[r][1] + bias[1]), e[r][2] + bias[2]));
                 const std::ptrdiff_t to = first + row * kTileSize + r * kLanesX8;

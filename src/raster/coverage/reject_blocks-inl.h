@@ -24,9 +24,9 @@ SIMD_INLINE float far_depth_in(const TilePlanes& tile, std::ptrdiff_t pixel_offs
     return least(nearest_lane);
 }
 
-// Does a block occlude everything at depth `nearest` or behind, by what is drawn now? For clipped
-// triangles and clusters that tile.hi_z does not reject: small and clipped triangles do not update
-// it. The block is read anew only where its middle pixel occludes: else the block cannot.
+// Does a block occlude everything at depth `nearest` or behind, by its present depths? For clipped
+// triangles and clusters that tile.hi_z does not reject, since small and clipped triangles do not
+// update hi_z. Reads the block again only if its middle pixel occludes: else the block cannot.
 SIMD_INLINE bool occludes_after_refresh(const TilePlanes& tile, int x, int y, float nearest) {
     constexpr int kSide = PixelBlock::kSide, kMiddle = kSide / 2 * (kTileSize + 1);
     const int pixel_offset = (y * kTileSize + x) * kSide;
@@ -35,7 +35,7 @@ SIMD_INLINE bool occludes_after_refresh(const TilePlanes& tile, int x, int y, fl
     farthest = far_depth_in(tile, pixel_offset);
     return nearest < farthest;
 }
-// Nothing stored anywhere in the tile is farther away.
+// The farthest depth in the tile.
 SIMD_INLINE float far_depth_of_tile(const TilePlanes& tile) {
     F32 all = load<F32>(tile.hi_z);
     SIMD_FOR (int i = 0; i < BlockList::kBlocks; i += kLanes)
@@ -43,9 +43,9 @@ SIMD_INLINE float far_depth_of_tile(const TilePlanes& tile) {
     return least(all);
 }
 
-// Bounds of the edges and the depth of each block in float, side by side: lanes are the blocks of
-// the tile. Returns bit 8 y + x for each block that may be visible, by the hierarchical Z so far.
-// nearest: no depth in a block is nearer.
+// Computes bounds of the edges and the depth of each block in float; lanes are the blocks of the
+// tile. Returns bit 8 y + x for each block in which the triangle may be visible, by the
+// hierarchical Z so far. nearest: an upper bound of the depth in each block.
 template <bool kDefault>
 SIMD_INLINE std::uint64_t reject_blocks(const TilePlanes& tile, const BlockBounds& b,
                                         float* nearest) {
@@ -78,7 +78,7 @@ SIMD_INLINE std::uint64_t reject_blocks(const TilePlanes& tile, const BlockBound
                 edge[k][r] = edge[k][r] + down[k];
         }
     }
-    // All rows above y.
+    // The bits of all rows above y.
     const auto above = [](int y) SIMD_LAMBDA {
         return y < kRow ? (std::uint64_t{1} << y * kRow) - 1 : ~std::uint64_t{0};
     };

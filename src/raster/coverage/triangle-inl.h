@@ -23,7 +23,7 @@ SIMD_INLINE Quads128<typename T::Tag> vertices_at(const ScreenVertex* vertices,
         [&](int lane) SIMD_LAMBDA { return words + std::size_t{index[lane * step]} * 4; });
 }
 
-// x, y and the last word of vertices, depth; those of sixteen lanes come in two eights.
+// x, y and the last word of vertices, depth; sixteen lanes load two registers of eight vertices.
 template <class D>
 struct ScreenLanes {
     Int<D> x, y;

@@ -1,5 +1,5 @@
-// Triangle set-up, structure of arrays: what block traversal reads. Included once for every SIMD
-// target.
+// Triangle set-up as a structure of arrays, the input of block traversal. Included once for every
+// SIMD target.
 #if defined(SCANOUT_RASTER_COVERAGE_TRIANGLE_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_COVERAGE_TRIANGLE_SETUP_INL_H
 #undef SCANOUT_RASTER_COVERAGE_TRIANGLE_SETUP_INL_H
@@ -21,7 +21,7 @@ struct TriangleSetup {
     // Edge functions a x + b y + c, positive inside, opposite vertex i; whole numbers and exact,
     // |E| < 2^50. bias: 0 or -1, the top-left rule: inside iff E + bias >= 0.
     double a[3][kTriangles], b[3][kTriangles], c[3][kTriangles], bias[3][kTriangles];
-    // How far E + bias may lie below and above E at a block's corner.
+    // Bounds of the difference between E + bias in a block and E at the block's corner.
     double lowest[3][kTriangles], highest[3][kTriangles];
     double depth_factor[3][kTriangles], per_x[kTriangles], per_y[kTriangles]; // DepthPlane
     double nearest[kTriangles]; // depth of the nearest vertex
@@ -72,7 +72,7 @@ SIMD_INLINE Double<D> depth_of(const Double<D> (&edge)[3], const Double<D> (&dep
 // (raster/coverage/coverage.h).
 template <class D>
 struct DepthPlane {
-    Double<D> depth_factor[3]; // as depth_of wants them
+    Double<D> depth_factor[3]; // as depth_of takes them
     Double<D> per_x, per_y;
     std::uint32_t float_depth;
 };
@@ -127,8 +127,8 @@ SIMD_INLINE void set_up_edges(const F64x8 (&a)[3], const F64x8 (&b)[3], const La
     }
 }
 
-// At most kTriangles triangles from number `begin` of the list on; the last stands for what is
-// missing.
+// Loads at most kTriangles triangles, from number `begin` of the list on; the last one also fills
+// the lanes that are left.
 SIMD_INLINE void load_vertices(const TriangleList& list, int begin, int count, TriangleSetup& w) {
     for (int i = 0; i < TriangleSetup::kTriangles; ++i) {
         const int at = begin + (i < count ? i : count - 1);
@@ -149,7 +149,7 @@ SIMD_INLINE LaneVertex vertex_of(const ScreenVertex* vertices, const std::uint32
     return c;
 }
 
-// Every operation on coordinates is exact; only the plane of depth is rounded. count: of the lanes.
+// All operations on coordinates are exact; only the plane of depth is rounded. count: live lanes.
 SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
                         const ScreenVertex* vertices, int count, TriangleSetup& w) {
     w.live = w.float_depth = w.small = 0;
@@ -161,7 +161,7 @@ SIMD_INLINE void set_up(const TilePlanes& tile, const SampleExtent& extent,
         const F64x8 twice_area =
             (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x);
         const F64x8 sign = select(twice_area < F64x8(0.0), F64x8(-1.0), F64x8(1.0));
-        const auto some = abs(twice_area) > F64x8(0.0); // what has no area covers no sample
+        const auto some = abs(twice_area) > F64x8(0.0); // a triangle without area covers no sample
         const F64x8 area = select(some, abs(twice_area), F64x8(1.0));
         F64x8 a[3], b[3];
         SIMD_FOR (int k = 0; k < 3; ++k) {

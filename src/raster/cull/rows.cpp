@@ -1,4 +1,4 @@
-// Which faces are left out: rows of raster/culling/cull.h, which has the arithmetic.
+// Face culling modes. The arithmetic is in raster/culling/cull.h.
 #include "rows.h"
 
 #include "raster/culling/cull.h"
@@ -13,16 +13,16 @@ constexpr Technique card(std::string_view name, std::string_view blurb, std::str
 
 } // namespace
 
-// Culling "none": what is closed hides its own backs, and files do not say what is.
+// Culling "none": closed models hide their own back faces, and files do not say which are closed.
 constinit const CullRow none{
     card("none", "every face, whichever way it is wound", "Segal and Akeley 1992"), Facing::any};
 
-// Culling "back": half the work on closed models, and a look into rooms. [Primer 1.6].
+// Culling "back": half the work on closed models, and a view into rooms from outside. [Primer 1.6].
 constinit const CullRow back{card("back", "faces wound clockwise on the screen are left out",
                                   "Roberts 1963; Segal and Akeley 1992"),
                              Facing::front};
 
-// Culling "front": the insides of closed models alone. [Primer 1.6].
+// Culling "front": shows only the insides of closed models. [Primer 1.6].
 constinit const CullRow front{card("front",
                                    "faces wound counter-clockwise on the screen are left out",
                                    "Segal and Akeley 1992"),

@@ -1,5 +1,5 @@
-// Triangle culling: back faces, triangles beside the picture or without a sample, in lanes, before
-// anything of them is stored.
+// Triangle culling in lanes: removes back faces, triangles beside the picture, and triangles that
+// cover no sample, before anything of them is stored.
 #pragma once
 
 #include "base/technique.h"
@@ -24,7 +24,7 @@ struct CullOptions {
     Facing keep = Facing::any;
     bool mirrored = false; // front faces wind clockwise in view space
     SampleExtent extent;
-    std::span<const SampleOffset> pattern; // empty: what lies between samples is kept, too
+    std::span<const SampleOffset> pattern; // empty: keeps triangles that lie between samples, too
 };
 
 // Is a triangle that winds this way on the screen (y down) kept?
@@ -33,7 +33,7 @@ bool keeps_facing(const CullOptions& options, bool clockwise);
 // A triangle that passed culling, and the pixels that may hold its samples: columns [x0, x1), rows
 // [y0, y1).
 struct VisibleTriangle {
-    std::uint32_t spatial_index; // in the order of the index that was culled
+    std::uint32_t spatial_index; // position in the index that was culled
     std::uint32_t from, to;      // x in the low half, y in the high one; `from` has two flags, too
 
     static constexpr std::uint32_t kSmall = 1U << 31;      // at most kSmallSide pixels each way
@@ -49,9 +49,9 @@ struct VisibleTriangle {
 
 inline constexpr std::size_t kRegisterPadding = 16; // elements that kernels may touch beyond a list
 
-// Result for a list of triangles: `visible` are on the screen, have an area, face as wanted and may
-// cover a sample (those a few pixels wide: do); `to_clip` have a vertex off the screen and may be
-// visible. The lists grow to the number of triangles and kRegisterPadding more.
+// The result for a list of triangles: `visible` are on the screen, have an area, face as wanted and
+// may cover a sample (those a few pixels wide do); `to_clip` have a vertex off the screen and may
+// be visible. The lists grow to the number of triangles plus kRegisterPadding.
 struct CullResult {
     std::vector<VisibleTriangle> visible;
     std::vector<std::uint32_t> to_clip;

@@ -10,8 +10,8 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Rank sort: each goes behind as many as are nearer. All pairs are compared, side by side; a
-// comparison sort of so few would spend its time on mispredicted branches.
+// Rank sort: the position of a triangle is the number of nearer ones. Compares all pairs, side by
+// side in lanes; a comparison sort of so few would lose its time to branch mispredictions.
 void rank_all(const std::uint64_t* triangle, int count, std::uint64_t* out) {
     alignas(64) std::int32_t depth[kMaxRanked];
     for (int i = 0; i < kMaxRanked; ++i) // bits of floats that are not negative have their order

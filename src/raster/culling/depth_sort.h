@@ -1,5 +1,5 @@
-// Depth sort of a tile's large triangles, front to back: the first occlude what is drawn after
-// them. No picture depends on it.
+// Depth sort of a tile's large triangles, front to back, so that the first ones occlude those drawn
+// later. No picture depends on the order.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,9 @@ inline std::uint32_t id_of(DepthAndId of) {
     return static_cast<std::uint32_t>(of);
 }
 
-// Front to back; depths that differ by less than 2^-16 of themselves in any order. A tile has a few
-// dozen: up to kMaxRanked are ranked, more are sorted. Sorting all took 2 % of a building more.
+// Front to back; depths that differ by less than 2^-16 of themselves come in any order. A tile has
+// a few dozen: up to kMaxRanked are ranked, more are sorted. Sorting all took 2 % of a building
+// more.
 inline constexpr int kMaxRanked = 64;
 void sort_front_to_back(std::vector<DepthAndId>& triangles);
 

@@ -6,8 +6,8 @@
 namespace scanout::raster {
 namespace {
 
-// Frames between queries. Where most queried clusters are visible, queries do not pay: fewer are
-// made.
+// Bounds of the period of queries, in frames. It grows while most queried clusters are visible,
+// since such queries save nothing.
 constexpr std::size_t kOften = 1, kSeldom = 2048;
 
 } // namespace
@@ -20,7 +20,7 @@ void OcclusionHistory::begin_frame(std::size_t clusters) {
     }
     if (period_ == kNever) period_ = kOften;
     ++frame_;
-    // Results of the last frame's queries: clusters beside the picture have none.
+    // Takes the results of the last frame's queries; clusters beside the picture have none.
     std::size_t occluded = 0, visible = 0;
     for (std::uint8_t& state : state_) {
         occluded += state == kQueried ? 1 : 0;

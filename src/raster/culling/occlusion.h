@@ -1,8 +1,8 @@
-// Temporal coherence for occlusion culling: which clusters of triangles were occluded at their last
-// occlusion query, kept from frame to frame of one view. Those are deferred until a tile has drawn
-// all others, and are drawn only where these do not occlude them. Some of the clusters that are
-// drawn at once are queried, too: when a tile is done it tells whether it occludes them. The
-// history is a guess; no picture depends on it.
+// Temporal coherence for occlusion culling: keeps, from frame to frame of one view, which clusters
+// of triangles were occluded at their last occlusion query. These are deferred until a tile has
+// drawn all others, and are drawn only if the others do not occlude them. Some of the clusters that
+// are drawn at once are queried, too: a finished tile reports whether it occludes them. The history
+// is a guess; no picture depends on it.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace scanout::raster {
 class OcclusionHistory {
 public:
     void begin_frame(std::size_t clusters);
-    // Called once a frame and cluster at most. All are queried in the second frame, later ones once
-    // in a while; none in the first, which may be the only one.
+    // Call at most once a frame and cluster. Queries all clusters in the second frame, later each
+    // one from time to time; none in the first frame, which may be the only one.
     enum class Action : std::uint8_t { draw, draw_and_query, defer };
     Action next_action(std::size_t cluster);
     // A queried or deferred cluster that some tile does not occlude. From any thread.

@@ -1,4 +1,4 @@
-// How depth is kept: rows of raster/coverage/depth_rule.h, which has the arithmetic.
+// Depth formats. The arithmetic is in raster/coverage/depth_rule.h.
 #include "rows.h"
 
 #include "raster/coverage/depth_rule.h"
@@ -13,25 +13,26 @@ constexpr Technique card(std::string_view name, std::string_view blurb, std::str
 
 } // namespace
 
-// Depth in 16 bits: 1 - near / distance in 65535 steps. At a ratio of distances of 1e7 it tells
-// apart less than half of all pairs that lie a hundredth apart, and none a millionth apart. Near is
-// 1/16384 of the distance to the target: a step there is 16384/65535 of it, so that the nearest and
-// the farthest side of a model may fall into one, and the lower id is seen.
+// Depth in 16 bits: 1 - near / distance in 65535 steps. At a ratio of distances of 1e7 it separates
+// less than half of all pairs that lie a hundredth apart, and none a millionth apart. Near is
+// 1/16384 of the distance to the target: a step there is 16384/65535 of it, so the nearest and the
+// farthest side of a model may fall into one step, and the lower id is visible.
 constinit const DepthFormatRow fixed_16{card("fixed_16",
                                              "16 bits, from near to infinitely far: around the "
                                              "target, steps of a quarter of its distance",
                                              "Catmull 1974"),
                                         true, 65535};
 
-// Depth in 24 bits: 1 - near / distance in 2^24 - 1 steps, as most depth buffers had it for years.
-// At a ratio of 1e7 it loses 19 % of all pairs a hundredth apart, 76 % of those a millionth apart.
+// Depth in 24 bits: 1 - near / distance in 2^24 - 1 steps, the usual depth buffer for many years.
+// At a ratio of 1e7 it fails to separate 19 % of pairs a hundredth apart, 76 % of pairs a millionth
+// apart.
 constinit const DepthFormatRow fixed_24{
     card("fixed_24", "24 bits: around the target, steps of a thousandth of its distance",
          "Catmull 1974; Lapidous and Jiao 1999"),
     true, 16777215};
 
-// Depth in a float, 1 - near / distance: its finest steps lie where nothing is, before the near
-// plane.
+// Depth in a float, 1 - near / distance: its finest steps lie just behind the near plane, where
+// models seldom are.
 constinit const DepthFormatRow float_32{
     card("float_32",
          "a float that grows with the distance: no better than 24 bits, steps of a thousandth",

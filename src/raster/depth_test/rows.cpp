@@ -1,5 +1,5 @@
-// Depth tests of reversed depth, where greater is nearer [Primer 1.6]: rows of
-// raster/coverage/depth_rule.h, which has the arithmetic.
+// Depth tests of reversed depth, where greater is nearer [Primer 1.6]. The arithmetic is in
+// raster/coverage/depth_rule.h.
 #include "rows.h"
 
 #include "raster/coverage/depth_rule.h"

@@ -1,7 +1,7 @@
-// Micro-triangles, of at most two or three pixels each way: most of a mesh finer than the picture,
-// and what a tile's edge leaves of larger ones. Every pixel of the square is tested, a triangle a
-// lane, without a branch; covered samples are stored for several registers and depth-tested
-// afterwards. Testing them at once would branch on the end of a long dependency chain, and a
+// Micro-triangles, of at most two or three pixels each way: most triangles of a mesh finer than the
+// picture, and the parts of larger ones at a tile's edge. Tests every pixel of the square, a
+// triangle a lane, without a branch. Stores covered samples for several registers and depth-tests
+// them afterwards: a test at once would branch on the end of a long dependency chain, and a branch
 // misprediction would delay the next register's chain. Included once for every SIMD target.
 #if defined(SCANOUT_RASTER_MICRO_MICRO_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_RASTER_MICRO_MICRO_TRIANGLES_INL_H
@@ -15,8 +15,7 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// A register of micro-triangles at one sample. The pixels of a lane are those of a square, row by
-// row.
+// A register of micro-triangles at one sample. Each lane covers the pixels of a square, row by row.
 template <int kMax>
 struct MicroTriangles {
     static constexpr int kSteps = 64 / kLanes; // pixels of all lanes in a word
@@ -55,7 +54,7 @@ SIMD_INLINE void draw_micro_batch(const TilePlanes& tile, MicroBatch<kMax>& batc
                 }
             }
     }
-    // Where depth alone is stored nobody needs to know which covered samples passed.
+    // Where only depth is stored, nobody reads which of the covered samples passed the test.
     if (written || (kWrite == DepthWrite::depth_only && batch.count > 0)) drawn = I32x8(-1);
     batch.count = 0;
 }
@@ -151,8 +150,8 @@ SIMD_INLINE void cover_micro(const SmallSetup<F32::Tag>& s, std::uint32_t live,
         out.covered[word] = covered[word];
 }
 
-// live: the lanes of s that fit the square and have the kind of depth that Depths computes:
-// MicroFloatDepth<false> where they lie within a block. The same bits as their rows.
+// live: the lanes of s that fit the square and have the kind of depth that Depths computes;
+// MicroFloatDepth<false> needs triangles within one block. Gives the same bits as drawing by rows.
 template <class Depths, DepthWrite kWrite, int kMax>
 SIMD_INLINE void add_micro(const TilePlanes& tile, const SmallSetup<F32::Tag>& s,
                            std::uint32_t live, MicroBatch<kMax>& batch, I32x8& drawn) {

@@ -30,11 +30,11 @@ struct RowsDrawer {
     SIMD_INLINE void finish(const TilePlanes&, const BinnedList&, I32x8&) {}
 };
 
-// Micro-triangles with double depth, collected until they fill a register: one by one they took 5 %
-// of the dragon's frame with a shadow map.
+// Collects micro-triangles with double depth until they fill a register: drawn one by one they took
+// 5 % of the dragon's frame with a shadow map.
 class DoubleDepthQueue {
 public:
-    // Adds those of a register whose bit is set. draw(triangles): as many as fill a register.
+    // Adds the triangles of a register whose bit is set. draw(triangles) draws a full register.
     template <class Draw>
     SIMD_INLINE void add(const BinnedTriangle* first, std::uint32_t some, const Draw& draw) {
         for (; some != 0; some &= some - 1) {
@@ -83,8 +83,8 @@ struct MicroDrawer {
     }
 };
 
-// Software pipelining: a register is set up before the one in front of it is drawn. Drawing ends in
-// mispredicted branches; if these waited for the end of a set-up, the next set-up could not overlap
+// Software pipelining: sets a register up before drawing the one in front of it. Drawing ends in
+// branch mispredictions; if these waited for the end of a set-up, the next set-up could not overlap
 // with it.
 template <DepthWrite kWrite, class As>
 SIMD_INLINE bool draw_list(const TilePlanes& tile, const BinnedList& list) {

@@ -41,8 +41,8 @@ struct DoubleDepthRows {
     std::int32_t first[kMaxSamples][3][kLanesX8]; // the edges at the first pixel's samples
 };
 
-// Row by row, eight columns after the other. Depth from the edge functions at every sample, in
-// double (raster/coverage/coverage.h).
+// Draws column by column of eight pixels, row by row in each. Computes depth from the edge
+// functions at every sample, in double (raster/coverage/coverage.h).
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_double_depth_rows(const TilePlanes& tile, const DoubleDepthRows& s, int lane,
                                         std::uint32_t primitive, I32x8& drawn) {
@@ -66,7 +66,7 @@ SIMD_INLINE void draw_double_depth_rows(const TilePlanes& tile, const DoubleDept
                 edge[k] = I32x8(s.first[n][k][lane]) + I32x8(s.per_x[k][lane]) * number;
                 exact[k] = to_f64(edge[k] - I32x8(s.bias[k][lane]));
             }
-            const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
+            const I32x8 outside = -(1 << 30); // stays negative: the steps add less than 2^29
             edge[0] = select(number < I32x8(across), edge[0], outside);
             float* depth = tile.depth + first + column;
             std::uint32_t* id = id_after<kWrite>(tile.id, first + column);
@@ -109,9 +109,9 @@ HWY_NOINLINE void draw_double_depth(const TilePlanes& tile, const SmallSetupX8& 
 // Blocks that a small triangle may touch, each way.
 constexpr int kMaxBlocks = kSmallSide / PixelBlock::kSide + 1;
 
-// Rows of triangles with float depth, one triangle a lane: as wide as a block, from a column of the
-// triangle on, so that most triangles take one register a row wherever they lie in their blocks.
-// Depth still starts from the corner of the block that a pixel lies in.
+// Rows of triangles with float depth, one triangle a lane. A row is as wide as a block and starts
+// at a column of the triangle, so most triangles take one register a row wherever they lie in their
+// blocks. Depth still starts from the corner of the block that a pixel lies in.
 struct SmallRows {
     std::int32_t across[kLanesX8], down[kLanesX8]; // pixels
     std::int32_t column[kLanesX8], row[kLanesX8];  // of the first pixel, in its block
@@ -121,7 +121,7 @@ struct SmallRows {
     std::int32_t first[kMaxSamples][3][kLanesX8];  // the edges at the first pixel's samples
 };
 
-// The depths at the blocks' corners. Returns the lanes that hi_z does not occlude.
+// Computes the depths at the blocks' corners. Returns the lanes that hi_z does not occlude.
 SIMD_INLINE std::uint32_t set_up_block_depths(const TilePlanes& tile, const SmallSetupX8& s,
                                               I32x8 x0, I32x8 x1, std::uint32_t live,
                                               SmallRows& out) {
@@ -160,8 +160,8 @@ SIMD_INLINE std::uint32_t set_up_block_depths(const TilePlanes& tile, const Smal
     return visible;
 }
 
-// Row by row, at one sample after the other: from the second sample on the number of rows is
-// predicted.
+// Draws row by row, one sample after the other: from the second sample on, the branch predictor
+// knows the number of rows.
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const FloatDepthBlocks& b,
                                     const SmallRows& s, int lane, std::uint32_t primitive,
@@ -179,7 +179,7 @@ SIMD_INLINE void draw_triangle_rows(const TilePlanes& tile, const FloatDepthBloc
         column[r] = to_f32(in_block & I32x8(kSide - 1));
         SIMD_FOR (int k = 0; k < 3; ++k)
             from_first[k][r] = I32x8(b.per_x[k][lane]) * number;
-        const I32x8 outside = -(1 << 30); // and stays so: what is added is less than 2^29
+        const I32x8 outside = -(1 << 30); // stays negative: the steps add less than 2^29
         from_first[0][r] = select(number < I32x8(s.across[lane]), from_first[0][r], outside);
     }
     I32x8 written = 0;

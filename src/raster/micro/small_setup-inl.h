@@ -13,8 +13,8 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Registers have any width: rows are set up eight triangles at a time, micro-triangles as many as a
-// register holds.
+// Registers have any width: rows take eight triangles at a time, micro-triangles as many as fill a
+// register.
 
 // A vertex relative to the corner of the first block: x + 2^16 y, both below 2^14, and its depth.
 template <class D>
@@ -35,7 +35,7 @@ SIMD_INLINE void sort_two(BlockVertex<D>& a, BlockVertex<D>& b) {
 // A register of binned triangles, in pixels of the tile.
 template <class D>
 struct SmallLanes {
-    Int<D> x0, y0, x1, y1; // what may hold samples
+    Int<D> x0, y0, x1, y1; // pixels that may hold samples
     Int<D> left, top;      // of the first block
     BlockVertex<D> vertex[3];
     std::uint32_t id[Int<D>::kLanes];
@@ -46,8 +46,8 @@ template <class D>
 struct VertexIndices {
     std::uint32_t at[3][Int<D>::kLanes];
 };
-// Binned triangles lie far apart in memory: prefetches the vertices of a register of them before it
-// is set up, and the indices and ids of those two registers further on.
+// Binned triangles lie far apart in memory. Prefetches the vertices of one register of them before
+// its set-up, and the indices and ids of the register two further on.
 template <class D>
 SIMD_INLINE void read_vertices(const BinnedList& list, int first, VertexIndices<D>& out) {
     constexpr int kWidth = static_cast<int>(Int<D>::kLanes);
@@ -71,11 +71,11 @@ SIMD_INLINE void read_vertices(const BinnedList& list, int first, VertexIndices<
     };
     if (first + 3 * kWidth <= last)
         read([](int i) SIMD_LAMBDA { return i; });
-    else if (first <= last) // the last stands for what is missing
+    else if (first <= last) // the last also fills missing lanes
         read([&](int i) SIMD_LAMBDA { return i < last ? i : last; });
 }
 
-// A register of binned triangles; the last stands for what is missing.
+// A register of binned triangles; the last one also fills the lanes that are left.
 template <class D>
 struct BinnedLanes {
     Int<D> spatial_index, where;
@@ -199,8 +199,8 @@ SIMD_INLINE void set_up_small(const TilePlanes& tile, const BinnedList& list,
     }
     const BlockVertex<D>(&v)[3] = s.lanes.vertex;
     // All edge steps together are at most 2^14 (kSmallSide). Depths across a float-depth plane
-    // differ by a sixteenth, or by the rounding of sums; so from this area on terms are less than
-    // 2^9 times the least depth, as depth_plane needs.
+    // differ by a sixteenth at most, or by the rounding of sums. So above this area the terms are
+    // less than 2^9 times the least depth, as depth_plane needs.
     constexpr std::int32_t kPlain = 1 << 6;
     const bool cancels = any(s.edges.area < Int<D>(kPlain));
     const Double<D> depth[3] = {v[0].depth, v[1].depth, v[2].depth};

@@ -17,7 +17,7 @@ bool draw_all_small(const TilePlanes& tile, const BinnedList& list) {
 
 constexpr int kMaxSorted = 512; // at a time
 
-// By counting.
+// A counting sort.
 SIMD_INLINE void sort_chunk(BinnedTriangle* triangles, int count) {
     constexpr int kSide = PixelBlock::kSide;
     constexpr int kHeights = 8, kMin = 3; // up to 3 rows, 4, 5, ..., 9, and 10 or more
@@ -48,7 +48,7 @@ void sort_all(BinnedTriangle* triangles, int count) {
         sort_chunk(triangles + i, count - i < kMaxSorted ? count - i : kMaxSorted);
 }
 
-// The farthest depth in hi_z of the blocks that triangles may touch.
+// The farthest depth that hi_z has in the blocks that triangles may touch.
 SIMD_INLINE F32x8 far_depth_of_blocks(const TilePlanes& tile, I32x8 where) {
     using P = BinnedTriangle;
     constexpr int kBlocks = kTileSize / PixelBlock::kSide;

@@ -1,7 +1,7 @@
-// Small triangles, a few pixels wide and high, most of a fine mesh: set up side by side, one a
-// lane, and rasterised in rows as wide as a block (raster/micro/small_rows-inl.h), or where they
-// are tiny as micro-triangles (raster/micro/micro_triangles-inl.h). Their edge functions are 32-bit
-// integers relative to the first of the blocks of 8 x 8 pixels that they may touch.
+// Small triangles, a few pixels wide and high: most of a fine mesh. They are set up side by side,
+// one a lane, and drawn in rows as wide as a block (raster/micro/small_rows-inl.h), or, if tiny, as
+// micro-triangles (raster/micro/micro_triangles-inl.h). Their edge functions are 32-bit integers
+// relative to the first of the blocks of 8 x 8 pixels that they may touch.
 #pragma once
 
 #include "raster/coverage/block_traversal.h"
@@ -19,13 +19,13 @@ namespace scanout::raster {
 inline constexpr int kSmallSide = 16; // pixels from the first to the last vertex, each way
 
 // How a small triangle is rasterised. Front-facing ones: a micro-triangle has at most micro_side
-// pixels each way in its tile; micro_2 and micro_3 lie within one block and one tile, a straddling
-// one touches several blocks or is what a tile's edge leaves of a triangle; rows are all others.
+// pixels each way in its tile; micro_2 and micro_3 lie within one block and one tile; a straddling
+// one touches several blocks, or a tile's edge has cut it; all others are drawn in rows.
 // Back-facing ones are drawn last, because front-facing ones occlude most of them.
 //
-// What the kinds buy (Stanford's dragon, 871 000 triangles, 1920 x 1080): micro-triangles within a
-// block 8 % of a frame of depth, straddling ones with set-up ahead of drawing 7 % more; back-facing
-// ones 13 % where both sides are kept, 31 % with a shadow map.
+// Time that the kinds save (Stanford's dragon, 871 000 triangles, 1920 x 1080): micro-triangles
+// within a block 8 % of a frame of depth, straddling ones with set-up ahead of drawing 7 % more;
+// back-facing ones 13 % where both sides are kept, 31 % with a shadow map.
 enum class SmallKind : std::uint8_t { micro_2, micro_3, micro_straddling, rows, back_facing };
 inline constexpr std::size_t kSmallKinds = 5;
 inline constexpr std::array kFrontFacingKinds = {SmallKind::rows, SmallKind::micro_2,
@@ -69,7 +69,7 @@ using BinnedByKind = std::array<std::vector<BinnedTriangle>, kSmallKinds>;
 
 // For each triangle of a list: its tile and its pixels there, if it lies in one tile alone, as most
 // do; kNone where the triangle is not small or lies in several. The arrays grow to the size of the
-// list, which is that of a CullResult: whole registers of it are read.
+// list of a CullResult, which is padded: kernels read whole registers of it.
 struct BinningResult {
     static constexpr std::int32_t kNone = -1;
     std::vector<std::int32_t> tile;
@@ -79,8 +79,8 @@ struct BinningResult {
 void bin_small_triangles(const TileGrid& grid, std::span<const VisibleTriangle> triangles,
                          BinningResult& out);
 
-// index: three vertices a triangle, all of which are on the screen. id: of triangles by spatial
-// index; empty: the spatial index is the id.
+// index: three vertices a triangle, all on the screen. id: of triangles by spatial index; empty:
+// the spatial index is the id.
 struct BinnedList {
     std::span<const ScreenVertex> vertices;
     std::span<const std::uint32_t> index;
@@ -93,21 +93,22 @@ struct BinnedList {
     }
 };
 
-// Sorts triangles of kind rows by their number of rows, and by how many of those lie in their first
-// block, some hundred at a time: loops over rows then mostly end where the previous one did, which
-// a branch predictor learns. Buys 5 % of the depth of Stanford's bunny, 2 % of its Blinn-Phong.
+// Sorts triangles of kind rows by their number of rows, then by their first row within its block,
+// in chunks of some hundred: most loops over rows then end where the previous one did, and the
+// branch predictor learns it. Saves 5 % of the depth of Stanford's bunny, 2 % of its Blinn-Phong.
 void sort_by_rows(std::span<BinnedTriangle> triangles);
 
-// Does any of them pass the depth test? By the default depth rule; the same bits as draw_triangles.
-// Where depth alone is stored, covered micro-triangles count as drawn.
+// Draws by the default depth rule, with the same bits as draw_triangles. Returns whether any
+// triangle passes the depth test; where only depth is stored, covered micro-triangles count as
+// drawn.
 bool draw_small_triangles(const TilePlanes& tile, const BinnedList& list);
 // Builds the hierarchical Z of the tile (TilePlanes::hi_z) from its depths.
 void build_hi_z(const TilePlanes& tile);
-// Occlusion query: is everything that is no nearer occluded in these pixels of the picture, or in
-// their blocks in the tile? Refreshes tile.hi_z of blocks where that decides.
+// Occlusion query: is everything at this depth or behind occluded in these pixels of the picture,
+// or in their blocks in the tile? Refreshes tile.hi_z of the blocks that decide.
 bool occludes(const TilePlanes& tile, const image::Rect& pixels, float nearest);
-// The same as draw_small_triangles, for triangles most of which are occluded: the depths of their
-// vertices are tested against tile.hi_z before set-up. scratch: for the rest.
+// The same as draw_small_triangles, for triangles of which most are occluded: tests the depths of
+// their vertices against tile.hi_z before set-up. scratch: holds the triangles that remain.
 bool draw_small_hi_z(const TilePlanes& tile, const BinnedList& list,
                      std::vector<BinnedTriangle>& scratch);
 

@@ -1,4 +1,4 @@
-// How the triangles of a material come into a tile.
+// How a tile draws the triangles of a material.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace scanout::raster {
 enum class AlphaMode : std::uint8_t {
     opaque,  // drawn into the visibility buffer
     cut_out, // each sample is drawn or not, once its alpha is known
-    blended, // lets through what lies behind: its samples are collected
+    blended, // blends with the surfaces behind: its samples are collected
     nothing  // cannot be seen
 };
 

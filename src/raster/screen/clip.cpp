@@ -23,15 +23,15 @@ double distance(int plane, const ClipVertex& v, const ClipBox& box) {
     }
 }
 
-// Of the way from the inside to the outside. d_in >= 0 > d_out, so the denominator is positive,
-// rounding included (HARD-CASES T7).
+// Share of the way from the inside to the outside. d_in >= 0 > d_out, so the denominator is
+// positive, rounding included (HARD-CASES T7).
 double fraction(double d_in, double d_out) {
     return d_in / (d_in - d_out);
 }
 
 ClipVertex intersect(int plane, const ClipBox& box, const ClipVertex& in, double d_in,
                      const ClipVertex& out, double d_out) {
-    // As a mean with weights: no term is larger than what it gives, however far one vertex lies
+    // A weighted mean: no term is larger than the coordinate in it, however far one vertex lies
     // beyond the other. in + t (out - in) would cancel to noise at ratios above 2^53.
     const double of_in = -d_out / (d_in - d_out), of_out = fraction(d_in, d_out);
     ClipVertex v{in.x * of_in + out.x * of_out, in.y * of_in + out.y * of_out,

@@ -12,10 +12,10 @@
 
 namespace scanout::raster {
 
-// A point on a triangle's edge: `t` of the way from one vertex to another; or a vertex, and
-// then both are the same.
+// A point on a triangle's edge: the share `t` of the way from one vertex to another; or a vertex,
+// then `from` and `to` are the same.
 struct EdgePoint {
-    std::uint8_t from = 0, to = 0; // of the triangle's three
+    std::uint8_t from = 0, to = 0; // vertex numbers, 0 to 2
     double t = 0;
     bool cut() const { return from != to; }
 };

@@ -1,6 +1,6 @@
-// What the tiles draw: triangles, line segments and points in snapped screen coordinates. All
-// primitives of the scene have ids in one numbering: triangles first, then segments, then points,
-// each in the order of the mesh; at equal depth the lower id is visible.
+// The primitives that tiles draw: triangles, line segments and points in snapped screen
+// coordinates. All primitives of the scene have ids in one numbering: triangles first, then
+// segments, then points, each in the order of the mesh; at equal depth the lower id is visible.
 #pragma once
 
 #include "image/image.h"
@@ -21,7 +21,7 @@ struct Triangle {
     std::array<std::int32_t, 3> x, y; // 1/256 pixel
     std::array<double, 3> depth;
     std::uint32_t id;
-    bool flipped; // the canonical order winds the other way round: edge functions change sign
+    bool flipped; // the canonical order winds the other way: edge functions change sign
 };
 
 // Vertices on the screen in the order of the mesh, perhaps without area.

@@ -35,7 +35,7 @@ inline constexpr std::array<SampleOffset, 16> kSixteen = {
 
 inline constexpr SampleOffset kPixelCentre = detail::kOne[0];
 
-// The box around a pattern's samples, both ends included; of a whole pixel when nothing is known.
+// The box around a pattern's samples, both ends included; by default that of a whole pixel.
 struct SampleExtent {
     SampleOffset low{0, 0}, high{255, 255};
     friend bool operator==(const SampleExtent&, const SampleExtent&) = default;

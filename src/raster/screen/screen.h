@@ -60,20 +60,20 @@ struct ClipBox {
 struct ScreenTransform {
     ScreenTransform(const scene::View& view, int width, int height);
 
-    // A closer guard band: this many pixels around the picture. Shapes stay the same but for 1/256
-    // pixel along edges to vertices that are snapped no longer (HARD-CASES P7).
+    // Narrows the guard band to this many pixels around the picture. Shapes stay the same, except
+    // for 1/256 pixel along edges to vertices that are no longer snapped (HARD-CASES P7).
     void set_guard(double pixels);
 
     ClipVertex to_clip(const Vec3& mesh_position) const;
-    // Which planes the vertex is outside of.
+    // The planes outside of which the vertex lies.
     std::uint32_t classify(const ClipVertex& vertex) const;
-    // Divide and snap; the vertex must be inside near and guard band (what rounding leaves outside
-    // the guard band comes back to its edge).
+    // Divides and snaps. The vertex must be inside near plane and guard band; if rounding leaves it
+    // just outside of the guard band, it is clamped to the edge.
     ScreenVertex to_screen(const ClipVertex& vertex) const;
-    // All three at once.
+    // to_clip, classify and to_screen in one step.
     ScreenVertex transform(const Vec3& mesh_position) const;
 
-    double unit;         // lengths here are those of the view times this
+    double unit;         // lengths here are the view's lengths times this
     double linear[3][3]; // row major, mesh to view space
     double translation[3];
     bool perspective;

@@ -68,21 +68,21 @@ HWY_NOINLINE Lanes transform_any(const ScreenTransform& t, const ClipLanes& c) {
             pixel_x, pixel_y};
 }
 
-// Constants of the view that vertices on the screen need.
+// Constants of the view for vertices on the screen.
 struct OnScreenTerms {
     double guard;    // the guard band at its narrowest, pixels
     double per_near; // about 1 / near_w
 };
 
-// The same for vertices on the screen, nearly all; false where a lane is not, or where x / w or y /
-// w might snap differently. These are not divided: they are products with the depth, a quotient
-// already. That errs by less than 2^-50 of them, which is less than 2^-27 of a step: only what lies
-// so near the middle between two steps needs divisions of its own.
+// The same for registers of vertices on the screen, nearly all. Returns false where a lane is not,
+// or where x / w or y / w might snap differently. Multiplies by the depth, which is a quotient
+// already, instead of dividing: the error is less than 2^-50 of the product and less than 2^-27 of
+// a step, so only vertices that close to the middle between two steps need divisions of their own.
 SIMD_INLINE bool transform_on_screen(const OnScreenTerms& terms, const ScreenTransform& t,
                                      const ClipLanes& c, Lanes& out) {
     const F64 reach = F64(terms.guard) * c.w, near = t.box.near_w, most = 0x1p900;
     const auto inside = (c.w >= near) & (c.w <= most) & (abs(c.x) <= reach) & (abs(c.y) <= reach) &
-                        (abs(c.z) <= F64(kMaxDepth) * near); // no NaN is
+                        (abs(c.z) <= F64(kMaxDepth) * near); // false for NaN
     out.depth = t.perspective ? near / c.w : c.z;
     const F64 over_w = t.perspective ? out.depth * F64(terms.per_near) : F64(1.0);
     const F64 shift = 0x1.8p52;
@@ -133,7 +133,8 @@ void transform_all(const ScreenTransform& t, const float* position, ScreenVertex
     const OnScreenTerms terms{narrowest, 1 / t.box.near_w};
     int i = 0;
     for (; i + kLanes <= count; i += kLanes) {
-        // A register takes too long for the hardware prefetcher to stay ahead.
+        // A register takes so long that the hardware prefetcher falls behind: prefetches by
+        // software.
         const float* of_lanes = position + std::ptrdiff_t{i} * 3;
         prefetch<kLanes * sizeof(Vec3)>(of_lanes, kAhead * sizeof(Vec3));
         prefetch<kLanes * sizeof(ScreenVertex)>(out + i, kAhead * sizeof(ScreenVertex));

@@ -1,5 +1,5 @@
-// Tile bins: what each worker of the geometry stage finds, in a bin for each tile that a primitive
-// may touch. What a tile holds does not depend on which worker found it.
+// Tile bins: each worker of the geometry stage has a bin for each tile, with the primitives that
+// may touch the tile. The contents of a tile do not depend on which worker found them.
 #pragma once
 
 #include "raster/clipped/clipped_setup.h"
@@ -14,22 +14,22 @@
 
 namespace scanout::raster {
 
-// One tile, one worker. Unclipped triangles are stored as ids, small ones as BinnedTriangle, and
-// set up again by the tile that draws them: four or eight bytes each instead of sixty. All other
-// numbers are indices into the WorkerBins.
+// The bin of one tile and one worker. Unclipped triangles are stored as ids, small ones as
+// BinnedTriangle: four or eight bytes each instead of sixty, and the tile that draws them sets them
+// up again. All other numbers are indices into the WorkerBins.
 struct TileBin {
     std::vector<std::uint32_t> triangles, clipped, segments, points;
     // Clusters: deferred ones, and queried ones that are drawn at once.
     std::vector<std::uint32_t> deferred, queries;
     BinnedByKind small;
-    // Triangles that may cover whole blocks, until prepend_large() puts them before the other
-    // `triangles`, front to back, so that they occlude what is drawn after them.
+    // Triangles that may cover whole blocks, until prepend_large() sorts them front to back and
+    // puts them before the other `triangles`, so that they occlude those drawn later.
     std::vector<DepthAndId> large;
 
     const std::vector<BinnedTriangle>& small_of(SmallKind kind) const {
         return small[static_cast<std::size_t>(kind)];
     }
-    // f(spatial index) for the small triangles.
+    // Calls f(spatial index) for the small triangles.
     template <class F>
     void for_small(F&& f) const {
         for (const auto& of_kind : small)
@@ -37,7 +37,7 @@ struct TileBin {
                 f(binned.spatial_index);
     }
     void prepend_large();
-    bool is_empty() const; // but for queries
+    bool is_empty() const; // queries may remain
     void clear();
 };
 
@@ -52,7 +52,7 @@ struct WorkerBins {
     std::vector<Point> points;
     std::vector<OcclusionQuery> queries;
     std::vector<TileBin> bins;
-    std::vector<TileBin> not_opaque; // cut-outs and blended ones: no bins where all are opaque
+    std::vector<TileBin> not_opaque; // cut-outs and blended ones; no bins where all are opaque
     CullResult found;                // scratch: of one chunk
     BinningResult binning;           // scratch: of its visible triangles
     std::uint64_t triangles_drawn = 0;
@@ -61,8 +61,8 @@ struct WorkerBins {
     void clear(int tiles, bool alpha_modes);
 };
 
-// Appends to a bin and prefetches the cache line that is written next: with a list a tile, the
-// hardware prefetcher loses track.
+// Appends to a bin and prefetches the cache line that it writes next: with one list a tile, there
+// are too many streams for the hardware prefetcher.
 inline void append(std::vector<BinnedTriangle>& bin, BinnedTriangle triangle) {
     constexpr std::size_t kLine = 64; // bytes of a cache line
     bin.push_back(triangle);

@@ -11,8 +11,8 @@ void OcclusionPass::begin(OcclusionHistory* history, std::size_t clusters) {
 
 bool OcclusionPass::defers(const ClusterCull& cull, const geom::Cluster& cluster,
                            std::size_t number, const TileGrid& grid, WorkerBins& worker) const {
-    // A deferred cluster is all on the screen, because tiles do not clip triangles, and touches few
-    // tiles, because each culls it anew.
+    // A deferred cluster lies on the screen entirely, because tiles do not clip triangles, and
+    // touches few tiles, because each tile culls it anew.
     constexpr int kMaxTiles = 9;
     using Action = OcclusionHistory::Action;
     const Action action = is_on() ? history_->next_action(number) : Action::draw;

@@ -1,5 +1,5 @@
-// The vertices of a frame on the screen: each is transformed once, those of deferred clusters when
-// a tile first needs them.
+// The vertices of a frame on the screen. Each is transformed once; vertices that only deferred
+// clusters use, when a tile first needs them.
 #pragma once
 
 #include "base/jobs.h"
@@ -17,16 +17,17 @@ namespace scanout::raster {
 
 class VertexStage {
 public:
-    // Both must outlive the draws that follow. all: every vertex is needed, not those of clusters.
+    // Both must outlive the draws that follow. all: transforms every vertex, not only those of
+    // clusters passed to need().
     void begin(const geom::Mesh& mesh, const ScreenTransform& transform, bool all);
-    // The vertices of a cluster are needed. From any thread.
+    // Marks the vertices of a cluster as needed. From any thread.
     void need(std::size_t cluster);
-    // Transforms what is needed so far, on all cores.
+    // Transforms the vertices needed so far, on all cores.
     void transform(Jobs& jobs);
-    // Transforms what a cluster needs and no tile has transformed before. From any thread.
+    // Transforms a cluster's vertices that no tile has transformed before. From any thread.
     void transform_deferred(std::size_t cluster);
 
-    // Vertices that are not needed keep old positions.
+    // Vertices that are not needed keep positions of earlier frames.
     std::span<const ScreenVertex> vertices() const { return vertices_; }
 
 private:
@@ -35,7 +36,7 @@ private:
     const geom::Mesh* mesh_ = nullptr;
     const ScreenTransform* transform_ = nullptr;
     std::vector<std::uint8_t> needed_; // 1 for each vertex group that is transformed, or will be
-    std::array<std::mutex, 64> locks_; // of groups of deferred clusters
+    std::array<std::mutex, 64> locks_; // for the groups of deferred clusters
     LargeArray<ScreenVertex> vertices_;
 };
 

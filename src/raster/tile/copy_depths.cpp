@@ -8,7 +8,7 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Rows of whole lines; their addresses are a line's.
+// Copies rows of whole cache lines; their addresses are aligned to a cache line.
 void copy_lines(const float* from, int width, int height, float* to, std::size_t stride) {
     static_assert(kFloatsOfLine % kLanes == 0);
     for (int y = 0; y < height; ++y, from += kTileSize, to += stride)

@@ -14,8 +14,8 @@ bool LineSupport::has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) co
            mesh_->position[index[2]] == at;
 }
 
-// Does the vertex lie in the triangle's plane, up to the rounding of its floats? Each coordinate
-// stands for all that round to it: by as much as that can move (p - a) . normal.
+// Does the vertex lie in the triangle's plane, up to the rounding of its floats? A coordinate
+// stands for all numbers that round to it; the bound is how far these can move (p - a) . normal.
 bool LineSupport::in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const {
     const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
     const DVec3 a(mesh_->position[index[0]]), b(mesh_->position[index[1]]),
@@ -34,7 +34,7 @@ bool LineSupport::in_plane_of(std::uint32_t triangle, std::uint32_t vertex) cons
     return std::abs(dot3(d, normal)) <= dot3(size(d), cross_error) + dot3(size(normal), error);
 }
 
-// Is it of one of the faces whose first triangles, ascending, these are?
+// Is the triangle part of one of these faces? They are given by their first triangles, ascending.
 bool LineSupport::is_of(std::uint32_t triangle, std::span<const std::uint32_t> first) const {
     if (first.empty()) return false;
     const std::uint32_t face = mesh_->face[triangle];
@@ -67,8 +67,8 @@ DVec3 position(const ClipVertex& v) {
     return {v.x, v.y, v.w};
 }
 
-// Six times the volume that a triangle spans with the eye: its sign is the winding on the screen
-// where it is visible, whatever the signs of w.
+// Six times the signed volume of triangle and eye: its sign is the winding on the screen where the
+// triangle is visible, for all signs of w.
 double winding(const std::array<ClipVertex, 3>& v) {
     return dot3(position(v[0]), cross3(position(v[1]), position(v[2])));
 }
@@ -87,9 +87,9 @@ std::array<ClipVertex, 3> LineSupport::vertices_of(std::uint32_t triangle) const
     return out;
 }
 
-// Do the triangle and a face, whose first triangle this is, have the same winding, and do they
-// share a vertex? end: of the line on the face. The vertices of a large polygon are not tested:
-// there only the line's own ends count.
+// Do the triangle and a face, given by its first triangle, have the same winding and share a
+// vertex? end: the ends of the line on the face. For a large polygon only the line's own ends are
+// tested, not all its vertices.
 bool LineSupport::continues(std::uint32_t triangle, std::uint32_t first,
                             const std::uint32_t* end) const {
     constexpr std::uint32_t kMax = 8; // triangles of a face
@@ -124,7 +124,7 @@ DepthSlope LineSupport::slope(std::uint32_t triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         x_replaced[i].x = v[i].z;
         y_replaced[i].y = v[i].z;
-        // Where it passes the near plane it is nowhere nearer than that.
+        // A triangle that passes the near plane counts as no nearer than that plane.
         const double depth = v[i].w >= transform_->box.near_w ? v[i].z / v[i].w : 1;
         out.lowest = std::min(out.lowest, depth);
         out.highest = std::max(out.highest, depth);

@@ -1,6 +1,6 @@
-// The triangles that support lines and points: those visible under them. A line's pixel is visible
-// at a sample when the line's own point there, not the sample beside it, is not behind the triangle
-// that is visible at the sample (HARD-CASES 17).
+// Line support: the triangles visible under lines and points. A line's pixel is visible at a sample
+// when the line's own point there, not the sample beside it, is not behind the triangle that is
+// visible at the sample (HARD-CASES 17).
 #pragma once
 
 #include "geom/mesh.h"
@@ -12,7 +12,7 @@
 
 namespace scanout::raster {
 
-// The plane of a triangle's depth on the screen, a pixel, and the depths between which it stays.
+// The plane of a triangle's depth on the screen, a pixel, and the range of its depths.
 struct DepthSlope {
     double per_x = 0, per_y = 0;
     double lowest = 0, highest = 1;
@@ -20,7 +20,7 @@ struct DepthSlope {
 
 class LineSupport {
 public:
-    // Nothing but triangles that no line touches.
+    // Supports no line: all triangles are treated as touching none.
     LineSupport() = default;
     // The vertices of the mesh on the screen; all three must outlive the support.
     LineSupport(const geom::Mesh& mesh, std::span<const ScreenVertex> vertices,
@@ -35,10 +35,10 @@ public:
     // primitive: the id of a segment or a point.
     Contact contact(std::uint32_t triangle, std::uint32_t primitive) const;
 
-    // Of the snapped triangle; of the triangle before clipping, where it leaves the screen.
+    // The slope of the snapped triangle; of the unclipped triangle, where it leaves the screen.
     DepthSlope slope(std::uint32_t triangle) const;
 
-    // Is the position, in pixels, within the triangle, its edges not included?
+    // Does the triangle, without its edges, contain the position (pixels)?
     bool covers(std::uint32_t triangle, double x, double y) const;
 
 private:
@@ -46,7 +46,7 @@ private:
     bool in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const;
     bool has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) const;
     bool continues(std::uint32_t triangle, std::uint32_t first, const std::uint32_t* end) const;
-    // Before the divide, in pixels times w; those on the screen as they were snapped.
+    // Vertices before the divide, in pixels times w; vertices on the screen as they were snapped.
     std::array<ClipVertex, 3> vertices_of(std::uint32_t triangle) const;
 
     const geom::Mesh* mesh_ = nullptr;

@@ -1,4 +1,4 @@
-// Of raster/tile/tile.h: line segments and points, depth-tested against the triangles under them.
+// Lines and points of raster/tile/tile.h, depth-tested against the triangles under them.
 #include "raster/check_lanes.h"
 #include "raster/coverage/depth_bias.h"
 #include "raster/tile/tile.h"
@@ -14,14 +14,14 @@ std::int64_t floor_divide(std::int64_t a, std::int64_t b) { // b > 0
     return a / b - (a % b < 0 ? 1 : 0);
 }
 
-// In front of this depth by no more than 2 r (HARD-CASES 17), in the stored format.
+// Moves a depth forward by no more than 2 r (HARD-CASES 17), in the stored format.
 float forward(double depth, const DepthRule& rule) {
     const auto z = static_cast<float>(depth);
     const double bias = std::max(depth_bias({.constant = 2}, z, 0), 2 * rule.step());
     return rule.stored(static_cast<float>(double{z} + bias));
 }
 
-// How far a line may be behind a triangle that it does not belong to and still be visible: both
+// How far a line may lie behind a triangle that it does not belong to and still be visible: both
 // were snapped by up to 1/512 pixel in x and in y, and the triangle's plane is extended beyond its
 // edge. At most the triangle's own extent in depth, even where it is seen edge-on.
 double slack(const DepthSlope& slope, float depth) {
@@ -32,10 +32,10 @@ double slack(const DepthSlope& slope, float depth) {
 
 } // namespace
 
-// The depth of a line is known on the line, that of the supporting triangle at samples up to a
-// pixel beside it: its depth is carried over to the line along the triangle's own plane, so that no
-// slope, however steep, occludes a line that lies on the triangle or shows one behind it. A
-// triangle is nowhere nearer or farther than its vertices: there the plane ends.
+// The line's depth is known on the line, the supporting triangle's at samples up to a pixel beside
+// it. The triangle's depth is carried over to the line along its own plane, so that no slope,
+// however steep, occludes a line on the triangle or shows a line behind it. It is clamped to the
+// depths of the triangle's vertices, where the plane ends.
 void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& support,
                                     SupportAt& under) {
     if (f.x < area_.x0 || f.x >= area_.x1 || f.y < area_.y0 || f.y >= area_.y1) return;
@@ -60,8 +60,8 @@ void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& suppor
             const double carried = double{there} + (slope.per_x * dx + slope.per_y * dy);
             height = f.depth - std::clamp(carried, slope.lowest, slope.highest);
             const bool behind = height < -slack(slope, there);
-            // The next triangle of the line's own surface occludes what is behind it, but not what
-            // is beside it.
+            // The next triangle of the line's own surface occludes the part of the line behind it,
+            // but not the part beside it.
             if (behind && (under.contact == LineSupport::Contact::none ||
                            support.covers(triangle, f.at_x, f.at_y)))
                 continue;
@@ -70,10 +70,10 @@ void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& suppor
     }
 }
 
-// One pixel for every pixel centre that the line passes on its longer axis, both ends included; the
-// pixel on the other axis by exact division. The pixels of Bresenham 1965, in closed form
-// ([Compendium 2.1], [Primer 4.1]), so that no error adds up and any part of a line can be drawn
-// alone.
+// Draws one pixel for every pixel centre that the line passes on its longer axis, both ends
+// included; an exact division finds the pixel on the other axis. These are the pixels of Bresenham
+// 1965, in closed form ([Compendium 2.1], [Primer 4.1]): no error adds up, and any part of a line
+// can be drawn alone.
 void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
     check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));

@@ -63,8 +63,8 @@ bool VisibilityTile::draw(const TriangleList& triangles) {
 bool VisibilityTile::draw_small(const BinnedList& triangles) {
     check_lanes(triangles);
     TilePlanes to = planes();
-    // Nothing is tested against hi_z where nothing occludes, where triangles are too few for it to
-    // pay, or where all are micro-triangles.
+    // Skips hi_z where nothing occludes, where triangles are too few for it to pay, and where all
+    // are micro-triangles.
     bool occluders =
         touched_ && triangles.triangles.size() >= hi_z_.size() && triangles.kind == SmallKind::rows;
     if (occluders) {
@@ -81,7 +81,7 @@ bool VisibilityTile::draw_small(const BinnedList& triangles) {
 bool VisibilityTile::draw_small_hi_z(const BinnedList& triangles) {
     check_lanes(triangles);
     const bool visible = raster::draw_small_hi_z(planes(), triangles, hi_z_scratch_);
-    others_ |= visible; // in few tiles: looking for all of them there would not pay
+    others_ |= visible; // happens in few tiles: a search for all of them would not pay
     touched_ |= visible;
     return visible;
 }

@@ -1,6 +1,6 @@
-// A tile's visibility buffer: at every sample the greatest depth and the id of the primitive it
-// belongs to, at a tie the lower id, or what another depth rule keeps. The choice is commutative,
-// so primitives may be drawn in any order.
+// A tile's visibility buffer: at every sample the greatest depth and the id of its primitive, at
+// equal depth the lower id, or as another depth rule decides. The choice is commutative, so
+// primitives may be drawn in any order.
 #pragma once
 
 #include "base/check.h"
@@ -17,7 +17,7 @@
 
 namespace scanout::raster {
 
-// What a tile stores a sample: shadow maps need depth only.
+// The planes that a tile stores: shadow maps need depth only.
 enum class TileFormat : std::uint8_t { depth_and_id, depth_only };
 
 class VisibilityTile {
@@ -27,21 +27,21 @@ public:
     void reset(const image::Rect& area, int samples, const DepthRule& rule = {},
                TileFormat format = TileFormat::depth_and_id);
 
-    // Triangles: does any of them pass the depth test (raster/coverage/coverage.h)? Pixels beyond
-    // area() count, too.
+    // Draws triangles. Returns whether any passes the depth test (raster/coverage/coverage.h),
+    // pixels beyond area() included.
     bool draw(const TriangleList& triangles);
     bool draw_small(const BinnedList& triangles); // by the default depth rule
-    // The same, tested against hi_z before set-up: build_hi_z() when occluders are drawn, then
-    // these.
+    // The same, but tests them against hi_z before set-up. Call build_hi_z() after the occluders,
+    // then this.
     void build_hi_z() { raster::build_hi_z(planes()); }
     bool draw_small_hi_z(const BinnedList& triangles);
-    // Occlusion query: is everything that is no nearer occluded in these pixels of the picture? By
-    // the default depth rule.
+    // Occlusion query: is everything at this depth or behind occluded in these pixels of the
+    // picture? By the default depth rule.
     bool occludes(const image::Rect& pixels, float nearest) {
         return touched_ && raster::occludes(planes(), pixels, nearest);
     }
-    // The lists of small triangles that hold all that is visible, while what they refer to exists;
-    // null where something else may be visible, as after draw_small_hi_z().
+    // The lists of small triangles that hold everything visible; valid while their data exist. Null
+    // where other primitives may be visible, as after draw_small_hi_z().
     const std::vector<BinnedList>* small_lists_alone() const {
         return others_ ? nullptr : &small_lists_;
     }
@@ -49,9 +49,9 @@ public:
     bool draw(const Triangle& triangle);
     bool draw_clipped(const ClippedSetup& clipped);
     bool draw_clipped(const ClippedTriangle& clipped);
-    // Copies what is drawn so far, all triangles, out of a tile with the same area: lines and
-    // points that follow are depth-tested against these, not against each other's pixels, so that
-    // their order does not matter.
+    // Copies all triangles drawn so far out of a tile with the same area. Lines and points drawn
+    // later are depth-tested against these, not against each other's pixels, so that their order
+    // does not matter.
     void keep_support(const VisibilityTile& from);
     void draw_line(const Segment& segment, const LineSupport& support = {});
     void draw_point(const Point& point, const LineSupport& support = {});
@@ -109,8 +109,8 @@ private:
         if (ids) id_[sample] = id;
         touched_ = true;
     }
-    // A pixel of a line or point: the pixel, the position on the line that it stands for, in
-    // pixels, and the depth there.
+    // A pixel of a line or point: the pixel, the position on the line that it stands for (pixels),
+    // and the depth there.
     struct Fragment {
         int x, y;
         double at_x, at_y, depth;
@@ -129,7 +129,7 @@ private:
     DepthRule rule_;
     TileFormat format_ = TileFormat::depth_and_id;
     bool touched_ = false;
-    bool others_ = false; // something may be visible that is not in small_lists_
+    bool others_ = false; // something visible may not be in small_lists_
     std::vector<BinnedList> small_lists_;
     std::vector<float> depth_;
     std::vector<std::uint32_t> id_;
