@@ -1,4 +1,4 @@
-// What is known of all stages together, and of the materials' maps.
+// Tables of all stages together, and of the materials' maps.
 #include "rows.h"
 #include "shade/stage.h"
 
@@ -8,7 +8,7 @@ namespace scanout::shade {
 
 namespace {
 
-// Nothing where the rows of an axis are no stages.
+// Adds nothing where the rows of an axis are no stages.
 template <class Row>
 void add_stages(std::span<const Row* const> rows, std::vector<const Stage*>& found) {
     if constexpr (std::is_convertible_v<const Row*, const Stage*>)

@@ -1,5 +1,5 @@
-// Which side of its faces a surface shows to the light: what the set-up of triangles and the
-// interpolation do with their normals.
+// The side of its faces that a surface shows to the light: how triangle set-up and interpolation
+// turn their normals.
 #pragma once
 
 #include "shade/stage.h"
@@ -10,7 +10,7 @@ namespace scanout::shade {
 
 struct LitSides {
     Technique card;
-    Sides leaning, upright; // where some normal leans to the back of its face, and where none does
+    Sides leaning, upright; // if some normal leans to the back of its face, and if none does
 };
 
 } // namespace scanout::shade

@@ -1,5 +1,5 @@
-// What is not opaque: techniques for it, and the fragments that they order. A fragment is one
-// triangle in one pixel, in front of what is opaque there.
+// Transparency techniques, and the fragments that they order. A fragment is one triangle in one
+// pixel, in front of the opaque surface there.
 #pragma once
 
 #include "base/technique.h"
@@ -15,7 +15,7 @@ namespace scanout::shade {
 struct GatherInput;
 struct Stage;
 
-// How alpha is found: of each material, the default one first.
+// The maps that alpha is read from. One entry a material, the default one first.
 struct MaterialAlpha {
     bool diffuse_map = false; // the alpha channel of map_Kd matters
     bool opacity_map = false; // there is a map_d
@@ -28,8 +28,8 @@ struct BlendFragment {
     std::uint16_t pixel;  // of the tile
     std::uint16_t mask;   // samples that it covers and that no opaque surface hides
     float alpha;
-    float weight;          // of its colour in the pixel
-    std::uint16_t visible; // samples of the mask that show it
+    float weight;          // of its colour in the pixel's colour
+    std::uint16_t visible; // samples of the mask at which it is visible
 };
 
 struct BlendList {
@@ -41,32 +41,32 @@ struct BlendList {
 
 struct Transparency {
     Technique card;
-    // Puts the triangles of a tile into the order in which the technique wants them drawn; null
-    // where their order, by id, will do.
+    // Sorts the triangles of a tile into the order in which the technique draws them; null where
+    // the order of their ids will do.
     void (*sort_triangles)(std::span<std::uint32_t> triangles, const GatherInput& input);
-    // Puts fragments of one pixel that cover this sample into the order seen there, nearest first;
-    // null where they are left in the order of their triangles.
+    // Sorts the fragments of one pixel that cover this sample, nearest first; null where they stay
+    // in the order of their triangles.
     void (*sort_sample)(std::span<std::uint32_t> fragments, const BlendList& list, int sample);
-    // Fragments are shown whole or not at all, by their alpha at every sample: never blended.
+    // Each sample shows a fragment or not, by its alpha there; it never blends.
     bool cuts;
 };
 
-// When a fragment hides what lies behind it.
+// When a fragment hides all behind it.
 enum class Hides : std::uint8_t { never, by_alpha, always };
 
-// How a fragment meets what lies behind it: by weights that its alpha alone decides (meet), or by
-// its colour (compose); the other is null.
+// How a fragment blends with the layers behind it: by weights that depend on its alpha alone
+// (meet), or by its colour (compose); the other function is null.
 struct Blend {
     Technique card;
     struct Weights {
         float weight;        // of the fragment's colour in the pixel's
-        float transmittance; // what it leaves of that which lies behind
+        float transmittance; // the share of the light from behind that it lets through
     };
-    // transmittance: what the fragments before it left.
+    // transmittance: the share that the fragments in front of it let through.
     Weights (*meet)(float alpha, float transmittance);
-    // One channel of a sample with the fragment in front: times the alpha there is then, as
-    // `behind` is times that of what lies behind. The fragment's colour is undiluted, in [0, 1];
-    // 1 is white of the blend space. Alpha itself goes as with `over`. Alpha 0 changes nothing.
+    // One channel of a sample with the fragment in front, premultiplied by the alpha of the result,
+    // as `behind` is by the alpha behind. The fragment's colour is not premultiplied, in [0, 1]; 1
+    // is white of the blend space. Alpha itself is mixed as with `over`. Alpha 0 changes nothing.
     float (*compose)(float behind, float behind_alpha, float colour, float alpha) = nullptr;
     Hides hides = Hides::never;
 };

@@ -1,7 +1,7 @@
-// Multiply: a surface is a filter. Its colour says which part of each channel of what lies behind
-// it lets pass: white all, black none. Never brighter than what lies behind; the order of surfaces
-// does not matter but for rounding. Cabanier and Andronikos 2015, 10.1.2: alpha mixes the product
-// with what was there; where nothing is, the surface itself shows.
+// Multiply: a surface is a filter. Its colour is the part of each channel that passes through it
+// from behind: white passes all, black none. The result is never brighter than the light from
+// behind; the order of surfaces matters only for rounding. Cabanier and Andronikos 2015, 10.1.2:
+// alpha mixes the product with the backdrop; where there is no backdrop, the surface itself shows.
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {

@@ -1,4 +1,4 @@
-// No blending: of what lies at a sample the nearest is shown, as if it were opaque.
+// No blending: at each sample the nearest surface shows, as if it were opaque.
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {

@@ -1,4 +1,4 @@
-// Over: a surface shows by its alpha, what lies behind it by the rest. Porter and Duff 1984,
+// Over: a surface shows by its alpha, the surfaces behind it by 1 - alpha. Porter and Duff 1984,
 // [Primer 1.6].
 #include "shade/transparency.h"
 

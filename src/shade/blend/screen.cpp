@@ -1,8 +1,8 @@
-// Screen: the opposite of a filter. What both lack of white is multiplied: 1 - (1 - a)(1 - b), as
-// two projectors on one screen that cannot be brighter than white. Never darker than what lies
-// behind, black changes nothing; the order of surfaces does not matter but for rounding. Cabanier
-// and Andronikos 2015, 10.1.3: of the surface only its alpha times its colour counts, whatever
-// alpha lies behind.
+// Screen: the opposite of a filter. Multiplies the differences from white: 1 - (1 - a)(1 - b), as
+// two projectors on one screen that cannot exceed white. The result is never darker than the
+// backdrop, and black changes nothing; the order of surfaces matters only for rounding. Cabanier
+// and Andronikos 2015, 10.1.3: only alpha times colour of the surface counts, whatever the
+// backdrop's alpha.
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {

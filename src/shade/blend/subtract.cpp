@@ -1,5 +1,5 @@
-// Subtractive blending: the surface's light times its alpha is taken from what lies behind, in any
-// order; what would be below black is black.
+// Subtractive blending: the surface's light times its alpha is subtracted from the light behind, in
+// any order; results below black are black.
 #include "shade/transparency.h"
 
 namespace scanout::shade::blend {

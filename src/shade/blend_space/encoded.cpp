@@ -1,5 +1,6 @@
-// Samples are mixed as codes, as renderers did that knew no sRGB: edges between light and dark come
-// out too dark. Half black, half white is 128 instead of 188; a quarter of white loses most, 73.
+// Mixes samples as sRGB codes, like renderers without gamma correction: edges between light and
+// dark come out too dark. Half black, half white is 128 instead of 188; a quarter of white loses
+// most, 73.
 #include "shade/resolve/output.h"
 
 #define SIMD_FILE "shade/blend_space/encoded.cpp"
@@ -9,7 +10,7 @@
 
 SIMD_BEGIN(scanout::shade::blend_space)
 
-// Light here is a mean of codes already.
+// Here a pixel's light is already a mean of codes.
 struct OfCodes {
     static SIMD_INLINE I32 nearest(F32 code) { return to_i32(fraction(code) + F32(0.5F)); }
     static SIMD_INLINE F32 fraction(F32 code) {

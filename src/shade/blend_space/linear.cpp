@@ -1,4 +1,4 @@
-// Samples are mixed as light mixes: in linear light, encoded once (HARD-CASES 70).
+// Mixes samples in linear light, as light itself mixes, and encodes the mean once (HARD-CASES 70).
 #include "shade/resolve/output.h"
 
 namespace scanout::shade::blend_space {

@@ -1,4 +1,4 @@
-// What every encoding does with its lanes; each brings two functions:
+// The part that all encodings share. Each encoding brings two functions:
 //     I32 nearest(F32 light)    the code, 0 to 255
 //     F32 fraction(F32 light)   the same before it is rounded, for dither; in [0, 255], within
 //                               1/128 of a whole number where the light is that of a code

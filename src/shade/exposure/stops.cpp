@@ -1,5 +1,5 @@
-// Exposure in stops, as a camera's: each doubles the light or halves it, and the frame's is their
-// power of two. Before tone: what is cut or bent is the light that is shown.
+// Exposure in stops, as a camera's: each stop doubles the light or halves it; the frame's factor is
+// 2^stops. Runs before tone mapping, so that the tone curve sees the exposed light.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/exposure/stops.cpp"

@@ -19,7 +19,7 @@ void centre(ShadingBlock& b, const std::int32_t* pixel, int first, int count, in
         const I32 column = at - shift_left<kRowBits>(row);
         const I32 x = shift_left<raster::kSubpixelBits>(left + column) + raster::kPixelCentre.x;
         const I32 y = shift_left<raster::kSubpixelBits>(top + row) + raster::kPixelCentre.y;
-        const auto live = iota<I32>(i) < end; // those behind have their places
+        const auto live = iota<I32>(i) < end; // later items have their pixels already
         store(select(live, x, load<I32>(b.x + i)), b.x + i);
         store(select(live, y, load<I32>(b.y + i)), b.y + i);
     }

@@ -1,5 +1,5 @@
-// The gatherer's part in pixels whose layers' colours decide what shows of that which lies behind:
-// each layer is shaded once, as a fragment with a place of its own in place of a weight.
+// The gatherer's part for pixels that blend by colour, not by weight: each layer is shaded once, as
+// a fragment with a place of its own instead of a weight.
 #include "shade/gather/gather_types.h"
 #include "shade/transparency/transparency_pass.h"
 
@@ -42,7 +42,7 @@ void Gatherer::collect_layers(const raster::VisibilityTile& tile, const GatherIn
         if (f.visible != 0) add(f.id, f.visible, i);
     }
     edge_pixels_.push_back(pixel);
-    transmittance_.push_back(0); // known when all is shaded
+    transmittance_.push_back(0); // known once all layers are shaded
     layers.add_pixel(pixel, edge_pixel, blended.slot[pixel],
                      std::span(opaque_base).first(static_cast<std::size_t>(samples)));
 }
@@ -59,7 +59,7 @@ void Gatherer::keep_layer_colours(ColourBlend::Of of, float white) {
     }
 }
 
-// When all layers are shaded.
+// Runs when all layers are shaded.
 void Gatherer::blend_layers(const GatherInput& in) {
     for (const ColourBlend::Pixel& pixel : block_->blended->colour_blend->pixels()) {
         blend_layers(pixel, ColourBlend::Of::blend_space, in);

@@ -1,5 +1,5 @@
-// The gatherer's third part: where the light of a block's items goes. Interior pixels become codes
-// at once, edge pixels once they are summed, and sums wait where a filter has yet to resolve them.
+// The gatherer's third part: stores the light of a block's items. Interior pixels are encoded at
+// once, edge pixels after they are summed; sums wait if a filter has yet to resolve them.
 #include "image/dither.h"
 #include "shade/check_lanes.h"
 #include "shade/gather/gather_types.h"
@@ -19,7 +19,7 @@ float Gatherer::offset_at(int pixel) const {
                                 static_cast<unsigned>(area_.y0 + pixel / kTileSize));
 }
 
-// Of the block's items; null where nothing is dithered.
+// Dither offsets of the block's items; null where nothing is dithered.
 const float* Gatherer::item_offsets(const GatherInput& in) {
     if (!in.output.dither) return nullptr;
     offsets_.resize(kPaddedBlock);
@@ -44,8 +44,8 @@ void Gatherer::store_pixels(const std::uint32_t* code, image::Image& picture) {
     }
 }
 
-// Adds all items for a filter. A blended fragment has the same weight at all samples that it
-// covers.
+// Adds all items for the reconstruction filter. A blended fragment has the same weight at all
+// samples that it covers.
 void Gatherer::add_pixel_sums() {
     if (sink_.filter == nullptr) return add_linear(*sink_.own);
     const ShadingBlock& b = *block_;
@@ -70,7 +70,8 @@ void Gatherer::add_pixel_sums() {
     }
 }
 
-// Adds the block's items; pixels that fragments share are summed in the order of their blocks.
+// Adds the block's items. Pixels that several fragments share are summed in the order of their
+// blocks.
 void Gatherer::add_linear(LinearPicture& linear) const {
     for (int item = 0; item < block_->count; ++item) {
         const int pixel = pixel_[item];
@@ -102,7 +103,7 @@ void Gatherer::resolve_edge_pixels(const GatherInput& in, image::Image& picture)
     }
 }
 
-// Appends the splats of the edge pixels to those of the tile, where the filter will read them.
+// Appends the splats of the edge pixels to the tile's splats, where the filter will read them.
 void Gatherer::store_splats() {
     auto& all = sink_.splats->of_tile[sink_.splats->tile_of(area_.x0, area_.y0)];
     for (std::size_t i = 0; i < edge_pixels_.size(); ++i)

@@ -1,4 +1,4 @@
-// How a mesh's primitives are drawn.
+// How a mesh's primitives are shaded: the key that groups them.
 #pragma once
 
 #include "geom/mesh.h"
@@ -16,7 +16,8 @@ struct ShadingKey {
 
 struct ShadingKeys {
     const geom::Mesh* mesh = nullptr;
-    // Of all primitives, which are triangles then: asking the mesh misses the cache each time.
+    // The material of all primitives, if all are triangles with one material: a look-up in the mesh
+    // misses the cache each time.
     std::optional<std::int32_t> only_material;
     ShadingKey of(std::uint32_t id) const {
         return only_material ? ShadingKey{*only_material, true} : of_mesh(id);

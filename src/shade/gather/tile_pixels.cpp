@@ -21,7 +21,7 @@ void find_spans(const std::uint32_t* ids, const std::uint64_t* starts, const std
     table.buckets = buckets;
 }
 
-// offset: where a bucket's pixels go, and afterwards where they end.
+// offset: where a bucket's pixels begin; afterwards where they end.
 void store_spans(const SpanTable& table, std::uint32_t* offset, std::int32_t* pixel) {
     for (const SpanTable::Span *at = table.span, *end = at + table.spans; at != end; ++at) {
         const SpanTable::Span span = *at;
@@ -29,15 +29,15 @@ void store_spans(const SpanTable& table, std::uint32_t* offset, std::int32_t* pi
         const auto first = static_cast<std::int32_t>(span.pixel());
         std::int32_t* const to = pixel + offset[span.bucket()];
         offset[span.bucket()] += span.count();
-        for (int k = 0; k < count; k += kLanes) // what stands behind it may be there already
+        for (int k = 0; k < count; k += kLanes) // later places may be filled already
             store_first(iota<I32>(first + k), count - k, to + k);
     }
 }
 
-// The pixels of a small triangle, row by row, are those that show its id: all else that is read
-// with them, a row above, columns behind and what a register takes from the next row, shows others.
-// Returns where they end. Triangles stand by how many rows they have (raster::sort_by_rows), so
-// that the ends of the loops are predicted.
+// The pixels of a small triangle, row by row, are those that show its id. Everything else that is
+// read with them shows other ids: a row above, columns to the right, and the part of the next row
+// in a register. Returns where the pixels end. Triangles are sorted by their number of rows
+// (raster::sort_by_rows), so that the branch predictor knows the ends of the loops.
 SIMD_INLINE std::int32_t* store_pixels_of(const std::uint32_t* ids, const image::Rect& box,
                                           std::uint32_t id, std::int32_t* to) {
     using raster::kTileSize;
@@ -158,8 +158,8 @@ void TilePixels::add_ungrouped(std::int32_t material, const std::uint32_t* id, i
     material_batches_.back().end = size_ = size;
 }
 
-// Looking for a triangle's pixels takes about as long as sorting four pixels that have no more than
-// two or three others of their triangle beside them; micro-triangles have fewer.
+// The search for a triangle's pixels takes about as long as the sorting of four pixels with no more
+// than two or three pixels of their triangle beside them; micro-triangles have fewer pixels.
 static bool are_few(std::span<const raster::BinnedList> lists, std::size_t pixels) {
     std::size_t triangles = 0, micro = 0;
     for (const raster::BinnedList& list : lists) {
@@ -208,7 +208,7 @@ void TilePixels::find_order(const ShadingKeys& keys) {
 }
 
 void TilePixels::store_pixels() {
-    if (table_->buckets == 0) return; // those of take_small_triangles() have their pixels
+    if (table_->buckets == 0) return; // take_small_triangles() has stored the pixels
     CHECK_LE(table_->spans, std::uint32_t{SpanTable::kPixels}); // each pixel once
     for (const PrimitiveBatch& batch : primitive_batches_) {
         offset_[batch.bucket] = static_cast<std::uint32_t>(size_);

@@ -1,8 +1,8 @@
-// Interior pixels of a tile, which one primitive fills alone, by primitive: each primitive is set
-// up once, and its pixels fill registers of items whatever rows they lie in. A counting sort: one
-// pass over the tile finds spans of a row and how many pixels each primitive has, a second one
-// stores the spans' pixels where they belong. Where a tile shows few small triangles and nothing
-// else, each triangle's pixels are looked for instead.
+// Interior pixels of a tile, which one primitive fills alone, grouped by primitive: each primitive
+// is set up once, and its pixels fill registers of items whatever rows they lie in. A counting
+// sort: one pass over the tile finds spans of a row and counts the pixels of each primitive, a
+// second one stores the spans' pixels in their places. Where a tile shows a few small triangles and
+// nothing else, it searches for each triangle's pixels instead.
 #pragma once
 
 #include "raster/coverage/coverage.h"
@@ -19,7 +19,7 @@
 
 namespace scanout::shade {
 
-// The counting sort's buckets, one a primitive, and its spans as they are found.
+// The counting sort's buckets, one a primitive, and its spans in the order in which they are found.
 struct SpanTable {
     static constexpr std::size_t kSlots = 1024;
     static constexpr int kPixelBits = 12, kCountBits = 6;
@@ -43,7 +43,7 @@ struct SpanTable {
     };
 
     struct Bucket {
-        std::uint32_t id, pixels; // how many; 0 of the one that would come next
+        std::uint32_t id, pixels; // number of pixels; 0 in the next free one
     };
 
     Slot slot[kSlots];  // by id modulo kSlots: the last bucket there
@@ -52,11 +52,11 @@ struct SpanTable {
     std::uint32_t spans, buckets;
 
     void clear();
-    // Pixels of a row side by side; `pixel` is the first, by its number in the tile. Each pixel of
-    // the tile once at most.
+    // Adds adjacent pixels of a row; `pixel`: the first one's number in the tile. Each pixel of the
+    // tile at most once.
     void add(std::uint32_t id, int pixel, int count) { add(id, pixel, count, spans, buckets); }
-    // With counters in registers. No branch: one span in four begins a bucket, and a processor
-    // mispredicts which.
+    // The same with counters in registers. Has no branch: one span in four begins a bucket, which
+    // would cause branch mispredictions.
     [[gnu::always_inline]] void add(std::uint32_t id, int pixel, int count,
                                     std::uint32_t& span_count, std::uint32_t& bucket_count) {
         Slot& at = slot[id % kSlots];
@@ -73,10 +73,10 @@ struct SpanTable {
     }
 };
 
-// Where TilePixels::take_small_triangles() stores what it finds next.
+// The places where TilePixels::take_small_triangles() stores its next finds.
 struct SmallTrianglePixels {
-    std::int32_t *pixel, *triangle; // of triangles with few pixels, and these triangles by number
-    std::uint32_t* spatial_index;   // of these triangles, by that number
+    std::int32_t *pixel, *triangle; // of triangles with few pixels, and the triangles' numbers
+    std::uint32_t* spatial_index;   // of these triangles, by number
     std::uint32_t triangles;
     std::int32_t* large_pixel; // pixels of the others, which become batches of one primitive
     SpanTable::Bucket* large;
@@ -84,32 +84,33 @@ struct SmallTrianglePixels {
 
 class TilePixels {
 public:
-    // Of a triangle in a batch of its material: more are cheaper in registers of their own. Of
-    // those of take_small_triangles() more are worth it, for their items cost nothing but a number.
+    // The most pixels of a triangle in a batch of its material: with more, registers of its own are
+    // cheaper. The limit is higher in take_small_triangles(), whose items cost only a number each.
     static constexpr int kMaxPixels = 24, kMaxPixelsOfSmall = 64;
 
     TilePixels();
     void clear();
 
-    // Pixels side by side, as in SpanTable.
+    // Adds adjacent pixels of a row, as in SpanTable.
     void add(std::uint32_t id, int pixel, int count) { table_->add(id, pixel, count); }
-    // Those of rows first to end; ids: of the tile's first row.
+    // Adds the interior pixels of rows first to end; ids: of the tile's first row.
     void add_rows(const std::uint32_t* ids, const InteriorPixels& interior, int first, int end);
     // Appends the pixels of a row whose bits are set, `first` being bit 0, to a batch of the
-    // material without grouping them by triangle: cheaper where most show another triangle than
-    // their neighbours. Not to be mixed with add().
+    // material without grouping them by triangle: cheaper where most pixels show another triangle
+    // than their neighbours. Not to be mixed with add().
     void add_ungrouped(std::int32_t material, const std::uint32_t* id, int first,
                        std::uint64_t pixels);
 
-    // All pixels of a tile that has one sample a pixel, so many pixels, and shows nothing but these
-    // small triangles, all of which items may set up. They need no sorting: each triangle's are
-    // found by its id. ids() then holds spatial indices. Nothing else is added before or after.
+    // Adds all pixels of a tile that has one sample a pixel, has `pixels` of them, and shows only
+    // these small triangles, all of which items may set up. Finds each triangle's pixels by its id,
+    // without sorting; ids() then holds spatial indices. Nothing else may be added before or after.
     // Returns false, and does nothing, where sorting takes less time.
     bool take_small_triangles(std::int32_t material, std::span<const raster::BinnedList> lists,
                               const std::uint32_t* ids, int pixels);
 
-    // Sorts what was added. set_up_per_item(id): can this triangle be set up in the block? Then its
-    // pixels, if they are few, are in a batch of its material; else it has a batch of its own.
+    // Sorts the added pixels. set_up_per_item(id): can this triangle be set up in the block? Then
+    // its pixels, if they are few, go into a batch of its material; else it gets a batch of its
+    // own.
     template <class SetUpPerItem>
     void arrange(const ShadingKeys& keys, const SetUpPerItem& set_up_per_item) {
         find_order(keys);
@@ -123,7 +124,7 @@ public:
         store_pixels();
     }
 
-    // All of them: batches of materials first, then of primitives.
+    // The sorted pixels: batches of materials first, then of primitives.
     std::int32_t* pixels() { return pixel_.data(); }
     std::size_t size() const { return size_; }
     // Triangles of one material, each with few pixels.
@@ -132,13 +133,14 @@ public:
         std::size_t first, end; // pixels
     };
     std::span<const MaterialBatch> material_batches() const { return material_batches_; }
-    // Of a pixel in a batch of a material: its triangle; from pixel to pixel the same or the next
-    // one.
+    // The triangle's number of each pixel in a batch of a material; from pixel to pixel it stays
+    // the same or grows by one.
     const std::int32_t* triangles() const { return triangle_.data(); }
-    // Of these triangles; after take_small_triangles() their spatial indices (geom/clusters.h).
+    // The ids of these triangles; after take_small_triangles() their spatial indices
+    // (geom/clusters.h).
     const std::uint32_t* ids() const { return id_.data(); }
-    // One primitive, whose pixels follow those of the batch before it. It may have several batches,
-    // where many primitives share the table's slots. Batches of one key follow each other.
+    // One primitive; its pixels follow those of the batch before it. A primitive may have several
+    // batches, where many primitives share the table's slots. Batches with equal keys are adjacent.
     struct PrimitiveBatch {
         std::uint32_t id;
         ShadingKey key;
@@ -161,7 +163,7 @@ private:
         const Four number = Four{} + static_cast<std::int32_t>(triangles_++);
         static_assert(kMaxPixels == 24);
 #pragma GCC unroll 6
-        for (std::size_t i = 0; i < kMaxPixels; i += 4) // those beyond are the next triangle's
+        for (std::size_t i = 0; i < kMaxPixels; i += 4) // the next triangle overwrites the rest
             std::memcpy(&triangle_[size_ + i], &number, sizeof number);
         offset_[next.bucket] = static_cast<std::uint32_t>(size_);
         material_batches_.back().end = size_ += count;
@@ -172,14 +174,14 @@ private:
     }
 
     std::unique_ptr<SpanTable> table_;
-    std::vector<std::uint32_t> offset_; // of the table's buckets: where their pixels go
+    std::vector<std::uint32_t> offset_; // of the table's buckets: where their pixels are stored
     std::vector<Order> order_;
     std::vector<PrimitiveBatch> primitive_batches_;
     std::vector<MaterialBatch> material_batches_;
     std::size_t size_ = 0, triangles_ = 0;
     std::vector<std::int32_t> pixel_, triangle_;
     std::vector<std::uint32_t> id_;
-    // Of take_small_triangles(): what becomes batches of one primitive, and its pixels.
+    // For take_small_triangles(): the batches of one primitive, and their pixels.
     std::vector<SpanTable::Bucket> large_;
     std::vector<std::int32_t> large_pixel_;
 };

@@ -5,7 +5,8 @@
 
 SIMD_BEGIN(scanout::shade)
 
-// ids: the row in the first sample's plane; the others follow `plane` ids apart.
+// ids: the row in the first sample's plane; the planes of the other samples follow `plane` ids
+// apart.
 SIMD_INLINE RowBits find_bits(const std::uint32_t* ids, int samples, std::size_t plane) {
     static_assert(raster::kTileSize == 64);
     RowBits row{0, 0, 0};

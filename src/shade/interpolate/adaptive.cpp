@@ -1,6 +1,6 @@
-// For every triangle the cheapest of affine, every 16 and every 8 pixels and perspective whose
-// error is bounded by 1/256 texel and half a code (shade/setup/interpolation_step.h; HARD-CASES
-// L3).
+// Adaptive interpolation: picks for every triangle the cheapest of affine, every 16 pixels, every 8
+// pixels and perspective whose error bound is at most 1/256 texel and half a code
+// (shade/setup/interpolation_step.h; HARD-CASES L3).
 #include "shade/setup/interpolation_step.h"
 #include "shade/stage.h"
 

@@ -1,5 +1,5 @@
-// Straight on the screen, as if all vertices were equally far: textures bend at the edges between
-// triangles (HARD-CASES T4). [Compendium 3, 5].
+// Affine interpolation: linear on the screen, as if all vertices were equally far: textures bend at
+// the edges between triangles (HARD-CASES T4). [Compendium 3, 5].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/affine.cpp"

@@ -1,4 +1,4 @@
-// Divided every 16 pixels, straight between: HARD-CASES 33.
+// Divides by w every 16 pixels and interpolates linearly in between: HARD-CASES 33.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/affine_16.cpp"

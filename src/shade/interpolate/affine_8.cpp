@@ -1,4 +1,4 @@
-// Divided every 8 pixels, straight between: HARD-CASES 33.
+// Divides by w every 8 pixels and interpolates linearly in between: HARD-CASES 33.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/interpolate/affine_8.cpp"

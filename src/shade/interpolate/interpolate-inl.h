@@ -1,7 +1,7 @@
-// What the interpolations share: a rung says how the weights of a triangle's vertices come about at
-// a lane; normals, uv and colours are mixed by them. A result never leaves the range of its
-// vertices, not even by rounding: u just below 0 would show the texel at the other end of the
-// texture (HARD-CASES 34).
+// The part that all interpolations share: a rung computes the weights of a triangle's vertices at
+// each lane, and this file mixes normals, uv and colours by them. A result never leaves the range
+// of its vertices, not even by rounding: u just below 0 would show the texel at the other end of
+// the texture (HARD-CASES 34).
 #if defined(SCANOUT_SHADE_INTERPOLATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_INTERPOLATE_INL_H
 #undef SCANOUT_SHADE_INTERPOLATE_INL_H
@@ -18,7 +18,7 @@
 
 SIMD_BEGIN(scanout::shade::interpolate)
 
-// What vertices carry, mixed at a register of lanes: of one triangle, or of each lane's own.
+// Vertex attributes mixed at a register of lanes: of one triangle, or of each lane's own triangle.
 struct OfRun {
     const Primitive& t;
     Spread of_normal[3];
@@ -44,12 +44,12 @@ struct OfItems {
     SIMD_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
 };
 
-// How a frame wants its normals. Asked for every register of lanes: as a template's argument it
-// made six of every rung, on every target, and saved no more than a branch.
+// How a frame needs its normals. Tested for every register of lanes: as a template argument it
+// compiled six versions of every rung for every target, and saved no more than a branch.
 enum class Normals { none, turned, unit, raw };
 
-// As the vertices' mix, in their space. turned: the side that the eye sees is lit, whichever way
-// the file wound it or its normals.
+// Mixed normals, in the vertices' space. turned: towards the eye, so that the side that it sees is
+// lit however the file winds the face or points its normals.
 template <class Of>
 SIMD_INLINE Vec3F32 mix_normals(Normals wanted, const Of& of, const Weights& w) {
     const Vec3F32 n = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
@@ -66,14 +66,14 @@ SIMD_INLINE Vec3F32 to_view(const FrameState& frame, const Vec3F32& normal) {
     return normalised(turned, size, usable, Vec3F32{zero, zero, one});
 }
 
-// Mixed normals of lanes first to end, of whatever runs, become those: a root and a quotient a
-// register take longer than all else about it, and few runs fill theirs.
+// Makes the mixed normals of lanes first to end unit normals in view space, across runs: the square
+// root and the division of a register cost most of it, and few runs fill their last register.
 SIMD_INLINE void lanes_to_view(ShadingBlock& b, const FrameState& frame, int first, int end) {
     for (int i = first; i < end; i += kLanes)
         store_vec3(to_view(frame, load_vec3<Vec3F32>(b.normal, i)), b.normal, i);
 }
 
-// Which attributes a block wants.
+// The attributes that a block needs.
 struct Wanted {
     Normals normal;
     bool uv, colour, position;
@@ -91,7 +91,7 @@ SIMD_INLINE Wanted wanted(const ShadingBlock& b, const FrameState& frame) {
             {b.material->diffuse.x, b.material->diffuse.y, b.material->diffuse.z}};
 }
 
-// One register of lanes from lane i on. Normals are as they mix.
+// Stores one register of lanes, from lane i on. Normals stay as mixed.
 template <class Of>
 SIMD_INLINE void store_attributes(ShadingBlock& b, const Wanted& want, const Of& of,
                                   const Weights& w, int i) {
@@ -108,8 +108,8 @@ SIMD_INLINE void store_attributes(ShadingBlock& b, const Wanted& want, const Of&
             store(F32(want.kd[c]) * of.colour(w, c), b.albedo[c] + i);
 }
 
-// Do all vertices have the same normal, to the bit? Then so has every lane: no weight of any rung
-// leads out of the vertices' range.
+// Do all vertices have the same normal, to the bit? Then so does every lane, since no rung's
+// weights leave the range of the vertices.
 SIMD_INLINE bool is_flat(const Primitive& t) {
     std::int32_t bits[3][3];
     static_assert(sizeof bits == sizeof t.normal);
@@ -127,7 +127,7 @@ SIMD_INLINE void flat_normals(ShadingBlock& b, const FrameState& frame, const Wa
         store_vec3(n, b.normal, i);
 }
 
-// The material's own.
+// Stores the material's own albedo.
 SIMD_INLINE void store_albedo(ShadingBlock& b, const Wanted& want) {
     const F32 red = want.kd[0], green = want.kd[1], blue = want.kd[2];
     for (int i = 0; i < b.count; i += kLanes) {
@@ -137,7 +137,7 @@ SIMD_INLINE void store_albedo(ShadingBlock& b, const Wanted& want) {
     }
 }
 
-// Exactly, at every lane of a run.
+// Interpolates exactly, at every lane of a run.
 SIMD_INLINE void perspective_lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
     const Primitive& t = *run.primitive;
     const OfRun of(t);
@@ -147,7 +147,7 @@ SIMD_INLINE void perspective_lanes(ShadingBlock& b, const Wanted& want, const Ru
             weights(t, load<I32>(b.x + i), load<I32>(b.y + i), {i, run.first + run.count - i}), i);
 }
 
-// The same at lanes that have triangles of their own.
+// The same at lanes with triangles of their own.
 SIMD_INLINE void perspective_own(ShadingBlock& b, const Wanted& want, const Run& run) {
     const ShadingSetup& t = *b.triangles;
     for (int i = run.first; i < run.first + run.count; i += kLanes) {
@@ -159,7 +159,7 @@ SIMD_INLINE void perspective_own(ShadingBlock& b, const Wanted& want, const Run&
     }
 }
 
-// All runs of a block; Rung::lanes fills those of one.
+// Runs over all runs of a block; Rung::lanes fills the lanes of one.
 template <class Rung>
 SIMD_INLINE void run_rung(ShadingBlock& b, const FrameState& frame) {
     if (!b.lit) return;
@@ -182,7 +182,7 @@ SIMD_INLINE void run_rung(ShadingBlock& b, const FrameState& frame) {
         if (!flat || rest.any()) Rung::lanes(b, flat ? rest : want, *run);
     }
     view_until(b.count);
-    // How u and v change is exact whatever the rung.
+    // The derivatives of u and v are exact on every rung.
     if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }
 

@@ -18,7 +18,7 @@ struct Live {
     int first, count;
 };
 
-// A clamp makes a number of NaN, so that nothing would be seen after it.
+// Checks before a clamp, which turns NaN into a number and so would hide it.
 SIMD_INLINE void check_clamped([[maybe_unused]] F32 f, [[maybe_unused]] const Live& live) {
     if constexpr (kCheckLanes) {
         float lanes[kLanes];
@@ -27,7 +27,7 @@ SIMD_INLINE void check_clamped([[maybe_unused]] F32 f, [[maybe_unused]] const Li
     }
 }
 
-// Of vertices 1 and 2; vertex 0 has the rest.
+// The weights of vertices 1 and 2; vertex 0 has the rest to 1.
 struct Weights {
     F32 one, two;
     Live live;
@@ -37,12 +37,12 @@ SIMD_INLINE F64 area_at(const Primitive& t, int k, F64 x, F64 y) {
     return (F64(t.a[k]) * x + F64(t.b[k]) * y) + F64(t.c[k]);
 }
 
-// Of areas times 1/w.
+// Weights from areas times 1/w.
 SIMD_INLINE Weights weights_of(F32 p0, F32 p1, F32 p2, const Live& live) {
     const F32 sum = (p0 + p1) + p2;
     return {p1 / sum, p2 / sum, live};
 }
-// Of vertices' areas that are rounded once.
+// Weights from the vertices' areas, rounded to float once.
 SIMD_INLINE Weights weights_of(const Primitive& t, F32 b0, F32 b1, F32 b2, const Live& live) {
     return weights_of(b0 * F32(t.inverse_w[0]), b1 * F32(t.inverse_w[1]), b2 * F32(t.inverse_w[2]),
                       live);
@@ -51,9 +51,9 @@ SIMD_INLINE Weights weights_of(const Primitive& t, F32 b0, F32 b1, F32 b2, const
 SIMD_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) {
     F64 b0 = area_at(t, 0, x, y), b1 = area_at(t, 1, x, y), b2 = area_at(t, 2, x, y);
     if (t.clipped) {
-        // The snapped edge may lie a little further out than the exact one. A common factor brings
-        // the weights into the range of a float.
-        check_clamped(to_f32(((b0 - b0) + (b1 - b1)) + (b2 - b2)), live); // 0 of what is finite
+        // The snapped edge may lie slightly outside of the exact one, where areas are negative. A
+        // common divisor brings the areas into the range of a float.
+        check_clamped(to_f32(((b0 - b0) + (b1 - b1)) + (b2 - b2)), live); // 0 where finite
         const F64 zero = 0.0;
         b0 = maximum(b0, zero);
         b1 = maximum(b1, zero);
@@ -68,8 +68,8 @@ SIMD_INLINE Weights weights(const Primitive& t, F64 x, F64 y, const Live& live) 
     return weights_of(t, to_f32(b0), to_f32(b1), to_f32(b2), live);
 }
 
-// At samples on the grid of 1/256 pixel, within a pixel of the triangle. The same bits from half as
-// many registers: both ways round the same whole numbers to floats.
+// At samples on the grid of 1/256 pixel, within a pixel of the triangle. Gives the same bits from
+// half as many registers: integers or doubles, the same whole numbers are rounded to floats.
 SIMD_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) {
     if (!t.fits_int32) return weights(t, to_f64(x), to_f64(y), live);
     const auto area = [&](int k) SIMD_LAMBDA {
@@ -78,8 +78,8 @@ SIMD_INLINE Weights weights(const Primitive& t, I32 x, I32 y, const Live& live) 
     return weights_of(t, area(0), area(1), area(2), live);
 }
 
-// What the vertices carry, ready to be mixed: the value at vertex 0, from there to the others, and
-// the range.
+// A vertex attribute, ready to be mixed: its value at vertex 0, the differences to the other
+// vertices, and its range.
 struct Spread {
     F32 base, one, two, low, high;
 };
@@ -92,7 +92,7 @@ SIMD_INLINE Spread spread_of(const float (&vertex)[3]) {
 
 SIMD_INLINE F32 mix(const Weights& w, const Spread& of) {
     const F32 f = of.base + (w.one * of.one + w.two * of.two);
-    if constexpr (kCheckLanes) { // differences beyond all floats are what the clamp is for, too
+    if constexpr (kCheckLanes) { // the clamp may also correct infinite differences
         const F32 zero = 0.0F;
         check_clamped(select((of.one - of.one == zero) & (of.two - of.two == zero), f, zero),
                       w.live);

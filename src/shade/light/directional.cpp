@@ -1,5 +1,5 @@
-// A light so far away that its rays are parallel: the same direction and colour everywhere. It is
-// written to the lanes only where something else, a shadow, makes it vary. [Compendium 11.1],
+// A directional light, so far away that its rays are parallel: the same direction and colour
+// everywhere. It is written to the lanes only where a shadow makes it vary. [Compendium 11.1],
 // [Primer 7].
 #include "shade/stage.h"
 

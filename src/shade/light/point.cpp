@@ -1,4 +1,4 @@
-// A light at a place: what arrives falls off with the square of the distance. Lambert 1760,
+// A point light: the light that arrives falls off with the square of the distance. Lambert 1760,
 // [Primer 7].
 #include "shade/stage.h"
 

@@ -28,7 +28,7 @@ void bump_keep(ShadingBlock& b, float* height) {
         store(scalar_at(b, b.map[kBumpMap], i), height + i);
 }
 
-// Keeps where the lanes are, and says how far their neighbours lie, in texels.
+// Keeps the lanes' uv, and computes the distance to their neighbours, in texels.
 void bump_begin(ShadingBlock& b, BumpNeighbours& neighbours) {
     const BoundMap& map = b.map[kBumpMap];
     const auto per_texel = [](float scale, int size) {

@@ -1,4 +1,4 @@
-// What map/bump.cpp keeps of a block while it reads heights beside each item.
+// The data that map/bump.cpp keeps of a block while it reads heights beside each item.
 #pragma once
 
 #include "shade/stage.h"
@@ -7,7 +7,7 @@ namespace scanout::shade::map {
 
 struct BumpNeighbours {
     alignas(64) float u[kPaddedBlock], v[kPaddedBlock]; // of the items themselves
-    alignas(64) float step[kPaddedBlock];               // how far the neighbours lie, in texels
+    alignas(64) float step[kPaddedBlock];               // distance to the neighbours, in texels
     alignas(64) float height[4][kPaddedBlock];          // at u + step, u - step, v + step, v - step
     float texel_u = 0, texel_v = 0;                     // size of a texel
 };

@@ -1,5 +1,5 @@
-// map_Kd: the material's diffuse colour times the texture's, or times what a source of the user's
-// choice computes in its place. Catmull 1974, [Compendium 11.2], [Primer 9].
+// map_Kd: the material's diffuse colour times the texture's, or times the computed texture that the
+// user chose instead. Catmull 1974, [Compendium 11.2], [Primer 9].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/diffuse.cpp"

@@ -12,7 +12,7 @@ SIMD_BEGIN(scanout::shade::map)
 void normal_run(ShadingBlock& b, const FrameState& frame) {
     write_tangents(b, frame);
     const scene::TextureMap& map = *b.map[kNormalMap].map;
-    // A picture that runs against u or v is turned with it.
+    // A negative scale mirrors the texture in u or v, and its normals with it.
     const F32 along_u = map.scale.x < 0 ? -1.0F : 1.0F, along_v = map.scale.y < 0 ? -1.0F : 1.0F;
     const F32 middle = 128.0F / 255.0F;
     for (int i = 0; i < b.count; i += kLanes) {

@@ -1,7 +1,7 @@
-// Coordinates made from the place on the model: the loop that the mappings share. They are computed
-// at every pixel, from the exact place in the triangle's plane, so that nothing bends inside a
-// triangle; and their change from pixel to pixel follows from the mapping's derivatives, which know
-// no seam: u may jump from 1 to 0 between two pixels, but no footprint does.
+// Mapping coordinates from positions on the model: the loop that the mappings share. Computed at
+// every pixel from the exact position in the triangle's plane, so that nothing bends inside a
+// triangle. The derivatives from pixel to pixel follow from the mapping's own derivatives, which
+// have no seam: u may jump from 1 to 0 between two pixels, but no footprint does.
 #if defined(SCANOUT_SHADE_PROJECT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_PROJECT_INL_H
 #undef SCANOUT_SHADE_PROJECT_INL_H
@@ -14,22 +14,24 @@
 
 SIMD_BEGIN(scanout::shade::mapping)
 
-// A place on the model, object space: the model's middle is the origin, its corners lie within 1.
+// A position on the model in object space: the model's middle is the origin, its corners lie within
+// 1.
 using Place = Vec3F32x8;
-// u, v, and how they change along x, y and z.
+// u and v, and their derivatives along x, y and z.
 struct Projected {
     F32x8 u, v;
     Vec3F32x8 u_by, v_by;
 };
 
-// No further than the triangle's vertices, whatever rounding says; where a sample lies so close
-// beside a clipped triangle that no weight is left, the place is not a number until here.
+// Clamps to the range of the triangle's vertices, against rounding. Also turns NaN into a number:
+// the position is NaN where a sample lies so close beside a clipped triangle that all weights are
+// 0.
 SIMD_INLINE F32x8 within(F32x8 x, const float (&vertex)[3]) {
     const F32x8 a = vertex[0], b = vertex[1], c = vertex[2];
     return minimum(maximum(x, minimum(minimum(a, b), c)), maximum(maximum(a, b), c));
 }
 
-// project(primitive, place): Projected.
+// project(primitive, place) returns a Projected.
 template <class Project>
 SIMD_INLINE void project_lanes(ShadingBlock& b, const FrameState& frame, Project project) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {

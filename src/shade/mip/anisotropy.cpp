@@ -1,6 +1,6 @@
-// A pixel seen through a slanted surface is an ellipse on the texture: Heckbert 1989. Probes as
-// wide as its minor axis are laid in a line along the major one: McCormack et al. 1999. Where the
-// ellipse is longer than the probes reach, they grow until they do.
+// Anisotropic filtering: a pixel seen through a slanted surface is an ellipse on the texture:
+// Heckbert 1989. Probes as wide as its minor axis are laid in a line along the major one: McCormack
+// et al. 1999. Where the ellipse is longer than the probes reach, the probes grow until they reach.
 #include "shade/mip/anisotropy.h"
 
 #define SIMD_FILE "shade/mip/anisotropy.cpp"
@@ -26,23 +26,23 @@ SIMD_INLINE Probes probes_of(const UvSlopes<F32::Tag>& slopes, float most, float
     const F32 half = (a - c) * F32(0.5F);
     const F32 root = sqrt(half * half + b * b);
     const F32 largest = (a + c) * F32(0.5F) + root; // eigenvalue
-    // Of its two expressions for the eigenvector, the one that does not cancel.
+    // Of the two expressions for the eigenvector, takes the one without cancellation.
     const auto wide = half > F32(0.0F);
     const F32 x = select(wide, half + root, b), y = select(wide, b, root - half);
     const F32 length = sqrt(x * x + y * y);
     const F32 major = sqrt(largest);
     const F32 minor = abs(u_x * v_y - u_y * v_x) / select(major > F32(0x1p-20F), major, F32(1.0F));
-    // A probe is as wide as the minor axis; wider where there are too few, and never narrower than
-    // a texel, or it would find nothing between the texels. Half as many again as fit side by side
-    // halve the error against the mean over the pixel.
+    // A probe is as wide as the minor axis; wider where there are too few probes, and never
+    // narrower than a texel, since it would miss the texels between. Half as many probes again as
+    // fit side by side halve the error against the mean over the pixel.
     const F32 width = maximum(maximum(minor, major * F32(1.0F / most)), F32(1.0F));
     const F32 ratio = major / width;
     const F32 wanted = minimum(ratio * F32(1.5F), F32(most));
     const F32 whole = to_f32(to_i32(wanted));
     const F32 count =
         select(ratio > F32(1.0F), select(whole < wanted, whole + F32(1.0F), whole), F32(1.0F));
-    // Each stands in the middle of its part of the axis. A round footprint has no longer axis: the
-    // line grows from nothing, so that no direction is made of rounding errors.
+    // Each probe stands in the middle of its part of the axis. A round footprint has no longer
+    // axis, so the line grows from length 0: no direction comes from rounding errors.
     const F32 grown = minimum(F32(4.0F) * (ratio - F32(1.0F)), F32(1.0F));
     const F32 line = maximum(major - major / count, F32(0.0F)) * maximum(grown, F32(0.0F));
     const F32 scale = select(length > F32(0x1p-40F), line / length, F32(0.0F));
@@ -65,7 +65,8 @@ SIMD_INLINE void anisotropic_lanes(ShadingBlock& b, const MipReader& reader, int
             return reader.trilinear<kChannels>(s + offset * step_x, t + offset * step_y,
                                                line.level);
         };
-        // The others as differences from the first: equal texels stay what they are.
+        // Adds the others as differences from the first, so that the mean of equal texels is that
+        // texel.
         Texel<kChannels> mean = probe(0);
         const Texel<kChannels> first = mean;
         Texel<kChannels> sum;

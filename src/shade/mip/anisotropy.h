@@ -1,4 +1,5 @@
-// The anisotropic filters' kernel: texture/anisotropic_*.cpp differ in how many probes they spend.
+// The kernel of the anisotropic filters; the rows of texture/rows.cpp differ in the number of
+// probes.
 #pragma once
 
 #include "shade/stage.h"

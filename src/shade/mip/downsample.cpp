@@ -5,9 +5,9 @@
 
 SIMD_BEGIN(scanout::shade)
 
-// The texels of a line that one of half as many covers, from 2i on, and their weights. Of an odd
-// number 2m + 1 each of the m covers 2 + 1/m: the middle weights shift from the first to the
-// third (Guthe and Heckbert 2005). Weights add up to 1, and over the line every texel counts alike.
+// The weights of the texels, from 2i on, that texel i of half as many covers. Of an odd number 2m +
+// 1 each of the m covers 2 + 1/m: the middle weights shift from the first to the third (Guthe and
+// Heckbert 2005). Weights add up to 1, and over the line every texel counts alike.
 template <class Number>
 struct Weights {
     int count;
@@ -43,7 +43,7 @@ struct Codes {
                  gather(alpha, shift_right<24>(code) & mask)}};
     }
     SIMD_INLINE Texels at(I32x8 place) const { return decoded(gather(codes, place)); }
-    // Means of what the texels cover whose first ones are at `place` and the next places.
+    // Means of 2 x 2 texels each, for a register of texels; the first square begins at `place`.
     SIMD_INLINE void means(std::ptrdiff_t place, int width, float* out) const {
         const auto pairs = [&](std::ptrdiff_t from, F64x8(&sum)[4]) SIMD_LAMBDA {
             I32x8 even, odd;

@@ -1,4 +1,4 @@
-// A row of a texture's level of detail from what it covers in the level above (mip_chain.h).
+// Downsampling: computes a row of a mip level from the level above (mip_chain.h).
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ struct LevelAbove {
     const float* texels;          // red, green, blue, alpha
 };
 
-// Row y of the level below, four floats a texel: `width` texels, half of those above.
+// Computes row y of the level below, four floats a texel: `width` texels, half as many as above.
 void downsample_row(const LevelAbove& above, int y, int width, float* row);
 
 } // namespace scanout::shade

@@ -10,7 +10,7 @@
 
 namespace scanout::shade {
 
-// The levels' sizes and places, of which MipReader (mip-inl.h) finds the same again; no texels.
+// Sets the levels' sizes and places, but no texels; MipReader (mip-inl.h) computes the same ones.
 static MipChain mip_levels(const image::Image& image, std::int32_t& texels) {
     MipChain chain;
     chain.width[0] = image.width();

@@ -25,27 +25,28 @@ struct MipChain {
     LargeArray<float> texels;
 };
 
-// Each level has half the sides of the one above, rounded down; every texel is the mean of what it
-// covers. Colours are decoded from sRGB, data are code / 255. Sides of 1 to 2^15 texels.
+// Each level has half the sides of the one above, rounded down; every texel is the mean of the
+// texels that it covers. Colours are decoded from sRGB, data are code / 255. Sides of 1 to 2^15
+// texels.
 MipChain make_mip_chain(const image::Image& image, TexelKind kind, Jobs& jobs);
-// What make_mip_chain allocates.
+// The bytes that make_mip_chain allocates.
 std::uint64_t mip_chain_bytes(const image::Image& image);
 
-// A texture that the frame reads minified, and as what: colour or data.
+// A texture that the frame reads minified, and its kind: colour or data.
 struct MipUse {
     std::int32_t texture;
     TexelKind kind;
     friend bool operator==(const MipUse&, const MipUse&) = default;
 };
-// As what a map's texture is shrunk. Alpha is the same in all chains: where nothing else counts, a
-// texture that is a map_Kd, too, needs no second one.
+// The kind of a map's mip chain. Alpha is the same in both kinds: a map that reads only alpha
+// shares the chain of a map_Kd with the same texture.
 MipUse mip_use(Map map, const scene::TextureMap& options);
 
 // The chains of a scene's textures, from frame to frame.
 class MipChains {
 public:
-    // Exactly those that are used exist afterwards; chains of a scene with the same revision (0:
-    // none has) stay as they are.
+    // Afterwards exactly the chains in `used` exist. Chains of a scene with the same revision are
+    // kept (0: no scene has it).
     void update(const scene::Scene& scene, std::span<const MipUse> used, Jobs& jobs);
     // Null where there is none.
     const MipChain* find(const MipUse& use) const;

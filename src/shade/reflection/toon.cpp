@@ -1,5 +1,5 @@
-// Toon shading: the cosine of the light's angle falls into one of three flat tones, the middle of
-// its third, and the highlight, where Ks and Ns give one, is hard: all of Ks where Blinn-Phong's
+// Toon shading: the cosine of the light's angle is cut to one of three flat tones, each the middle
+// of its third. The highlight, where Ks and Ns give one, is hard: all of Ks where Blinn-Phong's
 // lobe is at least a half, nothing elsewhere. Lake, Marshall, Harris and Blackwell 2000, with tones
 // that keep the mean brightness of a surface. It has bands where others are smooth; ambient light
 // and shadows stay as they are.
@@ -14,13 +14,13 @@ SIMD_BEGIN(scanout::shade::reflection)
 
 constexpr float kTones = 3;
 
-// The share of a light that a matt surface shows; cosine at most about 1, NaN as 0.
+// The share of a light that a matt surface reflects; cosine at most about 1, NaN as 0.
 SIMD_INLINE F32 tone_of(F32 cosine) {
     const F32 band = minimum(F32(hn::Floor((cosine * F32(kTones)).raw)), F32(kTones - 1));
     return select(cosine > F32(0.0F), (band + F32(0.5F)) * F32(1 / kTones), F32(0.0F));
 }
 
-// 1 where the lobe n.h^Ns is at least a half, before the surface; else 0.
+// 1 where the lobe n.h^Ns is at least a half and the light lies in front of the surface; else 0.
 SIMD_INLINE F32 hard_highlight(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light,
                                F32 cosine, F32 exponent) {
     const F32 lobe = minimum(half_vector_cosine(normal, eye, light), F32(1.0F));

@@ -1,5 +1,5 @@
-// A frame's light before it is encoded: for measuring what no eye and no 8-bit code shows. Nobody
-// fills it unless asked.
+// A frame's light before it is encoded, for measurements finer than the eye and 8-bit codes. Filled
+// only on request.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace scanout::shade {
 
-// Rows from the top. A pixel is the sum, over the samples that show a primitive, of its linear
-// light and of 1, over the number of samples: red, green, blue, share covered. The background is
-// not in it.
+// Rows from the top. A pixel is the sum of the linear light of its samples that show a primitive,
+// and of 1 for each, over the number of samples: red, green, blue, share covered. Without the
+// background.
 struct LinearPicture {
     int width = 0, height = 0;
     int x0 = 0, y0 = 0; // its first pixel, where it is a part of a frame
@@ -19,7 +19,7 @@ struct LinearPicture {
     LinearPicture() = default;
     LinearPicture(int w, int h)
         : width(w), height(h), pixel(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-    // All is zero, the size this, and the memory what it was if that is enough.
+    // Sets the size, and all values to 0; keeps its memory if that is enough.
     void reset(int w, int h) {
         width = w;
         height = h;

@@ -46,7 +46,7 @@ void SplatPicture::reset(int width, int height, int tile, int across, int tiles)
 
 bool filter_area(const ReconstructionFilter& filter, SplatPicture& from, const image::Rect& area,
                  PixelSums& sums) {
-    // Sums of weights round; a pixel that primitives fill is full.
+    // The sum of weights is rounded: a pixel that primitives fill must be full.
     constexpr float kFull = 1 - 0x1p-18F;
     std::size_t i = 0;
     bool any = false;

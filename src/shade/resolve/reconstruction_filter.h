@@ -1,6 +1,6 @@
 // Weighted area sampling: a pixel is a weighted mean over the samples of 3 x 3 pixels. Every pixel
-// is shaded once, by its own tile; what it gives to each of its neighbours waits in a SplatPicture
-// until all tiles are done. Feibush, Levoy and Cook 1980, [Primer 6].
+// is shaded once, by its own tile; its splats to its neighbours wait in a SplatPicture until all
+// tiles are done. Feibush, Levoy and Cook 1980, [Primer 6].
 #pragma once
 
 #include "raster/screen/sample_pattern.h"
@@ -19,14 +19,14 @@ inline constexpr std::size_t kCells = 9;
 
 class ReconstructionFilter {
 public:
-    // kernel: the weight by the distance from the pixel's centre along one axis, in pixels; the
-    // product of both axes counts.
+    // kernel: the weight at a distance from the pixel's centre along one axis, in pixels; both axes
+    // are multiplied.
     ReconstructionFilter(std::span<const raster::SampleOffset> pattern,
                          double (*kernel)(double distance));
 
-    // What the samples of the mask (bit s: sample s) give to the pixel at the opposite cell: a
-    // pixel takes from the cell right of it what that cell's own samples have under `right`. All
-    // samples of all cells give 1.
+    // The weight that the samples of the mask (bit s: sample s) add to the pixel at the opposite
+    // cell: a pixel reads its right neighbour's own samples under the cell `right`. All samples of
+    // all cells add up to 1.
     float weight(std::size_t cell, std::uint32_t mask) const {
         float sum = 0;
         for (std::size_t s = 0; mask != 0; ++s, mask >>= 1)
@@ -40,12 +40,12 @@ private:
     std::array<float, kCells> total_{};
 };
 
-// What pixels give to each cell: red, green, blue, share.
+// The splat of a pixel to each cell: red, green, blue, share.
 using FilterSplat = std::array<std::array<float, 4>, kCells>;
 
 struct SplatPicture {
-    LinearPicture own;               // of pixels that one fragment fills; zero where nothing is
-    std::vector<std::int32_t> splat; // else where its parts stand in its tile's list; -1: own
+    LinearPicture own;               // pixels that one fragment fills; zero where empty
+    std::vector<std::int32_t> splat; // index in the tile's splat list; -1: own has the pixel
     std::vector<std::vector<FilterSplat>> of_tile;
     int tile_size = 64, tiles_across = 0;
 
@@ -60,7 +60,7 @@ struct SplatPicture {
     }
 };
 
-// The weighted means of an area's pixels into sums, row by row; beyond the picture its edge
+// Writes the weighted means of an area's pixels into sums, row by row; beyond the picture its edge
 // repeats. Returns whether any of them shows a primitive.
 bool filter_area(const ReconstructionFilter& filter, SplatPicture& from, const image::Rect& area,
                  PixelSums& sums);

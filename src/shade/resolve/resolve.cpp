@@ -11,13 +11,13 @@
 
 SIMD_BEGIN(scanout::shade)
 
-// Sums become means.
+// Turns sums into means.
 void mean(float* const* sum, const float* transmittance, const float* back, float back_alpha,
           int count, std::int32_t* alpha_code) {
     for (int i = 0; i < count; i += kLanes) {
         const F32 background = load<F32>(transmittance + i);
         const F32 back_weight = background * F32(back_alpha) / F32(255.0F);
-        // Exact where weights are those of samples; and 255 where the background is opaque.
+        // Exact where the weights are counts of samples; 255 where the background is opaque.
         const F32 alpha = F32(255.0F) - background * F32(255.0F - back_alpha);
         const F32 whole = F32(255.0F) / select(alpha > F32(0.0F), alpha, F32(1.0F));
         for (int c = 0; c < 3; ++c)

@@ -1,7 +1,7 @@
-// How many texels a pixel covers. The derivatives of u and v are those of the triangle's plane at
-// the sample: there are no quads of pixels, so neither a triangle's edge nor its size changes
-// anything (HARD-CASES 38, 39). From them follows the level of detail of a texture,
-// log2(max(|d/dx|, |d/dy|)) in texels (Microsoft 2015, 7.18.11; Heckbert 1989; HARD-CASES R24).
+// The footprint of a pixel in a texture, in texels. The derivatives of u and v are computed from
+// the triangle's plane at the sample, not from quads of pixels, so the triangle's edges and size
+// change nothing (HARD-CASES 38, 39). They give the level of detail of a texture, log2(max(|d/dx|,
+// |d/dy|)) in texels (Microsoft 2015, 7.18.11; Heckbert 1989; HARD-CASES R24).
 #if defined(SCANOUT_SHADE_SETUP_FOOTPRINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_SETUP_FOOTPRINT_INL_H
 #undef SCANOUT_SHADE_SETUP_FOOTPRINT_INL_H
@@ -15,14 +15,15 @@
 
 SIMD_BEGIN(scanout::shade::texture)
 
-// Attributes of a triangle at a sample, and how they change a pixel to the right and a pixel down.
+// Attributes of a triangle at a sample, and their change from it a pixel to the right and a pixel
+// down.
 template <int kCount, class D>
 struct OnPlane {
     Float<D> value[kCount], right[kCount], down[kCount];
 };
 
-// Of a plane: 1 / w of the vertices; f of vertex 0, and of the others, from there; how N and D
-// change in 1/256 pixel.
+// Terms of a plane: 1 / w of the vertices; f of vertex 0, and the differences from it to the
+// others; the change of N and D in 1/256 pixel.
 template <int kCount, class Number>
 struct PlaneTerms {
     Number inverse_w[3];
@@ -30,15 +31,15 @@ struct PlaneTerms {
     Number f_x[kCount], f_y[kCount], sum_x, sum_y;
 };
 
-// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i,
-// f = N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex
-// 0, to which f is relative, the difference cancels by the ratio of distances.
-// Number: double, of one triangle; or lanes of them, of each lane's own.
+// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i, f =
+// N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex 0,
+// to which f is relative, the difference cancels by the ratio of distances. Number: a double, for
+// one triangle; or lanes of doubles, for a triangle in each lane.
 template <int kCount, class Number>
 class PlaneOf {
 public:
     SIMD_INLINE explicit PlaneOf(const PlaneTerms<kCount, Number>& terms) : of_(terms) {}
-    // Of the weights, how they change in 1/256 pixel to the right and down; 1 / w and f of the
+    // a, b: the change of the weights in 1/256 pixel to the right and down; 1 / w and f of the
     // vertices.
     SIMD_INLINE PlaneOf(const Number (&a)[3], const Number (&b)[3], const Number (&inverse_w)[3],
                         const Number (&f)[kCount][3]) {
@@ -62,8 +63,7 @@ public:
     }
     SIMD_INLINE const PlaneTerms<kCount, Number>& terms() const { return of_; }
 
-    // weight: at the sample. Slopes within +-2^60, which also stands for those without end, or not
-    // a number.
+    // weight: at the sample. Slopes are clamped to +-2^60, which also stands for infinity and NaN.
     template <class D>
     SIMD_INLINE OnPlane<kCount, D> at(const Double<D> (&weight)[3]) const {
         using F64s = Double<D>;
@@ -126,13 +126,13 @@ private:
     PlaneOf<kCount, double> plane_;
 };
 
-// A pixel to the right, and a pixel down.
+// The derivatives of u and v: a pixel to the right, and a pixel down.
 template <class D>
 struct UvSlopes {
     Float<D> u_x, v_x, u_y, v_y;
 };
 
-// Lanes with triangles of their own have found theirs with these.
+// For lanes with triangles of their own, whose set-up has computed the slopes.
 SIMD_INLINE void copy_slopes(ShadingBlock& b, const Run& run) {
     const auto& slope = b.triangles->slope;
     for (int i = run.first; i < run.first + run.count; i += kLanesX8) {
@@ -143,7 +143,8 @@ SIMD_INLINE void copy_slopes(ShadingBlock& b, const Run& run) {
     }
 }
 
-// Of every lane of a block, for an interpolation stage to call when the frame wants it.
+// Writes the slopes of every lane of a block; an interpolation stage calls it if the frame needs
+// them.
 SIMD_INLINE void write_slopes(ShadingBlock& b) {
     for (const Run* run = b.run; run != b.run + b.runs; ++run) {
         if (run->primitive == nullptr) {
@@ -161,8 +162,8 @@ SIMD_INLINE void write_slopes(ShadingBlock& b) {
     }
 }
 
-// 0: one texel a pixel; slopes in texels. Within +-32, which is also the level of footprints
-// without end, or not a number (+), and of none (-).
+// Level 0: one texel a pixel; slopes in texels. Clamped to +-32; +32 also stands for infinite and
+// NaN footprints, -32 for none.
 template <class D>
 SIMD_INLINE Float<D> level_of_detail(const UvSlopes<D>& texels) {
     using F = Float<D>;

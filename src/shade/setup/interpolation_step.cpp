@@ -7,7 +7,7 @@
 namespace scanout::shade {
 namespace {
 
-constexpr double kSlack = 1.02; // for the rounding of the bound and of what it bounds
+constexpr double kSlack = 1.02; // covers the rounding of the bound and of the interpolation
 constexpr double kPixel = 256;
 
 double bend(double ratio) {
@@ -15,7 +15,7 @@ double bend(double ratio) {
     return (root - 1) / (root + 1);
 }
 
-// The denominator of all attributes, D = sum(b_i / w_i), on the screen.
+// The common denominator of all attributes, D = sum(b_i / w_i), on the screen.
 struct Denominator {
     double least; // at a vertex
     double ratio; // the greatest to the least
@@ -26,7 +26,7 @@ struct Bound {
     const Primitive& t;
     Denominator d;
 
-    // Of an attribute, when it is divided every `step` pixels; 0: never.
+    // The error of an attribute that is divided every `step` pixels; 0: never.
     double error(const float (&f)[3], int step) const {
         const double low = double{std::min({f[0], f[1], f[2]})},
                      high = double{std::max({f[0], f[1], f[2]})};

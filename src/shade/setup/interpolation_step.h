@@ -1,9 +1,9 @@
-// How seldom a triangle's attributes may be divided by w: from bounds of the error of the straight
-// lines between, which hold for every row of the triangle.
+// How seldom a triangle's attributes need a division by w: from error bounds of the straight lines
+// in between, which hold for every row of the triangle.
 //
-// Along a stretch whose ends are r times as far from each other, a straight line is wrong by at
-// most (sqrt(r) - 1) / (sqrt(r) + 1) of what the attribute changes on it; over a whole triangle, of
-// its range (HARD-CASES 33: 0.024, 0.17 and 0.52 at r = 1.1, 2 and 10).
+// Along a stretch whose ends are at distances of ratio r, a straight line errs by at most (sqrt(r)
+// - 1) / (sqrt(r) + 1) of the attribute's change on it; over a whole triangle, of its range
+// (HARD-CASES 33: 0.024, 0.17 and 0.52 at r = 1.1, 2 and 10).
 #pragma once
 
 #include "shade/stage.h"
@@ -12,7 +12,7 @@ namespace scanout::shade {
 
 inline constexpr std::int8_t kAffine = 127; // Primitive::step: not at all
 
-// What may be wrong, of the attributes that a frame reads.
+// The largest errors that are allowed, for the attributes that a frame reads.
 struct StepLimits {
     Attributes attributes;
     double uv = 0;       // in units of u and v

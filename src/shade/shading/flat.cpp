@@ -1,4 +1,5 @@
-// Light once a face, in its middle, with its own normal. Bouknight 1970, [Primer 7.3].
+// Flat shading: lights each face once, at its middle, with its own normal. Bouknight 1970, [Primer
+// 7.3].
 #include "shade/shading/vertex_lighting.h"
 #include "shade/stage.h"
 

@@ -1,6 +1,6 @@
-// Light at the vertices, interpolated in between: a highlight inside a triangle is lost.
-// Gouraud 1971, [Primer 7.3]. The parts with and without albedo are interpolated apart, so textures
-// stay sharp.
+// Gouraud shading: lights the vertices and interpolates in between: a highlight inside a triangle
+// is lost. Gouraud 1971, [Primer 7.3]. The parts with and without albedo are interpolated
+// separately, so textures stay sharp.
 #include "shade/shading/vertex_lighting.h"
 #include "shade/stage.h"
 

@@ -1,6 +1,6 @@
-// Light at every pixel, with the normal that lies there: interpolated between the vertices' and
-// brought back to length 1, which every rung of interpolation does for a whole block at once.
-// Phong 1975, [Primer 7.3].
+// Phong shading: lights every pixel, with the normal interpolated between the vertices and
+// normalised, which every rung of interpolation does for a whole block at once. Phong 1975, [Primer
+// 7.3].
 #include "shade/stage.h"
 
 namespace scanout::shade::shading {

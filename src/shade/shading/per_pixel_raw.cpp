@@ -1,6 +1,6 @@
-// Light at every pixel, with normals as they come out of the interpolation: between two vertices
-// they are shorter than 1, so a highlight in the middle of a triangle is as dim as Gouraud's.
-// Phong 1975, [Primer 7.3] (HARD-CASES L5).
+// Lights every pixel, with interpolated normals that are not normalised: between two vertices they
+// are shorter than 1, so a highlight in the middle of a triangle is as dim as Gouraud's. Phong
+// 1975, [Primer 7.3] (HARD-CASES L5).
 #include "shade/stage.h"
 
 namespace scanout::shade::shading {

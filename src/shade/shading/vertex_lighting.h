@@ -11,7 +11,7 @@
 namespace scanout::shade {
 
 struct VertexLighting {
-    // Of one triangle: [channel][vertex]; of a face, vertex 0 stands for all.
+    // The light of one triangle: [channel][vertex]; for a face, vertex 0 stands for all.
     struct Triangle {
         float plain[3][3], tinted[3][3];
     };
@@ -23,7 +23,7 @@ struct VertexLighting {
     alignas(64) float eye[3][kPaddedBlock];
 };
 
-// Lights every triangle of the block once and notes which run shows which.
+// Lights every triangle of the block once, and notes which triangle each run shows.
 void light_vertices(ShadingBlock& block, const FrameState& frame);
 void light_faces(ShadingBlock& block, const FrameState& frame);
 

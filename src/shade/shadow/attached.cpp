@@ -1,5 +1,5 @@
-// The shadow that a surface throws on itself by facing away: n.l < 0. The reflection has it without
-// any pass; here is nothing to run, and nothing throws a shadow on anything else. [Primer 10].
+// The attached shadow, on a surface that faces away from the light: n.l < 0. The reflection model
+// has it anyway, so no stage runs, and nothing casts a shadow on anything else. [Primer 10].
 #include "shade/stage.h"
 
 namespace scanout::shade::shadow {

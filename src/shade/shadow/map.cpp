@@ -1,5 +1,5 @@
-// A shadow map, hard: the one texel that the receiver falls into. Williams 1978, [Primer 10]. Its
-// parts: this kernel, and the pass that draws the map (frame/pass/shadow_maps.h).
+// A hard shadow map: reads the one texel that the receiver falls into. Williams 1978, [Primer 10].
+// Its parts: this kernel, and the pass that draws the map (frame/pass/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map.cpp"

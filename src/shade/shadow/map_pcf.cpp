@@ -1,6 +1,6 @@
-// A shadow map, filtered: the share of k x k texels about the receiver that hide it, each asked by
-// itself, because depths must not be averaged. Reeves, Salesin and Cook 1987. Its parts: this
-// kernel, and the pass that draws the map (frame/pass/shadow_maps.h).
+// A filtered shadow map (PCF): the share of k x k texels about the receiver that hide it. Each
+// texel is compared by itself, because depths must not be averaged. Reeves, Salesin and Cook 1987.
+// Its parts: this kernel, and the pass that draws the map (frame/pass/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map_pcf.cpp"

@@ -1,10 +1,10 @@
-// Soft shadows from one map: the mean depth of what may hide the receiver tells how wide the
-// penumbra is, and a disc (a square light: a square) of that width is asked. Fernando 2005. Other
-// than there, only what stands between the receiver and some point of the light counts in the mean:
-// a wall that leans away from the receiver would else widen the penumbra by its far end, and let
-// light through beside its near one. A light without size, and penumbrae narrower than the filter
-// of map_pcf, are those of map_pcf to the bit. Its parts: this kernel, and the pass that draws the
-// map (frame/pass/shadow_maps.h).
+// Soft shadows from one map (PCSS): a search finds the blocker nearest to the receiver, its
+// distance gives the penumbra's width, and a disc (a square light: a square) of that width is
+// filtered. Fernando 2005. Unlike there, only blockers between the receiver and some point of the
+// light count: a wall that leans away from the receiver would else widen the penumbra by its far
+// end, and let light through beside its near one. A light without size, and penumbrae narrower than
+// the filter of map_pcf, give the bits of map_pcf. Its parts: this kernel, and the pass that draws
+// the map (frame/pass/shadow_maps.h).
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/shadow/map_soft.cpp"
@@ -14,9 +14,9 @@
 
 SIMD_BEGIN(scanout::shade::shadow)
 
-// A Fibonacci lattice on the square from -1 to 1: whichever way a shadow's edge runs, the points
-// lie at distances from it that are all different and nearly even, so no bands show.
-// Niederreiter 1992, ch. 5.
+// A Fibonacci lattice on the square from -1 to 1: for a shadow edge of any direction, the points
+// lie at distances from it that are all different and nearly even, so no bands show. Niederreiter
+// 1992, ch. 5.
 struct Lattice {
     static constexpr int kPoints = 89, kStep = 55;
     float x[kPoints]{}, y[kPoints]{};
@@ -34,8 +34,8 @@ struct Lattice {
 };
 constexpr Lattice kSquare(false), kDisc(true);
 
-// The search must see a penumbra of two texels as well as one of two hundred: its points lie the
-// closer together the nearer they are to the middle, by the square of the distance.
+// The search must see a penumbra of two texels as well as one of two hundred, so its points are
+// denser near the middle: their distances from it are squared.
 constexpr Lattice drawn_in(const Lattice& even) {
     Lattice points = even;
     for (int i = 0; i < points.count; ++i) {
@@ -48,13 +48,13 @@ constexpr Lattice drawn_in(const Lattice& even) {
 }
 constexpr Lattice kSquareSearch = drawn_in(kSquare), kDiscSearch = drawn_in(kDisc);
 
-// No wider than the map is from its middle.
+// The penumbra's radius, at most the map's half side.
 SIMD_INLINE F32 radius(const ShadowMap& m, float texels, F32 depth) {
     return minimum(F32(texels) * maximum(depth, F32(0.0F)), F32(m.half));
 }
 
-// Is what lies so far aside, at this depth, seen before the light? A texel more, each way, for what
-// stands in it.
+// Is an occluder at this offset and depth in front of the light? One texel more each way, because
+// it may stand anywhere in its texel.
 SIMD_INLINE Mask<F32::Tag> before_light(const ShadowMap& m, bool square, F32 dx, F32 dy,
                                         F32 depth) {
     const F32 one = 1.0F, x = dx / (radius(m, m.soft_x, depth) + one),
@@ -71,7 +71,8 @@ SIMD_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightSh
     const bool square = shadow.shape == scene::LightShape::square;
     const Lattice& lattice = square ? kSquare : kDisc;
     const Lattice& search = square ? kSquareSearch : kDiscSearch;
-    // Nothing hides the receiver from farther away than what is nearest to the light would.
+    // The search radius: no blocker stands farther from the receiver than the one nearest to the
+    // light.
     const F32 most = F32(m.nearest) - r.depth;
     const F32 search_x = radius(m, m.soft_x, most), search_y = radius(m, m.soft_y, most);
     F32 lowest = kNone;
@@ -86,7 +87,7 @@ SIMD_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightSh
     const auto wide =
         (lowest < F32(kNone)) & (maximum(wide_x, wide_y) > F32(0.5F * static_cast<float>(filter)));
     if (!any(wide)) return sharp;
-    // A point of the light that stands behind the receiver's plane does not shine on it.
+    // A point of the light behind the receiver's plane does not light it.
     const F32 one = 1.0F, zero = 0.0F;
     F32 hides = 0.0F, shines = 0.0F;
     for (int i = 0; i < lattice.count; ++i) {

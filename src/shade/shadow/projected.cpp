@@ -1,7 +1,7 @@
-// Shadows projected onto a plane: every triangle is thrown along the light onto the floor, and what
-// lies in the floor under one of them is dark. Exact there, and nothing else receives any.
-// Blinn 1988, [Primer 10]. Its parts: this stage, the projection (frame/pass/shadow_polygons.h) and
-// the count of what covers a sample (raster/count/stencil_count.h).
+// Shadows projected onto a plane: every triangle is projected along the light onto the floor, and
+// surfaces in the floor under one of them are dark. Exact there; nothing else receives a shadow.
+// Blinn 1988, [Primer 10]. Its parts: this stage, the projection (frame/pass/shadow_polygons.h),
+// and the count of polygons over each sample (raster/count/stencil_count.h).
 #include "shade/shadow/shadow_count.h"
 #include "shade/stage.h"
 

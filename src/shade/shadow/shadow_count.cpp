@@ -23,7 +23,7 @@ bool lit(const Primitive& t, const FrameState& frame, const scene::ViewLight& li
     return dot3(normal, DVec3(light.position) - corner) > 0;
 }
 
-// The samples of a pixel that show the triangle, and those of them over which nothing was counted.
+// The number of a pixel's samples that show the triangle, and of those outside of all shadows.
 struct VisibleSamples {
     int samples = 0, bright = 0;
 };
@@ -42,7 +42,7 @@ VisibleSamples visible_at(const TileShadow& shadow, const float* count, std::uin
     return visible;
 }
 
-// The same of a blended surface, which stands in front of what was counted.
+// The same for a blended surface, which stands in front of the counted surfaces.
 VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& polygons,
                                const BlendedPixels& blended, std::uint32_t id, int x, int y) {
     const raster::VisibilityTile& tile = *shadow.tile;
@@ -66,15 +66,15 @@ VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& pol
     return visible;
 }
 
-// The same of a part of a pixel, which is shaded at one place (1/256 pixel). No depth is asked for:
-// areas know no volumes.
+// The same for a part of a pixel, shaded at one place (1/256 pixel). Needs no depth, since shadow
+// volumes do not run with areas.
 VisibleSamples visible_by_area(const TileShadow& shadow, std::size_t k, std::uint32_t id,
                                std::int32_t x, std::int32_t y) {
     const TilePolygons& polygons = shadow.polygons[k];
     CHECK(polygons.where == raster::StencilWhere::everywhere);
     const image::Rect& area = shadow.tile->area();
     constexpr std::int32_t kInPixel = raster::kSubpixel - 1;
-    if (raster::SampleOffset{x & kInPixel, y & kInPixel} == raster::kPixelCentre) { // most
+    if (raster::SampleOffset{x & kInPixel, y & kInPixel} == raster::kPixelCentre) { // most are
         const int column = (x >> raster::kSubpixelBits) - area.x0,
                   row = (y >> raster::kSubpixelBits) - area.y0;
         const float count = shadow.count[k][row * raster::kTileSize + column];
@@ -87,7 +87,7 @@ VisibleSamples visible_by_area(const TileShadow& shadow, std::size_t k, std::uin
     return {.samples = 1, .bright = dark ? 0 : 1};
 }
 
-// Of an item's pixel.
+// The same for an item's pixel.
 VisibleSamples visible_of(const ShadingBlock& b, std::size_t k, std::uint32_t id, int item) {
     const TileShadow& shadow = *b.shadow;
     if (shadow.areas) return visible_by_area(shadow, k, id, b.x[item], b.y[item]);
@@ -98,7 +98,7 @@ VisibleSamples visible_of(const ShadingBlock& b, std::size_t k, std::uint32_t id
     return visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
 }
 
-// Takes the light k from the items of a run that lie in shadow.
+// Takes the light k from the items of a run that lie in its shadow.
 void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::size_t k) {
     const TileShadow& shadow = *b.shadow;
     const std::uint32_t id = run.primitive->id;

@@ -14,7 +14,7 @@
 SIMD_BEGIN(scanout::shade::texture)
 
 // The weights of the first, third and fourth of four texels in a row, t of the way from the second
-// to the third; the second has what is left of 1.
+// to the third; the second has the rest to 1.
 struct CubicWeights {
     F32 first, third, fourth;
 };
@@ -24,7 +24,7 @@ SIMD_INLINE CubicWeights cubic_weights(F32 t) {
             t * t * (half * t - half)};
 }
 
-// As differences from the second texel, so that equal texels give themselves to the bit.
+// Sums differences from the second texel, so that equal texels give that texel, to the bit.
 template <int kChannels>
 SIMD_INLINE Texel<kChannels> convolve(const CubicWeights& w, const Texel<kChannels> (&p)[4]) {
     Texel<kChannels> sum;
@@ -37,7 +37,7 @@ SIMD_INLINE Texel<kChannels> convolve(const CubicWeights& w, const Texel<kChanne
     return sum;
 }
 
-// Within the four inner texels.
+// Clamps to the range of the four inner texels.
 template <int kChannels>
 SIMD_INLINE Texel<kChannels> limited(const Texel<kChannels>& sum,
                                      const Texel<kChannels> (&p)[4][4]) {
@@ -57,7 +57,7 @@ SIMD_INLINE Texel<kChannels> bicubic(const TexelReader& reader, F32 s, F32 t) {
     const I32 width = reader.width(), height = reader.height();
     const F32 x = s * to_f32(width) - F32(0.5F), y = t * to_f32(height) - F32(0.5F);
     const F32 x0 = floor(x), y0 = floor(y);
-    // A texture of one texel is left by two of its sides.
+    // A one-texel texture: indices may lie two sides beyond an edge, and address() covers one.
     const auto within = [](I32 i, I32 size)
                             SIMD_LAMBDA { return minimum(maximum(i, I32(0)), size - I32(1)); };
     I32 column[4], line[4];

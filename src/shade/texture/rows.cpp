@@ -1,5 +1,5 @@
-// Anisotropic filtering with up to so many probes along the pixel's footprint: rows of
-// shade/mip/anisotropy.h.
+// Anisotropic filtering with a given number of probes along the pixel's footprint. The arithmetic
+// is in shade/mip/anisotropy.h.
 #include "rows.h"
 
 #include "shade/mip/anisotropy.h"

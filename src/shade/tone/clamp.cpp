@@ -1,4 +1,4 @@
-// What is brighter than 1 becomes 1 where codes are made: no stage runs for it.
+// Clamp: light above 1 becomes 1 where codes are made, so no stage runs for it.
 #include "shade/stage.h"
 
 namespace scanout::shade::tone {

@@ -1,10 +1,10 @@
-// As bright as the scene gets becomes white, and no darker light is touched than has to be: all up
-// to a knee stays as it is, what is above rolls off to 1. A film's shoulder without its toe. With
-// w the most light that there is (FrameState::white) the knee stands at 1 / w, and above it runs
+// The scene's brightest light becomes white, and darker light changes only if it must: up to a knee
+// it stays as it is, above it rolls off to 1. A film's shoulder without its toe. With w the most
+// light that there is (FrameState::white) the knee stands at 1 / w, and above it runs
 //     g(t) = t (1 + t / s^2) / (1 + t),    s = w + 1,
 // scaled to go from the knee, with slope 1, to 1 at w: Reinhard et al. 2002, eq. 4. As w goes to 1
 // the curve goes to the clamp: a scene that gets a little brighter looks a little different.
-// Applied, as all tone curves, to what a primitive shows, before samples are mixed.
+// Applied, as all tone curves, to the light of primitives, before samples are mixed.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/tone/shoulder.cpp"
@@ -19,7 +19,7 @@ void shoulder_run(ShadingBlock& b, const FrameState& frame) {
         for (int i = 0; i < b.count; i += kLanes) {
             const F32 x = minimum(load<F32>(channel + i), F32(white));
             const F32 above = maximum(x - F32(knee), F32(0.0F));
-            // room * g(above / room). Where there is no room, no light is above the knee.
+            // room * g(above / room). With room 0, no light is above the knee.
             const F32 rolled = F32(knee) + (above * (F32(room) + above * F32(inverse_square))) /
                                                maximum(F32(room) + above, F32(0x1p-60F));
             store(select(x > F32(knee), minimum(rolled, F32(1.0F)), x), channel + i);

@@ -1,5 +1,5 @@
-// The alpha of many fragments, found in blocks of items by the plan's alpha stages: before anything
-// is shaded, so that what is hidden behind it never is.
+// Computes the alpha of many fragments, in blocks of items, by the plan's alpha stages, before any
+// fragment is shaded: hidden ones then never are.
 #pragma once
 
 #include "shade/gather/gather.h"
@@ -12,17 +12,17 @@ namespace scanout::shade {
 
 class AlphaEvaluator {
 public:
-    // Where a item's alpha is found: at the sample itself, or at the centre of the pixel where the
-    // triangle covers it.
+    // Where an item's alpha is evaluated: at the sample itself, or at the pixel's centre where the
+    // triangle covers that.
     enum class At : std::uint8_t { sample, centre };
 
     AlphaEvaluator();
     ~AlphaEvaluator();
-    // input.layers is set. Values go to out, which grows as fragments are added.
+    // Needs input.layers. Values go to out, which grows as fragments are added.
     void begin(const GatherInput& input, At at, std::vector<float>& out);
-    // The next value: of a triangle at a pixel's sample. Those side by side are cheapest.
+    // Adds the next value: of a triangle at a pixel's sample. Adjacent ones are cheapest.
     void add(std::uint32_t triangle, int x, int y, raster::SampleOffset sample);
-    // Until then the values of the last fragments are not there.
+    // Computes the last values, which are missing until then.
     void finish();
 
 private:

@@ -1,7 +1,7 @@
-// Pixels whose layers' colours decide what shows of that which lies behind them. No weight says it
-// beforehand: all layers are shaded first, then put together at every sample, from the back.
-// Every sample takes them in the order that the transparency's technique sees there, so that the
-// order of the file changes no bit.
+// Pixels that blend by colour: a layer's colour decides how much of the layers behind shows
+// through, so no weight is known beforehand. All layers are shaded first, then combined at every
+// sample from the back. Every sample uses the order that the transparency technique finds there, so
+// that the order of the file changes no bit.
 #pragma once
 
 #include "shade/transparency.h"
@@ -23,10 +23,10 @@ public:
     struct Pixel {
         std::uint16_t number;      // in the tile
         std::uint16_t edge_pixel;  // index in the gatherer's list of edge pixels
-        std::uint32_t slot;        // place of its first sample among those that were added
-        std::uint32_t opaque_base; // place of what is opaque at its first sample
+        std::uint32_t slot;        // place of its first sample among the added samples
+        std::uint32_t opaque_base; // place of its first sample's opaque layer
     };
-    // What a sample shows, less what the background adds to it; and the transmittance.
+    // The colour of a sample without the background's share, and the transmittance.
     struct Sample {
         LayerColour colour;
         float transmittance;
@@ -35,27 +35,27 @@ public:
         LayerColour colour; // times its alpha
         float alpha;
     };
-    // Of one layer twice: in the blend space, and linear where somebody wants that.
+    // Two colours of each layer: in the blend space, and linear, if asked for.
     enum class Of : std::uint8_t { blend_space, linear };
 
-    // A part of a tile.
+    // Begins a part of a tile.
     void begin();
-    // The fragments of the next sample, nearest first; returns its place.
+    // Adds the fragments of the next sample, nearest first; returns its place.
     std::uint32_t add_sample(std::span<const std::uint32_t> nearest_first);
-    // All samples have been added. Fragments are the first layers, by their place in the list.
+    // Call when all samples are added. Fragments are the first layers, by their place in the list.
     void begin_pixels(std::size_t fragments);
-    // TransparencyPass of the samples of a pixel that are opaque; kNothing where none is.
+    // opaque_base: the opaque layer of each of the pixel's samples; kNothing where there is none.
     void add_pixel(std::uint16_t number, std::uint16_t edge_pixel, std::uint32_t slot,
                    std::span<const std::uint32_t> opaque_base);
     std::uint32_t add_opaque_layer() { return layers_++; }
 
-    // What lies outside of [0, 1] is cut off where a layer lies before another.
+    // Colours outside of [0, 1] are clamped where one layer lies in front of another.
     void set(Of of, std::uint32_t layer, const LayerColour& colour);
     std::span<const Pixel> pixels() const { return pixels_; }
     Sample at(Of of, const Pixel& pixel, int sample, const Blend& blend, const BlendList& list,
               const Background& background) const;
 
-    std::size_t list_bytes() const; // of what the lists of this part hold
+    std::size_t list_bytes() const; // the contents of this part's lists
     std::size_t bytes() const;      // held
 
 private:

@@ -1,8 +1,8 @@
-// Cut out: a sample shows the surface where its alpha, evaluated there, reaches a threshold; depth
-// is written only then, so that nothing has to be sorted. Exact where alpha is 0 or 1 and nothing
-// between, far away, too: alpha is read from the texture itself, never from a smaller one, so that
-// threads and holes finer than a pixel keep their share on average. Else its error is what it
-// leaves out: up to half of any colour. The alpha test of Segal and Akeley 1992, [Primer 1.6].
+// Alpha test: a sample shows the surface where its alpha, evaluated there, reaches a threshold;
+// only then is depth written, so that nothing has to be sorted. Exact where alpha is only 0 or 1,
+// also far away: alpha is read from the texture itself, never from a smaller level, so that threads
+// and holes finer than a pixel keep their share on average. Elsewhere it errs by the light that it
+// leaves out, up to half of any colour. Segal and Akeley 1992, [Primer 1.6].
 #include "shade/transparency.h"
 
 namespace scanout::shade::transparency {

@@ -1,7 +1,7 @@
-// Painter's order: triangles are blended by the distance of their centroids. Cheap, as no sample
-// sorts; wrong where triangles intersect or overlap in a circle, or a large one lies beside small
-// ones: there two layers change places, an error of up to the product of their alphas. Newell,
-// Newell and Sancha 1972 without the splitting; [Primer 1.6].
+// Painter's algorithm: triangles are blended in the order of their centroids' distances. Cheap, as
+// no sample sorts; wrong where triangles intersect or overlap in a circle, or where a large one
+// lies beside small ones: there two layers change places, an error of up to the product of their
+// alphas. Newell, Newell and Sancha 1972 without the splitting; [Primer 1.6].
 #include "shade/gather/gather.h"
 #include "shade/transparency.h"
 
@@ -10,7 +10,7 @@
 namespace scanout::shade::transparency {
 namespace {
 
-// From the eye, along the view's axis, times three.
+// Distance from the eye along the view's axis, times three.
 double distance(const GatherInput& in, std::uint32_t triangle) {
     const std::uint32_t* index = in.mesh->index.data() + std::size_t{triangle} * 3;
     double corner[3];

@@ -1,9 +1,9 @@
-// What is not opaque in a tile: samples cut out by their alpha, and fragments that blend with what
-// lies behind. Blending is a sum: a fragment's weight is its alpha times what all fragments before
-// it let through, at every sample; then it is shaded once, like any other, and added by its weight.
-// Nothing that is hidden is shaded, and a pixel whose fragments all have alpha 1 or 0 is what it
-// would be without blending, to the bit. Modes in which a fragment's colour says what it lets
-// through have no weights: see shade/transparency/colour_blend.h.
+// The transparency of a tile: samples cut out by their alpha, and fragments that blend with the
+// surfaces behind. Blending is a sum: a fragment's weight is its alpha times the transmittance of
+// all fragments in front of it, at every sample; it is shaded once, like any other, and added by
+// its weight. Hidden fragments are not shaded, and a pixel whose fragments all have alpha 1 or 0 is
+// the same as without blending, to the bit. Modes in which a fragment's colour sets its
+// transmittance have no weights: see shade/transparency/colour_blend.h.
 #pragma once
 
 #include "raster/tile/probe.h"
@@ -25,13 +25,13 @@ struct BlendedPixels {
     int samples = 1;
     BlendList list;
     std::vector<std::uint32_t> of_pixel;               // fragments, by pixel
-    std::vector<std::uint32_t> start;                  // where a pixel's begin in it; and the end
+    std::vector<std::uint32_t> start;                  // first index of each pixel; and the end
     std::array<std::uint64_t, raster::kTileSize> rows; // bit x: the pixel has some
-    // What reaches the opaque surface of each sample, of pixels that have some, from `slot` on.
+    // Transmittance to the opaque surface at each sample of pixels with fragments, from `slot` on.
     std::vector<float> transmittance;
     std::vector<std::uint32_t> slot; // of a pixel of the tile
-    // Where the fragments' colours decide, and not their weights: their order. Then nothing is in
-    // `transmittance`, and slots are places of its samples.
+    // Where the fragments blend by colour, not by weight: holds their order; `transmittance` is
+    // empty then, and `slot` holds the places of its samples.
     ColourBlend* colour_blend = nullptr;
 
     std::span<const std::uint32_t> fragments(int pixel) const {
@@ -43,21 +43,21 @@ struct BlendedPixels {
 // One a worker.
 class TransparencyPass {
 public:
-    // Draws the samples of cut-out triangles whose alpha lets them.
+    // Draws the samples of cut-out triangles that pass the alpha test.
     void cut_out(const raster::Geometry& geometry, int tile, const GatherInput& input,
                  raster::VisibilityTile& visibility);
-    // The tile with its blended triangles, as if they were opaque.
+    // The tile with its blended triangles drawn as if they were opaque.
     const raster::VisibilityTile& opaque_base(const raster::Geometry& geometry, int tile,
                                               const raster::VisibilityTile& visibility);
-    // Shades the tile with its blended fragments, in parts when they are more than the list holds.
-    // Returns how many items were shaded.
+    // Shades the tile with its blended fragments, in parts if they are more than the list holds.
+    // Returns the number of shaded items.
     std::uint64_t shade(const raster::Geometry& geometry, int tile, const GatherInput& input,
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
                         image::Image& picture);
 
-    // Bit x of row y, from the tile's corner: some of what was shaded since blends there.
+    // Bit x of row y, from the tile's corner: the pixel has blended fragments.
     using Pixels = std::array<std::uint64_t, raster::kTileSize>;
-    // Also notes the pixels there, of the tiles that follow; null: nowhere.
+    // Also notes the pixels with blended fragments, of the next tiles; null: notes none.
     void note_pixels(Pixels* pixels) { noted_ = pixels; }
 
     void begin_frame() {
@@ -65,7 +65,7 @@ public:
         colour_blend_.reset();
     }
     std::uint64_t fragments() const { return found_; } // blended ones since then
-    // Of the longest list since then: fragments with their depths and weights.
+    // Bytes of the longest list since then: fragments with their depths and weights.
     std::size_t list_bytes() const { return longest_list_; }
     std::size_t bytes() const; // held
 

@@ -1,4 +1,4 @@
-// What lies beyond a texture's edges: rows of shade/mip/texel-inl.h, which has the arithmetic.
+// Wrap modes, beyond the edges of a texture. The arithmetic is in shade/mip/texel-inl.h.
 #include "rows.h"
 
 #include "shade/stage.h"
@@ -14,18 +14,18 @@ constexpr Technique card(std::string_view name, std::string_view blurb, std::str
 
 } // namespace
 
-// The texture is tiled, as MTL means it (Wavefront 1995): the fraction of u and v counts, and the
-// last texel's neighbour is the first.
+// The texture repeats, as MTL means it (Wavefront 1995): only the fraction of u and v counts, and
+// the last texel's neighbour is the first.
 constinit const Wrapping repeat{
     card("repeat", "the texture again and again, edge to opposite edge", "Wavefront 1995", true),
     Wrap::repeat};
 
-// The texture is tiled, every second tile turned round, so that any picture joins itself.
+// The texture repeats, and every second tile is mirrored, so that any picture joins itself.
 constinit const Wrapping mirror{
     card("mirror", "every second tile is turned round: no seam", "Microsoft 2015, 7.18.9"),
     Wrap::mirror};
 
-// Beyond an edge the edge's texel goes on: -clamp on of MTL (Wavefront 1995).
+// Beyond an edge the edge's texel repeats: -clamp on of MTL (Wavefront 1995).
 constinit const Wrapping clamp{
     card("clamp", "beyond an edge the edge's texel goes on", "Wavefront 1995, -clamp on"),
     Wrap::clamp};
