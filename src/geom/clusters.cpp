@@ -14,7 +14,7 @@ namespace scanout::geom {
 
 namespace {
 
-// Of triangles in spatial order.
+// Positions of triangles' corners, in spatial order.
 struct IndexedPositions {
     std::span<const Vec3> position;
     std::span<const std::uint32_t> index;
@@ -79,11 +79,11 @@ Sphere sphere_of(std::span<const Cluster> clusters) {
         const DVec3 d = c.centre - sphere.centre;
         sphere.radius = std::max(sphere.radius, std::sqrt(dot3(d, d)) + c.radius);
     }
-    sphere.radius *= 1 + 0x1p-40; // what is rounded here
+    sphere.radius *= 1 + 0x1p-40; // covers the rounding of the radius
     return sphere;
 }
 
-// The vertex groups that some triangles use, ascending; returns how many.
+// Finds the vertex groups that some triangles use, ascending; returns how many.
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
 std::size_t vertex_groups_of(const IndexedPositions& all, std::size_t begin, std::size_t end,
                              std::array<std::uint32_t, kCorners>& out) {

@@ -1,5 +1,5 @@
-// Triangles in groups of neighbours, with what bounds them: a frame passes over whole groups that
-// face away or lie beside the picture, and over the vertices that only they have (meshlets). A
+// Clusters (meshlets): groups of neighbouring triangles with their bounds. A frame skips whole
+// groups that face away or lie beside the picture, and the vertices that only they use. A
 // triangle's spatial index is its position in the order of all clusters.
 #pragma once
 
@@ -21,7 +21,7 @@ struct Cluster {
     // between its axis and its side, 2 where it is as wide as a half space.
     DVec3 axis;
     double spread;
-    double thinnest; // the least height over a triangle's longest side; 0 where one has no area
+    double thinnest; // least height over the longest side of a triangle; 0 without area
 };
 
 // Mesh space.
@@ -37,11 +37,11 @@ struct Clusters {
     static constexpr std::size_t kGroupVertices = 16; // a vertex group, by number
 
     std::vector<Cluster> cluster;
-    std::vector<Sphere> group; // hold those of their clusters
+    std::vector<Sphere> group; // bounding spheres of groups of clusters
     // The vertex groups that a cluster uses: vertex_groups[begin[c]] up to [begin[c + 1]].
     std::vector<std::uint32_t> begin, vertex_groups;
-    // In spatial order: triangles' numbers in the mesh, and their vertices, three each; and by
-    // number their spatial index. Empty where the spatial order is that of the mesh.
+    // In spatial order: triangles' numbers in the mesh, and their vertices, three each; and, by
+    // number, their spatial index. Empty where the spatial order is the mesh's own.
     std::vector<std::uint32_t> triangle, index, spatial_index;
 
     bool empty() const { return cluster.empty(); }
@@ -50,7 +50,8 @@ struct Clusters {
     }
 };
 
-// Those of all triangles of the mesh, in this order (geom/spatial_order.h); empty: as it has them.
+// Clusters of all triangles of the mesh. order: their spatial order (geom/spatial_order.h); empty:
+// the mesh's own.
 Clusters find_clusters(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t> order = {});
 
 } // namespace scanout::geom

@@ -1,6 +1,6 @@
-// Rows that are equal become one: an open-addressing table of row numbers, asked for many rows at a
-// time on all cores. The rows themselves stay where their owner keeps them, so the table costs 4
-// bytes a slot whatever a row holds.
+// Merges equal rows: an open-addressing hash table of row numbers, queried for many rows at a time
+// on all cores. The rows themselves stay where their owner keeps them, so the table costs 4 bytes a
+// slot, however large a row is.
 #pragma once
 
 #include "base/chunks.h"
@@ -24,9 +24,9 @@ inline std::uint64_t mix_bits(std::uint64_t h) {
 // Row numbers are given in the order of first use: 0, 1, 2 ..., whatever the number of threads or
 // the size of the batches.
 //
-// Items fall into parts by their hash; each part is a table of its own, so that a core works on it
-// alone, item after item. A new row is known by the batch's first item that wants it until all
-// parts are through: then a sum over the batch says how many come before it.
+// Items are split into parts by their hash; each part is a table of its own, so that a core works
+// on it alone, item after item. Until all parts are done, a new row is known by the batch's first
+// item with that row; then a sum over the batch counts the new rows before it.
 class JoinTable {
 public:
     JoinTable(Jobs& jobs, std::size_t expected_rows)
@@ -117,7 +117,8 @@ private:
         const auto item_at = [&](std::size_t k) { return sorted ? order_[k] : k; };
         part.fresh.clear();
         for (std::size_t k = begin; k < end; ++k) {
-            // A table of a large model stands in no cache: without this a sixth more time.
+            // The table of a large model does not fit a cache: without the prefetch it takes a
+            // sixth more time.
             if (k + kAhead < end)
                 __builtin_prefetch(&part.slots[first_slot(part, hashes_[item_at(k + kAhead)])]);
             const std::size_t item = item_at(k);
@@ -200,7 +201,7 @@ private:
     std::size_t rows_ = 0;  // of the batches before
     std::size_t count_ = 0; // items of this batch
     std::vector<std::uint32_t> hashes_, numbers_;
-    std::vector<std::uint32_t> order_, begin_; // items by part; where those of a chunk begin there
+    std::vector<std::uint32_t> order_, begin_; // items by part; begin of each chunk's items there
     std::vector<std::size_t> new_before_;      // new rows before each chunk
 };
 

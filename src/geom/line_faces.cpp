@@ -22,7 +22,7 @@ void sort_unique(std::vector<T>& v, Less less = {}) {
     v.erase(std::unique(v.begin(), v.end(), same), v.end());
 }
 
-// For every vertex the number of its position among the ends of lines.
+// For every vertex, the number of its position among the ends of lines.
 std::vector<std::uint32_t> places_of(const Mesh& mesh) {
     std::vector<Vec3> place;
     place.reserve(mesh.line_index.size());
@@ -41,8 +41,8 @@ std::vector<std::uint32_t> places_of(const Mesh& mesh) {
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>; // places, the lower first
 
-// Calls found(i) for every pairs[i] whose places are both in `corner` (sorted). Of a corner's lines
-// and the face's corners the fewer are gone through.
+// Calls found(i) for every pairs[i] whose places are both in `corner` (sorted). Loops over a
+// corner's lines or over the face's corners, whichever are fewer.
 template <class F>
 void for_pairs_in(const std::vector<Pair>& pairs, const std::vector<std::uint32_t>& first,
                   const std::vector<std::uint32_t>& corner, F&& found) {

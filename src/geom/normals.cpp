@@ -68,7 +68,7 @@ DVec3 triangle_normal(const DVec3& a, const DVec3& b, const DVec3& c) {
     return bc2 >= ca2 ? cross3(ca, ab) : cross3(ab, bc);
 }
 
-// The faces as normals see them.
+// The faces, as normals need them.
 class Faces {
 public:
     Faces(Jobs& jobs, const PolygonMesh& polygons, const std::vector<bool>& usable)
@@ -144,9 +144,9 @@ private:
     std::vector<std::uint32_t> block_face_; // the face of every kBlock-th corner
 };
 
-// The corners around every position, as one array: those of position i begin at begin[i]. Each
-// thread takes a range of positions and looks through all corners for them: that reads the corners
-// once for every thread, and needs no room beside the result.
+// The corners around every position, as one array: the corners of position i begin at begin[i].
+// Each thread takes a range of positions and scans all corners for them: every thread reads all
+// corners once, but no memory is needed beside the result.
 struct CornersAt {
     std::vector<std::uint32_t> begin, corners;
 
@@ -187,7 +187,7 @@ struct CornersAt {
     }
 };
 
-// What all makers of normals look at.
+// The inputs of all makers of normals.
 struct Surroundings {
     const Faces& faces;
     std::int64_t crease_cos; // of a product of two fixed normals
@@ -201,8 +201,8 @@ struct Surroundings {
           half_crease_cos(cos_degrees(std::clamp(crease_degrees, 0.0, 180.0) / 2)) {}
 };
 
-// Makes the normals of some positions or faces, alone with the corners that stand there. They are
-// numbered from 0 until number_from() says what stands before them.
+// Makes the normals of some positions or faces, independently of other makers. Numbers them from 0
+// until number_from() gives the number of the first.
 class NormalMaker {
 public:
     NormalMaker(PolygonMesh& polygons, const Surroundings& in) : m_(polygons), in_(in) {}
@@ -235,8 +235,8 @@ private:
         FixedNormal normal;
         Sum weighted;
     };
-    // Faces at one position that count as one: all with the same normal, or nearly the same normal
-    // where a position has very many.
+    // Faces at one position that count as one: all with the same normal, or, where a position has
+    // very many faces, with nearly the same normal.
     struct Direction {
         FixedNormal normal;
         Sum weighted;
@@ -282,7 +282,8 @@ private:
             make_by_crease(group);
     }
 
-    // Sufficient: all within half the crease angle of their sum are within it of each other.
+    // A sufficient test: normals within half the crease angle of their sum are within it of each
+    // other.
     bool all_within_crease(std::span<const Item> group, const Sum& sum) const {
         const DVec3 axis = unit_or_zero(DVec3(sum.x, sum.y, sum.z));
         return std::all_of(group.begin(), group.end(), [&](const Item& item) {
@@ -351,11 +352,11 @@ private:
     std::vector<std::uint32_t> set_; // the corners that have them
     std::vector<Item> items_, sorted_;
     std::vector<Direction> directions_;
-    Sum last_sum_; // what the last entry of the normals was made of
+    Sum last_sum_; // the sum of the last entry of the normals
 };
 
-// Calls make(maker, i) for every i of [0, count), in chunks on all cores, and puts what the makers
-// made behind the normals, in order. In waves, so that little stands in the makers at a time.
+// Calls make(maker, i) for every i of [0, count), in chunks on all cores, and appends the makers'
+// normals in order. Works in waves, so that the makers hold few normals at a time.
 template <class Make>
 bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size_t count,
                    Make&& make, const std::function<bool(double)>& go_on) {
@@ -388,8 +389,8 @@ bool make_in_order(Jobs& jobs, PolygonMesh& m, const Surroundings& in, std::size
     return true;
 }
 
-// True when a corner is without a normal. Those of the file become unit vectors; where they say
-// nothing, the corner has none.
+// Returns true when a corner is without a normal. Makes the file's normals unit vectors; a corner
+// with a zero or non-finite one counts as without.
 bool take_normals_of_file(Jobs& jobs, PolygonMesh& m) {
     constexpr std::size_t kChunk = 16384;
     for_chunks(jobs, m.normals.size(), kChunk, [&](std::size_t begin, std::size_t end, int) {

@@ -1,5 +1,5 @@
-// The planes in which a mesh's triangles lie, while they are few: of flat things a view tells much
-// without looking at each triangle.
+// The planes in which a mesh's triangles lie, as long as they are few: for flat parts a view's
+// facts come from the planes, without a look at each triangle.
 #pragma once
 
 #include "math/vec.h"

@@ -32,7 +32,7 @@ PointGrid::PointGrid(std::span<const DVec2> points, std::span<const std::uint32_
 
 PointGrid::Range PointGrid::columns_in_row(const DVec2 (&corners)[3], int row) const {
     // Points outside the grid's box are in its outermost cells, so the outermost rows have no end.
-    // The margin is far above the rounding of what follows.
+    // The margin is far above the rounding of the sums below.
     constexpr double kMargin = 1e-3, kFar = 1e300;
     const double bottom = row == 0 ? -kFar : row - kMargin;
     const double top = row == side_ - 1 ? kFar : row + 1 + kMargin;

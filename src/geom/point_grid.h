@@ -1,5 +1,5 @@
-// Points of the plane in square cells, to find those near a triangle quickly: what keeps ear
-// clipping from testing every corner against every ear.
+// Points of the plane in square cells, to find the points near a triangle quickly: ear clipping
+// then need not test every corner against every ear.
 #pragma once
 
 #include "math/vec.h"

@@ -1,4 +1,4 @@
-// What a mesh file says, before anything is decided about it: polygons of any size, polylines and
+// The contents of a mesh file before any decision about them: polygons of any size, polylines and
 // points in file units, in double. io fills it; geom/build.h makes a drawable Mesh of it.
 #pragma once
 

@@ -15,15 +15,15 @@ namespace scanout::geom {
 namespace {
 
 constexpr std::size_t kRun = Clusters::kTriangles;
-constexpr std::size_t kMinTriangles = 1024; // triangles from which on it matters
-// Of a run of equal squares that lie in a square the half diagonal's square is half their area. Row
-// by row a body's triangles have some 4 times their area, Stanford's bunny 290, its dragon 1200.
+constexpr std::size_t kMinTriangles = 1024; // fewer triangles stay as they are
+// A run of equal squares that fill a square has a squared half diagonal of half their area. In row
+// order a body's triangles have some 4 times their area, Stanford's bunny 290, its dragon 1200.
 constexpr double kCompact = 8;
-constexpr double kWorthwhile = 0.5;    // of what the file's order has; else it stays
+constexpr double kWorthwhile = 0.5;    // of the file order's compactness; else that order stays
 constexpr double kThin = 0.15;         // of the mean height over the longest side
 constexpr std::size_t kTogether = 512; // triangles: enough that the thin ones fill a run or two
 constexpr std::size_t kSpatialChunk = 1 << 15; // triangles: a worker's next work
-constexpr std::size_t kAtOnce = 16;            // chunks, before it is said how far that is
+constexpr std::size_t kAtOnce = 16;            // chunks between two reports of progress
 
 struct PositionBox {
     Vec3 low{std::numeric_limits<float>::infinity()}, high{-std::numeric_limits<float>::infinity()};
@@ -40,7 +40,7 @@ struct SpatialTriangle {
 };
 using SpatialTriangles = std::span<SpatialTriangle>;
 
-// Sorted by position: whichever vertex a file begins with, sums round to the same.
+// Sorted by position: sums round to the same, whichever vertex a file begins with.
 struct TriangleVertices {
     Vec3 at[3];
     TriangleVertices(const Mesh& mesh, std::size_t triangle) {
@@ -50,7 +50,7 @@ struct TriangleVertices {
             return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
         });
     }
-    // Twice.
+    // Twice the area.
     float area() const {
         const Vec3 n = glm::cross(at[1] - at[0], at[2] - at[0]);
         return std::sqrt(glm::dot(n, n));
@@ -65,7 +65,7 @@ struct TriangleVertices {
     }
 };
 
-// How far runs of triangles reach, and how large they are.
+// The extent of the runs of triangles, and their total area and height.
 struct Compactness {
     double squares = 0;          // of the half diagonals of the runs' boxes
     double area = 0, height = 0; // sums
@@ -100,8 +100,8 @@ Compactness compactness(Jobs& jobs, const Mesh& mesh, Number&& number) {
     return all;
 }
 
-// Cuts in two across the longest side of their box; so many come first. Position and number decide
-// which half one is in, so that it depends on no library.
+// Splits into two across the longest side of their box; `first` triangles go to the first half.
+// Position and number decide the half, so the result does not depend on the library.
 std::pair<SpatialTriangles, SpatialTriangles> cut(SpatialTriangles all, std::size_t first) {
     PositionBox box;
     for (const SpatialTriangle& p : all)
@@ -115,7 +115,7 @@ std::pair<SpatialTriangles, SpatialTriangles> cut(SpatialTriangles all, std::siz
                      });
     return {all.first(first), all.subspan(first)};
 }
-// By whole runs, as many in the first half as in the second.
+// Splits into whole runs, as many in the first half as in the second.
 std::pair<SpatialTriangles, SpatialTriangles> halve(SpatialTriangles all) {
     return cut(all, (all.size() + kRun - 1) / kRun / 2 * kRun);
 }
@@ -126,16 +126,16 @@ void sort_runs(SpatialTriangles all) {
         sort_runs(first);
         all = second;
     }
-    // Which of them a library puts where must not matter.
+    // The order within a run must not depend on the library.
     std::sort(all.begin(), all.end(), [](const SpatialTriangle& a, const SpatialTriangle& b) {
         return a.triangle < b.triangle;
     });
 }
 
-// Of some that lie together, those last that are much thinner than the mesh's others, by whole
-// runs. Snapped to the grid of the screen they may turn over, and so no cluster that has one can be
-// turned away as a whole (raster/culling/cluster_cull.h). Where a scan's surface passes close to a
-// corner of the volume that it was merged in, triangles come out like that: one in eight.
+// Sorts triangles of one place so that those much thinner than the mesh's others come last, by
+// whole runs. Snapped to the grid of the screen a thin one may turn over, so no cluster that has
+// one can be culled as a whole (raster/culling/cluster_cull.h). Where a scan's surface passes close
+// to a corner of the volume that it was merged in, one triangle in eight is like that.
 void sort_spatially(SpatialTriangles all) {
     while (all.size() > kTogether) {
         const auto [first, second] = halve(all);
@@ -175,7 +175,7 @@ void cut_in_chunks(SpatialTriangles all, std::vector<SpatialTriangles>& chunks) 
     cut_in_chunks(second, chunks);
 }
 
-// Array i becomes what stood at from[i].
+// Moves the element at from[i] to position i.
 template <class T>
 void take(Jobs& jobs, std::span<const std::uint32_t> from, std::vector<T>& array) {
     if (array.empty()) return;

@@ -1,7 +1,7 @@
-// Spatial order of triangles, by median splits, for files that have them in no order: scanners, and
-// what merges their pictures, leave neighbours far apart. The mesh keeps the order of the file,
-// which decides what is visible where depths are equal; loops over triangles may use the spatial
-// order (geom/clusters.h).
+// Spatial order of triangles, by median splits, for files whose neighbours are far apart, such as
+// those of scanners and of programs that merge scans. The mesh keeps the order of the file, because
+// it decides visibility at equal depth; loops over triangles may use the spatial order instead
+// (geom/clusters.h).
 #pragma once
 
 #include "base/jobs.h"
@@ -14,16 +14,16 @@
 
 namespace scanout::geom {
 
-// The triangles' numbers in an order in which each run of Clusters::kTriangles lies together.
-// Empty, for the order of the file, where they are few, where they lie together well enough, and
-// where that would bring them no nearer. Positions are finite. go_on gets the share that is done;
-// returns false where that stopped it.
+// The triangles' numbers in an order in which each run of Clusters::kTriangles is compact. Empty,
+// which means the file's order, where triangles are few or compact enough already, and where the
+// new order would be no better. Positions are finite. go_on gets the share that is done; returns
+// false where go_on stopped it.
 bool spatial_order(Jobs& jobs, const Mesh& mesh, std::vector<std::uint32_t>& order,
                    const std::function<bool(double)>& go_on);
 
-// Puts the vertices in the order in which these triangles use them first, so that what is read
-// together lies together; then those of lines and points alone, as they were. Line faces are not
-// found yet.
+// Sorts the vertices by their first use by these triangles, so that vertices that are read together
+// lie together; then come vertices that only lines and points use, in their old order. Call it
+// before line faces are found.
 void order_vertices(Jobs& jobs, Mesh& mesh, std::span<const std::uint32_t> triangles);
 
 } // namespace scanout::geom

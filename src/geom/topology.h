@@ -14,34 +14,34 @@ struct Box {
     DVec3 low{0}, high{0};
 };
 
-// A connected component is what hangs together by vertices at one place; places within 2^-22 of
-// each other are one. It is closed where every edge is used as often in one direction as in the
-// other, and nothing lets light through: from outside, the backs of its faces lie behind their
+// A connected component is a set of triangles connected by vertices at one place; places within
+// 2^-22 of each other are one. It is closed where every edge is used as often in one direction as
+// in the other, and nothing is translucent: from outside, the backs of its faces lie behind their
 // fronts.
 struct MeshTopology {
     static constexpr std::size_t kMaxBoxes = 64, kMaxConvex = 16;
 
-    bool closed = false;        // all components are
-    std::size_t inside_out = 0; // triangles of closed components that hold no volume, or less
+    bool closed = false;        // all components are closed
+    std::size_t inside_out = 0; // triangles of closed components whose volume is 0 or less
     bool back_to_back = false; // faces at one place look in opposite directions: either may be seen
-    // Triangles with a normal that does not lie clearly on the side from which they wind counter-
-    // clockwise; those without an area, too, but for collapsed ones.
+    // Triangles with a normal that does not clearly point to the side from which they wind counter-
+    // clockwise. Triangles without an area count too, unless they are collapsed.
     std::size_t leaning_normals = 0;
     bool flat = false; // all triangles lie in one plane
-    // Where no component throws a shadow on itself, the components' boxes: each lies in one plane,
-    // or is closed, wound outwards, and nothing of it rises above any of its (few) planes. None of
-    // many components.
+    // If no component casts a shadow on itself, the boxes of the components: each lies in one
+    // plane, or is closed, wound outwards, and no part of it rises above any of its (few) planes.
+    // Empty for many components.
     std::vector<Box> convex_components;
-    // Of a flat mesh and of convex components: triangles with a normal that is not the face's own.
-    // These normals let light show on faces that turn away from it.
+    // In a flat mesh and in convex components: triangles with a normal other than the face's own.
+    // Such normals let light show on faces that turn away from it.
     std::size_t smooth_triangles = 0;
-    std::size_t open_triangles = 0; // of the other components
-    PlaneSet open_planes;           // in which those lie: before all of them no back is seen
-    // Of the closed components; the last is of all that come after it, too.
+    std::size_t open_triangles = 0; // of components that are not closed
+    PlaneSet open_planes;           // their planes: an eye in front of all of them sees no back
+    // Boxes of the closed components; the last one also holds all further components.
     std::vector<Box> closed_boxes;
 
-    // From outside of every component the backs lie behind fronts, all of them; but for components
-    // that pass through themselves and so turn some of their inside out, which is not looked for.
+    // From outside of every component all back faces lie behind front faces. Not tested: components
+    // that intersect themselves and so turn a part inside out.
     bool fronts_hide_backs() const { return closed && inside_out == 0 && !back_to_back; }
 };
 // Two of the triangle's corners stand at one place: it is never drawn.

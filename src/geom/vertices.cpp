@@ -15,7 +15,7 @@ struct Vertex {
     bool operator==(const Vertex&) const = default;
 };
 
-// 0 where the file's number is not one; floats have room for all others that make sense.
+// 0 where the file's number is NaN, infinite or beyond 1e30: no model needs one like that.
 float to_float(double x) {
     return std::abs(x) <= 1e30 ? static_cast<float>(x) : 0.0f;
 }
@@ -57,13 +57,14 @@ std::uint64_t hash_of(const PolygonMesh& m, const Corner& c) {
     return mix_bits(h);
 }
 
-// Whether both make the same vertex: by what decides it with the fewest places in memory.
+// Do both make the same vertex? Compares indices first, then positions, then all: the fewest memory
+// reads come first.
 bool are_one(const PolygonMesh& m, const Corner& a, const Corner& b) {
     if (a.position == b.position && a.uv == b.uv && a.normal == b.normal) return true;
     return position_of(m, a) == position_of(m, b) && vertex_of(m, a) == vertex_of(m, b);
 }
 
-// What the table asks.
+// The interface that the table calls.
 struct Items {
     PolygonMesh& m;
     std::span<const Corner> corners;

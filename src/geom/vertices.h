@@ -1,4 +1,4 @@
-// The vertices of a Mesh: corners of faces that are equal in all that is drawn are one.
+// The vertices of a Mesh: face corners that are equal in everything that is drawn become one.
 #pragma once
 
 #include "geom/join_table.h"
@@ -11,11 +11,11 @@
 
 namespace scanout::geom {
 
-// Gives corners that make the same vertex one number. Memory decides its shape: where faces are
-// flat, the vertices are the largest array of all, and they must not stand beside the corners and a
-// table that both still grow. So a vertex is first a corner alone, kept in the place of a corner
-// that is done with (vertex i comes of corner i or a later one); write() makes the arrays when
-// everything else is gone, in their final size.
+// Numbers the corners so that corners of the same vertex get the same number. The design saves
+// memory: where faces are flat, the vertices are the largest array of all, and must not exist
+// beside the corners and a table that both still grow. So a vertex is at first only a corner,
+// stored in the place of a finished corner (vertex i comes of corner i or a later one); write()
+// makes the arrays in their final size when everything else is freed.
 class Vertices {
 public:
     Vertices(Jobs& jobs, PolygonMesh& polygons, std::size_t expected);
