@@ -1,6 +1,6 @@
-// An array of a size that stays, in pages as large as the machine has: for pictures, of which a
-// tile is a piece of many rows, and for what is read out of order. It holds anything until it is
-// written; whoever writes a page first makes it.
+// An array of constant size in the largest pages that the machine has, to save TLB misses: for
+// pictures, of which a tile touches many rows, and for arrays that are read out of order. Its
+// values are undefined until they are written; the first write to a page allocates it.
 #pragma once
 
 #include "base/memory.h"

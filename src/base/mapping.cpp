@@ -36,7 +36,7 @@ Result<> read_whole(int fd, off_t begin, off_t end, char* data, const std::strin
     return {};
 }
 
-// Reads what the file stores; pages over its holes stay untouched.
+// Reads the parts that the file stores; pages over its holes stay untouched.
 Result<> read_stored(int fd, off_t size, char* data, const std::string& path) {
     for (off_t at = 0; at < size;) {
         off_t begin = ::lseek(fd, at, SEEK_DATA);
@@ -138,7 +138,7 @@ Result<Mapping> Mapping::read_all(int fd, std::uint64_t max_bytes, const std::st
     return fill(source, max_bytes, path);
 }
 
-// Gives back what lies behind `size` bytes.
+// Unmaps the memory beyond `size` bytes.
 void Mapping::shrink(std::size_t size) {
     const std::size_t page = static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
     const std::size_t kept = (size + page - 1) / page * page;

@@ -1,6 +1,6 @@
-// A file's bytes, read into memory pages of their own. Of what is opened by its name devices, pipes
-// and folders are refused, so that no reader can be made to read for ever. The file itself is not
-// mapped: one that is cut short while it is parsed would end the program with SIGBUS.
+// A file's bytes, read into memory pages of their own. open() refuses devices, pipes and folders,
+// so that no reader can be made to read for ever. The file itself is not mapped: a file that is cut
+// short while it is parsed would end the program with SIGBUS.
 #pragma once
 
 #include "base/result.h"
@@ -15,22 +15,22 @@ namespace scanout {
 
 class Mapping {
 public:
-    // Asked before a file is read, with its first bytes (at most 4096) and its size: an error
-    // refuses it.
+    // Called before a file is read, with its first bytes (at most 4096) and its size; an error
+    // refuses the file.
     using Admit = std::function<Result<>(std::string_view head, std::uint64_t size)>;
 
-    // Errors name the path (Exit::unreadable); a file that changes meanwhile is one of them. An
-    // empty file gives an empty view. Holes of a sparse file are zeros that take no memory.
+    // Errors name the path (Exit::unreadable); a file that changes while it is read is an error,
+    // too. An empty file gives an empty view. Holes of a sparse file are zeros that take no memory.
     static Result<Mapping> open(const std::string& path, const Admit& admit = nullptr);
 
-    // Writes at most `room` bytes to `data` and returns how many; 0: there are no more.
+    // Writes at most `room` bytes to `data` and returns how many; 0 at the end.
     using Source = std::function<Result<std::size_t>(char* data, std::size_t room)>;
 
-    // All bytes that a source has. More than `max_bytes` are an error that names `path`.
+    // Reads all bytes of a source. More than `max_bytes` are an error that names `path`.
     static Result<Mapping> fill(const Source& source, std::uint64_t max_bytes,
                                 const std::string& path);
 
-    // All bytes that can be read from a file descriptor, a pipe included.
+    // Reads all bytes of a file descriptor, which may be a pipe.
     static Result<Mapping> read_all(int fd, std::uint64_t max_bytes, const std::string& path);
 
     Mapping() = default;

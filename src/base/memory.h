@@ -17,14 +17,13 @@ void release(std::vector<T>& values) {
     std::vector<T>().swap(values);
 }
 
-// Gives the whole pages within these bytes back to the machine, while whoever allocated them keeps
-// the place: for large arrays whose start is done with. What stood there reads as zeros afterwards.
+// Gives the whole pages within these bytes back to the machine, but keeps the allocation: for large
+// arrays whose first part is done with. The pages read as zeros afterwards.
 void release_pages(void* begin, std::size_t bytes);
 
-// Asks for pages as large as the machine has, for these bytes and what stands there. Arrays that
-// are read out of order, and pictures, of which a tile is a piece of many rows, then need fewer
-// entries of the tables that say where pages lie. Small arrays stay as they are, and so do all
-// where the machine refuses.
+// Asks for the largest pages that the machine has, for these bytes and their contents. Arrays that
+// are read out of order, and pictures, of which a tile touches many rows, then cause fewer TLB
+// misses. Small arrays stay as they are, and so do all where the machine refuses.
 void use_large_pages(void* begin, std::size_t bytes);
 template <class T>
 void use_large_pages(std::span<T> values) {
@@ -35,12 +34,12 @@ void use_large_pages(std::vector<T>& values) {
     use_large_pages(std::span(values));
 }
 
-// Bytes that nobody has written yet, in such pages where they fill at least half of one; the first
-// begins a page, so that none need be made of small ones. Throws std::bad_alloc, as new does.
+// Bytes that nobody has written yet, in large pages where they fill at least half of one. They
+// begin at a page, so that none need be made of small pages. Throws std::bad_alloc, as new does.
 void* allocate_large_pages(std::size_t bytes);
 void free_large_pages(void* begin, std::size_t bytes);
 
-// Gives the memory of small blocks that were freed back to the machine, wherever it lies.
+// Gives the memory of all freed small blocks back to the machine.
 void release_freed();
 
 } // namespace scanout

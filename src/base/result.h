@@ -1,6 +1,5 @@
-// Result<T>: what can go wrong from outside (files, devices, arguments) is a value, not an
-// exception. An Error is one finished line for the user: what happened, where (file:line), what to
-// do.
+// Result<T>: faults from outside (files, devices, arguments) are values, not exceptions. An Error
+// is one finished line for the user: what happened, where (file:line), what to do.
 #pragma once
 
 #include "base/exit_code.h"

@@ -1,4 +1,4 @@
-// What a technique says about itself: one file, one name, one of these (src/techniques.h).
+// The self-description of a technique: one file, one name, one of these (src/techniques.h).
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class Kind : std::uint8_t {
 struct Technique {
     std::string_view axis, name;
     std::string_view blurb;  // one line
-    std::string_view source; // whose it is: papers, books, standards of docs/REFERENCES.md
+    std::string_view source; // its authors: papers, books, standards of docs/REFERENCES.md
     Kind kind = Kind::model;
     bool least = false; // of models: does less than the others on its axis
 };

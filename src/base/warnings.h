@@ -1,4 +1,4 @@
-// What went wrong without stopping us: each kind of trouble is one line, however often it occurs.
+// Warnings: troubles that did not stop us. Each kind is one line, however often it occurs.
 #pragma once
 
 #include <cstddef>
