@@ -15,8 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// minps and its like give the second number where either is NaN and where both are zero; what other
-// machines have differs.
+// minps and the like return the second operand where either is NaN and where both are zero; other
+// machines differ.
 constexpr bool kMinimumIsFirstIfLess =
     HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR;
 

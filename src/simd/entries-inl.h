@@ -1,6 +1,6 @@
-// Lanes that read tables by numbers which rise from lane to lane, by one at most. A register then
-// asks for no more entries side by side than it has lanes: one load and one permutation bring them,
-// where a gather loads each by itself. Included once for every SIMD target.
+// Table look-ups for lanes whose indices rise from lane to lane by one at most. A register then
+// reads no more adjacent entries than it has lanes: one load and one permutation fetch them, where
+// a gather loads each by itself. Included once for every SIMD target.
 #if defined(SCANOUT_SIMD_ENTRIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SIMD_ENTRIES_INL_H
 #undef SCANOUT_SIMD_ENTRIES_INL_H
@@ -13,12 +13,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace scanout::simd::HWY_NAMESPACE {
 
-// Tables may be read up to a register beyond the last entry that is asked for.
+// Tables must be readable up to a register beyond the last entry used.
 template <class D>
 class Entries {
 public:
-    // number: of the register's lanes, of which `live` are any; the others get the first one's
-    // entry.
+    // number: of the register's lanes, of which the first `live` count; the others get the first
+    // one's entry.
     SIMD_INLINE Entries(const std::int32_t* number, int live)
         : first_(number[0]), index_(hn::IndicesFromVec(D(), from_first(number, live).raw)) {}
 

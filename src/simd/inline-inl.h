@@ -1,4 +1,4 @@
-// What the lanes' functions and those of kernels are marked with. Included once for every target,
+// The inlining attributes of the lanes' and the kernels' functions. Included once for every target,
 // so it has no guard.
 //
 // A register is one operand of the machine, and every function of registers belongs in its kernel.
@@ -13,7 +13,7 @@
 #define SIMD_INLINE inline HWY_MAYBE_UNUSED
 #define SIMD_LAMBDA HWY_ATTR
 #else
-// Left to the compiler, whether a lambda stays in its loop hangs on what else the file holds.
+// Without it, the inlining of a lambda depends on the other contents of the file.
 #define SIMD_INLINE HWY_INLINE
 #define SIMD_LAMBDA HWY_ATTR __attribute__((always_inline))
 #endif

@@ -140,7 +140,7 @@ struct Int {
 private:
     static SIMD_INLINE Mask<D> mask(hn::Mask<Tag> m) { return {hn::RebindMask(D(), m)}; }
 };
-// As numbers of 0 to 2^32 - 1.
+// Treats lanes as unsigned numbers, 0 to 2^32 - 1.
 template <class D>
 SIMD_INLINE Mask<D> less_unsigned(Int<D> a, Int<D> b) {
     const hn::RebindToUnsigned<typename Int<D>::Tag> tag;
@@ -311,8 +311,8 @@ SIMD_INLINE void store_first(Int<D> a, int count, std::int32_t* to) {
     const typename Int<D>::Tag tag;
     hn::BlendedStore(a.raw, hn::FirstN(tag, static_cast<std::size_t>(count)), tag, to);
 }
-// Past the caches, to an address that the register's size divides. Other threads may read it after
-// finish_streams(), or any locked instruction of this one.
+// A streaming store, past the caches, to an address that the register's size divides. Other threads
+// may read it after finish_streams(), or after any locked instruction of this thread.
 template <class D>
 SIMD_INLINE void stream(Float<D> a, float* to) {
     hn::Stream(a.raw, D(), to);
@@ -370,10 +370,10 @@ SIMD_INLINE void load_interleaved(const std::uint32_t* from, Int<D>& x, Int<D>& 
     x = Int<D>(hn::BitCast(tag, a));
     y = Int<D>(hn::BitCast(tag, b));
 }
-// Is there an instruction that packs lanes? Else they are faster one by one.
+// Is there an instruction that packs lanes? Without it, storing them one by one is faster.
 constexpr bool kPacksLanes = HWY_ARCH_X86 && HWY_TARGET <= HWY_AVX3;
-// Of the lanes whose bit is set x, y and z, in order; what stands behind them, up to a register's
-// worth, is anything. Returns how many they are.
+// Stores x, y and z of the lanes whose bit is set, in order; the memory behind them, up to a
+// register's worth, is undefined. Returns the number of those lanes.
 template <class D>
 SIMD_INLINE int store_packed(std::uint32_t lanes, Int<D> x, Int<D> y, Int<D> z, std::uint32_t* to) {
     const typename Int<D>::Tag tag;
@@ -386,7 +386,7 @@ SIMD_INLINE int store_packed(std::uint32_t lanes, Int<D> x, Int<D> y, Int<D> z, 
     hn::StoreInterleaved3(packed(x), packed(y), packed(z), u, to);
     return __builtin_popcount(lanes);
 }
-// Of those lanes x alone, likewise.
+// The same for x alone, with a mask.
 template <class D>
 SIMD_INLINE std::uint32_t store_packed(Mask<D> lanes, Int<D> x, std::int32_t* to) {
     const typename Int<D>::Tag tag;
@@ -394,7 +394,7 @@ SIMD_INLINE std::uint32_t store_packed(Mask<D> lanes, Int<D> x, std::int32_t* to
     hn::StoreU(hn::Compress(x.raw, mask), tag, to);
     return static_cast<std::uint32_t>(hn::CountTrue(tag, mask));
 }
-// Of every lane in order x, y and z: 16 bytes, each word as it stands in memory.
+// Stores x, y and z of every lane, in order: 16 bytes each, words in the machine's byte order.
 template <class D>
 SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
     static_assert(std::endian::native == std::endian::little);
@@ -414,7 +414,7 @@ SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
         store_half([&](auto all) SIMD_LAMBDA { return hn::UpperHalf(half, all); }, z.high,
                    at + Int<D>::kLanes);
     };
-#if HWY_TARGET == HWY_EMU128 // stores numbers of 64 bits, which may lie where others are read
+#if HWY_TARGET == HWY_EMU128 // stores 64-bit words: `to` may hold other types (aliasing)
     std::uint64_t all[2 * Int<D>::kLanes];
     store_both(all);
     __builtin_memcpy(to, all, sizeof all);
@@ -422,8 +422,7 @@ SIMD_INLINE void store_interleaved(Int<D> x, Int<D> y, Double<D> z, void* to) {
     store_both(static_cast<std::uint64_t*>(to));
 #endif
 }
-// Asks for memory before it is read, or written: kBytes that lie `ahead` of an address, perhaps
-// beyond what may be read.
+// Prefetches kBytes that lie `ahead` of an address; the address may lie beyond the readable memory.
 template <std::size_t kBytes>
 SIMD_INLINE void prefetch(const void* from, std::size_t ahead) {
     constexpr std::size_t kLine = 64;

@@ -1,5 +1,5 @@
-// Lanes from four words in memory each: loaded a lane at a time and turned round. A hardware gather
-// takes longer for each word than this for all four. Included once for every SIMD target.
+// Lanes from four words in memory each: loaded a lane at a time and transposed, which takes less
+// time for all four than a hardware gather for each word. Included once for every SIMD target.
 #if defined(SCANOUT_SIMD_QUADS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SIMD_QUADS_INL_H
 #undef SCANOUT_SIMD_QUADS_INL_H

@@ -30,7 +30,7 @@ std::string name_of(std::int64_t target) {
     return name;
 }
 
-// What the CPU has, whatever was chosen before.
+// The targets that the CPU has, whichever was chosen before.
 std::int64_t supported_by_cpu() {
     static const std::int64_t found = [] {
         hwy::SetSupportedTargetsForTest(0);
