@@ -17,7 +17,7 @@ struct Convolution {
     Technique card;
     // In place; the planes are scratch, as many as it needs.
     void (*run)(Image& picture, std::vector<Plane>& planes);
-    int planes; // so many it likes
+    int planes; // number of planes that it uses
 
     std::uint64_t bytes(int width, int height) const {
         return static_cast<std::uint64_t>(planes) * sizeof(double) *
@@ -25,9 +25,9 @@ struct Convolution {
     }
 };
 
-// What varies slowly, by the binomial weights 1 4 6 4 1 / 16 on each axis; and the rest. Together
-// they are the plane; of a constant the first is that constant, the second 0, to the bit. In place;
-// the other planes are scratch.
+// low_pass blurs by the binomial weights 1 4 6 4 1 / 16 on each axis; high_pass leaves the rest.
+// Both add up to the plane; for a constant plane the first is that constant, the second 0, to the
+// bit. In place; the other planes are scratch.
 void low_pass(Plane& plane, Plane& between);
 void high_pass(Plane& plane, Plane& low, Plane& between);
 

@@ -11,18 +11,18 @@
 
 namespace scanout::image {
 
-// How the back buffer's 8 bits are found; displays of fewer bits are always dithered.
+// The rounding of light to the back buffer's 8 bits; displays of fewer bits are always dithered.
 struct Dither {
     Technique card;
-    bool ordered; // with dither_offset, instead of to the nearest
+    bool ordered; // adds dither_offset instead of rounding to nearest
 };
 inline constexpr unsigned kDitherSide = 8;
 inline constexpr unsigned kDitherSteps = kDitherSide * kDitherSide;
 
 namespace detail {
-// What the place (x, y) adds, in 64ths of a step, before a value is cut to a whole step: the 64
-// places of a square add 0 to 63 each once, and neighbours differ much. Bayer's matrix: the digits
-// of x ^ y and y interleaved, the lowest digit of the coordinates on top.
+// The threshold that the pixel (x, y) adds, in 64ths of a step, before a value is truncated to a
+// whole step: the 64 pixels of a square add 0 to 63 each once, and neighbours differ much. Bayer's
+// matrix: the bits of x ^ y and y interleaved, the lowest bit of the coordinates on top.
 constexpr auto bayer() {
     std::array<std::array<std::uint8_t, kDitherSide>, kDitherSide> square{};
     for (unsigned y = 0; y < kDitherSide; ++y)
@@ -42,8 +42,8 @@ constexpr unsigned dither_threshold(unsigned x, unsigned y) {
     return detail::kBayer[y % kDitherSide][x % kDitherSide];
 }
 
-// What replaces the 1/2 of rounding to the nearest step: in (0, 1), 1/2 on average. A value within
-// 1/128 of a whole step is cut to that step everywhere.
+// Replaces the 1/2 of rounding to nearest: in (0, 1), 1/2 on average. A value within 1/128 of a
+// whole step is rounded to that step everywhere.
 constexpr float dither_offset(unsigned x, unsigned y) {
     return (static_cast<float>(dither_threshold(x, y)) + 0.5F) / static_cast<float>(kDitherSteps);
 }

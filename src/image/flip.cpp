@@ -24,7 +24,7 @@ double exponential(double x) {
     return exp2(x * kLog2E);
 }
 
-// --- colour: what the eye resolves at this distance, in L*a*b* with Hunt's effect
+// --- colour: the detail that the eye resolves at this distance, in L*a*b* with Hunt's effect
 
 // The opponent space of Johnson and Fairchild: luminance, red-green, blue-yellow.
 DVec3 to_opponent(const DVec3& linear) {
@@ -214,8 +214,8 @@ std::vector<float> map_of_all(const Image& reference, const Image& test) {
     return map;
 }
 
-// Where a difference can show, and what decides about it: filters reach one radius from a pixel
-// that differs, and pixels there see one radius further. Beyond, the map is 0.
+// The part of the picture where a difference can show, and the part that its filters read: one
+// filter radius around pixels that differ, and one radius more. Beyond, the map is 0.
 Rect surroundings_of_differences(const Image& reference, const Image& test) {
     Rect box{reference.width(), reference.height(), 0, 0};
     for (int y = 0; y < reference.height(); ++y)

@@ -88,7 +88,7 @@ Result<Header> read_pam_header(const Source& file, Words& words) {
         else if (word == "MAXVAL")
             header.max_value = words.number();
         else if (word == "TUPLTYPE")
-            words.line(); // DEPTH alone decides what the samples are
+            words.line(); // DEPTH alone decides the meaning of the samples
         else if (word.empty())
             return fail(Exit::unreadable, "{}: its PAM header has no end", file.name);
         else

@@ -15,7 +15,7 @@ struct Plane {
     Plane() = default;
     Plane(int w, int h)
         : width(w), height(h), value(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
-    // As large as that, whatever stands in it; memory that it has had is kept.
+    // Sets the size; the values are undefined, and memory is reused.
     void resize(int w, int h) {
         width = w;
         height = h;
@@ -31,12 +31,12 @@ private:
     }
 };
 
-// Weights around a place; sides are odd. Laid over the picture as it stands, not mirrored.
+// Weights around a pixel; sides are odd. Applied unmirrored (correlation).
 struct Kernel {
     int width = 1, height = 1;
     std::vector<double> weight{1.0}; // rows from the top
-    // What a constant is multiplied by. Given apart from the weights, whose sum rounds: low-passes
-    // have exactly 1 and keep a constant as it is, high-passes have 0 and make it exactly 0.
+    // The factor of a constant plane. Given separately, since the sum of the weights is rounded:
+    // low-passes have exactly 1 and keep a constant, high-passes have 0 and make it exactly 0.
     double gain = 1;
 };
 

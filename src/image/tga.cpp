@@ -66,7 +66,7 @@ Result<void> check_layout(const Source& file, const Tga& tga) {
     return {};
 }
 
-// How many bytes the pixels take; more than there are if the file ends early.
+// The number of bytes of the pixels; more than the file has if it ends early.
 std::size_t pixel_data_bytes(const Source& file, const Tga& tga) {
     if (!tga.run_length) return tga.pixel_count() * tga.pixel_bytes();
     std::size_t at = tga.pixels;
@@ -85,7 +85,7 @@ void append_u16(Bytes& out, std::uint32_t value) {
     out.push_back(static_cast<std::uint8_t>(value >> 8));
 }
 
-// A header without identification; of the colour map, only what the pixels use, counted from 0.
+// Writes a header without identification; its colour map has the file's entries and begins at 0.
 void append_header(const Source& file, const Tga& tga, Bytes& out) {
     const bool mapped = tga.kind == 1;
     const std::uint32_t entries = mapped ? tga.map_first + tga.map_length : 0;
@@ -109,7 +109,8 @@ void finish(const Tga& tga, Image& image) {
     if ((tga.descriptor & kRightToLeft) != 0)
         for (int y = 0; y < image.height(); ++y)
             std::reverse(image.row(y).begin(), image.row(y).end());
-    // Writers that call the fourth byte unused fill it with 0: a picture of nothing at all.
+    // Writers that treat the fourth byte as unused fill it with 0: such a picture would be
+    // invisible.
     const auto clear = [](const Rgba8& pixel) { return pixel.a == 0; };
     if (std::all_of(image.pixels().begin(), image.pixels().end(), clear))
         for (Rgba8& pixel : image.pixels())

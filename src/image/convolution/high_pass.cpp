@@ -1,4 +1,5 @@
-// A high-pass: what a low-pass takes away, edges and noise, as brightness; flat parts are black.
+// High-pass: shows the part that a low-pass removes, edges and noise, as brightness; flat parts are
+// black.
 #include "image/colour.h"
 #include "image/convolution.h"
 #include "math/srgb.h"

@@ -1,5 +1,5 @@
-// A low-pass: what varies within a few pixels is smoothed away. After the fact it cannot undo
-// stairs, it only blurs them. [Primer 6].
+// Low-pass: smooths variation within a few pixels away. After rendering it cannot undo aliasing, it
+// only blurs it. [Primer 6].
 #include "image/colour.h"
 #include "image/convolution.h"
 #include "math/srgb.h"

@@ -1,4 +1,4 @@
-// With and without ordered dither: rows of image/dither.h, which has the arithmetic.
+// With and without ordered dither. The arithmetic is in image/dither.h.
 #include "rows.h"
 
 #include "image/dither.h"
