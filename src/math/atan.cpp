@@ -1,6 +1,5 @@
 // atan2 and acos: the angle of a vector in the first octant is atan(i/16) from a table plus the
-// angle that is left, whose tangent is (y - c x) / (x + c y), at most 1/32, so that a short series
-// does.
+// rest, whose tangent is (y - c x) / (x + c y), at most 1/32, so that a short series is enough.
 #include "math/bits.h"
 #include "math/double_double.h"
 #include "math/transcendental.h"

@@ -47,7 +47,7 @@ double huge_modulo_360(double degrees) {
     return static_cast<double>(rest);
 }
 
-// For finite degrees >= 0: the quadrant and what is left of it, exactly, still in degrees.
+// For finite degrees >= 0: splits off the quadrant; the rest is exact and still in degrees.
 struct ReducedDegrees {
     int quadrant;
     double rest;

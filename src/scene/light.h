@@ -21,8 +21,8 @@ namespace scanout::scene {
 
 enum class LightKind : std::uint8_t { ambient, directional, point, spot };
 inline constexpr int kLightKinds = 4;
-// What moves with the light. world: it stands in the model's file. camera: it hangs on the camera,
-// axes x right, y up, z towards the eye; places are in bounding radii from the eye.
+// What a light is fixed to. world: to the model's file. camera: to the camera, axes x right, y up,
+// z towards the eye; positions are in bounding radii from the eye.
 enum class LightFrame : std::uint8_t { world, camera };
 enum class LightShape : std::uint8_t { sphere, square };
 
@@ -32,7 +32,7 @@ struct Light {
     LightFrame frame = LightFrame::world;
     DVec3 towards{0, 0, 1};      // directional: from the surface to the light; any length but 0
     DVec3 position{0};           // point, spot
-    std::optional<DVec3> target; // spot: what it points at; none: the model's centre
+    std::optional<DVec3> target; // spot: the point it aims at; none: the model's centre
     double inner_degrees = 20,
            outer_degrees = 30; // spot: full inside, nothing outside; half angles
     Vec3 colour{1};            // linear
@@ -50,7 +50,7 @@ inline constexpr double kMaxRimDegrees = 80; // of a directional light's size
 inline constexpr double kMaxPower = 1e4;
 inline constexpr float kAmbient = 0.15F; // of Kd
 
-// Nothing arrives from it.
+// No light arrives from it.
 bool is_black(const Light& light);
 std::string_view name_of(LightKind kind);
 
@@ -58,9 +58,9 @@ std::string_view name_of(LightKind kind);
 // the eye; and ambient light.
 const std::vector<Light>& default_lights();
 
-// Moved by the user: about the model's centre, or about the eye where the light hangs on the
-// camera, up being the world's or the camera's. Integers, so that forth and back end where they
-// began; no move leaves every bit of the light.
+// A light's movement by the user: about the model's centre, or about the eye for a light fixed to
+// the camera; up is the world's or the camera's. Integers, so that forth and back end where they
+// began; without a move every bit of the light stays.
 struct LightMove {
     int azimuth = 0, elevation = 0; // angle units (pose.h)
     int level = 0;                  // zoom levels: power * zoom_scale(level)
@@ -68,13 +68,14 @@ struct LightMove {
 };
 Light moved(const Light& light, const LightMove& move, UpAxis up, const geom::Mesh& mesh);
 
-// Where it stands: as the camera's azimuth and elevation, in degrees.
+// The light's position as the camera's azimuth and elevation, in degrees.
 struct LightPlace {
     double azimuth_degrees = 0, elevation_degrees = 0;
 };
 LightPlace place_of(const Light& light, UpAxis up, const geom::Mesh& mesh);
 
-// In view space, made once a frame; lengths times to_floats(view), as positions of lanes are.
+// A light in view space, made once a frame; lengths are times to_floats(view), like positions of
+// lanes.
 struct ViewLight {
     Vec3 towards{0, 0, 1}; // directional: unit, from the surface to the light
     Vec3 colour{1};        // linear; times the power
@@ -82,7 +83,7 @@ struct ViewLight {
     Vec3 position{0};    // point, spot
     float reach = 1;     // distance at which `colour` arrives
     float nearest = 0;   // nearer than this it gets no brighter
-    Vec3 axis{0, 0, -1}; // spot: unit, where it points
+    Vec3 axis{0, 0, -1}; // spot: unit, the direction of its cone
     float cos_inner = 1, cos_outer = 1;
     float size = 0; // bounding radii; directional: tangent of the angle
     LightShape shape = LightShape::sphere;

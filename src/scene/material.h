@@ -43,13 +43,13 @@ struct Material {
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
-// Ns 0, or no Ns at all, would put a highlight everywhere: exporters that write it beside a bright
-// Ks (MeshLab does) mean none. Between 0 and 1 it fades (shade/reflection/highlight-inl.h).
+// Ns 0, or no Ns, would put a highlight everywhere. Exporters that write it beside a bright Ks
+// (MeshLab does) mean no highlight. Between 0 and 1 it fades (shade/reflection/highlight-inl.h).
 inline bool has_highlight(const Material& m) {
     return m.shininess > 0 && (m.specular.x > 0 || m.specular.y > 0 || m.specular.z > 0);
 }
 
-// How a material reflects, by what it says of itself.
+// The reflection of a material, by the fields that the file gives.
 enum class Surface : std::uint8_t { matt, glossy, physical };
 inline constexpr int kSurfaces = 3;
 inline Surface surface_of(const Material& m) {
@@ -57,7 +57,7 @@ inline Surface surface_of(const Material& m) {
     return has_highlight(m) ? Surface::glossy : Surface::matt;
 }
 
-// Of a physical material that says only one of them.
+// Defaults of a physical material that gives only one of the two.
 inline float roughness_of(const Material& m) {
     return m.roughness ? *m.roughness : 0.5F;
 }

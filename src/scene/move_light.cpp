@@ -8,7 +8,7 @@
 namespace scanout::scene {
 namespace {
 
-// The light's place as spherical coordinates about what it is moved about.
+// The light's position in spherical coordinates about the centre of its movement.
 struct Sphere {
     DMat3 upright{1}; // file or camera axes -> axes with y up
     DVec3 centre{0};

@@ -1,5 +1,5 @@
-// Where the user has turned, scaled and moved the model, and where the camera stands: integers
-// only, so that a million steps forth and back end where they began (HARD-CASES 22, 23, 25).
+// The user's rotation, scale and shift of the model, and the position of the camera: integers only,
+// so that a million steps forth and back end where they began (HARD-CASES 22, 23, 25).
 //
 // World: right-handed, y up, the model's centre at the origin, 1 = the bounding radius.
 #pragma once

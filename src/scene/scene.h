@@ -1,4 +1,4 @@
-// What is drawn: one mesh with its materials and textures, and the counts and facts about it.
+// A scene to draw: one mesh with its materials and textures, and the counts of its file.
 #pragma once
 
 #include "geom/mesh.h"
@@ -10,7 +10,7 @@
 
 namespace scanout::scene {
 
-// What the model's file holds, for reports.
+// Counts of the model's file, for reports.
 struct ModelCounts {
     std::size_t vertices = 0; // v statements (OBJ), 3 a facet (STL)
     std::size_t faces = 0;    // polygons that are drawn, whatever their number of corners
@@ -27,8 +27,8 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Texture> textures;
     ModelCounts counts;
-    // What a renderer keeps of a scene from frame to frame holds while this stays the same; 0: it
-    // keeps nothing. Two loaded scenes never share one.
+    // Renderers may cache data of a scene while this stays the same; 0: they cache nothing. Two
+    // loaded scenes never share one.
     std::uint64_t revision = 0;
 };
 

@@ -14,7 +14,7 @@ namespace scanout::scene {
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, minus_x };
-DMat3 up_rotation(UpAxis up); // the file's axes -> those of the world, where y is up
+DMat3 up_rotation(UpAxis up); // the file's axes -> the world's axes, where y is up
 
 // --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
 struct ModelTransform {
@@ -40,8 +40,8 @@ struct NamedView {
 };
 std::optional<NamedView> named_view(std::string_view name);
 
-// Everything a frame needs to know about where things stand. View space: eye at the origin, looks
-// down -z, x right, y up, unit = bounding radius.
+// The view of a frame: all positions and projections that it needs. View space: eye at the origin,
+// looks down -z, x right, y up, unit = bounding radius.
 struct View {
     // view position = linear * mesh position + translation
     DMat3 linear{1};
@@ -51,12 +51,12 @@ struct View {
     Projection projection = Projection::perspective;
     // Half the picture's extent at distance 1 (perspective) or everywhere (orthographic).
     double half_width = 1, half_height = 1;
-    double near_distance = 0; // perspective: what is nearer is clipped; depth = near / distance
+    double near_distance = 0; // perspective: clips nearer points; depth = near / distance
     // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
     double depth_origin = 0, depth_scale = 1;
     double centre_distance = 0; // from the eye's plane to the model's centre
-    // The world, which does not move with the model: the file's axes in view space, and where the
-    // model's centre stands before it is moved. Unit = bounding radius.
+    // The world, which does not move with the model: the file's axes in view space, and the
+    // position of the model's centre before it is moved. Unit = bounding radius.
     DMat3 world_axes{1};
     DVec3 world_origin{0};
 };
@@ -69,11 +69,11 @@ double radii_per_unit(const geom::Mesh& mesh); // of the file
 Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, const Pose& pose,
                        const CameraOptions& camera, const Orbit& orbit, int width, int height);
 
-// What brings the view's lengths to where floats have squares: a power of two, and 1 but for scenes
+// A power of two that scales the view's lengths so that their squares are floats; 1 but for scenes
 // of 2^40 bounding radii and more.
 double to_floats(const View& view);
 
-// How many world units of the plane through the model's centre one pixel spans: for dragging.
+// The world units that one pixel spans on the plane through the model's centre: for dragging.
 double world_units_per_pixel(const View& view, int height);
 
 } // namespace scanout::scene
