@@ -1,4 +1,4 @@
-// The way from the back buffer into a display's memory, the same for every display: rows in order,
+// The copy from the back buffer into a display's memory, the same for every display: rows in order,
 // each byte written once. The target is never read: memory behind a bus is slow to read, and
 // drivers ask for ordered streaming copies (DRM_CAP_DUMB_PREFER_SHADOW, [CONSOLE 2]).
 #pragma once

@@ -1,4 +1,4 @@
-// Input: what keyboard and mouse did, as the machine tells it; app binds it to actions.
+// Input events of keyboard and mouse, as the machine reports them; app binds them to actions.
 #pragma once
 
 #include "base/result.h"
