@@ -1,4 +1,4 @@
-// Lights, sides, reflection, shadows, and how often they are evaluated.
+// Lights, sides, reflection, and how often they are evaluated.
 #include "base/check.h"
 #include "frame/facts/map_facts.h"
 #include "frame/plan/planner.h"
@@ -12,18 +12,6 @@
 
 namespace scanout::frame {
 namespace {
-
-// Why no light shows on anything; null where some does.
-const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
-    if (facts.triangles == 0) return "nothing is lit: there are no triangles";
-    if (!some_light_shines(plan.options)) return kNoLight;
-    if (facts.specular_triangles > 0) return nullptr;
-    if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";
-    const bool pictures = plan.decision("texture")->on() && plan.source == nullptr;
-    if (facts.black_by_maps && pictures)
-        return "nothing reflects light: Kd and Ks, or their maps, are black everywhere";
-    return nullptr;
-}
 
 // One row for each kind of light: on where one shines that is not black, and something is lit.
 // Returns the facts of the plan's lights.
@@ -122,11 +110,6 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
-// Depth in steps that may be as long as the model.
-bool is_depth_coarse(const FrameOptions& options) {
-    return row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard;
-}
-
 // Why back faces may be visible, or why not, of a mesh whose normals lean to no back.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
                                    const ViewFacts& view) {
@@ -185,131 +168,22 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
     if (on) plan.techniques.push_back(&lit.card);
 }
 
-// Does light show on some face that turns away from it? Such a face lies in its own shadow.
-bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
-    const auto leans = [&](shade::Map map) {
-        const auto asked = plan.options.effects.find(map_effect(map));
-        return facts.mapped_triangles[map] > 0 &&
-               (asked == plan.options.effects.end() || asked->second);
-    };
-    return facts.topology.smooth_triangles > 0 || plan.sides == shade::Sides::file ||
-           leans(shade::kNormalMap) || leans(shade::kBumpMap);
-}
-
-// From inside, a convex body's near side stands between the lights and its far side.
-bool shows_far_side(const FrameOptions& options, const ViewFacts& view) {
-    const raster::DepthTestRow& test =
-        row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);
-    return options.cull == Cull::front || view.inside || test.test != raster::DepthTest::greater ||
-           is_depth_coarse(options);
-}
-
-bool shadows_itself(const FramePlan& plan, const SceneFacts& facts, const ViewFacts& view,
-                    const std::vector<LightFacts>& of_lights, shade::ShadowBy by) {
-    const geom::MeshTopology& topology = facts.topology;
-    if (is_lit_from_behind(plan, facts)) return true;
-    // Volumes are counted at the depth that is stored: before or behind the plane.
-    if (topology.flat) return by == shade::ShadowBy::volumes && is_depth_coarse(plan.options);
-    if (topology.convex_components.empty() || shows_far_side(plan.options, view)) return true;
-    return !std::all_of(of_lights.begin(), of_lights.end(),
-                        [](const LightFacts& light) { return light.shadows_disjoint; });
-}
-
-// Some triangle is neither blended in this plan nor invisible.
-bool something_throws(const FrameOptions& options, const SceneFacts& facts) {
-    const auto asked = options.effects.find("blending");
-    const bool cuts =
-        row_or(shade::transparency::kRows, options.transparency, shade::transparency::exact).cuts;
-    const bool blends =
-        !cuts && !blends_nothing(options) && (asked == options.effects.end() || asked->second);
-    return facts.alpha.unseen_triangles + (blends ? facts.alpha.blended_triangles : 0) <
-           facts.triangles;
-}
-
-// The lights that cast.
-struct Casting {
-    std::string names;
-    int lights = 0, sized = 0;
-    int outside = 0; // of a closed mesh
-    bool directional = false;
-    std::vector<raster::Facing> in_maps; // ShadowPlan
-
-    Casting(const FramePlan& plan, const std::vector<LightFacts>& of_lights) {
-        in_maps.assign(plan.lights.size(), raster::Facing::any);
-        for (std::size_t i = 0; i < in_maps.size(); ++i) {
-            const scene::Light& light = plan.lights[i];
-            if (!light.casts || light.kind == scene::LightKind::ambient) continue;
-            names += (names.empty() ? "" : ", ") + light.name;
-            ++lights;
-            sized += light.size > 0 ? 1 : 0;
-            directional = directional || light.kind == scene::LightKind::directional;
-            if (!of_lights[i].only_front_faces) continue;
-            ++outside;
-            in_maps[i] = raster::Facing::front;
-        }
-    }
-    // The faces that shadow maps are drawn of, where back faces can be left out.
-    std::string why_fronts() const {
-        if (outside == 0) return {};
-        const std::string of =
-            outside == lights ? "maps" : fmt::format("the maps of {} of {}", outside, lights);
-        return fmt::format("; the mesh is closed and wound outwards: {} hold fronts alone", of);
-    }
-};
-
-// Shadows: on where a light that shines casts them. A light with a size throws soft ones; those of
-// a point are sharp, and the filtered map is the cheapest that shows no steps.
-Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
-                          const ViewFacts& view, const std::vector<LightFacts>& of_lights,
-                          const shade::Stage& shading) {
-    const Casting casting(plan, of_lights);
-    TRY(const shade::ShadowStage* const stage,
-        choose(shade::shadow::kRows, plan.options.shadow,
-               casting.sized > 0 ? shade::shadow::map_soft : shade::shadow::map_pcf));
-    const bool attached = stage->by == shade::ShadowBy::facing;
-    const bool floor = stage->by != shade::ShadowBy::projection || facts.shadow_plane.triangles > 0;
-    const bool falls = attached || shadows_itself(plan, facts, view, of_lights, stage->by);
-    const bool at_pixels = attached || !shading.needs.vertices;
-    const bool throws = attached || something_throws(plan.options, facts);
-    std::string because =
-        why_unlit(plan, facts) != nullptr ? why_unlit(plan, facts)
-        : casting.lights == 0             ? "no light that reaches anything casts shadows"
-        : !throws ? "every triangle is blended or clear, and those throw none"
-        : !falls && facts.topology.convex_components.size() > 1
-            ? fmt::format("its {} parts, flat or convex, stand clear of one another in the light: "
-                          "they throw none",
-                          facts.topology.convex_components.size())
-        : !falls     ? "the model is flat or convex: it throws none on itself"
-        : !at_pixels ? fmt::format("they need light at pixels, and --shading {} has it not",
-                                   shading.card.name)
-        : !floor && facts.shadow_plane.by_user
-            ? "no triangle lies in the plane of --shadow-plane, to project shadows onto"
-        : !floor ? "no triangle lies flat on a side of the model's box, to project shadows onto"
-                 : fmt::format("{} light{}: {}", casting.lights,
-                               casting.lights == 1 ? " casts" : "s cast", casting.names);
-    const bool possible = casting.lights > 0 && throws && floor && at_pixels; // it can be forced on
-    const bool called = possible && falls;
-    if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
-    if (called && facts.alpha.blended_triangles > 0)
-        because += fmt::format("; {} blended triangles throw none", facts.alpha.blended_triangles);
-    if (called && stage->by == shade::ShadowBy::maps) because += casting.why_fronts();
-    if (!planner.effect("shadow", stage->card.name, called, std::move(because), stage->card.axis) ||
-        !possible)
-        return {};
-    if (attached) {
-        plan.techniques.push_back(&stage->card);
-        return {};
-    }
-    // A directional light now differs from lane to lane, too.
-    if (casting.directional) planner.stage(shade::light::directional);
-    planner.stage(*stage);
-    plan.shadow.stage = stage;
-    plan.shadow.plane = facts.shadow_plane;
-    plan.shadow.in_maps = casting.in_maps;
-    return {};
-}
-
 } // namespace
+
+const char* why_unlit(const FramePlan& plan, const SceneFacts& facts) {
+    if (facts.triangles == 0) return "nothing is lit: there are no triangles";
+    if (!some_light_shines(plan.options)) return kNoLight;
+    if (facts.specular_triangles > 0) return nullptr;
+    if (facts.brightest <= 0) return "nothing reflects light: Kd and Ks are black everywhere";
+    const bool pictures = plan.decision("texture")->on() && plan.source == nullptr;
+    if (facts.black_by_maps && pictures)
+        return "nothing reflects light: Kd and Ks, or their maps, are black everywhere";
+    return nullptr;
+}
+
+bool is_depth_coarse(const FrameOptions& options) {
+    return row_or(raster::depth::kRows, options.depth, raster::depth::reversed).standard;
+}
 
 bool some_light_shines(const FrameOptions& options) {
     return !std::all_of(options.lights.begin(), options.lights.end(), scene::is_black);
@@ -348,23 +222,6 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     plan.attributes.normal = plan.attributes.normal && normals;
     plan.vertex_normals = normals && shading->unit_vertex_normals;
     return {};
-}
-
-void plan_casters(FramePlan& plan, const SceneFacts& facts) {
-    if (plan.shadow.stage == nullptr) return;
-    const std::vector<raster::AlphaMode>& modes = plan.transparency.alpha_modes;
-    bool all = true;
-    for (std::size_t i = 0; i < modes.size(); ++i) {
-        const AlphaClass alpha = facts.alpha.of_material[i];
-        raster::AlphaMode mode = modes[i];
-        if (mode == raster::AlphaMode::blended)
-            mode = alpha == AlphaClass::opaque    ? raster::AlphaMode::opaque
-                   : alpha == AlphaClass::cut_out ? raster::AlphaMode::cut_out
-                                                  : raster::AlphaMode::nothing;
-        all = all && mode == raster::AlphaMode::opaque;
-        plan.shadow.casters.push_back(mode);
-    }
-    if (all) plan.shadow.casters.clear();
 }
 
 } // namespace scanout::frame

@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scanout::frame {
 
@@ -58,6 +59,10 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
 
 // map_Kd, or the computed texture that replaces it.
 Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// Why no light shows on anything; null where some does.
+const char* why_unlit(const FramePlan& plan, const SceneFacts& facts);
+// Depth in steps that may be as long as the model.
+bool is_depth_coarse(const FrameOptions& options);
 // Some light is not black, whether it reaches the model or not.
 bool some_light_shines(const FrameOptions& options);
 // Does the user have physical materials reflect by Ks and Ns, as the others do?
@@ -69,6 +74,12 @@ inline constexpr const char* kNoDirection = "no light comes from a side: normals
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,
                         const ViewFacts& view);
+// Shadows: on where a light that shines casts them, and something is hidden from it. By default, a
+// light with a size throws soft ones; a point's are sharp, and the filtered map is the cheapest
+// that shows no steps. `of_lights`: facts of the plan's lights.
+Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& facts,
+                          const ViewFacts& view, const std::vector<LightFacts>& of_lights,
+                          const shade::Stage& shading);
 // The other maps, and light of the surfaces' own; after the light and the highlights are decided.
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Which materials are cut out or blended, and how alpha is found.
