@@ -37,16 +37,16 @@ struct ActionRow {
     std::string_view sheet; // how the help sheet names the keys; empty: on an earlier row's line
     std::string_view help;
     int numbers = 0;      // whole numbers that follow the name in a recording
-    bool repeats = false; // while its key is held
-    std::string (*state)(const ViewerState&) = nullptr; // for the help sheet: how it stands now
-    std::string_view changes = {}; // what the state is of; empty: the picture shows that
+    bool repeats = false; // the key repeats while it is held
+    std::string (*state)(const ViewerState&) = nullptr; // for the help sheet: the present state
+    std::string_view changes = {}; // name of the state that it changes; empty: the picture shows it
 };
 
 std::span<const ActionRow> action_rows();
 const ActionRow& row_of(ActionId id);
 bool is_view(ActionId id);
-// "projection: orthographic": what the action has changed, and how it stands now. Empty: it is no
-// switch.
+// "projection: orthographic": the state that the action has changed, and its new value. Empty where
+// the action is no switch.
 std::string change_text(ActionId id, const ViewerState& state);
 const ActionRow* find_action(std::string_view name); // null: there is none
 
@@ -59,7 +59,7 @@ struct Action {
 };
 
 // "drag_rotate 120 -33", "repeat rotate_left", "frame a.png": one line of a recording, without the
-// step. parse_action reads it back; its error says what is wrong, not where.
+// step. parse_action reads it back; its error names the fault, not the place.
 std::string to_text(const Action& action);
 Result<Action> parse_action(std::string_view text);
 

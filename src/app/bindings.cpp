@@ -52,7 +52,8 @@ const std::vector<Binding>& bindings() {
     return all;
 }
 
-// Without NumLock the keypad's digits are arrows and the like; the binding names the place.
+// Without NumLock, the keypad's digits are arrows and the like: the binding names the key by its
+// place.
 std::uint32_t without_num_lock(std::uint32_t keysym) {
     switch (keysym) {
     case XKB_KEY_KP_End:
@@ -176,7 +177,8 @@ void Binder::key(const port::Event& event, std::int64_t step, std::vector<Action
 
 std::optional<std::int64_t> Binder::next_repeat() const {
     if (!held_) return std::nullopt;
-    // 60 steps a second do not divide by 25: repeat k is due at the first step not before k / 25 s.
+    // 60 steps a second are not a multiple of 25: repeat k is due at the first step at or after k /
+    // 25 s.
     constexpr int kStepsTimes = 60;
     return held_->first_step +
            (std::int64_t{held_->count} * kStepsTimes + kRepeatsPerSecond - 1) / kRepeatsPerSecond;

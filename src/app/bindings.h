@@ -21,8 +21,8 @@ struct Key {
 };
 std::optional<Key> parse_key(std::string_view text); // empty: no such key
 
-// What a key press is bound to. Letters and named keys go by the unshifted key, so that Caps Lock
-// does not matter; signs such as + and ? by what the layout makes of the key.
+// The action that a key press is bound to. Letters and named keys are looked up by the unshifted
+// key, so that Caps Lock does not matter; signs such as + and ? by the sign that the layout gives.
 std::optional<ActionId> bound_to(const port::Event& event);
 
 // `list keys`: one line an action.
@@ -32,21 +32,21 @@ inline constexpr int kRepeatDelaySteps = 36; // 600 ms
 inline constexpr int kRepeatsPerSecond = 25;
 inline constexpr int kMaxRepeatsAtOnce = 8; // after a stall
 
-// Turns the machine's events into actions. Holds what a hand holds: a key, a button, a modifier.
+// Turns the machine's events into actions. Keeps the held state: a key, a button, modifiers.
 class Binder {
 public:
     Binder(int width, int height, bool moves_pointer);
 
-    // The actions of a batch of events, in order. Motions that follow each other become one.
+    // Appends the actions of a batch of events, in order. Successive motions become one.
     void bind(std::span<const port::Event> events, std::int64_t step, std::vector<Action>& actions);
 
-    // A held key that repeats: its next step, and whether the batch lets go of it.
+    // The next step of a held key that repeats; let_go() releases it if the batch does.
     std::optional<std::int64_t> next_repeat() const;
     void let_go(std::span<const port::Event> events);
     // The repeats that are due at `step`, at most one.
     std::optional<Action> repeat(std::int64_t step);
 
-    // The console went away, and with it the releases: nothing is held any more.
+    // Call when the console is lost, and the release events with it: releases everything held.
     void release_all(std::vector<Action>& actions);
 
 private:

@@ -17,7 +17,7 @@
 namespace scanout::app {
 namespace {
 
-// What can be refused without touching a display is refused first.
+// Refuses all that can be refused without a display, before one is opened.
 Result<void> check_view(const Settings& s) {
     if (s.arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
@@ -30,7 +30,7 @@ Result<void> check_view(const Settings& s) {
     return {};
 }
 
-// --record and --replay, opened before the display is: a fault in them is said on a text console.
+// --record and --replay, opened before the display: their faults are reported on a text console.
 struct Tapes {
     std::optional<Recorder> recorder;
     std::optional<Script> script;
@@ -91,8 +91,8 @@ struct OpenDisplay {
     const char* backend = "";
 };
 
-// The first display that opens. What was refused before it is said with --verbose; what was refused
-// when none is left is the error.
+// Opens the first display that works. Reports those refused before it with --verbose; if none
+// works, the refusals are the error.
 Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
     const bool names_fb = s.device.starts_with("/dev/fb");
     const bool names_drm = !s.device.empty() && !names_fb;

@@ -1,5 +1,5 @@
-// The picture, what lies on it (help, information, messages) and the pointer, put together in the
-// back buffer; and the rectangles in which it differs from what was shown last.
+// Composes the picture, its overlays (help, information, messages) and the pointer in the back
+// buffer, and finds the rectangles in which it differs from the frame shown last.
 #pragma once
 
 #include "image/image.h"
@@ -29,7 +29,7 @@ public:
     void set_pointer(std::optional<PixelPlace> pointer);
 
     const image::Image& frame() const { return frame_; }
-    // What changed since the last call; valid until the next.
+    // The damage since the last call; valid until the next.
     const std::vector<image::Rect>& take_damage();
 
 private:

@@ -1,5 +1,5 @@
-// Sleeps until a display or an input can be read, or until a time. With no time to wake up at no
-// timer is set: a viewer that has nothing to do costs nothing.
+// Sleeps until a display or an input can be read, or until a given time. Sets no timer without a
+// time to wake up: an idle viewer costs nothing.
 #pragma once
 
 #include "base/fd.h"

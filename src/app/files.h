@@ -1,5 +1,5 @@
-// The files that the command line names, looked at before any of them is opened: an output may not
-// destroy an input or another output, and needs a folder to stand in.
+// Checks the files that the command line names before any is opened: an output must not destroy an
+// input or another output, and needs a folder.
 #pragma once
 
 #include "base/result.h"
@@ -15,7 +15,7 @@ namespace scanout::app {
 Result<void> check_outputs(const std::vector<std::string>& inputs,
                            const std::vector<std::string>& outputs);
 
-// Exit::unreadable, with what to do, when the file cannot be opened for reading.
+// Exit::unreadable, with advice, when the file cannot be opened for reading.
 Result<void> check_readable(const std::string& path);
 
 } // namespace scanout::app

@@ -1,6 +1,6 @@
-// What the viewer tells about its frames: a line for each that reached the display (--verbose),
-// hashes (--json), and the picture files that a recording names. Hashes and files show what the
-// display shows: the frame went through its pixel format.
+// The viewer's log of its frames: a line for each that reached the display (--verbose), hashes
+// (--json), and the picture files that a recording names. Hashes and files show the display's
+// picture: the frame went through its pixel format.
 #pragma once
 
 #include "app/report.h"
@@ -21,11 +21,11 @@ public:
 
     // `frame` was handed to the display.
     void presented(const image::Image& frame, const frame::FrameStats& stats);
-    // The frame handed over last is on the screen: says so, once.
+    // The frame handed over last is on the screen: logs it, once.
     void reached();
     // An action came from input.
     void took(const std::string& action);
-    // The screen shows all that was asked for: says so, once after each action and frame.
+    // The screen shows everything asked for: logs it, once after each action and frame.
     void settled();
     Result<void> dump(const image::Image& frame, const std::string& path) const;
 

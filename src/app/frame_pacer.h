@@ -1,5 +1,5 @@
-// When the next frame is due: at most one a refresh, on a display that does not pace itself. And
-// how many there were a second.
+// Frame pacing: the time of the next frame, at most one a refresh, on a display that does not pace
+// itself; and the number of frames a second.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ public:
         // Half a period of slack: a late wake-up does not make every frame after it late as well.
         due_ = std::max(due_ + period_, now + period_ / 2);
     }
-    // Something else was shown, a notice while a file is read.
+    // Something else was shown, such as a notice while a file is read.
     void interrupt(Time now) { last_ = now; }
 
 private:

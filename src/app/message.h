@@ -1,5 +1,5 @@
-// Every line that the program says to its user goes through here, and only here: names of files and
-// what stands in them must not drive the user's terminal.
+// All lines that the program prints for its user go through here: file names and the contents of
+// files must not control the user's terminal.
 #pragma once
 
 #include <cstdio>
@@ -8,8 +8,8 @@
 
 namespace scanout::app {
 
-// `text` with each byte that is not part of a printable character as \xHH: control characters, the
-// marks that turn the direction of writing, and what is no UTF-8.
+// `text` with each byte that is not part of a printable character as \xHH: control characters,
+// marks that change the writing direction, and invalid UTF-8.
 std::string escaped(std::string_view text);
 
 // Writes the line, escaped, with one write(2): lines of several processes do not mix.

@@ -1,4 +1,4 @@
-// The place of the model on show: a model and its plans, or the reason why there is none.
+// The slot of the shown model: a model and its plans, or the reason why there is none.
 #pragma once
 
 #include "app/model_file.h"
@@ -11,14 +11,14 @@ namespace scanout::app {
 
 class ModelSlot {
 public:
-    // What a file gave takes the place of what was here.
+    // A loaded model, or an error of its file, replaces the slot's contents.
     void put(LoadedModel model, const frame::FrameOptions& options);
     void put_error(std::string error);
 
     const LoadedModel* model() const { return model_ ? &*model_ : nullptr; }
     const geom::Mesh* mesh() const { return model_ ? &model_->scene.mesh : nullptr; }
     const frame::SceneFacts& facts() const { return plans_.facts(); } // of the model
-    // Of the model; valid until the next call.
+    // A plan for the model; valid until the next call.
     Result<const frame::FramePlan*> plan(const frame::FrameOptions& options,
                                          const scene::View& view) {
         return plans_.plan(options, view);

@@ -59,7 +59,7 @@ std::string value_text(const Option& option);
 
 // Reads `text` into the settings. Errors are whole lines with the option's name, Exit::usage.
 Result<void> apply(const Option& option, std::string_view text, Settings& settings);
-// What no option sees by itself: combinations.
+// Checks combinations of options, which no single option can see.
 Result<void> check_together(const Settings& settings);
 
 // `list options`: the README's table.

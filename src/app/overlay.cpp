@@ -48,7 +48,7 @@ void draw_in_the_middle(image::Image& picture, const std::vector<std::string>& l
                std::max(0, (picture.height() - block.height) / 2), scale);
 }
 
-// A message of one line stays one, cut where the picture ends: it must not cover the model.
+// A message of one line is not broken, but cut at the picture's edge: it must not cover the model.
 std::vector<std::string> message_lines(const std::string& message, std::size_t letters) {
     std::vector<std::string> lines;
     const std::size_t end = message.find('\n');
@@ -100,7 +100,7 @@ std::size_t lines_down(int width, int height) {
 
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
-    // The help sheet says how everything stands, and takes the room.
+    // The help sheet shows all states, and takes the room of the other lines.
     std::vector<std::string> left = overlay.info;
     left.insert(left.end(), overlay.explain.begin(), overlay.explain.end());
     if (!left.empty() && overlay.help.empty()) draw_block(picture, left, 0, 0, scale);

@@ -1,5 +1,5 @@
-// What lies on the picture: the help sheet, the information lines, the plan, a message, a notice in
-// the middle. All text, in the bitmap font; nothing here depends on the clock unless its text does.
+// The overlay of the picture: the help sheet, the information lines, the plan, a message, a notice
+// in the middle. All is text in the bitmap font; it depends on the clock only where its text does.
 #pragma once
 
 #include "app/viewer_state.h"
@@ -19,15 +19,15 @@ struct Overlay {
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 
-// The help sheet from the table of actions: keys, what they do, how it stands now.
+// The help sheet from the table of actions: keys, their effects, and the present states.
 std::vector<std::string> help_sheet(const ViewerState& state);
 
 // `text` in lines of at most `letters` letters, broken at spaces where there are any.
 std::vector<std::string> broken_into_lines(const std::string& text, std::size_t letters);
 
-// How many letters stand side by side in a picture of this size.
+// How many letters fit side by side in a picture of this size.
 std::size_t letters_across(int width, int height);
-// How many lines of text stand above the message's.
+// How many lines of text fit above the message.
 std::size_t lines_down(int width, int height);
 
 void draw_overlay(image::Image& picture, const Overlay& overlay);

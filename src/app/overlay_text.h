@@ -1,4 +1,4 @@
-// The words on the picture, from what the viewer shows.
+// The texts of the overlay, from the viewer's state.
 #pragma once
 
 #include "app/model_slot.h"
@@ -16,10 +16,10 @@ namespace scanout::app {
 Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
                      const std::string& message);
 
-// Adds what only the frame that is being shown knows.
+// Adds the lines that depend on the frame that is being shown.
 struct FrameFacts {
     bool model_in_view = true;
-    bool times = true; // may be on the picture
+    bool times = true; // print the times
     double frames_per_second = 0;
     frame::FrameStats stats;
 };

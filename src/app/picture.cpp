@@ -25,7 +25,7 @@ std::string_view text_of(PictureFormat format) {
     return "";
 }
 
-// Holds the signals that would end the program back, for its lifetime.
+// Blocks the signals that would end the program, during its lifetime.
 class SignalsHeldBack {
 public:
     SignalsHeldBack() {

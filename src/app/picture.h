@@ -12,14 +12,14 @@
 
 namespace scanout::app {
 
-// What the name's extension says, in any case; nothing for names that say nothing.
+// The format of the name's extension, in any case; nothing for other names.
 std::optional<PictureFormat> format_of_name(std::string_view path);
 
-// The format that a file is written in: the one asked for, or by the name's extension; "-" is PNG.
-// Exit::usage when neither says it, or when they say different things.
+// The format of an output file: the format that the user asked for, or the extension's; "-" is PNG.
+// Exit::usage where neither names a format, or where they differ.
 Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked);
 
-// A display of this format would dither what --dither none says must not be: it has to be given
+// Would a display of this format dither although --dither none forbids it? Then it has to be given
 // image::without_dither() of the picture.
 bool dithers_unasked(const Settings& settings, const image::PixelFormat& format);
 

@@ -1,4 +1,4 @@
-// What a picture of the viewer depends on. Pictures of equal keys are equal.
+// Everything that a picture of the viewer depends on. Pictures of equal keys are equal.
 #pragma once
 
 #include "app/viewer_state.h"
@@ -11,7 +11,7 @@ struct PictureKey {
     friend bool operator==(const PictureKey&, const PictureKey&) = default;
 };
 
-// A model that turns gives the picture that it gives when it stands.
+// A turning model gives the same picture as one that stands at the same angle.
 inline PictureKey picture_key(const Look& look, int generation) {
     PictureKey key{look, generation};
     key.look.turntable = false;

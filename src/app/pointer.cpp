@@ -7,7 +7,7 @@
 namespace scanout::app {
 namespace {
 
-// # black, . white, blank: see through. The tip is the first pixel of the first row.
+// # black, . white, blank: transparent. The tip is the first pixel of the first row.
 constexpr std::array<std::string_view, 17> kArrow = {
     "#           ", //
     "##          ", //

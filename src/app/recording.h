@@ -6,8 +6,8 @@
 //   +30 drag_begin                 +N: that many steps after the line above
 //   drag_rotate 120 -33            no step: the same as the line above
 //   +1 drag_end
-//   +0 frame turned.png            writes what is shown: .png .ppm .pam, or .raw: the display's
-//   bytes +60 quit
+//   +0 frame turned.png            writes the picture: .png .ppm .pam, or .raw (display bytes)
+//   +60 quit
 #pragma once
 
 #include "app/actions.h"

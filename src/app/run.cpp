@@ -40,10 +40,10 @@ Result<Exit> parse_and_run(std::vector<std::string> arguments, std::uint64_t sta
 } // namespace
 
 Exit run(int argc, char** argv) {
-    const FloatEnvironment plain; // for what is computed outside of jobs: cameras, models
+    const FloatEnvironment plain; // for arithmetic outside of jobs: cameras, models
     const std::uint64_t start_bytes = resident_bytes();
-    // A reader that goes away (`scanout ... | head`) is an error of write(), not the end by a
-    // signal.
+    // A reader that ends early (`scanout ... | head`) makes write() fail; it must not end the
+    // program by a signal.
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow likewise
     Result<Exit> result = Exit::internal;

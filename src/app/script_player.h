@@ -1,4 +1,4 @@
-// Where a recording that is played stands.
+// Plays a recording and keeps the place in it.
 #pragma once
 
 #include "app/recording.h"

@@ -40,7 +40,7 @@ char32_t take_code(std::string_view& text) {
 
 namespace {
 
-// The outline that stands for what cannot be shown, one font pixel inside the cell.
+// The outline box that stands for a missing character, one font pixel inside the cell.
 bool box_ink(const Font& font, int x, int y) {
     const int right = font.width - 2, bottom = font.height - 2;
     if (x < 1 || y < 1 || x > right || y > bottom) return false;

@@ -12,8 +12,8 @@ namespace scanout::app {
 constexpr int kGlyphWidth = 9;
 constexpr int kGlyphHeight = 15;
 
-// Takes one code point off the front of a text that is not empty; one byte, and kBroken, where that
-// is no UTF-8 (Unicode 2022, 3.9, D92).
+// Removes one code point from the front of a text that is not empty; where that is no UTF-8, one
+// byte, and returns kBroken (Unicode 2022, 3.9, D92).
 constexpr char32_t kBroken = 0xfffd;
 char32_t take_code(std::string_view& text);
 
@@ -22,8 +22,8 @@ char32_t take_code(std::string_view& text);
 int text_width(std::string_view utf8, int scale = 1, const Font& font = font_regular);
 
 // Draws one line with its upper left corner at (x, y), each font pixel as scale x scale pixels of
-// exactly `colour`; the background stays. Control characters, broken UTF-8 and what the font does
-// not have become boxes. Returns the line's cells clipped to the picture; no pixel outside is
+// exactly `colour`; the background stays. Control characters, broken UTF-8 and characters that the
+// font lacks become boxes. Returns the line's cells clipped to the picture; no pixel outside is
 // touched. scale >= 1.
 image::Rect draw_text(image::Image& image, int x, int y, std::string_view utf8, image::Rgba8 colour,
                       int scale = 1, const Font& font = font_regular);

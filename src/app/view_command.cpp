@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
-// Ten digits are finer than any picture; a rest of rounding is 0.
+// Ten digits are finer than any picture; smaller rounding errors become 0.
 std::string number(double value) {
     return std::abs(value) < 1e-10 ? "0" : fmt::format("{:.10g}", value);
 }
@@ -26,13 +26,13 @@ std::string triple(const DVec3& v) {
 DVec3 angles_of(const DMat3& m) {
     const double across = std::sqrt(m[0][0] * m[0][0] + m[0][1] * m[0][1]);
     const double y = scanout::atan2(-m[0][2], across);
-    // With the y turn at a right angle x and z turn about one axis: z takes none of it.
+    // If the y turn is a right angle, x and z turn about one axis: the angle goes to x, and z is 0.
     if (across < 1e-9) return DVec3(scanout::atan2(-m[2][1], m[1][1]), y, 0) * kDegrees;
     return DVec3(scanout::atan2(m[1][2], m[2][2]), y, scanout::atan2(m[0][1], m[0][0])) * kDegrees;
 }
 
-// The model's transform, of which `placed` is rotation times scale. A scale keeps the sign that the
-// command line gave it.
+// The model's transform for `placed`, which is rotation times scale. Each scale keeps the sign that
+// the command line gave it.
 scene::ModelTransform transform_of(const DMat3& placed, const DVec3& given_scale) {
     scene::ModelTransform transform;
     DMat3 rotation = placed;
@@ -59,7 +59,7 @@ scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
     camera.up = up;
     const double half_fov = camera.fov_degrees / 2;
     camera.distance = view.projection == scene::Projection::perspective
-                          ? view.near_distance * 0x1p14 // that share of it make_view() takes
+                          ? view.near_distance * 0x1p14 // in make_view() near = distance / 2^14
                           : view.half_height * cos_degrees(half_fov) / sin_degrees(half_fov);
     return camera;
 }

@@ -1,4 +1,4 @@
-// F: the whole model as large as the picture shows it, in the middle, turned as it is.
+// F: zooms and centres the model so that it just fits the picture, in its present rotation.
 #include "app/viewer.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 constexpr double kFill = 0.95; // of the picture's half width or height
 constexpr int kPasses = 6;     // perspective changes as the model moves: each pass comes closer
 
-// What the vertices take of the picture: -1 to 1 is from edge to edge.
+// The extent of the vertices in the picture: -1 to 1 is from edge to edge.
 struct Extent {
     double left = std::numeric_limits<double>::infinity(), right = -left;
     double bottom = left, top = -left;
@@ -20,7 +20,7 @@ struct Extent {
     bool fits() const { return std::max({-left, right, -bottom, top}) <= kFill; }
 };
 
-// Nothing: a vertex is too near to the eye, or there is none.
+// Returns nothing where a vertex is too near to the eye, or where there is none.
 std::optional<Extent> extent_of(const geom::Mesh& mesh, const scene::View& view) {
     const bool perspective = view.projection == scene::Projection::perspective;
     Extent extent;
@@ -38,7 +38,7 @@ std::optional<Extent> extent_of(const geom::Mesh& mesh, const scene::View& view)
     return std::isfinite(extent.half_size()) ? std::optional(extent) : std::nullopt;
 }
 
-// The levels by which what has this half size fills the picture.
+// The zoom levels that make an extent of this half size fill the picture.
 int levels_to_fill(double half_size) {
     int low = -scene::kMaxZoomLevel, high = scene::kMaxZoomLevel;
     while (low < high) {
@@ -53,7 +53,7 @@ int levels_to_fill(double half_size) {
 
 } // namespace
 
-// As large and as far in the middle as the present picture says. False: it says nothing.
+// Zooms and centres by the extent in the present view. Returns false where there is no extent.
 bool Viewer::fit_once(const geom::Mesh& mesh) {
     const Result<scene::View> now = view(mesh);
     const std::optional<Extent> extent = now ? extent_of(mesh, *now) : std::nullopt;
@@ -86,7 +86,7 @@ void Viewer::fit(const geom::Mesh* mesh) {
     scene::Orbit& orbit = state_.look.orbit;
     pose.zoom = orbit.zoom = 0;
     pose.pan_x = pose.pan_y = pose.pan_z = orbit.pan_x = orbit.pan_y = orbit.pan_z = 0;
-    constexpr int kTries = 20; // octaves: to where the eye is no longer inside of the model
+    constexpr int kTries = 20; // octaves: until the eye is outside of the model
     for (int i = 0; i < kTries && !fit_once(*mesh); ++i)
         zoom_model(-scene::kZoomLevelsPerOctave);
     for (int pass = 1; pass < kPasses; ++pass)

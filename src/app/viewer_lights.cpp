@@ -1,4 +1,4 @@
-// The viewer's lights: which one keys and mouse move, and where they have put each.
+// The viewer's lights: the one that keys and mouse move, and the movement of each.
 #include "app/viewer.h"
 
 #include <algorithm>
@@ -16,10 +16,11 @@ void Viewer::next_light() {
     state_.light = (state_.light + 1) % static_cast<int>(lights_.size());
 }
 
-// Azimuth and elevation about the model, as the camera's; the elevation stops at the poles.
+// Turns in azimuth and elevation about the model, like the camera; the elevation stops at the
+// poles.
 void Viewer::turn_light(const scene::LightMove& from, std::int64_t right, std::int64_t up,
                         const geom::Mesh* mesh) {
-    const scene::LightMove before = from; // may be the one that changes
+    const scene::LightMove before = from; // `from` may be light_move() itself
     scene::LightMove& move = light_move();
     move.azimuth = scene::wrap_angle(before.azimuth + right);
     const scene::Light& light = lights_[static_cast<std::size_t>(state_.light)];
@@ -46,7 +47,7 @@ void Viewer::place_lights(const geom::Mesh& mesh, std::vector<scene::Light>& out
     out = lights_; // reuses its memory
     for (std::size_t i = 0; i < out.size(); ++i) {
         const scene::LightMove& move = state_.look.lights[i];
-        if (!(move == scene::LightMove())) // no move leaves every bit of it
+        if (!(move == scene::LightMove())) // without a move every bit stays
             out[i] = scene::moved(lights_[i], move, state_.look.up, mesh);
     }
 }

@@ -1,5 +1,4 @@
-// What the viewer shows, as plain values: it changes by actions and by steps of the virtual clock,
-// and by nothing else.
+// The viewer's state, as plain values: only actions and steps of the virtual clock change it.
 #pragma once
 
 #include "frame/options.h"
@@ -12,7 +11,7 @@
 
 namespace scanout::app {
 
-// How the model is seen, all that keys and mouse change of it: what undo and reset bring back.
+// The view of the model, everything in it that keys and mouse change: undo and reset restore it.
 struct Look {
     scene::Pose pose;
     scene::Orbit orbit;

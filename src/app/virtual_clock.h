@@ -1,5 +1,5 @@
-// Steps of 1/60 s that follow the real clock while something moves, and stand still otherwise: what
-// is shown depends on steps alone, so a recording can be played again with the same frames.
+// Steps of 1/60 s that follow the real clock while something moves, and stand still otherwise. The
+// picture depends on steps alone, so a recording can be replayed with the same frames.
 #pragma once
 
 #include "app/viewer.h"
