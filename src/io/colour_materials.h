@@ -1,5 +1,5 @@
-// Colours of faces as materials: one for each colour, so that a face's colour needs no vertex of
-// its own.
+// Face colours as materials: one material for each colour, so that a face's colour needs no
+// vertices of its own.
 #pragma once
 
 #include "scene/material.h"

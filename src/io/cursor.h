@@ -1,6 +1,6 @@
-// A place in a text file, read statement by statement without copying: blanks, line ends (LF, CRLF,
-// CR alone), continuation lines (a backslash before the line end) and line numbers are known here,
-// what the statements mean is not. OBJ and MTL share it.
+// A place in a text file, read statement by statement without copying. It knows blanks, line ends
+// (LF, CRLF, CR alone), continuation lines (a backslash before the line end) and line numbers, but
+// not the meaning of statements. OBJ and MTL share it.
 #pragma once
 
 #include "io/number.h"
@@ -57,8 +57,7 @@ struct Cursor {
         return at_line_end();
     }
 
-    // Moves over NUL bytes, at most `limit`: what was cut short on its way may end in gigabytes of
-    // them.
+    // Skips NUL bytes, at most `limit`: a download that was cut short may end in gigabytes of them.
     void skip_nuls(std::size_t limit);
 
     // A word ends at a blank, a line end or a backslash that continues the line.
@@ -87,7 +86,7 @@ struct Cursor {
         return NumberFault::none;
     }
 
-    // The number here ends at a comma that digits follow, as where a locale has decimal commas.
+    // Does the number here end at a comma followed by digits, as in a locale with decimal commas?
     bool number_before_comma() const {
         const char* p = at;
         double value = 0;

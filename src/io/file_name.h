@@ -7,7 +7,7 @@
 
 namespace scanout::io {
 
-// What spellings of one name have in common: without case, characters composed (NFC), and bytes
+// A key that all spellings of one name share: without case, characters composed (NFC), and bytes
 // that are no UTF-8 read as Latin-1.
 std::string folded(std::string_view name);
 

@@ -1,4 +1,4 @@
-// gzip (Deutsch 1996): a model that was compressed as it is read.
+// gzip (Deutsch 1996): models may be compressed, and are unpacked as they are read.
 #pragma once
 
 #include "base/mapping.h"
@@ -14,8 +14,8 @@ inline bool is_gzip(std::string_view file) {
     return file.starts_with("\x1f\x8b\x08");
 }
 
-// All members of a gzip file, unpacked one after the other. What unpacks to more than `max_bytes`
-// is refused while it does, so is what is damaged or cut short (Exit::unreadable).
+// Unpacks all members of a gzip file, one after the other. Stops with an error as soon as they
+// exceed `max_bytes`; damaged and truncated files are errors, too (Exit::unreadable).
 Result<Mapping> gunzip(std::string_view file, const std::string& path, std::uint64_t max_bytes);
 
 } // namespace scanout::io

@@ -11,8 +11,8 @@ namespace {
 
 constexpr std::uint64_t kMegabyte = 1'000'000;
 
-// The least that a facet of a binary STL file takes at the peak of loading: 90 bytes are measured
-// on a smooth surface of two million, 114 on one that is all edges.
+// The least memory of a facet of a binary STL file at the peak of loading: 90 bytes are measured on
+// a smooth surface of two million facets, 114 on one that is all edges.
 constexpr std::uint64_t kBytesPerFacet = 80;
 
 } // namespace

@@ -1,5 +1,5 @@
-// What loading may take of the machine's memory, told in advance where the file's header is enough,
-// and watched while it is read.
+// The memory limit of loading: checked in advance where the file's header is enough, and watched
+// while the file is read.
 #pragma once
 
 #include "base/result.h"
@@ -12,14 +12,15 @@ namespace scanout::io {
 
 class MemoryLimit {
 public:
-    // `bytes` 0: what the machine has available.
+    // `bytes` 0: the machine's available memory.
     explicit MemoryLimit(std::uint64_t bytes);
 
-    // An OBJ file says nothing in advance: megabytes of comments or zeros take no memory at all.
+    // Only STL can be checked: an OBJ file may hold megabytes of comments or zeros that take no
+    // memory.
     Result<> admit_stl(std::string_view head, std::uint64_t size, const std::string& path) const;
 
-    // False from the moment on when too much is taken. The mesh takes as much again as the arrays
-    // that it is built of, while what is left of the file leaves memory before.
+    // Returns false once too much memory is taken. Building the mesh takes as much again as its
+    // source arrays; but before that, the unread rest of the file leaves memory.
     bool holds(std::uint64_t left_of_file);
 
     bool was_exceeded() const { return exceeded_; }

@@ -52,7 +52,7 @@ constexpr std::array<std::string_view, 12> kNotKept = {"Kt",      "Ps",      "Pc
                                                        "map_RMA", "map_ORM", "sharpness", "Km"};
 
 constexpr double kMaxNumber = 1e6; // of colours, exponents and options
-constexpr double kFarOff = 1e30;   // what is beyond this is read as this
+constexpr double kFarOff = 1e30;   // greater values are read as this
 
 float clamped(double value, double low, double high) {
     return static_cast<float>(std::clamp(value, low, high));
@@ -199,11 +199,11 @@ bool MtlReader::map_statement(std::string_view key) {
     return false;
 }
 
-// d and Tr both say how opaque a material is; exporters disagree on Tr. By the rule Tr = 1 - d, and
-// where a file gives both, d is the one that everybody reads alike: d wins, whatever the order. Tr
-// alone with 1 would be a material that cannot be seen, which nobody exports; older MeshLab writes
-// it for opaque ones. So Tr 1 alone means opaque, and every other Tr alone follows the rule. d 0,
-// too, is what exporters write who mean nothing by it.
+// The opacity from d and Tr; exporters disagree on Tr. By the rule Tr = 1 - d. If a file gives
+// both, d wins whatever the order, because everybody reads d alike. Tr 1 alone would make a
+// material invisible, which nobody exports; older MeshLab writes it for opaque ones. So Tr 1 alone
+// means opaque, and every other Tr alone follows the rule. Exporters also write d 0 without a
+// meaning, so it counts as opaque.
 void MtlReader::finish_material() {
     if (now_ == nullptr) return;
     if (dissolve_ && *dissolve_ == 0)
@@ -212,7 +212,7 @@ void MtlReader::finish_material() {
         now_->opacity = static_cast<float>(*dissolve_);
     else if (transparency_ && *transparency_ < 1)
         now_->opacity = static_cast<float>(1 - *transparency_);
-    // A map is multiplied by its colour; a material that gives the map alone means the map's own.
+    // A map is multiplied by its colour; if the material gives only the map, the colour is white.
     if (now_->map_diffuse.given() && !has_diffuse_) now_->diffuse = Vec3(1);
     MtlMaterial& material = out_.back();
     material.specular_by_map = now_->map_specular.given() && !has_specular_;
@@ -229,7 +229,7 @@ void MtlReader::finish_material() {
     now_ = nullptr;
 }
 
-// -o, -s and -clamp are drawn, and -imfchan of the map that has one channel.
+// The renderer draws -o, -s and -clamp, and -imfchan of the map that has one channel.
 void MtlReader::note_map_options(const Material& material) {
     const TextureMap &kd = material.map_diffuse, &d = material.map_opacity, plain;
     const auto note = [&](auto&& differs, std::string_view in_kd, std::string_view in_d) {
@@ -262,7 +262,7 @@ std::optional<double> MtlReader::number() {
     return std::nullopt;
 }
 
-// What a material cannot have becomes the nearest that it can, in one line a name, and counted.
+// Clamps values to the range that a material can have, with one warning a name, and counts them.
 template <class Number>
 Number MtlReader::between(std::string_view name, Number value, double least, double most) {
     const Number taken = std::clamp(value, static_cast<Number>(least), static_cast<Number>(most));
@@ -362,8 +362,8 @@ bool MtlReader::map_options(Cursor& at, TextureMap& map) const {
     return any;
 }
 
-// Over an option that is not known and the numbers behind it; unless that is all there is, and so
-// the file's name. Whether there was one.
+// Skips an unknown option and the numbers behind it, unless that is all there is: then it is the
+// file's name. Returns whether there was an option.
 bool MtlReader::skip_unknown_option() {
     Cursor ahead = at_;
     const std::string_view option = ahead.word();
@@ -417,7 +417,7 @@ void MtlReader::map_file(TextureMap& map) {
 
 std::vector<MtlMaterial> read_mtl(std::string_view file, const std::string& path,
                                   Warnings& warnings) {
-    // Whatever else mtllib named is not worth a word about its lines.
+    // Faults in files that mtllib names but that are no MTL are not reported.
     if (file.find("newmtl") == std::string_view::npos) return {};
     return MtlReader(file, path, warnings).read();
 }

@@ -16,9 +16,9 @@ enum class NumberFault { none, not_a_number, too_large };
 // than too large: such a number reads as 0.
 bool is_underflow(std::string_view number);
 
-// Reads one number at `at` and moves `at` behind it; on a fault `at` stays. What follows the number
-// is the caller's to judge ("1,5" reads as 1). A number longer than kLongestNumber characters is no
-// number: a file of digits alone must not be read as one.
+// Reads one number at `at` and moves `at` behind it; on a fault `at` stays. The caller judges the
+// characters behind it ("1,5" reads as 1). A number longer than kLongestNumber characters is a
+// fault: a file of digits alone must not be read as one number.
 inline constexpr std::ptrdiff_t kLongestNumber = 1024;
 
 inline NumberFault read_number(const char*& at, const char* end, double& value) {

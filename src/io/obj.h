@@ -28,7 +28,7 @@ struct ObjFile {
 };
 
 // `path` stands in messages. `progress` gets the share read, 0 to 1, every MB or so; false cancels.
-// What one line has wrong is a warning (file:line); errors (Exit::unreadable) are a file without a
+// Faults of single lines are warnings (file:line); errors (Exit::unreadable) are a file without a
 // usable vertex, a file beyond 2^31 vertices or 2^32 corners, and a cancelled read.
 Result<ObjFile> read_obj(std::string_view file, const std::string& path, Warnings& warnings,
                          const std::function<bool(double)>& progress = nullptr,

@@ -1,6 +1,6 @@
-// Parts of an OBJ file, read at the same time and taken over in order. Within a part an index that
-// counts from the file's end is kept with kBias added, since what stands before the part is not
-// known there; statements whose effect lasts (usemtl, s) say where in the part it begins.
+// Parts of an OBJ file, read in parallel and appended in order. Within a part, an index that counts
+// from the file's end is stored with kBias added, since the number of elements before the part is
+// not known yet; lasting statements (usemtl, s) store where in the part they begin.
 #include "io/obj_reader.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace scanout::io {
 namespace {
 
 constexpr std::int64_t kBias = std::int64_t{1} << 30;
-constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // as ObjReader::position says
+constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // the limit of ObjReader::position
 constexpr std::size_t kMaxSigned = std::numeric_limits<std::int32_t>::max();
 constexpr std::size_t kMaxUnsigned = std::numeric_limits<std::uint32_t>::max();
 
@@ -20,7 +20,7 @@ void append(std::vector<T>& to, const std::vector<T>& from) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
-// The same for places in another array, which itself was appended.
+// Appends indices into another array, which itself was appended: adds `by` to each.
 void append_moved(std::vector<std::uint32_t>& to, const std::vector<std::uint32_t>& from,
                   std::size_t by) {
     const std::size_t before = to.size();
@@ -36,7 +36,7 @@ bool any_line(std::string_view) {
 } // namespace
 
 bool ObjReader::read_parts() {
-    if (bad_positions_ > 0) return false; // every index to come has to be looked at
+    if (bad_positions_ > 0) return false; // every later index must be checked
     const std::string_view rest(at_.at, static_cast<std::size_t>(at_.end - at_.at));
     const std::vector<std::string_view> texts = parts_.next(rest, any_line);
     if (texts.empty()) return false;
@@ -134,7 +134,7 @@ bool ObjReader::takes(const ObjReader& part) const {
 void ObjReader::take(const ObjReader& part) {
     for (const NameAtLine& library : part.out_.libraries)
         out_.libraries.push_back({library.name, library.line + at_.line - 1});
-    take_elements(part); // first: it has to know what stood before
+    take_elements(part); // first, since it depends on the state before the part
     take_vertices(part);
     append(polypaint_, part.polypaint_);
     at_.at = part.at_.at;

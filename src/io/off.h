@@ -1,6 +1,6 @@
 // OFF, the Object File Format of Geomview (Phillips et al. 1993): vertices and polygons as text,
-// with colours, normals and texture coordinates of vertices where the keyword says so, and colours
-// of faces.
+// with colours, normals and texture coordinates of vertices if the keyword announces them, and
+// colours of faces.
 #pragma once
 
 #include "base/result.h"

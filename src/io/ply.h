@@ -19,16 +19,17 @@
 namespace scanout::io {
 
 struct PlyFile {
-    // Face materials are numbers of `textures`, or textures.size() + those of `face_colours`.
+    // Face materials are indices into `textures`, or textures.size() plus an index into
+    // `face_colours`.
     geom::PolygonMesh polygons;
     std::vector<NameAtLine> textures;
     ColourMaterials face_colours;
     std::size_t skipped = 0; // rows that could not be used
 };
 
-// `path` stands in messages. What can be shown is read, with a warning for what cannot: rows with a
-// fault, indices out of range, a body that ends early. Where there is neither face nor edge all
-// vertices are points. Errors (Exit::unreadable): a header that makes the body unreadable, no
+// `path` stands in messages. Reads everything that can be shown, with a warning for the rest: rows
+// with a fault, indices out of range, a body that ends early. Where there is neither face nor edge,
+// all vertices are points. Errors (Exit::unreadable): a header that makes the body unreadable, no
 // usable vertex, too many, or cancelled. `progress` gets the fraction of the file that will not be
 // read again and returns false to cancel; it may be empty.
 Result<PlyFile> read_ply(std::string_view file, const std::string& path, Warnings& warnings,

@@ -176,8 +176,8 @@ void PlyHeaderReader::warn_of_more_words(std::string_view keyword) {
                                   at_.line, shown(more), keyword));
 }
 
-// The body begins behind one line end. Of a carriage return the header's first line tells whether a
-// line feed belongs to it: a binary body may begin with that byte.
+// The body begins behind one line end. If that is a carriage return, the file's first line tells
+// whether a line feed belongs to it: a binary body may begin with that byte.
 void PlyHeaderReader::end() {
     at_.skip_to_line_end(file_.size());
     const std::size_t first = std::min(file_.find_first_of("\r\n"), file_.size() - 1);

@@ -1,5 +1,5 @@
-// The header of a PLY file (Turk 1994): how its body is encoded, and which elements with which
-// properties stand there.
+// The header of a PLY file (Turk 1994): the encoding of the body, and its elements with their
+// properties.
 #pragma once
 
 #include "base/result.h"
@@ -29,7 +29,7 @@ struct PlyProperty {
 
 struct PlyElement {
     std::string name;
-    std::uint64_t count = 0; // as the header tells: nothing may be allocated by it
+    std::uint64_t count = 0; // from the header: never allocate by it
     std::vector<PlyProperty> properties;
 
     // The index of the property of one of these names, the first name first.
@@ -50,7 +50,7 @@ inline bool is_ply(std::string_view file) {
     return file.starts_with("ply\n") || file.starts_with("ply\r") || file.starts_with("ply ");
 }
 
-// `path` stands in messages. What is not known but harmless is a warning. Errors
+// `path` stands in messages. Unknown but harmless statements are warnings. Errors
 // (Exit::unreadable, path:line): a statement that makes the body unreadable, or no end_header.
 Result<PlyHeader> read_ply_header(std::string_view file, const std::string& path,
                                   Warnings& warnings);

@@ -54,7 +54,7 @@ bool is_finite(const StlTriangle& t) {
 
 // --- Which of the two
 
-// The size agrees with the count that the header tells. The first kHeader bytes are enough.
+// Does the size agree with the facet count in the header? The first kHeader bytes are enough.
 bool is_exactly_binary(std::string_view head, std::uint64_t size) {
     return head.size() >= kHeader &&
            size - kHeader == std::uint64_t{kFacet} * little_endian(head.data() + 80);
@@ -80,7 +80,7 @@ bool is_plausibly_binary(std::string_view file) {
 
 // --- Binary
 
-// How many facets to read: as many as are told, if they are there.
+// The number of facets to read: the header's count, at most those in the file; all, where it is 0.
 std::size_t facets_to_read(std::string_view file, const std::string& path, Warnings& warnings) {
     const std::size_t told = little_endian(file.data() + 80);
     const std::size_t there = (file.size() - kHeader) / kFacet;

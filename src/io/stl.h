@@ -22,7 +22,8 @@ namespace scanout::io {
 inline constexpr double kStlCreaseDegrees = 29;
 
 struct StlResult {
-    // One triangle a facet; vertices on the same place are one. Materials are those of `colours`.
+    // One triangle a facet; vertices at the same place become one. Materials are indices into
+    // `colours`.
     geom::PolygonMesh polygons;
     ColourMaterials colours; // of facets (stl_colours.h)
     std::size_t facets = 0;  // in `polygons`; the file has three vertices for each
@@ -36,10 +37,10 @@ std::size_t stl_facets_told(std::string_view head, std::uint64_t size);
 // bytes.
 bool is_stl(std::string_view head, std::uint64_t size);
 
-// `path` stands in messages. What can be shown is read, with a warning for what cannot: facets that
-// are not three finite points, a file that is cut short, a count that does not hold. Error
-// (Exit::unreadable): not STL at all, no facet that can be used, or cancelled. `progress` gets the
-// share of the file that will not be read again and returns false to cancel; it may be empty.
+// `path` stands in messages. Reads everything that can be shown, with a warning for the rest:
+// facets that are not three finite points, a file that is cut short, a wrong count. Error
+// (Exit::unreadable): not STL at all, no usable facet, or cancelled. `progress` gets the share of
+// the file that will not be read again and returns false to cancel; it may be empty.
 Result<StlResult> read_stl(std::string_view file, const std::string& path, Warnings& warnings,
                            const std::function<bool(double)>& progress, const Reading& how = {});
 

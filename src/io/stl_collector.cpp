@@ -11,12 +11,12 @@ namespace {
 std::uint64_t hash_of(const DVec3& v) {
     constexpr std::uint64_t kFactor = 0x9e3779b97f4a7c15U; // odd, without a pattern
     const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
-    // Doubles that were floats end in zeros, which a product alone would keep.
+    // Doubles made from floats end in zero bits; a product alone would keep them zero in the hash.
     const std::uint64_t h = (bits(v.x) ^ bits(v.x) >> 32) * kFactor + (bits(v.y) ^ bits(v.y) >> 32);
     return geom::mix_bits(h * kFactor + (bits(v.z) ^ bits(v.z) >> 32));
 }
 
-// The vertices of some triangles, as the table wants to see them.
+// The vertices of some triangles, with the interface that the table calls.
 struct Vertices {
     geom::PolygonMesh& m;
     std::span<const StlTriangle> triangles;

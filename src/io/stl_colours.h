@@ -1,5 +1,5 @@
-// Colours in binary STL files, which the format does not know and two programs put into the two
-// bytes behind each facet: Magics (Materialise), where the header says "COLOR=", and VisCAM.
+// Colours in binary STL files. The format has none, but two programs store them in the two bytes
+// behind each facet: Magics (Materialise), where the header says "COLOR=", and VisCAM.
 #pragma once
 
 #include "io/colour_materials.h"

@@ -1,4 +1,4 @@
-// What both readers of STL share; stl.cpp tells which it is and reads the binary one.
+// The part that both STL readers share; stl.cpp tells the formats apart and reads the binary one.
 #pragma once
 
 #include "geom/join_table.h"
@@ -21,7 +21,7 @@ public:
     // `expected` facets: a guess.
     StlCollector(Jobs& jobs, const std::string& path, Warnings& warnings, std::size_t expected);
 
-    // Best many at a time: all cores work on them.
+    // Fastest with many triangles at a time: all cores work on them.
     // `materials`: one a triangle, or empty where none has one.
     void add(std::span<const StlTriangle> triangles, std::span<const std::int32_t> materials = {});
 

@@ -1,5 +1,5 @@
-// Text of unknown origin: shown safely in messages, compared without case, and recognised when it
-// is not what a file's name says.
+// Text of unknown origin: shows it safely in messages, compares it without case, and recognises
+// files whose contents do not match their name.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace scanout::io {
 
-// `text` for a message: valid UTF-8 is kept, control characters and other bytes become '?' (a file
-// must not drive the user's terminal), and what is longer than `limit` bytes is cut.
+// `text` for a message: keeps valid UTF-8, replaces control characters and other bytes by '?' (a
+// file must not control the user's terminal), and cuts the text after `limit` bytes.
 std::string shown(std::string_view text, std::size_t limit = 60);
 
 std::string lower_case(std::string_view text); // ASCII letters only
 
-// Why this file cannot be a text model, told by its first bytes: "is compressed with gzip: unpack
-// it first (gunzip)". Nothing when nothing speaks against it.
+// The reason, by its first bytes, why this file cannot be a text model: "is compressed with gzip:
+// unpack it first (gunzip)". Nothing when it may be one.
 std::optional<std::string> not_a_text_model(std::string_view file);
 
 } // namespace scanout::io

@@ -10,8 +10,8 @@ namespace {
 constexpr std::size_t kPartsOfAThread = 4; // so that all are busy to the end, nearly
 constexpr std::size_t kLongestPause = 4096;
 
-// Does the line that ends before `end` go on behind it? It may stand in a comment, which does not
-// go on: then a good place is passed over.
+// Does the line that ends before `end` continue behind it? It may be part of a comment, which does
+// not continue: then a possible cut is not used.
 bool is_continued(std::string_view text, std::size_t end) {
     while (end > 0 && Cursor::is_blank(text[end - 1]))
         --end;

@@ -1,5 +1,5 @@
-// Colours of vertices as files give them: display values (sRGB), which is what Blender, three.js
-// and Godot take them for in OBJ and PLY.
+// Colours of vertices, which files give as display values (sRGB): Blender, three.js and Godot also
+// read OBJ and PLY so.
 #pragma once
 
 #include "base/warnings.h"
@@ -10,8 +10,8 @@
 
 namespace scanout::io {
 
-// Makes display values linear, in place. Values beyond 1 of which all are whole numbers up to 255
-// are taken as bytes, with a warning; else they are cut at 1. Not finite and negative ones are 0.
+// Makes display values linear, in place. If some exceed 1 and all are whole numbers up to 255, they
+// are read as bytes, with a warning; otherwise they are clamped to 1. NaN and negative ones are 0.
 void decode_vertex_colours(std::vector<Vec3>& colours, const std::string& path, Warnings& warnings);
 
 } // namespace scanout::io
