@@ -25,7 +25,7 @@ public:
     Result<void> lock();
 
     // graphics() remembers the way back for every exit path (restore.h) and sets KD_GRAPHICS;
-    // text() goes that way back. text_for_a_while() leaves switching to whoever answers for it.
+    // text() goes that way back. text_for_a_while() does not change who handles the switching.
     Result<void> graphics();
     void text();
     void text_for_a_while();

@@ -1,4 +1,5 @@
-// What the kinds of seat share: opening device nodes, and DRM master as it comes and goes.
+// Functions that all kinds of seat share: opening device nodes, and taking and giving up DRM
+// master.
 #pragma once
 
 #include "base/result.h"

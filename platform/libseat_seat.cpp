@@ -53,7 +53,8 @@ public:
 
     ~LibseatSeat() override {
         seat_.reset();
-        // The server has restored what it found most often; this is what we found.
+        // The server has usually restored the state that it found; this restores the state that we
+        // found.
         if (console_) console_->text();
     }
 

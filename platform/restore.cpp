@@ -21,7 +21,7 @@ namespace {
 constexpr std::array kFatalSignals{SIGSEGV, SIGABRT, SIGBUS,    SIGFPE,  SIGILL, SIGSYS, SIGTRAP,
                                    SIGXCPU, SIGALRM, SIGVTALRM, SIGPROF, SIGIO,  SIGPWR};
 
-// Written by the main thread, read by handlers on any thread: a flag is set after what it guards.
+// Written by the main thread, read by handlers on any thread: a flag is set after its data.
 ConsoleState console_state;
 termios terminal_state;
 int terminal_fd = -1;
@@ -33,8 +33,8 @@ std::array<std::byte, std::size_t{1} << 16> handler_stack;
 
 void on_fatal_signal(int signal, siginfo_t* info, void*) {
     restore_now();
-    // Back to who was there before us (a sanitizer, the core dump). A fault repeats by itself when
-    // the handler returns; what was sent is sent again.
+    // Restores the earlier handlers (a sanitizer, the core dump). A fault repeats by itself when
+    // the handler returns; a signal that was sent is sent again.
     for (std::size_t i = 0; i < kFatalSignals.size(); ++i)
         if (kFatalSignals[i] == signal) ::sigaction(signal, &earlier_actions[i], nullptr);
     const bool fault = info->si_code > 0 && info->si_code != SI_KERNEL;

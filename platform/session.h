@@ -34,8 +34,8 @@ public:
     Result<void> open_input();
 
     // Gives the console back to the shell and stops the process until it is continued (Ctrl-Z).
-    // Call on EventKind::suspend. Appends the releases of what was held. Does nothing where the
-    // console belongs to a seat server that does not let us give it back.
+    // Call on EventKind::suspend. Appends the releases of held keys and buttons. Does nothing where
+    // the console belongs to a seat server that does not let us give it back.
     Result<void> suspend(std::vector<port::Event>& events);
 
     int event_fd() const override { return epoll_.get(); }
@@ -44,7 +44,7 @@ public:
     Result<void> dispatch(std::vector<port::Event>& events) override;
     std::string description() const override; // seat and input
 
-    // What was tried and why it was not used; one line each, for --verbose.
+    // The attempts that failed and their reasons; one line each, for --verbose.
     const std::vector<std::string>& notes() const { return notes_; }
 
 private:

@@ -12,8 +12,8 @@
 
 namespace scanout::console {
 
-// The keys that `bytes`, read at once from a terminal, stand for: each a press and its release.
-// Escape sequences are those of the Linux console and of xterm; unknown ones are dropped.
+// The keys for `bytes`, which were read at once from a terminal: each is a press and its release.
+// Understands the escape sequences of the Linux console and of xterm; drops unknown ones.
 std::vector<port::Event> keys_of(std::string_view bytes);
 
 // Reads our own terminal, one key at a time and without echo; the destructor restores it. Fails

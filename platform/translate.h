@@ -1,4 +1,4 @@
-// What devices report -> what the viewer is told. No device is needed here.
+// Translates device events to the viewer's events. Needs no device.
 #pragma once
 
 #include "port/input.h"
@@ -8,11 +8,11 @@
 
 namespace scanout::console {
 
-// BTN_LEFT and so on; other buttons are not told.
+// BTN_LEFT and so on; nothing for other buttons.
 std::optional<port::Button> button_of(std::uint32_t evdev_code);
 
 port::Event motion(double dx, double dy);
-port::Event motion_absolute(double x, double y); // cut to 0 to 1
+port::Event motion_absolute(double x, double y); // clamped to 0 to 1
 port::Event button(port::Button button, bool pressed);
 
 // Scrolling in 120ths of a wheel notch. High-resolution wheels and touchpads report fractions,

@@ -1,5 +1,5 @@
-// One frame's memory on the card: a dumb buffer, mapped, with its framebuffer, and what has
-// changed since it was last drawn (buffer age).
+// One frame's memory on the card: a dumb buffer, mapped, with its framebuffer, and the damage since
+// it was last drawn (buffer age).
 #pragma once
 
 #include "base/result.h"

@@ -35,7 +35,7 @@ struct DumbBuffer {
 };
 
 struct FlipEvent {
-    std::uint64_t tag = 0;      // what flip() was given
+    std::uint64_t tag = 0;      // the tag that flip() got
     std::uint32_t sequence = 0; // counts refreshes; drivers without a vertical blank say 0
 };
 
@@ -63,7 +63,8 @@ public:
 
     // Shows the framebuffer from the next refresh on; an event with `tag` tells when.
     virtual Errno flip(std::uint32_t crtc, std::uint32_t framebuffer, std::uint64_t tag) = 0;
-    // For drivers that copy: what was drawn into a framebuffer that is shown. ENOSYS elsewhere.
+    // For drivers that copy: reports an area of a shown framebuffer that was drawn. ENOSYS
+    // elsewhere.
     virtual Errno dirty(std::uint32_t framebuffer, std::span<const image::Rect> damage) = 0;
 
     virtual int event_fd() const = 0;

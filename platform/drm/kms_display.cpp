@@ -133,7 +133,8 @@ Result<void> KmsDisplay::present(const image::Image& frame, std::span<const imag
     return flip();
 }
 
-// After a return to the console, and when a flip says that the mode is not what it was.
+// Shows the frame by setting the mode: after a return to the console, and after a flip that failed
+// because the mode had changed.
 Result<void> KmsDisplay::show_by_mode(const image::Image& frame) {
     Buffer& back = buffers_[1 - front_];
     back.damage_all();
@@ -215,8 +216,8 @@ Result<void> KmsDisplay::timed_out() {
     }
     if (!pending_ || !seat_.active() || seat_.activations() != activations_) return {};
     if (busy_) return flip();
-    // No event within a second. Setting the mode waits for the hardware: from then on it is certain
-    // which buffer is on the screen, and the late event is told by its tag.
+    // No event within a second. Setting the mode waits for the hardware: afterwards it is certain
+    // which buffer is on the screen, and the late event is recognised by its old tag.
     ++tag_;
     if (set_mode(buffers_[1 - front_].framebuffer()) != 0)
         lose();

@@ -11,7 +11,7 @@
 
 namespace scanout::linux_fb {
 
-// What the kernel says about a device, checked: where its pixels stand.
+// The pixel layout of a device, from the kernel's description, checked.
 struct Layout {
     int width = 0, height = 0;
     image::PixelFormat format;
