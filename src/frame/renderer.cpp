@@ -125,7 +125,7 @@ const FrameStats& Renderer::stats() const {
     return state_->stats;
 }
 
-// Makes the frame's shadows, or frees what those of an earlier frame held.
+// Makes the frame's shadows, or frees the shadows of an earlier frame.
 static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowScene& in,
                                const raster::ScreenTransform& transform, int tile_size,
                                FrameLights& lights) {
@@ -190,7 +190,7 @@ static void draw_samples(raster::Geometry& geometry, int tile, const shade::Gath
     if (transparency != nullptr && transparency->cut_out != nullptr)
         worker.transparency->cut_out(geometry, tile, in, worker.visibility);
     const bool elsewhere =
-        transparency != nullptr && transparency->opaque_blended; // what lines lie on
+        transparency != nullptr && transparency->opaque_blended; // lines lie on opaque_base
     geometry.draw_lines(tile,
                         elsewhere
                             ? worker.transparency->opaque_base(geometry, tile, worker.visibility)

@@ -15,7 +15,7 @@
 
 namespace scanout::frame {
 
-// Of the frame rendered last. Milliseconds of wall time: geometry is transform to bin, tiles is
+// Statistics of the last frame. Milliseconds of wall time: geometry is transform to bin, tiles is
 // coverage to back buffer.
 struct FrameStats {
     double total_ms = 0, geometry_ms = 0, tiles_ms = 0;
@@ -29,7 +29,7 @@ struct FrameStats {
     // tile needed; each worker that meets such a part holds as much. Independent of threads and
     // tile order.
     std::size_t blend_list_bytes = 0;
-    std::uint64_t shadow_bytes = 0;  // that the pass of the shadows holds
+    std::uint64_t shadow_bytes = 0;  // held by the shadow pass
     std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
     std::uint64_t mipmap_bytes = 0;  // held; 0 where no texture is minified
     std::uint64_t splat_bytes = 0;   // held for filters that reach into neighbours; 0 without

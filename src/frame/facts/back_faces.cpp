@@ -10,7 +10,7 @@
 namespace scanout::frame {
 namespace {
 
-// How far from the eye the near plane's corners are, in mesh coordinates, at most.
+// The greatest distance of a near-plane corner from the eye, in mesh coordinates.
 double near_reach(const scene::View& view) {
     double least = 0;
     for (int axis = 0; axis < 3; ++axis) {

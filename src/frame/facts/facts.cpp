@@ -57,7 +57,7 @@ public:
 private:
     const scene::Scene& scene_;
     std::vector<std::size_t> uses_; // triangles of each material; collapsed ones are not counted
-    std::size_t unnamed_ = 0;       // and of none
+    std::size_t unnamed_ = 0;       // triangles without a material
 };
 
 } // namespace

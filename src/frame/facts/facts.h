@@ -36,19 +36,19 @@ struct SceneFacts {
     AlphaFacts alpha;
     // Triangles whose material has the map, and whose map can change a pixel.
     std::array<std::size_t, shade::kMaps> mapped_triangles{};
-    shade::MapBits readable_maps = 0;   // some triangle's material has it, whatever it holds
+    shade::MapBits readable_maps = 0;   // some triangle's material has it, with any contents
     std::size_t emitting_triangles = 0; // Ke above 0, and map_Ke not black
     std::vector<TexturedSurface> textured_surfaces;
     // Kd times vertex colour, and the same times map_Kd: no primitive reflects more; at most 1.
     float brightest = 1, brightest_mapped = 1;
-    bool black_by_maps = false; // no material reflects light evenly: what has a Kd has a black map
+    bool black_by_maps = false; // no diffuse reflection: materials with a Kd have a black map
     ShadowPlane shadow_plane;
 
     // The materials that call for an effect, by the effect's name in the plan. `explain` counts
     // the pixels that show one of them.
     using MaterialSets = std::map<std::string, MaterialSet, std::less<>>;
     MaterialSets materials_of;
-    // Of highlights, map_Ks and map_Ns where the user has physical materials reflect by these, too.
+    // Facts about highlights, map_Ks and map_Ns if physical materials reflect by these, too.
     struct ByKs {
         std::size_t specular_triangles = 0, specular_maps = 0, gloss_maps = 0;
         MaterialSets materials_of;

@@ -9,8 +9,8 @@ namespace {
 
 using Codes = std::array<std::uint8_t, 4>;
 
-// The channels from which a map of one number a texel is read: the one that -imfchan names, else
-// those that its brightness is computed from.
+// Does this hold for a channel of the texels that a scalar map is read from: the channel of
+// -imfchan, else red, green or blue?
 bool any_channel(const scene::TextureMap& map, const Codes& codes, bool (*holds)(std::uint8_t)) {
     switch (map.channel) {
     case 'r':

@@ -22,7 +22,7 @@ public:
     explicit MapFacts(const scene::Scene& scene);
     // Whether leaving the map out could change a pixel of this material, whatever the view.
     bool matters(const scene::Material& material, shade::Map map) const;
-    // map_Ks or map_Ns, where Ks and Ns count whatever else the material says.
+    // The same for map_Ks or map_Ns, if physical materials reflect by Ks and Ns, too.
     bool matters_by_ks(const scene::Material& material, shade::Map map) const;
     // Whether all texels of a texture are one colour, so that every filter gives the same.
     bool constant(std::int32_t texture) const;

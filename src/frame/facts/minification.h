@@ -22,7 +22,7 @@ struct TexturedSurface {
     // model's uv, and by a mapping.
     double texels_per_unit = 0, texels_per_unit_mapped = 0;
     DVec3 box_min{0}, box_max{0}; // of the triangles
-    geom::PlaneSet planes{};      // in which they lie
+    geom::PlaneSet planes{};      // planes of the triangles
 };
 // One for each map that a triangle's material has and that could be read.
 std::vector<TexturedSurface> textured_surfaces(const scene::Scene& scene);

@@ -14,7 +14,7 @@ namespace scanout::frame {
 struct ShadowPlane {
     DVec3 normal{0}; // unit
     double offset = 0;
-    std::size_t triangles = 0; // that lie in it; 0: there is nothing to see a shadow on
+    std::size_t triangles = 0; // triangles in the plane; 0: nothing receives a shadow
     bool by_user = false;      // the user has named it
     friend bool operator==(const ShadowPlane&, const ShadowPlane&) = default;
 };
@@ -22,7 +22,7 @@ struct ShadowPlane {
 // of most scenes, whichever axis is up.
 ShadowPlane find_shadow_plane(const geom::Mesh& mesh);
 ShadowPlane find_shadow_plane(const geom::Mesh& mesh, const FilePlane& by_user);
-// By triangle: 1 where it lies in the plane.
+// For each triangle, 1 where it lies in the plane.
 std::vector<std::uint8_t> in_shadow_plane(const geom::Mesh& mesh, const ShadowPlane& plane);
 
 } // namespace scanout::frame

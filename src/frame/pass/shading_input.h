@@ -1,5 +1,5 @@
-// From a plan to the inputs of shading: all that stages, the gatherer and the transparency pass
-// read of a frame's plan, view and lights is set here.
+// Makes the inputs of shading from a plan: everything that stages, the gatherer and the
+// transparency pass read of a frame's plan, view and lights.
 #pragma once
 
 #include "frame/pass/lights.h"
@@ -14,12 +14,12 @@
 
 namespace scanout::frame {
 
-// The state refers to the plan and the lights: both must outlive it. Shadows and step limits are
-// the renderer's to add.
+// The state refers to the plan and the lights: both must outlive it. The renderer adds shadows and
+// step limits.
 shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
                               const FrameLights& lights);
 
-// The input refers to all that is given: all must outlive it.
+// The input refers to all arguments: all must outlive it.
 shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
                                 const FramePlan& plan, const raster::Geometry& geometry,
                                 const raster::ScreenTransform& transform,

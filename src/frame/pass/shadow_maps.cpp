@@ -120,7 +120,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
         if (empty) return;
         Worker& worker = workers_[static_cast<std::size_t>(worker_number)];
         raster::VisibilityTile& tile = worker.tile;
-        const bool cut = !in.plan.shadow.casters.empty(); // which asks whose texels they are
+        const bool cut = !in.plan.shadow.casters.empty(); // texels need their triangles' ids
         tile.reset(area, 1, {},
                    cut ? raster::TileFormat::depth_and_id : raster::TileFormat::depth_only);
         geometry_.draw_triangles(number, tile, &worker.deferred);

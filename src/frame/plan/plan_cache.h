@@ -21,7 +21,7 @@ public:
 private:
     struct Entry {
         ViewFacts view;
-        FramePlan plan; // without the filters of textures, which each view decides
+        FramePlan plan; // without texture filters, which depend on the view
     };
     Result<const FramePlan*> find(const ViewFacts& view);
 

@@ -1,4 +1,5 @@
-// From surfaces and light to codes: depth test, tone mapping, anti-aliasing, encoding.
+// Plans the output, from surfaces and light to codes: depth test, tone mapping, anti-aliasing,
+// encoding.
 #include "base/check.h"
 #include "frame/facts/brightness.h"
 #include "frame/plan/planner.h"

@@ -1,4 +1,4 @@
-// Is a shadow pass called for, by which technique, and which triangles throw?
+// Plans the shadow pass: whether there is one, its technique, and the triangles that cast shadows.
 #include "frame/plan/planner.h"
 #include "rows.h"
 
@@ -21,7 +21,7 @@ bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
            leans(shade::kNormalMap) || leans(shade::kBumpMap);
 }
 
-// From inside, a convex body's near side stands between the lights and its far side.
+// Seen from inside, a convex body's near side lies between the lights and its far side.
 bool shows_far_side(const FrameOptions& options, const ViewFacts& view) {
     const raster::DepthTestRow& test =
         row_or(raster::depth_test::kRows, options.depth_test, raster::depth_test::greater);

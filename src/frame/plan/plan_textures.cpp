@@ -34,7 +34,7 @@ bool is_read(const TexturedSurface& surface, const FramePlan& plan) {
                : surface.map == shade::kOpacityMap && alpha.opacity_map;
 }
 
-// For the stages that find colours, for those that find alpha, or both.
+// Uses the filter for the stages that compute colours, for those that compute alpha, or for both.
 void use(const shade::Filter& filter, bool colour, bool alpha, FramePlan& plan) {
     for (Decision& decision : plan.decisions)
         if (decision.effect == "texture" && decision.on()) decision.technique = filter.card.name;
@@ -215,7 +215,7 @@ void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
 Result<void> plan_sampling(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
     TRY_VOID(plan_mapping(planner, plan, facts));
     TRY_VOID(choose(shade::texture::kRows, plan.options.texture, shade::texture::trilinear));
-    planner.effect("mipmaps", "on", false, "no texture is read"); // else plan_filter says why
+    planner.effect("mipmaps", "on", false, "no texture is read"); // plan_filter may replace this
     TRY_VOID(plan_wrap(planner, plan, facts));
     // A mapping stage computes the coordinates for all that read them: none are fetched.
     if (plan.mapped) plan.attributes.uv = plan.transparency.attributes.uv = false;
@@ -248,7 +248,7 @@ void plan_filter(FramePlan& plan, const SceneFacts& facts, const scene::View& vi
     const auto row = std::find_if(plan.decisions.begin(), plan.decisions.end(),
                                   [](const Decision& d) { return d.effect == "mipmaps"; });
     CHECK(row != plan.decisions.end());
-    row->because.clear(); // and keep its memory
+    row->because.clear(); // keeps its memory
     if (plain.value_or(false))
         row->because = "each texture that is read is of one colour";
     else

@@ -7,7 +7,7 @@
 
 namespace scanout::frame {
 
-// Of the model, in view space; with a margin, as for the width of lines.
+// The model's sphere in view space; with a margin, as for the width of lines.
 struct BoundingSphere {
     DVec3 centre{0};
     double radius = 0;

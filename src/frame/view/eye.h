@@ -17,8 +17,9 @@ bool is_known(const scene::View& view);
 std::optional<DVec4> eye_of(const scene::View& view);
 // The same; nothing in a view that is not known, too.
 std::optional<DVec4> known_eye_of(const scene::View& view);
-// How much more of its plane a pixel spans than where the plane faces the eye: 1 / cos of the angle
-// between ray and normal, at most over points no farther than `farthest` (view space) from the eye.
+// The length of a plane that a pixel spans, relative to a plane that faces the eye: 1 / cos of the
+// angle between ray and normal, at most over points no farther than `farthest` (view space) from
+// the eye.
 double slant(const geom::Plane& plane, const scene::View& view, double farthest);
 
 } // namespace scanout::frame

@@ -83,7 +83,7 @@ void for_corners(const geom::Mesh& mesh, const scene::View& view, const DMat3& r
     }
 }
 
-// half_x, half_y: what fits into the map's inner part, at distance 1 in perspective.
+// half_x, half_y: half the extent of the map's inner part, at distance 1 in perspective.
 LightView view_of(const scene::View& view, const DMat3& rotation, const DVec3& translation,
                   double half_x, double half_y, int size, int margin) {
     LightView made;
