@@ -1,11 +1,11 @@
-// Clipped triangles: what near clipping leaves of a triangle that has a vertex off the screen (too
-// near, behind the eye, or beyond the guard band). Nothing is cut at the picture's sides, and no
-// cut is snapped. One triangle or two lie before the near plane: a vertex on the screen keeps its
-// snapped position, as in unclipped triangles, any other stays in homogeneous coordinates, to 50
-// bits. From there on every number is an integer and every sign exact, so an edge is the same line
-// for both its neighbours, and edges that meet in a vertex meet there however far away it is:
-// watertight, no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous lines: Olano
-// and Greer 1997.
+// Clipped triangles: the rest, after near clipping, of a triangle that has a vertex off the screen
+// (too near, behind the eye, or beyond the guard band). Nothing is cut at the picture's sides, and
+// no cut is snapped. One or two triangles remain before the near plane: a vertex on the screen
+// keeps its snapped position, as in unclipped triangles, any other stays in homogeneous
+// coordinates, to 50 bits. From there on every number is an integer and every sign exact, so an
+// edge is the same line for both its neighbours, and edges that meet in a vertex meet there however
+// far away it is: watertight, no gap, no double hit (HARD-CASES 3, 8, 12, P7). Edges as homogeneous
+// lines: Olano and Greer 1997.
 //
 // The near plane must still cut: an edge to a vertex behind the eye would turn about it when its
 // other end snaps, and move by up to the ratio of their distances from the eye, not by 1/256 pixel.

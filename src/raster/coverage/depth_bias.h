@@ -14,8 +14,8 @@ struct DepthBias {
 double depth_step(float depth);
 
 // constant * r + slope_scale * max_slope, then clamped. max_depth: the largest |depth| of the
-// primitive; max_slope: the larger of |dz/dx| and |dz/dy|, a pixel. A slope_scale of 0 makes no
-// term, whatever the slope: 0 * infinity is not a depth.
+// primitive; max_slope: the larger of |dz/dx| and |dz/dy|, a pixel. With slope_scale 0 there is no
+// slope term even for an infinite slope: 0 * infinity is not a depth.
 double depth_bias(const DepthBias& bias, float max_depth, double max_slope);
 
 } // namespace scanout::raster

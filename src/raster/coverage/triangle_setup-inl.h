@@ -77,7 +77,7 @@ struct DepthPlane {
     std::uint32_t float_depth;
 };
 // a, b: steps of the edge functions; area: twice the triangle's. cancels: false where cancellation
-// in the sums below is known to be harmless; else it is tested.
+// in the sums below is known to be harmless; if true, it is tested.
 template <class D>
 SIMD_INLINE DepthPlane<D> depth_plane(const Double<D> (&depth)[3], const Double<D> (&a)[3],
                                       const Double<D> (&b)[3], Double<D> area,

@@ -12,7 +12,7 @@
 
 namespace scanout::raster {
 
-enum class Facing : std::uint8_t { any, front, back }; // which triangles are kept
+enum class Facing : std::uint8_t { any, front, back }; // the triangles that are kept
 
 struct CullRow {
     Technique card;

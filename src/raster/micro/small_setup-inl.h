@@ -168,8 +168,8 @@ SIMD_INLINE Double<D> depth_of(const Int<D> (&edge)[3], const Double<D> (&depth_
     return depth_of(exact, depth_factor);
 }
 
-// Edge functions at the samples of one pattern index, biased: the sign tells inside from outside.
-// corner: the edge functions at the corner of the first pixel.
+// Edge functions at the samples of one pattern index, biased: negative is outside. corner: the edge
+// functions at the corner of the first pixel.
 template <class D>
 SIMD_INLINE void edges_at(const SmallEdges<D>& e, const Int<D> (&corner)[3], SampleOffset at,
                           Int<D> (&out)[3]) {

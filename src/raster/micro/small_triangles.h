@@ -30,7 +30,7 @@ enum class SmallKind : std::uint8_t { micro_2, micro_3, micro_straddling, rows, 
 inline constexpr std::size_t kSmallKinds = 5;
 inline constexpr std::array kFrontFacingKinds = {SmallKind::rows, SmallKind::micro_2,
                                                  SmallKind::micro_3,
-                                                 SmallKind::micro_straddling}; // as they are drawn
+                                                 SmallKind::micro_straddling}; // in drawing order
 // The most pixels each way; 0: not a micro-triangle.
 constexpr int micro_side(SmallKind kind) {
     switch (kind) {

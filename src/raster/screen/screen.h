@@ -1,6 +1,6 @@
-// From the mesh to the screen: transform, divide, snap. The mesh's float positions are taken
-// relative to the camera in double and rounded once more, to the 16.8 grid (HARD-CASES R1-R3,
-// R7-R9).
+// The screen transform: from the mesh to the screen by transform, divide and snap. The mesh's float
+// positions are transformed relative to the camera in double and rounded once more, to the 16.8
+// grid (HARD-CASES R1-R3, R7-R9).
 #pragma once
 
 #include "math/vec.h"
@@ -46,17 +46,16 @@ struct ScreenVertex {
 };
 static_assert(sizeof(ScreenVertex) == 16);
 
-// Where vertices stand on the screen: not before the near plane, not beyond the guard band
-// (pixels). Triangles are cut at the near plane alone (raster/clipped/clipped_triangle.h), segments
-// at all five.
+// The bounds of vertices on the screen: the near plane and the guard band (pixels). Triangles are
+// cut at the near plane alone (raster/clipped/clipped_triangle.h), segments at all five planes.
 struct ClipBox {
     double near_w;
     double left = -kGuardPixels, right = kGuardPixels, top = -kGuardPixels, bottom = kGuardPixels;
 };
 
-// The view's numbers with the size of the picture folded in. Lengths are in a unit near the size of
+// The view's numbers, combined with the size of the picture. Lengths are in a unit near the size of
 // the scene, a power of two of the view's: that changes no bit, and products of three coordinates
-// stay in the range of a double whatever the model is scaled to.
+// stay in the range of a double at any scale of the model.
 struct ScreenTransform {
     ScreenTransform(const scene::View& view, int width, int height);
 

@@ -89,7 +89,7 @@ void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
                        support, under);
         return;
     }
-    // Walk from the end with the lower coordinate, whichever the file names first.
+    // Walks from the end with the lower coordinate, independently of the file's order.
     const auto& major = along_x ? s.x : s.y;
     const auto& minor = along_x ? s.y : s.x;
     const std::size_t lo = major[0] <= major[1] ? 0 : 1, hi = 1 - lo;
