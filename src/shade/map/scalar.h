@@ -1,11 +1,11 @@
-// Maps that give one number a texel.
+// Scalar maps: one number a texel.
 #pragma once
 
 #include "shade/stage.h"
 
 namespace scanout::shade::map {
 
-// As what a filter reads such a map.
+// The kind of texels that a filter reads of such a map.
 inline TexelKind scalar_kind(const BoundMap& map) {
     return map.map->channel == 'm' ? TexelKind::alpha : TexelKind::data;
 }

@@ -1,5 +1,5 @@
-// As paper lies on a box: each triangle takes the side that it faces most, so that nothing is
-// stretched by more than the root of three. Bier and Sloan 1986, [Primer 9.4].
+// Box mapping, like paper on a box: each triangle takes the side that it faces most, so that
+// nothing is stretched by more than the root of three. Bier and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/box.cpp"

@@ -1,5 +1,5 @@
-// As a label lies around a tin: u around the y axis, v along it, over the height of the model's
-// sphere. Bier and Sloan 1986, [Primer 9.4].
+// Cylinder mapping, like a label around a tin: u around the y axis, v along it, over the height of
+// the model's sphere. Bier and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/cylinder.cpp"

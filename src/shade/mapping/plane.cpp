@@ -1,5 +1,5 @@
-// As a slide is thrown onto the model from the front: u along x, v along y. Bier and Sloan 1986,
-// [Primer 9.4].
+// Plane mapping, like a slide projected onto the model from the front: u along x, v along y. Bier
+// and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/plane.cpp"

@@ -1,5 +1,5 @@
-// As a map of the world lies on a globe: u around the y axis, v from pole to pole. Bier and
-// Sloan 1986, [Primer 9.4].
+// Sphere mapping, like a map of the world on a globe: u around the y axis, v from pole to pole.
+// Bier and Sloan 1986, [Primer 9.4].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/mapping/sphere.cpp"

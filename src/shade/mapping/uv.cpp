@@ -1,4 +1,4 @@
-// The coordinates that the model gives: the interpolation stage writes them, and nothing else runs.
+// The model's own coordinates: the interpolation stage writes them, and no mapping stage runs.
 #include "shade/stage.h"
 
 namespace scanout::shade::mapping {

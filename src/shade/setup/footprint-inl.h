@@ -31,10 +31,10 @@ struct PlaneTerms {
     Number f_x[kCount], f_y[kCount], sum_x, sum_y;
 };
 
-// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i, f =
-// N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex 0,
-// to which f is relative, the difference cancels by the ratio of distances. Number: a double, for
-// one triangle; or lanes of doubles, for a triangle in each lane.
+// With D = sum(weight_i / w_i), which is linear on the screen, and N the same sum of f_i / w_i,
+// f = N / D and df/dx = (dN/dx - f dD/dx) / D. In double: towards the horizon, and far from vertex
+// 0, to which f is relative, the difference cancels by the ratio of distances. Number: a double,
+// for one triangle; or lanes of doubles, for a triangle in each lane.
 template <int kCount, class Number>
 class PlaneOf {
 public:

@@ -1,5 +1,5 @@
-// White noise: 64 by 64 cells a turn, each as bright as the hash of its place says; the same
-// everywhere. Where a pixel spans several cells their mean shows, which is nearer to the middle by
+// White noise: 64 by 64 cells a turn; the hash of its place is the brightness of a cell, the same
+// everywhere. A pixel that spans several cells shows their mean, which is nearer to the middle by
 // the root of their number. Peachey 1994, [Primer 9.3].
 #include "shade/stage.h"
 

@@ -21,7 +21,7 @@ void fragments_nearest_first(std::span<std::uint32_t> fragments, const BlendList
         const BlendFragment& fragment = list.fragments[f];
         return Keyed{list.depth_at(fragment, sample), fragment.id, f};
     };
-    constexpr std::size_t kMaxOnStack = 16; // of them most pixels have no more
+    constexpr std::size_t kMaxOnStack = 16; // most pixels have no more
     if (fragments.size() <= kMaxOnStack) {
         std::array<Keyed, kMaxOnStack> on_stack;
         for (std::size_t i = 0; i < fragments.size(); ++i) {

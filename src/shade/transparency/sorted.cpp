@@ -18,7 +18,7 @@ double distance(const GatherInput& in, std::uint32_t triangle) {
         const raster::ClipVertex v = in.transform->to_clip(in.mesh->position[index[i]]);
         corner[i] = in.transform->perspective ? v.w : -v.z;
     }
-    std::sort(corner, corner + 3); // whichever the file names first
+    std::sort(corner, corner + 3); // independently of the file's order
     return (corner[0] + corner[1]) + corner[2];
 }
 
