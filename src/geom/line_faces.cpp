@@ -66,7 +66,7 @@ struct Hit {
     std::uint32_t pair, triangle; // the first of the face
 };
 
-// In the order of faces.
+// Returns the hits in the order of faces.
 std::vector<Hit> hits_of(const Mesh& mesh, const std::vector<std::uint32_t>& place,
                          const std::vector<Pair>& pairs) {
     std::vector<std::uint32_t> first(mesh.line_index.size() + 1); // of a place

@@ -13,7 +13,7 @@
 
 namespace scanout::geom {
 
-// For every line segment the faces that it lies on, each by its first triangle. Segments between
+// For every line segment, the faces that it lies on, each by its first triangle. Segments between
 // the same two places share a list. Empty when no line lies on a face.
 struct LineFaces {
     std::vector<std::uint32_t> list;     // one a segment
@@ -40,7 +40,7 @@ struct Mesh {
     std::vector<std::int32_t> material; // one a triangle, -1 none
     std::vector<std::uint32_t> face;    // one a triangle: the face of the file that it is part of
 
-    // Of the triangles; empty: none are known, and every triangle is looked at.
+    // Clusters of the triangles; empty: none are known, and frames test every triangle.
     Clusters clusters;
     // Triangles in spatial order (geom/clusters.h): their vertices, three each, and their numbers.
     std::span<const std::uint32_t> index_in_spatial_order() const {

@@ -61,7 +61,7 @@ private:
         return true;
     }
 
-    // Neither falls as x or y grows, so what lies between two points lies between their cells.
+    // Monotone in x and y: a point between two others lies in a cell between theirs.
     DVec2 to_grid(const DVec2& p) const { return (p - origin_) * per_unit_; }
     int cell_of(double t) const {
         return t >= side_ ? side_ - 1 : t >= 0 ? static_cast<int>(t) : 0;

@@ -1,4 +1,4 @@
-// Which faces of a PolygonMesh can be drawn, and which of its positions anything uses.
+// Finds the faces of a PolygonMesh that can be drawn, and the positions that are used.
 #pragma once
 
 #include "base/jobs.h"
@@ -10,13 +10,13 @@
 
 namespace scanout::geom {
 
-// Faces are worked on in chunks of so many: a multiple of the bits in a word of Usable::face, so
+// Faces are processed in chunks of this size: a multiple of the bits in a word of Usable::face, so
 // that no two threads write one word.
 inline constexpr std::size_t kFaceChunk = 1024;
 
-// Which faces can be drawn, and which positions anything uses.
+// The faces that can be drawn, and the positions that faces, lines or points use.
 struct Usable {
-    struct FaceChunk { // of faces: those that can be drawn
+    struct FaceChunk { // counts of the drawable faces
         std::size_t faces = 0, corners = 0, triangles = 0;
         bool uv = false;
     };
