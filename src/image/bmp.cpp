@@ -56,7 +56,7 @@ Result<Bmp> read_header(const Source& file) {
     return bmp;
 }
 
-// The masks stand behind a header of 40 bytes and inside the longer ones: the same place.
+// The masks follow a header of 40 bytes, or are in a longer one: at the same offset.
 Result<void> read_masks(const Source& file, Bmp& bmp) {
     constexpr std::size_t kAt = kFileHeader + 40;
     const bool has_alpha = bmp.compression == kAlphaBitFields || bmp.header >= 56;
@@ -125,7 +125,7 @@ Result<void> append_palette(const Source& file, const Bmp& bmp, Bytes& out) {
 void append_header(const Bmp& bmp, Bytes& out) {
     const std::size_t palette = bmp.bits <= 8 ? std::size_t{256} * 4 : 0;
     out = {'B', 'M'};
-    append_u32(out, 0); // file size and what follows: stb_image does not read them
+    append_u32(out, 0); // file size and reserved fields: stb_image does not read them
     append_u32(out, 0);
     append_u32(out, static_cast<std::uint32_t>(kFileHeader + kV4Header + palette));
     append_u32(out, kV4Header);

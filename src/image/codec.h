@@ -16,12 +16,12 @@ using Bytes = std::vector<std::uint8_t>;
 
 // PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture. An empty
 // picture has no PNG (Exit::internal).
-// description: UTF-8 that the file says of itself (PNG 3, 11.3.3); empty: nothing.
+// description: UTF-8 text stored in the file (PNG 3, 11.3.3); empty: none.
 Result<Bytes> encode_png(const Image& image, const std::string& description = {});
 Bytes encode_ppm(const Image& image); // P6: alpha is dropped
 Bytes encode_pam(const Image& image); // P7, RGB_ALPHA
 
-// At most this many pixels and this many on a side are decoded: a decompression bomb stops here.
+// Limits on the pixels and the sides of decoded pictures, against decompression bombs.
 struct DecodeLimits {
     int max_side = 16384;
     std::int64_t max_pixels = std::int64_t{1} << 26;

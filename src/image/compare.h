@@ -19,7 +19,8 @@ struct Difference {
 Difference compare(const Image& a, const Image& b, int max_difference_allowed = 0);
 
 // |a - b| per channel, times `gain`, opaque, on black; a difference of alpha counts in every
-// channel. The larger size of both where sizes differ: what only one of them has is white.
+// channel. Where sizes differ, the result has the larger width and height, and is white where not
+// both have pixels.
 Image difference_image(const Image& a, const Image& b, int gain = 16);
 
 } // namespace scanout::image

@@ -25,7 +25,7 @@ Result<Image> decode_netpbm(const Source& file); // P6 and P7
 // Refuses empty pictures and those over the limits.
 Result<void> check_size(const Source& file, std::int64_t width, std::int64_t height);
 
-// stb_image on a file that bmp.cpp or tga.cpp wrote from checked fields (stb.cpp says why).
+// Runs stb_image on a file that bmp.cpp or tga.cpp wrote from checked fields (reason: stb.cpp).
 Result<Image> decode_by_stb(const Bytes& checked_file, const std::string& name);
 
 // The file's bytes as little-endian numbers; the caller has checked that they are there.

@@ -154,7 +154,7 @@ std::vector<double> balanced(std::vector<double> weights) {
 }
 
 struct Features {
-    Plane edge, point; // how strong, whatever the direction
+    Plane edge, point; // magnitude, for all directions
 };
 
 Plane length_of(const Plane& x, const Plane& y) {

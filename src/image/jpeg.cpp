@@ -18,7 +18,8 @@ namespace {
 // A progressive file has about ten scans; a hostile one has thousands, each of which costs a pass
 // over the picture.
 constexpr int kMaxScans = 100;
-// What libjpeg may hold: coefficients of a progressive picture take 6 bytes a pixel, and some.
+// The memory limit of libjpeg: coefficients of a progressive picture take 6 bytes a pixel, and
+// some.
 constexpr std::int64_t kWorkBytesPerPixel = 8;
 constexpr std::int64_t kWorkBytes = std::int64_t{16} << 20;
 

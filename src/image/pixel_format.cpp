@@ -44,7 +44,7 @@ Result<PixelFormat> pixel_format(std::string_view name) {
     return fail(Exit::usage, "unknown pixel format '{}': use one of {}", name, names);
 }
 
-// A channel of no bits stands nowhere: its offset does not tell formats apart.
+// Channels without bits are equal, whatever their offset.
 static bool same_channel(const Channel& a, const Channel& b) {
     return a == b || (a.bits == 0 && b.bits == 0);
 }

@@ -49,8 +49,8 @@ Result<void> check(const PixelFormat& format);
 // clean. Unused bits are 0, alpha is full. out holds at least row.size() * bytes_per_pixel() bytes.
 void encode_row(const PixelFormat& format, std::span<const Rgba8> row, int x0, int y,
                 std::uint8_t* out);
-// What a display shows for those bytes: channels widened to 8 bits by repeating their upper digits,
-// alpha 255. Both take formats that check() passed.
+// The display's picture of those bytes: channels widened to 8 bits by repeating their upper digits,
+// alpha 255. Both functions take formats that check() passed.
 void decode_row(const PixelFormat& format, const std::uint8_t* in, std::span<Rgba8> row);
 
 // encode then decode: the picture as the display shows it.

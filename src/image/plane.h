@@ -1,5 +1,5 @@
-// One channel of numbers, and its convolution: what filters and metrics work on. The edge repeats
-// outwards: a picture has no dark frame.
+// One channel of numbers and its convolution, for filters and metrics. The edge repeats outwards,
+// so that a picture gets no dark frame.
 #pragma once
 
 #include <cstddef>

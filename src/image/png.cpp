@@ -62,7 +62,7 @@ void read_bytes(png_structp png, png_bytep out, std::size_t count) {
     reader->rest = reader->rest.subspan(count);
 }
 
-// Asks libpng for 8-bit RGBA whatever the file holds.
+// Asks libpng for 8-bit RGBA from any kind of PNG.
 void read_header(PngReader& reader, const DecodeLimits& limits) {
     png_structp png = reader.png;
     png_set_read_fn(png, &reader, read_bytes);
