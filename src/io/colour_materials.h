@@ -13,8 +13,8 @@ namespace scanout::io {
 
 class ColourMaterials {
 public:
-    // The number of a display (sRGB) colour, from 0 on in the order of first use. Where a model has
-    // more than kMaxColours, those that follow keep their upper five bits a channel.
+    // The number of a display (sRGB) colour, from 0 on in the order of first use. Beyond
+    // kMaxColours, further colours keep only the upper five bits of each channel.
     static constexpr std::size_t kMaxColours = 32768;
     std::int32_t number(std::uint8_t red, std::uint8_t green, std::uint8_t blue);
 

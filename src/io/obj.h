@@ -23,7 +23,7 @@ struct ObjFile {
     geom::PolygonMesh polygons;
     std::vector<NameAtLine> materials; // of usemtl statements, in the order of first use
     std::vector<NameAtLine>
-        libraries;           // what stands behind each mtllib, file names not yet told apart
+        libraries;           // the words behind each mtllib, not yet split into file names
     std::size_t skipped = 0; // statements that could not be used, free-form ones included
 };
 

@@ -151,7 +151,7 @@ PlyRowState PlyBody::next_ascii(const PlyElement& element, PlyRow& row) {
         double length = 1, value = 0;
         if (property.list_length_type) {
             at_.skip_blanks();
-            if (at_.at_line_end()) // a list that the header tells of and no row has
+            if (at_.at_line_end()) // the header has a list that no row has
                 length = 0;
             else if (!ascii_number(length))
                 return bad();

@@ -1,4 +1,4 @@
-// The body of a PLY file, row by row, whatever its encoding: a row is the numbers of one element.
+// The body of a PLY file, row by row, in any encoding: a row is the numbers of one element.
 #pragma once
 
 #include "base/jobs.h"

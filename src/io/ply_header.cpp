@@ -13,7 +13,7 @@
 namespace scanout::io {
 namespace {
 
-// Bounds on what a header may make us keep; Gaussian splats have 62 properties.
+// Bounds on the memory that a header can take; Gaussian splats have 62 properties.
 constexpr std::size_t kMaxElements = 1000, kMaxProperties = 10000, kMaxHeaderTextures = 1000;
 constexpr std::size_t kMaxHeaderBytes = std::size_t{4} << 20;
 

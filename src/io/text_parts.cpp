@@ -7,7 +7,7 @@
 namespace scanout::io {
 namespace {
 
-constexpr std::size_t kPartsOfAThread = 4; // so that all are busy to the end, nearly
+constexpr std::size_t kPartsOfAThread = 4; // so that all stay busy until nearly the end
 constexpr std::size_t kLongestPause = 4096;
 
 // Does the line that ends before `end` continue behind it? It may be part of a comment, which does
