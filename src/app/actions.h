@@ -1,5 +1,5 @@
-// The actions of the viewer, by name: the one way to change what it shows. Keys and mouse are bound
-// to them, recordings are made of them, and the help sheet lists them.
+// The actions of the viewer, by name: nothing else changes its picture. Keys and mouse are bound to
+// them, recordings consist of them, and the help sheet lists them.
 #pragma once
 
 #include "app/viewer_state.h"

@@ -74,9 +74,9 @@ bool takes_next_word(const Option& option) {
     return !option.optional_value && !std::holds_alternative<Switch>(option.slot);
 }
 
-// Splits `-o=x.png` into `-o x.png` (nobody wants a file named "=x.png"), and takes off and returns
-// what stands behind `--`: files, whatever they look like. Refuses options without their value, and
-// switches with one.
+// Splits `-o=x.png` into `-o x.png` (nobody wants a file named "=x.png"). Removes and returns the
+// words behind `--`, which are files even if they look like options. Refuses options without their
+// value, and switches with one.
 Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments, Command command) {
     for (auto word = arguments.begin(); word != arguments.end(); ++word) {
         if (*word == "--") {
@@ -93,7 +93,7 @@ Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments,
         }
         const Option* option = find_option(*word, command);
         if (option != nullptr && takes_next_word(*option)) {
-            if (++word == arguments.end()) // else its value, whatever that looks like
+            if (++word == arguments.end()) // else its value, even if that looks like an option
                 return fail(Exit::usage, "{} wants {}; give it", arguments.back(),
                             value_text(*option));
             continue;

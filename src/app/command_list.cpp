@@ -1,4 +1,4 @@
-// scanout list WHAT: what there is on this machine and in this program, on standard output.
+// scanout list WHAT: lists what this machine and this program have, on standard output.
 #include "app/bindings.h"
 #include "app/commands.h"
 #include "app/nearest.h"

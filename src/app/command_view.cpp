@@ -77,7 +77,7 @@ Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint6
     Jobs jobs(settings.threads);
     const bool instant = tapes.script.has_value();
     const auto suspend = [instant](std::vector<port::Event>&) -> Result<void> {
-        if (!instant) ::kill(::getpid(), SIGSTOP); // nobody would wake a replay up again
+        if (!instant) ::kill(::getpid(), SIGSTOP); // nobody would continue a stopped replay
         return {};
     };
     return show(settings,

@@ -129,7 +129,7 @@ Result<void> read_field(Light& light, std::string_view part) {
                 fmt::join(known, " "));
 }
 
-// The kind and what stands behind its colon without a name.
+// Reads the kind, and the first value behind its colon, which has no name.
 Result<Light> read_kind(std::string_view word, std::string_view value) {
     Light light;
     light.name = word;

@@ -10,8 +10,8 @@ namespace scanout::app {
 
 int edit_distance(std::string_view a, std::string_view b);
 
-// The nearest name, when it is near enough to be meant (a third of its letters may differ, one of
-// two); else an empty view. At a tie the first.
+// The nearest name, when it is near enough to be meant (a third of its letters may differ; in a
+// name of two letters, one); else an empty view. The first of equally near ones.
 std::string_view nearest_name(std::string_view text, std::span<const std::string_view> names);
 
 // "; did you mean 'NAME'?", or nothing.

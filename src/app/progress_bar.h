@@ -1,4 +1,4 @@
-// A bar on one line of the terminal for work that takes longer than one likes to wait in silence.
+// A progress bar on one line of the terminal, for work of more than a moment.
 #pragma once
 
 #include "base/stopwatch.h"
@@ -17,8 +17,8 @@ public:
     // Writes over the line before; "" only erases it.
     using Write = std::function<void(std::string_view line)>;
 
-    // On standard error, where that is a terminal and the program not told to be quiet. `what`
-    // stands before the bar; a long one is cut at its begin.
+    // On standard error, where that is a terminal and the program is not told to be quiet. `what`
+    // precedes the bar; a long text loses its beginning.
     ProgressBar(std::string what, bool quiet);
     ProgressBar(std::string what, double patience, Write write);
     ~ProgressBar(); // erases the bar

@@ -28,7 +28,7 @@ struct TimedAction {
 };
 using Script = std::vector<TimedAction>;
 
-// `name` stands in errors: "name:line: what". Exit::unreadable.
+// `name` begins each error: "name:line: fault". Exit::unreadable.
 Result<Script> parse_script(std::string_view text, const std::string& name);
 Result<Script> load_script(const std::string& path);
 

@@ -13,7 +13,7 @@ namespace scanout::app {
 // then light another side of it. Empty where nothing can be seen.
 std::string view_options(const Viewer& viewer, const Settings& settings, const geom::Mesh& mesh);
 
-// The whole command, for a shell: `path` in quotes where it wants them.
+// The whole command, for a shell: `path` is quoted where the shell needs it.
 std::string view_command(const std::string& path, const std::string& options);
 
 } // namespace scanout::app
