@@ -1,4 +1,4 @@
-// Long loops in chunks, each on whatever core is free.
+// Long loops in chunks, spread over all cores.
 #pragma once
 
 #include "base/jobs.h"

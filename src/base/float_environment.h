@@ -1,5 +1,5 @@
-// Rounds to nearest and keeps denormals while it lives, whatever a library or the caller set
-// before: the same bits need the same arithmetic in every thread (HARD-CASES D6).
+// Sets rounding to nearest and keeps denormals during its lifetime, however a library or the caller
+// set them: the same bits need the same arithmetic in every thread (HARD-CASES D6).
 #pragma once
 
 #include <cstdint>

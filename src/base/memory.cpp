@@ -50,7 +50,7 @@ void release_pages(void* begin, std::size_t bytes) {
 static constexpr std::size_t kLargePage = 1 << 21; // of x86, and of AArch64 with 4 KiB pages
 
 void use_large_pages(void* begin, std::size_t bytes) {
-    constexpr int kCollapse = 25; // MADV_COLLAPSE, since Linux 6.1: what stands there
+    constexpr int kCollapse = 25; // MADV_COLLAPSE, since Linux 6.1: collapses existing pages
     const std::span<std::byte> pages = pages_in(begin, bytes, kLargePage);
     if (pages.empty()) return;
     ::madvise(pages.data(), pages.size(), MADV_HUGEPAGE);

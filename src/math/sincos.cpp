@@ -38,7 +38,7 @@ Reduced reduce_radians(double x) {
     return {static_cast<int>(n & 3), rest};
 }
 
-// |degrees| modulo 360 where every double is an integer: no rounding, whatever the size.
+// |degrees| modulo 360 where every double is an integer: no rounding at any size.
 double huge_modulo_360(double degrees) {
     const auto [mantissa, exponent] = decompose(degrees);
     auto rest = static_cast<std::uint64_t>(mantissa * 0x1p52) % 360;

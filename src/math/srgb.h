@@ -10,8 +10,8 @@ namespace scanout {
 
 namespace detail {
 
-// Every float in [2^-13, 1) by its exponent and upper 7 fraction bits: a bucket so narrow that at
-// most one code begins inside it.
+// Every float in [2^-13, 1) belongs to a bucket, by its exponent and upper 7 fraction bits: so
+// narrow that at most one code begins inside it.
 inline constexpr float kSrgbLowest = 0x1p-13F;        // still code 0
 inline constexpr float kSrgbHighest = 0x1.fffffep-1F; // already code 255
 inline constexpr int kSrgbBucketShift = 16;
@@ -21,8 +21,8 @@ struct SrgbTables {
     float decode[256];
     float linear[256];        // code / 255: of data that is no colour
     float first_of_code[256]; // the least float that has the code
-    // Of each bucket, gathered: plus a float's place in the bucket it is the float's code, times
-    // 2^kSrgbBucketShift, and less than one.
+    // Of each bucket, as kernels gather it: plus a float's place in the bucket, it is the float's
+    // code times 2^kSrgbBucketShift, and a fraction.
     std::int32_t bucket[kSrgbBuckets];
 };
 extern const SrgbTables kSrgb;

@@ -20,7 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr bool kMinimumIsFirstIfLess =
     HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 && HWY_TARGET != HWY_SCALAR;
 
-// In two halves of a register each.
+// Stored in two registers, each half of the lanes.
 template <class D>
 struct Double {
     using Tag = hn::Repartition<double, D>;
@@ -71,7 +71,7 @@ struct Double {
         return {hn::GatherIndex(Tag(), base, hn::PromoteTo(wide, hn::LowerHalf(half, index))),
                 hn::GatherIndex(Tag(), base, hn::PromoteTo(wide, hn::UpperHalf(half, index)))};
     }
-    // From and to lanes of 32 bits.
+    // Conversions from and to lanes of 32 bits.
     template <class From, class Raw32>
     static SIMD_INLINE Double promoted(From, Raw32 from) {
         const hn::Half<From> half;
@@ -128,7 +128,7 @@ struct Double {
     friend SIMD_INLINE Double abs(Double a) { return {hn::Abs(a.low), hn::Abs(a.high)}; }
 };
 
-// In one register, of twice the width of a Float<D>'s, where the machine has such.
+// Stored in one register, of twice the width of a Float<D>'s, where the machine has one.
 template <class D>
 requires(hn::MaxLanes(hn::ScalableTag<double>()) >= hn::MaxLanes(D())) struct Double<D> {
     using Tag = hn::Rebind<double, D>;

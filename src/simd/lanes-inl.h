@@ -33,7 +33,7 @@ struct Float;
 template <class D>
 struct Int;
 
-// Which lanes: of Float and Int.
+// A mask of the lanes of a Float or an Int.
 template <class D>
 struct Mask {
     hn::Mask<D> raw;

@@ -103,7 +103,7 @@ SIMD_INLINE LaneVec3<T> transformed(const Number (&rows)[3][3], const LaneVec3<T
             dot(everywhere<V>(rows[2]), a)};
 }
 
-// From and to a structure of arrays, beginning at a lane.
+// Loads from and stores to a structure of arrays, beginning at a lane.
 template <class V, std::size_t kCount>
 SIMD_INLINE V load_vec3(const float (&from)[3][kCount], int lane) {
     using T = decltype(V::x);
