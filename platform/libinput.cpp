@@ -249,7 +249,7 @@ void Libinput::translate(libinput_event* event, std::vector<port::Event>& events
         if (which) add(button(*which, pressed));
         return;
     }
-    // Each of these comes with a POINTER_AXIS event that says the same: that one is not read.
+    // Skipped: each of these comes with a POINTER_AXIS event of the same content.
     case LIBINPUT_EVENT_POINTER_SCROLL_WHEEL:
         pointer = libinput_event_get_pointer_event(event);
         if (libinput_event_pointer_has_axis(pointer, kVertical) != 0)

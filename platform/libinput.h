@@ -17,7 +17,7 @@ struct udev;
 
 namespace scanout::console {
 
-// What a device can do, as the kernel tells it (libevdev).
+// The abilities of a device, as the kernel reports them (libevdev).
 struct DeviceFacts {
     std::string name;
     bool letters = false; // a keyboard to type on, not a power button
@@ -27,8 +27,8 @@ std::string describe(const DeviceFacts& facts); // "QEMU Virtio Mouse (motion, b
 
 class Libinput final : public ConsoleInput {
 public:
-    // By udev (with hotplug); when that knows no device, by path over /dev/input/event*. Fails
-    // (Exit::no_display) with why no device could be opened and what to do.
+    // By udev (with hotplug); if that knows no device, by path over /dev/input/event*. Fails
+    // (Exit::no_display) with the reason why no device could be opened, and with advice.
     static Result<std::unique_ptr<Libinput>> open(Seat& seat, std::vector<std::string>& notes);
     ~Libinput() override;
     Libinput(const Libinput&) = delete;
@@ -62,7 +62,7 @@ private:
     Scroll scroll_;
     std::string backend_;
     std::map<std::string, DeviceFacts> facts_;   // opened, by the kernel's name (event3)
-    std::map<std::string, DeviceFacts> devices_; // those that libinput uses
+    std::map<std::string, DeviceFacts> devices_; // devices in use
     std::map<std::string, int> refused_;         // path -> errno
     std::unique_ptr<udev, Free> udev_;
     std::unique_ptr<libinput, Free> context_;

@@ -54,7 +54,8 @@ public:
     // Learns of switches. An error means that the seat is gone and the program must end.
     virtual Result<void> dispatch() = 0;
 
-    // Shows another virtual terminal (Ctrl-Alt-Fn: with the keyboard muted, the kernel does not).
+    // Shows another virtual terminal (Ctrl-Alt-Fn: the kernel does not while the keyboard is
+    // muted).
     virtual Result<void> switch_session(int vt) = 0;
 
     // The keyboard's input to the terminal: muted once an input device is proven to work, so that
@@ -86,7 +87,7 @@ private:
 // Must be called before any thread exists: libseat's built-in server is a fork of this process.
 Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes);
 
-// No seat: devices are opened as files. For listing them, and where nothing else is to be had.
+// No seat: devices are opened as files. For listing them, and as the last resort.
 std::unique_ptr<Seat> no_seat();
 
 } // namespace scanout::console

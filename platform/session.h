@@ -23,7 +23,7 @@ public:
     // on the console's text comes back on every way out of the process: destruction, exit(), a
     // fatal signal; a small guard process restores it after SIGKILL. Exit::no_display when this
     // machine has neither /dev/dri/card* nor /dev/fb*.
-    // device_is_named: the user says where to show, so it is tried whatever /dev holds.
+    // device_is_named: the user names a device, so it is tried even if /dev has no display.
     static Result<std::unique_ptr<Session>> open(bool device_is_named = false);
     ~Session() override;
 

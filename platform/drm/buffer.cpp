@@ -58,7 +58,7 @@ std::span<const image::Rect> Buffer::draw(const image::Image& frame,
     port::copy_damage(format, frame, damage_, memory_, dumb_.pitch);
     all_ = false;
     std::swap(drawn_, damage_);
-    damage_.clear(); // and its room is used again
+    damage_.clear(); // keeps its memory
     return drawn_;
 }
 

@@ -20,7 +20,7 @@ struct Connector {
     std::string name; // "HDMI-A-1"
     bool connected = false;
     std::vector<drmModeModeInfo> modes;
-    std::vector<std::uint32_t> crtcs; // that can drive it, the one that does first
+    std::vector<std::uint32_t> crtcs; // CRTCs that can drive it, the current one first
 };
 
 struct CrtcState {

@@ -20,7 +20,7 @@ struct Options {
 // with one line that says why each card was refused and what to do. The seat outlives the display.
 Result<std::unique_ptr<port::Display>> create(const Options& options, console::Seat& seat);
 
-// What there is, for `scanout list displays|connectors|modes`.
+// The displays of this machine, for `scanout list displays|connectors|modes`.
 struct ModeInfo {
     int width = 0, height = 0;
     double refresh_hz = 0;

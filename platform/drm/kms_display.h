@@ -76,7 +76,7 @@ private:
     bool taken_ = false;         // somebody else is master, or the connector is gone
     bool just_set_mode_ = false; // a flip that fails now fails for good
     bool paced_ = false;
-    std::uint64_t tag_ = 0; // of the last flip: late events of earlier ones are told apart
+    std::uint64_t tag_ = 0; // of the last flip: recognises late events of earlier ones
     std::uint32_t sequence_ = 0;
     std::uint64_t activations_ = 0; // of the seat, when it was last drawn on
 };

@@ -1,6 +1,6 @@
-// A display in memory: `view --backend headless` and the tests present to it. It keeps the bytes
-// that a display of this pixel format would hold, and nothing else: what it shows went through the
-// same encoding as on the other displays.
+// A display in memory: `view --backend headless` and the tests present to it. It keeps only the
+// bytes that a display of this pixel format would hold, so its picture went through the same
+// encoding as on other displays.
 #pragma once
 
 #include "port/display.h"

@@ -115,7 +115,7 @@ ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) 
         static_cast<float>(std::max(std::max(placer.size(), kNearest) * unit, 0x1p-50));
     if (light.kind == LightKind::spot) {
         placed.axis = Vec3(normalized(placer.aim() - position, DVec3(0, 0, -1)));
-        // A cone of half a turn holds what rounding leaves behind the light, too.
+        // A cone of half a turn also holds directions that rounding puts behind the light.
         const auto cosine = [](double degrees) {
             return degrees < 180 ? static_cast<float>(cos_degrees(degrees)) : -2.0F;
         };

@@ -13,7 +13,7 @@ namespace scanout::scene {
 // Counts of the model's file, for reports.
 struct ModelCounts {
     std::size_t vertices = 0; // v statements (OBJ), 3 a facet (STL)
-    std::size_t faces = 0;    // polygons that are drawn, whatever their number of corners
+    std::size_t faces = 0;    // polygons that are drawn, with any number of corners
     std::size_t triangles = 0;
     std::size_t lines = 0; // line elements (polylines)
     std::size_t points = 0;

@@ -1,4 +1,4 @@
-// From options and integer state to the matrices of one frame, in double, computed once a frame.
+// The matrices of one frame, from options and integer state: in double, computed once a frame.
 // [Compendium 8, 10], [Course 2, 3], [Primer 3]. No float appears before a vertex is transformed.
 #pragma once
 
