@@ -30,7 +30,7 @@ struct TileWorker {
     raster::Geometry::ById by_id; // of counts
     // Empty but for the techniques of anti-aliasing that read them.
     raster::AreaTile areas;
-    shade::LinearPicture drawn; // of a tile that is larger than its pixels
+    shade::LinearPicture drawn; // supersampled pixels of a tile
     shade::PixelSums sums;
 };
 

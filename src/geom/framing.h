@@ -1,6 +1,6 @@
-// Where a model is and how large: the framing sphere about the middle of the bounding box, and the
-// shift and power of two that bring it to unit size. By min and max alone, so that no order of the
-// vertices moves it; works from denormal extents to the largest doubles.
+// The model's position and size: the framing sphere about the middle of the bounding box, and the
+// shift and power of two that bring it to unit size. Uses only min and max, so that no order of the
+// vertices changes it; works from denormal extents to the largest doubles.
 #pragma once
 
 #include "base/jobs.h"
@@ -21,8 +21,8 @@ struct Framing {
     DVec3 normalise(const DVec3& file_units) const;
 };
 
-// From the positions with used[i] not 0; from all, when none is. Positions that are not finite are
-// left out.
+// The framing of the positions with used[i] not 0, or of all, if none is used. Skips positions that
+// are not finite.
 Framing framing_of(Jobs& jobs, const std::vector<DVec3>& positions,
                    const std::vector<std::uint8_t>& used);
 

@@ -15,16 +15,15 @@ namespace scanout::geom {
 // an index into polygons.normals, which is normalised in place and grows by the normals made.
 //
 // - A normal of the file is kept where it is finite and not zero; others are made.
-// - Faces share a normal at a common position (by index) when they have the same smoothing group;
-// when
-//   no group is set, each corner takes the sum over all faces whose normal is within the crease
-//   angle of its own face's. kSmoothingOff gives the face's normal.
-// - Degenerate faces add nothing. A sum of zero gives the face's normal, and that of zero (0, 0,
+// - Faces with the same smoothing group share a normal at a common position (by index). If no group
+// is set, each corner takes the sum over all faces whose normal is within the crease angle of its
+// own face's. kSmoothingOff gives the face's normal.
+// - Degenerate faces add nothing. A sum of zero gives the face's normal; if that is zero, (0, 0,
 // 1).
 //
 // positions of usable faces must be finite and within [-1, 1] (as Framing::normalise makes them).
-// `go_on` gets the share that is done, 0 to 1, now and then; when it says false, the rest is left,
-// and make_normals is false.
+// `go_on` gets the share that is done, 0 to 1, from time to time; if it returns false, make_normals
+// stops and returns false.
 bool make_normals(Jobs& jobs, PolygonMesh& polygons, const std::vector<bool>& usable,
                   double crease_degrees, const std::function<bool(double)>& go_on = nullptr);
 

@@ -38,8 +38,8 @@ struct Placer {
         if (on_camera()) return within_reach(at);
         return view.world_axes * within_reach(radii_from_centre(mesh, at)) + view.world_origin;
     }
-    // Nothing depends on the length. A direction of the camera needs no rotation, and has no
-    // rounding from it.
+    // The length does not matter. A direction in the camera's frame is not rotated, and so not
+    // rounded.
     DVec3 direction(const DVec3& towards) const {
         const DVec3 unit = normalized(within_reach(towards));
         return on_camera() ? unit : view.world_axes * unit;

@@ -26,7 +26,7 @@ double near_reach(const scene::View& view) {
 
 bool may_be_inside(const geom::MeshTopology& topology, const scene::View& view) {
     const std::optional<DVec4> eye = known_eye_of(view);
-    if (!eye || eye->w == 0) return false; // from so far away that all is outside
+    if (!eye || eye->w == 0) return false; // an orthographic eye is infinitely far away
     const DVec3 at(*eye);
     const double reach = near_reach(view);
     return std::any_of(topology.closed_boxes.begin(), topology.closed_boxes.end(),

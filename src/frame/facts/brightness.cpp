@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kExact = 8;
 
-// A directional light: its direction, as long as it is bright.
+// Directional lights as vectors: the light's direction, with its brightness as length.
 std::vector<DVec3> vectors(std::span<const scene::Light> lights, scene::LightFrame frame,
                            int channel) {
     std::vector<DVec3> found;

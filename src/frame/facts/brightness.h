@@ -8,10 +8,10 @@
 
 namespace scanout::frame {
 
-// The most diffuse light, ambient light included, that arrives at a white surface, however it is
-// turned; of the brightest channel. Directional lights of one frame: the greatest sum of max(n.l,
-// 0) is the length of a sum of some of their vectors, for up to 8 of them; else, and between camera
-// and world, sums, which are no less. Lights at a place count as they shine on the model's centre.
+// The most diffuse light, with ambient light, that a white surface can receive at any orientation;
+// of the brightest channel. The greatest sum of max(n.l, 0) over directional lights of one frame is
+// the length of a sum of some of their vectors, exact for up to 8; beyond, and between camera and
+// world, lengths are added, an upper bound. Point and spot lights count as at the model's centre.
 double greatest_light(std::span<const scene::Light> lights);
 
 } // namespace scanout::frame

@@ -24,9 +24,9 @@ using MaterialSet = std::vector<bool>;
 
 struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
-    DVec3 centre{0};                           // of the mesh in the file, its unit's exponent
-    int exponent = 0;                          // and its framing sphere's radius (geom::Mesh):
-    double radius = 0.5;                       // where the file's lights stand
+    DVec3 centre{0};                           // of the mesh, in file units (geom::Mesh)
+    int exponent = 0;                          // file units = normalised * 2^exponent
+    double radius = 0.5;                       // of the framing sphere: they place lights
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // their material states a roughness or metalness
     std::optional<std::int32_t> only_material; // of all primitives, where all are triangles

@@ -45,7 +45,7 @@ bool plane_between(const ViewBox& a, const ViewBox& b, const DVec3& towards_ligh
            std::any_of(std::begin(a.half), std::end(a.half), separates);
 }
 
-// The plane through the light's place that halves the angle between the boxes.
+// The plane through the light's position that halves the angle between the boxes.
 bool plane_between_from(const DVec3& place, const ViewBox& a, const ViewBox& b, double texel,
                         int texels) {
     const DVec3 to_a = a.centre - place, to_b = b.centre - place;
@@ -68,7 +68,7 @@ bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLig
     if (boxes.size() < 2) return true;
     if (light.kind == scene::LightKind::ambient) return true;
     const int texels = map.filter + 4;
-    const double inner = map.size / 4.0 - texels; // as of one of six views (light_views)
+    const double inner = map.size / 4.0 - texels; // inner part of one of six views (light_views)
     if (!is_known(view) || light.size > 0 || inner < 1) return false;
     const bool directional = light.kind == scene::LightKind::directional;
     constexpr double kWidest = 1.75; // tangent of half the angle of a view, at most

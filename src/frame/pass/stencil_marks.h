@@ -15,8 +15,8 @@ void mark_visible(const raster::VisibilityTile& tile,
 // The same for a tile of areas.
 void mark_visible(raster::AreaTile& tile, StencilBuffer& out);
 
-// Counts the triangles that cover each pixel of a tile (overdraw), hidden or not, but not those
-// that were culled. The geometry must have taken all for opaque. `scratch` and `order` are scratch.
+// Counts the triangles that cover each pixel of a tile (overdraw): hidden ones, too, but not culled
+// ones. The geometry must treat all as opaque. `scratch` and `order` are scratch.
 void count_covering(const raster::Geometry& geometry, int tile, raster::VisibilityTile& scratch,
                     raster::Geometry::ById& order, StencilBuffer& out);
 

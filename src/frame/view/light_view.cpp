@@ -134,7 +134,7 @@ LightView from_place(const scene::ViewLight& light, const scene::View& view, con
     return made;
 }
 
-// The tangents of the half angles that hold the model; beyond kWidestTan where part of it stands
+// The tangents of the half angles that hold the model; more than kWidestTan where a part of it lies
 // beside or behind the light.
 DVec2 tangents(const scene::ViewLight& light, const geom::Mesh& mesh, const scene::View& view,
                const DMat3& rotation) {
