@@ -34,7 +34,7 @@ inline float srgb_decode(std::uint8_t code) {
     return detail::kSrgb.decode[code];
 }
 
-// The same of a display value between the codes, in [0, 1]: the formula in double.
+// The same for a display value between the codes, in [0, 1]: the formula in double.
 double linear_light_of_srgb(double encoded);
 
 // Clamps to [0, 1]; NaN gives 0; monotone.

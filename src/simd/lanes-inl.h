@@ -1,13 +1,13 @@
-// Lanes: values that a kernel computes side by side, written like plain formulas. A thin face on
+// Lanes: values that a kernel computes side by side, written like plain formulas. A thin layer on
 // Google Highway; included once for every target, so it has no guard of the usual kind.
 //
 // F32, I32 and F64 hold kLanes values each (an F64 is two registers), so a kernel mixes them freely
-// and never asks how wide the machine is; F32x8 and I32x8 and F64x8 hold at most 8, for what comes
-// in eights (an F64x8 is one register where there are such). The rules that make all targets give
-// the same bits (HARD-CASES D1, D2, D4, D5): + - * / sqrt are exact IEEE operations and never
+// and does not depend on the machine's width; F32x8, I32x8 and F64x8 hold at most 8, for data in
+// eights (an F64x8 is one register where the machine has such). The rules that make all targets
+// give the same bits (HARD-CASES D1, D2, D4, D5): + - * / sqrt are exact IEEE operations and never
 // fused, conversions are of values in range, minimum and maximum are comparisons with a chosen
-// outcome for NaN, and there is no operation across lanes but any, all, bits and least, for which
-// their order is no matter.
+// outcome for NaN, and the only operations across lanes are any, all, bits and least, for which the
+// order does not matter.
 #if defined(SCANOUT_SIMD_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SIMD_LANES_INL_H
 #undef SCANOUT_SIMD_LANES_INL_H

@@ -1,5 +1,5 @@
-// Ambient light: the same from everywhere, on every surface: it stands for all light that came
-// there by other surfaces. [Compendium 11.1], [Primer 7].
+// Ambient light: the same from all directions, on every surface; it approximates the light that
+// other surfaces reflect. [Compendium 11.1], [Primer 7].
 #include "shade/stage.h"
 
 namespace scanout::shade::light {

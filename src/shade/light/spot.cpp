@@ -1,5 +1,5 @@
-// A point light with a cone: full inside the inner angle, nothing outside the outer, between them a
-// smooth step of the cosine: Hermite's cubic. Warn 1983.
+// A spot light, a point light with a cone: full inside the inner angle, none outside the outer one,
+// and between them a smooth step of the cosine (Hermite's cubic). Warn 1983.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/light/spot.cpp"

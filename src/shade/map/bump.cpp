@@ -1,7 +1,7 @@
-// map_bump: a texture gives heights, white above black, and the surface leans as if it had them:
-// Blinn 1978, [Compendium 11.2]. The file says no unit: a height of 1 is as high as -bm texels are
-// wide, so that the picture does not depend on the model's size. The slope is the difference of the
-// heights half a texel to both sides; half a pixel where pixels are larger.
+// Bump mapping (map_bump): a texture gives heights, white above black, whose slopes tilt
+// the normals: Blinn 1978, [Compendium 11.2]. The file gives no unit: a height of 1 is as high as
+// -bm texels are wide, so that the picture does not depend on the model's size. The slope is the
+// difference of the heights half a texel to both sides; half a pixel where pixels are larger.
 #include "shade/map/bump_neighbours.h"
 #include "shade/map/scalar.h"
 

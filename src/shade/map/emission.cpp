@@ -1,5 +1,5 @@
-// Ke, times map_Ke: light that the surface gives off by itself. It lights nothing else. A common
-// addition to MTL.
+// Emission: Ke times map_Ke, light that the surface gives off by itself. It lights no other
+// surface. A common addition to MTL.
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/emission.cpp"

@@ -1,5 +1,6 @@
-// norm, map_Kn: a texture gives the normal, red along growing u, green along growing v, blue away
-// from the surface; code 128 is 0. Cohen, Olano and Manocha 1998, [Compendium 11.2].
+// Normal mapping (norm, map_Kn): a texture gives the normal, red along growing u, green along
+// growing v, blue away from the surface; code 128 is 0. Cohen, Olano and Manocha 1998, [Compendium
+// 11.2].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/map/normal.cpp"

@@ -1,7 +1,7 @@
-// Improved noise: smooth, of one size of lumps, the same everywhere: Perlin 2002, in the plane z =
-// 0. Four octaves, each with lumps half as large and half as strong, from eight lumps a turn on; it
-// repeats with the turn. An octave whose lumps are smaller than two pixels fades out: no more than
-// a pixel can show is computed to be shown. [Compendium 11.2], [Primer 9.3].
+// Improved noise, smooth, with lumps of one size, the same everywhere: Perlin 2002, in the plane z
+// = 0. Four octaves, each with lumps half as large and half as strong, from eight lumps a turn on;
+// it repeats every turn. An octave whose lumps are smaller than two pixels fades out, since a pixel
+// cannot show it. [Compendium 11.2], [Primer 9.3].
 #include "shade/source/permutation.h"
 #include "shade/stage.h"
 
