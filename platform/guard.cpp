@@ -14,14 +14,15 @@
 namespace scanout::console {
 namespace {
 
-// The life of the guard. It only makes system calls: it is a fork, and nothing else in it may run.
+// The main loop of the guard process, a fork: it may only make system calls.
 [[noreturn]] void watch(int pipe, const ConsoleState& state) {
     sigset_t all;
     sigfillset(&all);
     ::sigprocmask(SIG_BLOCK, &all, nullptr);
     ::setpgid(0, 0); // a signal to our process group does not reach it
     ::prctl(PR_SET_NAME, "scanout-guard");
-    // Only these two stay open: nobody waits for the end of a pipe, no display stays taken.
+    // Keeps only these two descriptors: an open pipe would never end, an open display would stay
+    // taken.
     const int high_pipe = ::fcntl(pipe, F_DUPFD, 10), high_tty = ::fcntl(state.fd, F_DUPFD, 10);
     if (::dup2(high_pipe, 0) < 0 || ::dup2(high_tty, 1) < 0) ::_exit(1);
     ::close_range(2, ~0U, 0);

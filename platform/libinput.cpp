@@ -41,7 +41,7 @@ DeviceFacts facts_of(int fd) {
 }
 
 // By default libinput writes its complaints (such as "system too slow") to the console that we draw
-// on. What we can act on comes back as errors and missing devices.
+// on. Faults that we can react to come back as errors or missing devices.
 void drop_log(libinput*, libinput_log_priority, const char*, va_list) {}
 
 // Motion must be device units, and a touchpad's tap is a click, as users expect.

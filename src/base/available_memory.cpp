@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::uint64_t kUnlimited = std::numeric_limits<std::uint64_t>::max();
 
-// The number behind the word `key`; the file's first word when the key is empty. Limits that are
-// "max" are none.
+// The number behind the word `key`, or the file's first word if the key is empty. "max" is no
+// number: no limit.
 std::optional<std::uint64_t> number_in(const std::string& path, const std::string& key = {}) {
     std::ifstream file(path);
     std::uint64_t value = 0;
@@ -26,8 +26,8 @@ std::uint64_t difference(std::uint64_t a, std::uint64_t b) {
     return a > b ? a - b : 0;
 }
 
-// The names of the files that tell of a group, in both versions (kernel documentation,
-// admin-guide/cgroup-v2 and cgroup-v1/memory).
+// The names of a group's files, in both versions (kernel documentation, admin-guide/cgroup-v2 and
+// cgroup-v1/memory).
 struct Names {
     const char *limit, *usage, *cache;
 };
@@ -42,8 +42,8 @@ std::uint64_t left_in_group(const std::string& folder, const Names& names) {
     return difference(*limit, difference(*usage, cache));
 }
 
-// A group and those around it. In a container the path may be the host's, of which only the root
-// is there: missing folders limit nothing.
+// The least of a group and the groups around it. In a container the path may be the host's, of
+// which only the root exists: missing folders limit nothing.
 std::uint64_t left_in_groups(const std::string& root, std::string path, const Names& names) {
     std::uint64_t left = left_in_group(root, names);
     for (; path.size() > 1; path.resize(path.rfind('/')))

@@ -34,8 +34,8 @@ tl::unexpected<Error> cannot_write(const std::string& path, int error) {
                           : "");
 }
 
-// Where a symbolic link leads, also when nothing is there yet; any other path is left as it is. The
-// links do not go in circles: stat() has said ELOOP then.
+// The target of a symbolic link, even if it does not exist yet; other paths stay as they are. Links
+// do not form a cycle here: stat() would have reported ELOOP before.
 std::string behind_links(std::string path) {
     std::error_code error;
     constexpr int kMaxLinks = 40; // as Linux, path_resolution(7)
@@ -73,7 +73,7 @@ Result<void> write_file(const std::string& path, std::span<const std::uint8_t> b
         if (const int error = write_all(device.get(), bytes)) return cannot_write(path, error);
         return {};
     }
-    // Beside the file itself: a link that leads to it stays one.
+    // Next to the file itself, so that a symbolic link to it stays one.
     const std::string file = behind_links(path);
     std::string temporary = file + ".XXXXXX";
     const Fd fd(::mkostemp(temporary.data(), O_CLOEXEC));

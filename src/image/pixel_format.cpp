@@ -103,8 +103,8 @@ static constexpr unsigned widened(unsigned level, int bits) {
     return level << (8 - bits) | level >> (2 * bits - 8);
 }
 
-// code -> its place among the levels of a channel, in 64ths of the step between the two levels
-// whose widened codes stand around it.
+// code -> its position among the levels of a channel, in 64ths of the step between the two levels
+// whose widened codes enclose it.
 using Levels = std::array<std::uint16_t, 256>;
 
 static constexpr Levels levels_of(int bits) {

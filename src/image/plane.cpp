@@ -6,7 +6,7 @@
 
 namespace scanout::image {
 
-// Sums run over differences from the middle: of a constant they are exactly 0, and gain is left.
+// Sums differences from the middle value: for a constant plane they are 0, and only the gain acts.
 Plane convolve(const Plane& plane, const Kernel& k) {
     CHECK(k.width % 2 == 1 && k.height % 2 == 1);
     Plane out(plane.width, plane.height);

@@ -295,7 +295,7 @@ void MtlReader::colour(std::string_view name, Vec3& colour) {
         colour[c] = static_cast<float>(between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMaxNumber));
 }
 
-// One "-option arguments" at the cursor. False, and the cursor stays, when there is none.
+// Reads one "-option arguments" at the cursor. Returns false, and stays, when there is none.
 bool MtlReader::map_option(Cursor& at, TextureMap& map) const {
     const Cursor before = at;
     const std::string option = lower_case(at.word().substr(0, 32));

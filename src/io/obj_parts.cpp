@@ -202,7 +202,7 @@ void ObjReader::take_elements(const ObjReader& part) {
     if (part.part_->before_material) material_ = id_of(part.material_);
 }
 
-// Before the part's faces are taken.
+// Call before the part's faces are taken.
 void ObjReader::take_smoothing(const ObjReader& part) {
     geom::PolygonMesh& m = out_.polygons;
     const geom::PolygonMesh& p = part.out_.polygons;
