@@ -29,9 +29,9 @@ void Ours::draw_depth(const scene::View& view) {
     const std::size_t pixels = width * static_cast<std::size_t>(options_.height);
     if (depth_.size() != pixels) {
         constexpr std::size_t kLine = 64; // bytes
-        room_ = LargeArray<float>(pixels + kLine / sizeof(float));
-        void* begin = room_.data();
-        std::size_t bytes = room_.size() * sizeof(float);
+        scratch_ = LargeArray<float>(pixels + kLine / sizeof(float));
+        void* begin = scratch_.data();
+        std::size_t bytes = scratch_.size() * sizeof(float);
         std::align(kLine, pixels * sizeof(float), begin, bytes);
         depth_ = {static_cast<float*>(begin), pixels};
     }

@@ -44,7 +44,7 @@ private:
     raster::OcclusionHistory occlusion_;
     std::vector<raster::VisibilityTile> tiles_;       // one a worker
     std::vector<raster::DeferredTriangles> deferred_; // scratch, one a worker
-    LargeArray<float> room_;
+    LargeArray<float> scratch_;
     std::span<float> depth_; // in that, from the start of a line of the cache
     frame::ClearedTiles cleared_;
 };

@@ -206,10 +206,10 @@ private:
     void read_parts(const std::vector<std::string_view>& texts) {
         readers_.resize(std::max(readers_.size(), texts.size()));
         for_chunks(parts_.jobs(), texts.size(), 1, [&](std::size_t i, std::size_t, int) {
-            std::vector<StlTriangle> room = std::move(readers_[i].triangles());
-            room.clear();
+            std::vector<StlTriangle> emptied = std::move(readers_[i].triangles());
+            emptied.clear();
             readers_[i] = FacetReader(texts[i], path_, nullptr);
-            readers_[i].triangles() = std::move(room);
+            readers_[i].triangles() = std::move(emptied);
             readers_[i].read_to(texts[i].data() + texts[i].size());
         });
         std::size_t read_again = 0;

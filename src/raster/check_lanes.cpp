@@ -97,8 +97,8 @@ void check_lanes(const VisibilityTile& tile) {
 
 void check_lanes(std::span<const AreaFragment> fragments) {
     for (const AreaFragment& f : fragments)
-        if (!std::isfinite(f.share))
-            fail(fmt::format("share of triangle {} is {} after its area", f.id, f.share));
+        if (!std::isfinite(f.coverage))
+            fail(fmt::format("coverage of triangle {} is {} after its area", f.id, f.coverage));
 }
 
 } // namespace scanout::raster

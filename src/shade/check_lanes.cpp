@@ -117,10 +117,10 @@ void check_rays(const ShadingBlock& b, const FrameState& frame) {
 }
 
 void check_lanes(const ShadingBlock& b, const FrameState& frame, const Stage& stage) {
-    std::array<char, 80> room; // no string: frames are counted not to allocate
+    std::array<char, 80> text; // no string: frames are counted not to allocate
     const auto written =
-        fmt::format_to_n(room.data(), room.size(), "{} {}", stage.card.axis, stage.card.name);
-    const std::string_view name(room.data(), std::min(written.size, room.size()));
+        fmt::format_to_n(text.data(), text.size(), "{} {}", stage.card.axis, stage.card.name);
+    const std::string_view name(text.data(), std::min(written.size, text.size()));
     const auto count = static_cast<std::size_t>(b.count);
     for (int c = 0; c < 3; ++c) {
         check(b.albedo[c], count, "albedo", name);

@@ -154,8 +154,8 @@ TEST_F(RasterLanesDeathTest, AnAreaThatIsNotFiniteEndsTheProgram) {
     std::vector<AreaFragment> fragments{{7, 0.5F, 1, 2}, {9, 0.25F, 3, 4}};
     check_lanes(fragments);
     for (const double bad : {kNaN, kInf}) {
-        fragments[1].share = static_cast<float>(bad);
-        EXPECT_DEATH(check_lanes(fragments), "share of triangle 9 is (nan|inf) after its area");
+        fragments[1].coverage = static_cast<float>(bad);
+        EXPECT_DEATH(check_lanes(fragments), "coverage of triangle 9 is (nan|inf) after its area");
     }
 }
 

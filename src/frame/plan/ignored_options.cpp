@@ -109,9 +109,10 @@ std::string why_sharp(const FramePlan& plan, bool casts) {
 
 // Lights that the user put there, and their sizes.
 void add_lights(const FramePlan& plan, Lines& lines) {
-    const std::vector<scene::Light>&given = plan.options.lights, &usual = scene::default_lights();
+    const std::vector<scene::Light>&given = plan.options.lights,
+          &defaults = scene::default_lights();
     for (const scene::Light& light : given) {
-        if (is_black(light) || std::find(usual.begin(), usual.end(), light) != usual.end())
+        if (is_black(light) || std::find(defaults.begin(), defaults.end(), light) != defaults.end())
             continue;
         const std::string effect = fmt::format("{}_light", name_of(light.kind));
         const Decision& d = *plan.decision(effect);
@@ -137,7 +138,7 @@ void add_lights(const FramePlan& plan, Lines& lines) {
 
 // Numbers and names that only one technique of another axis, or one kind of scene, reads.
 void add_details(const FramePlan& plan, Lines& lines) {
-    const FrameOptions &o = plan.options, usual;
+    const FrameOptions &o = plan.options, defaults;
     const TransparencyPlan& t = plan.transparency;
     const shade::ShadowStage* const shadow = plan.shadow.stage;
     const auto* const model = find_row(shade::reflection::kRows, o.reflection);
@@ -160,7 +161,7 @@ void add_details(const FramePlan& plan, Lines& lines) {
          "--reflection " + o.reflection, why_off(plan, "highlight", highlight.because)},
         {!is_auto(o.transparency) && !see_through, "--transparency " + o.transparency,
          why_off(plan, "blending", why_off(plan, "cut_out", "nothing is cut out or blended"))},
-        {o.alpha_cut != usual.alpha_cut && t.cut_out == nullptr,
+        {o.alpha_cut != defaults.alpha_cut && t.cut_out == nullptr,
          fmt::format("--alpha-cut {}", o.alpha_cut),
          why_off(plan, "cut_out", "nothing is cut out")},
         {o.exposure != 0 && !plan.decision("exposure")->on(),
@@ -170,10 +171,10 @@ void add_details(const FramePlan& plan, Lines& lines) {
         {o.shadow_plane.has_value() &&
              (asked_shadow == nullptr || asked_shadow->by != shade::ShadowBy::projection),
          "--shadow-plane", "it is for --shadow projected"},
-        {o.shadow_size != usual.shadow_size &&
+        {o.shadow_size != defaults.shadow_size &&
              (shadow == nullptr || shadow->by != shade::ShadowBy::maps),
          fmt::format("--shadow-size {}", o.shadow_size), "no shadow map is drawn"},
-        {o.shadow_filter != usual.shadow_filter && (shadow == nullptr || !shadow->filtered),
+        {o.shadow_filter != defaults.shadow_filter && (shadow == nullptr || !shadow->filtered),
          fmt::format("--shadow-filter {}", o.shadow_filter),
          "it is for --shadow map_pcf and map_soft"}};
     for (const auto& row : rows)

@@ -126,7 +126,7 @@ public:
 private:
     // Can the tile hold a covered sample? Notes which edges hold for all of it.
     bool reaches_tile() {
-        const Reach& tile = clipped_.of_tile;
+        const EdgeExtent& tile = clipped_.of_tile;
         for (std::size_t k = 0; k < 3; ++k) {
             const Int128 corner = at(k, tile_.area.x0, tile_.area.y0);
             if (corner + tile.highest[k] < 0) return false;

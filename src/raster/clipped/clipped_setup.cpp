@@ -11,7 +11,7 @@ namespace scanout::raster {
 
 static constexpr int kAnySize = std::numeric_limits<int>::max();
 
-Reach::Reach(const ExactEdges& e, const SampleExtent& extent, int side) {
+EdgeExtent::EdgeExtent(const ExactEdges& e, const SampleExtent& extent, int side) {
     const Int128 more = Int128{side - 1} * kSubpixel;
     const Int128 across[2] = {extent.low.x, more + extent.high.x};
     const Int128 down[2] = {extent.low.y, more + extent.high.y};

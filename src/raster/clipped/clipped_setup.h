@@ -11,15 +11,15 @@
 namespace scanout::raster {
 
 // How far the edge functions in a square of pixels may lie below and above those at its corner.
-struct Reach {
+struct EdgeExtent {
     Int128 lowest[3], highest[3];
-    Reach(const ExactEdges& edges, const SampleExtent& extent, int side); // pixels
+    EdgeExtent(const ExactEdges& edges, const SampleExtent& extent, int side); // pixels
 };
 
 struct ClippedSetup {
     ClippedTriangle triangle;
     ExactEdges edges;
-    Reach of_tile, of_block;
+    EdgeExtent of_tile, of_block;
     double a[3], b[3];      // of the edges, rounded
     double depth_factor[3]; // depth is the sum of E_i depth_factor_i
     double per_x, per_y;    // of depth, 1/256 pixel

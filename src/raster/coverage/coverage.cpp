@@ -145,7 +145,7 @@ SIMD_INLINE bool draw_all(const TilePlanes& tile, const SampleExtent& extent,
     return any(!(drawn == I32(0)));
 }
 
-bool draw_usual(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
+bool draw_nearest(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
     return draw_all<DepthWrite::nearest>(tile, extent, list);
 }
 bool draw_depth(const TilePlanes& tile, const SampleExtent& extent, const TriangleList& list) {
@@ -155,7 +155,7 @@ bool draw_by_rule(const TilePlanes& tile, const SampleExtent& extent, const Tria
     return draw_all<DepthWrite::by_rule>(tile, extent, list);
 }
 
-bool flat_alone(const ScreenVertex* corners) {
+bool has_float_depth_alone(const ScreenVertex* corners) {
     TriangleSetup w;
     for (int i = 0; i < TriangleSetup::kTriangles; ++i)
         for (int k = 0; k < 3; ++k)
@@ -169,20 +169,20 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::raster {
 
-SIMD_REGISTER(draw_usual);
+SIMD_REGISTER(draw_nearest);
 SIMD_REGISTER(draw_depth);
 SIMD_REGISTER(draw_by_rule);
-SIMD_REGISTER(flat_alone);
+SIMD_REGISTER(has_float_depth_alone);
 
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles) {
     const SampleExtent extent = extent_of(tile.pattern);
     if (!tile.rule.is_default()) return SIMD_CALL(draw_by_rule, tile, extent, triangles);
     return tile.id == nullptr ? SIMD_CALL(draw_depth, tile, extent, triangles)
-                              : SIMD_CALL(draw_usual, tile, extent, triangles);
+                              : SIMD_CALL(draw_nearest, tile, extent, triangles);
 }
 
 bool has_float_depth(const SnappedTriangle& triangle) {
-    return SIMD_CALL(flat_alone, triangle.vertex.data());
+    return SIMD_CALL(has_float_depth_alone, triangle.vertex.data());
 }
 
 } // namespace scanout::raster

@@ -42,7 +42,7 @@ struct TriangleList {
 // Does any of them pass the depth test? Where depth alone is stored: is any nearer than what was
 // there? Pixels of the planes beyond the area may be drawn, too.
 bool draw_triangles(const TilePlanes& tile, const TriangleList& triangles);
-bool draw_clipped(const TilePlanes& tile, const ClippedSetup& piece);
+bool draw_clipped(const TilePlanes& tile, const ClippedSetup& triangle);
 
 // The depth of a triangle at a sample, on one of two paths, each with a relative error below 2^-23
 // of the exact plane through the snapped vertices (HARD-CASES 14, 15):

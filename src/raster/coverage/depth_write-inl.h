@@ -18,8 +18,8 @@ using MaskX8 = Mask<F32x8::Tag>;
 // What a kernel tests and writes: by the default rule depth and id, or depth alone where the tile
 // has no ids; or both by another depth rule.
 enum class DepthWrite { nearest, depth_only, by_rule };
-constexpr bool is_default(DepthWrite shows) {
-    return shows != DepthWrite::by_rule;
+constexpr bool is_default(DepthWrite write) {
+    return write != DepthWrite::by_rule;
 }
 // The id of so many pixels further on; null where the tile has no ids.
 template <DepthWrite kWrite>

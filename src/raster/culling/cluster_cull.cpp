@@ -87,25 +87,25 @@ SIMD_INLINE MaskF64x8 back_facing_clusters(const Terms& t, const ClusterLanes& c
            (area > change * F64x8(kSlack));
 }
 
-// Bit i: cluster i is hidden.
-SIMD_INLINE std::uint32_t hidden_lanes(const Terms& t, const ClusterLanes& c) {
+// Bit i: cluster i is culled.
+SIMD_INLINE std::uint32_t culled_lanes(const Terms& t, const ClusterLanes& c) {
     const F64x8 w = at_centre(t.w, c), reach = F64x8(t.w.length) * c.radius * F64x8(kSlack);
     const F64x8 most_w = maximum(abs(w - reach), abs(w + reach)) * F64x8(kSlack),
                 least_w = (w - reach) * F64x8(1 - 1e-9);
-    auto hidden = (w + reach < F64x8(t.near_w * (1 - 1e-9))) | beside(t, c, most_w);
+    auto culled = (w + reach < F64x8(t.near_w * (1 - 1e-9))) | beside(t, c, most_w);
     if (t.winding != 0)
-        hidden =
-            hidden | ((least_w > F64x8(t.near_w)) & back_facing_clusters(t, c, least_w, most_w));
-    return bits(hidden);
+        culled =
+            culled | ((least_w > F64x8(t.near_w)) & back_facing_clusters(t, c, least_w, most_w));
+    return bits(culled);
 }
 
-void find_hidden_clusters(const Terms& terms, const geom::Cluster* clusters, int count,
-                          std::uint8_t* hidden) {
+void find_culled_clusters(const Terms& terms, const geom::Cluster* clusters, int count,
+                          std::uint8_t* culled) {
     for (int i = 0; i < count; i += kLanesX8) {
         const int live = count - i < kLanesX8 ? count - i : kLanesX8;
-        const std::uint32_t bits = hidden_lanes(terms, clusters_at(clusters + i, live));
+        const std::uint32_t bits = culled_lanes(terms, clusters_at(clusters + i, live));
         for (int lane = 0; lane < live; ++lane)
-            hidden[i + lane] = static_cast<std::uint8_t>(bits >> lane & 1);
+            culled[i + lane] = static_cast<std::uint8_t>(bits >> lane & 1);
     }
 }
 
@@ -114,7 +114,7 @@ SIMD_END
 #if SIMD_ONCE
 namespace scanout::raster {
 
-SIMD_REGISTER(find_hidden_clusters);
+SIMD_REGISTER(find_culled_clusters);
 
 namespace {
 
@@ -168,9 +168,9 @@ ClusterCull::ClusterCull(const ScreenTransform& t, Facing keep) : transform_(t),
     s.most_aside = kGuardPixels - std::max(t.width, t.height);
 }
 
-void ClusterCull::find_hidden(std::span<const geom::Cluster> clusters, std::uint8_t* hidden) const {
-    SIMD_CALL(find_hidden_clusters, terms_, clusters.data(), static_cast<int>(clusters.size()),
-              hidden);
+void ClusterCull::find_culled(std::span<const geom::Cluster> clusters, std::uint8_t* culled) const {
+    SIMD_CALL(find_culled_clusters, terms_, clusters.data(), static_cast<int>(clusters.size()),
+              culled);
 }
 
 std::optional<ClusterBounds> ClusterCull::bounds(const geom::Cluster& c) const {

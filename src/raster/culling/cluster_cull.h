@@ -23,8 +23,8 @@ struct ClusterBounds {
 class ClusterCull {
 public:
     ClusterCull(const ScreenTransform& transform, Facing keep);
-    // hidden[i]: 1 where the cluster is culled, else 0.
-    void find_hidden(std::span<const geom::Cluster> clusters, std::uint8_t* hidden) const;
+    // culled[i]: 1 where the cluster is culled, else 0.
+    void find_culled(std::span<const geom::Cluster> clusters, std::uint8_t* culled) const;
     // None where some vertex may lie off the screen.
     std::optional<ClusterBounds> bounds(const geom::Cluster& cluster) const;
 

@@ -237,10 +237,10 @@ bool keeps_facing(const CullOptions& options, bool clockwise) {
 void cull_triangles(const CullOptions& options, std::span<const ScreenVertex> vertices,
                     std::span<const std::uint32_t> index, std::uint32_t first, CullResult& result) {
     result.visible_count = result.to_clip_count = 0;
-    const std::size_t room = index.size() / 3 + kRegisterPadding;
-    if (result.visible.size() < room) {
-        result.visible.resize(room);
-        result.to_clip.resize(room);
+    const std::size_t padded = index.size() / 3 + kRegisterPadding;
+    if (result.visible.size() < padded) {
+        result.visible.resize(padded);
+        result.to_clip.resize(padded);
     }
     if (index.empty()) return;
     SIMD_CALL(cull_all, options, vertices.data(), index.data(), static_cast<int>(index.size() / 3),

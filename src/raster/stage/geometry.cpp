@@ -88,12 +88,12 @@ void Geometry::find_visible_clusters(Jobs& jobs) {
         const std::size_t begin = static_cast<std::size_t>(chunk) * kChunk;
         WorkerBins& bins = workers_[static_cast<std::size_t>(worker)];
         const std::size_t end = std::min(visible_clusters_.size(), begin + kChunk);
-        cluster_cull.find_hidden(std::span(clusters.cluster).subspan(begin, end - begin),
+        cluster_cull.find_culled(std::span(clusters.cluster).subspan(begin, end - begin),
                                  visible_clusters_.data() + begin);
         for (std::size_t c = begin; c < end; ++c) {
-            const bool hidden = visible_clusters_[c] != 0;
+            const bool culled = visible_clusters_[c] != 0;
             const bool draws =
-                !hidden && !occlusion_.defers(cluster_cull, clusters.cluster[c], c, grid_, bins);
+                !culled && !occlusion_.defers(cluster_cull, clusters.cluster[c], c, grid_, bins);
             visible_clusters_[c] = draws ? 1 : 0;
             if (draws) vertex_stage_.need(c);
         }
@@ -131,12 +131,12 @@ void Geometry::bin_large(WorkerBins& worker, const VisibleTriangle& t,
 void Geometry::bin_small(WorkerBins& worker, const VisibleTriangle& t) const {
     for (int y = t.y0() >> grid_.bits; y <= (t.y1() - 1) >> grid_.bits; ++y)
         for (int x = t.x0() >> grid_.bits; x <= (t.x1() - 1) >> grid_.bits; ++x)
-            bin_small_part(t, x << grid_.bits, y << grid_.bits,
-                           worker.bins[static_cast<std::size_t>(y * grid_.across + x)].small);
+            bin_small_in_tile(t, x << grid_.bits, y << grid_.bits,
+                              worker.bins[static_cast<std::size_t>(y * grid_.across + x)].small);
 }
 
-void Geometry::bin_small_part(const VisibleTriangle& t, int left, int top,
-                              BinnedByKind& small) const {
+void Geometry::bin_small_in_tile(const VisibleTriangle& t, int left, int top,
+                                 BinnedByKind& small) const {
     const auto clamped = [&](int at, int begin) {
         return std::clamp(at - begin, 0, 1 << grid_.bits);
     };

@@ -97,8 +97,8 @@ private:
                    std::uint32_t triangle) const;
     void bin_small(WorkerBins& worker, const VisibleTriangle& visible) const;
     // Bins a small triangle in the tile whose first pixel this is.
-    void bin_small_part(const VisibleTriangle& visible, int left, int top,
-                        BinnedByKind& small) const;
+    void bin_small_in_tile(const VisibleTriangle& visible, int left, int top,
+                           BinnedByKind& small) const;
     BinnedList list_of(std::span<const BinnedTriangle> small, SmallKind kind) const {
         return {vertices(), mesh_->index_in_spatial_order(), small, kind, mesh_->clusters.triangle};
     }

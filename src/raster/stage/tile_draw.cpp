@@ -99,8 +99,9 @@ void Geometry::draw_back_facing(int tile, VisibilityTile& out) const {
 void Geometry::cull_deferred(std::size_t cluster, const image::Rect& area, DeferredTriangles& out) {
     const std::size_t begin = cluster * geom::Clusters::kTriangles,
                       end = std::min(begin + geom::Clusters::kTriangles, mesh_->triangles());
-    cull_triangles(cull_, vertices(), mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
-         static_cast<std::uint32_t>(begin), out.found);
+    cull_triangles(cull_, vertices(),
+                   mesh_->index_in_spatial_order().subspan(begin * 3, (end - begin) * 3),
+                   static_cast<std::uint32_t>(begin), out.found);
     CHECK_EQ(out.found.to_clip_count, std::size_t{0});
     std::uint64_t drawn = 0; // counted by the tile of the first pixel
     for (const VisibleTriangle& t : std::span(out.found.visible).first(out.found.visible_count)) {
@@ -108,7 +109,7 @@ void Geometry::cull_deferred(std::size_t cluster, const image::Rect& area, Defer
             continue;
         drawn += t.x0() >= area.x0 && t.y0() >= area.y0 ? 1 : 0;
         if (t.small())
-            bin_small_part(t, area.x0, area.y0, out.small);
+            bin_small_in_tile(t, area.x0, area.y0, out.small);
         else
             out.triangles.push_back(mesh_->triangle_at(t.spatial_index));
     }
@@ -140,10 +141,10 @@ void Geometry::draw_deferred(int tile, VisibilityTile& out, DeferredTriangles& d
 void Geometry::draw_lines(int tile, const VisibilityTile& visible, VisibilityTile& out) const {
     if (mesh_->lines() == 0 && mesh_->points() == 0) return;
     const auto at = static_cast<std::size_t>(tile);
-    const auto bare = [&](const WorkerBins& worker) {
+    const auto has_none = [&](const WorkerBins& worker) {
         return worker.bins[at].segments.empty() && worker.bins[at].points.empty();
     };
-    if (std::all_of(workers_.begin(), workers_.end(), bare)) return;
+    if (std::all_of(workers_.begin(), workers_.end(), has_none)) return;
     out.keep_support(visible);
     const LineSupport support(*mesh_, vertices(), *transform_);
     for (const WorkerBins& worker : workers_) {

@@ -231,15 +231,15 @@ std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
         const auto from = [](double middle) {
             return std::clamp(static_cast<std::int32_t>(middle), 0, kSubpixel - 1);
         };
-        const double share = sum.area / kBox;
-        found_.push_back({id, static_cast<float>(share > 1 - 0x1p-24 ? 1.0 : share),
+        const double coverage = sum.area / kBox;
+        found_.push_back({id, static_cast<float>(coverage > 1 - 0x1p-24 ? 1.0 : coverage),
                           from(sum.middle.x), from(sum.middle.y)});
     }
     check_lanes(found_);
     std::sort(found_.begin(), found_.end(), [](const AreaFragment& a, const AreaFragment& b) {
-        return a.share != b.share ? a.share > b.share : a.id < b.id;
+        return a.coverage != b.coverage ? a.coverage > b.coverage : a.id < b.id;
     });
-    if (!found_.empty() && found_[0].share == 1.0F)
+    if (!found_.empty() && found_[0].coverage == 1.0F)
         found_.erase(found_.begin() + 1, found_.end()); // the rest is rounding
     return found_;
 }

@@ -24,7 +24,7 @@ namespace scanout::raster {
 // The visible area of one primitive in a pixel.
 struct AreaFragment {
     std::uint32_t id;
-    float share;       // of the pixel's box, (0, 1]
+    float coverage;    // of the pixel's box, (0, 1]
     std::int32_t x, y; // a visible point of it, from the pixel's corner, 1/256 pixel
 };
 
@@ -46,7 +46,7 @@ public:
     // Gives the whole pixel to this primitive.
     void fill(int x, int y, std::uint32_t id);
 
-    // Of a pixel of the picture, by falling share, at a tie by id; empty where nothing is. Valid
+    // Of a pixel of the picture, by falling coverage, at a tie by id; empty where nothing is. Valid
     // until the next call.
     std::span<const AreaFragment> fragments(int x, int y);
 

@@ -215,7 +215,7 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
         for (int x = area_.x0; x < area_.x1; ++x) {
             const auto found = tile.fragments(x, y);
             const bool interior =
-                !found.empty() && found[0].share == 1.0F; // then it is the only one
+                !found.empty() && found[0].coverage == 1.0F; // then it is the only one
             if (!interior || found[0].id != id) end_run();
             if (found.empty()) continue;
             const std::uint16_t pixel = pixel_number(x, y);
@@ -227,9 +227,9 @@ void Gatherer::collect(raster::AreaTile& tile, const GatherInput& in) {
             float covered = 0;
             for (const raster::AreaFragment& f : found) {
                 fragments_.push_back({f.id, in.keys.of(f.id), pixel, 0, 0,
-                                      static_cast<std::uint16_t>(edge_pixels_.size()), f.share, 0,
-                                      byte_of(f.x), byte_of(f.y)});
-                covered += f.share;
+                                      static_cast<std::uint16_t>(edge_pixels_.size()), f.coverage,
+                                      0, byte_of(f.x), byte_of(f.y)});
+                covered += f.coverage;
             }
             edge_pixels_.push_back(pixel);
             transmittance_.push_back(covered > 1 - 0x1p-20F ? 0.0F : 1 - covered);

@@ -10,7 +10,7 @@
 namespace scanout::shade {
 namespace {
 
-// The colour of a line at share t of its way, never outside the range of its ends.
+// The colour of a line at fraction t of its length, never outside the range of its ends.
 Vec3 along(const Vec3& from, const Vec3& to, float before, float after) {
     const float t = after / (before + after);
     Vec3 colour;

@@ -90,14 +90,14 @@ SIMD_INLINE void stepped_row(ShadingBlock& b, const Wanted& want, const Row& row
     };
     std::int32_t left = (row.x >= 0 ? row.x / kUnits : -((kUnits - 1 - row.x) / kUnits)) * kUnits;
     Anchor from = place(left);
-    for (int lane = 0; lane < row.count;) {
+    for (int item = 0; item < row.count;) {
         const Anchor to = place(left + kUnits);
         // The pixels whose centres lie before the next place.
         const int end = (left + kUnits - 1 - row.x) / 256 + 1;
         const int last = end < row.count ? end : row.count;
         const double length = to.x - from.x;
         const double inverse = length > 0 ? 1.0 / length : 0.0;
-        for (int i = lane; i < last; i += kLanes) {
+        for (int i = item; i < last; i += kLanes) {
             const int at = row.first + i;
             const Live live{at, row.count - i};
             const I32 place_x = load<I32>(b.x + at), place_y = load<I32>(b.y + at);
@@ -114,7 +114,7 @@ SIMD_INLINE void stepped_row(ShadingBlock& b, const Wanted& want, const Row& row
             }
             store_attributes(b, want, of, w, at);
         }
-        lane = last;
+        item = last;
         left += kUnits;
         from = to;
     }

@@ -35,8 +35,8 @@ struct Arrival {
 
 // By the inverse square of the distance. On the light itself there is no direction: nothing
 // arrives.
-SIMD_INLINE Arrival arrival(const ShadingBlock& b, const scene::ViewLight& light, int lane) {
-    const Vec3F32 way = everywhere<Vec3F32>(light.position) - load_vec3<Vec3F32>(b.position, lane);
+SIMD_INLINE Arrival arrival(const ShadingBlock& b, const scene::ViewLight& light, int item) {
+    const Vec3F32 way = everywhere<Vec3F32>(light.position) - load_vec3<Vec3F32>(b.position, item);
     const F32 square = length_squared(way);
     const F32 inverse = F32(1.0F) / sqrt(maximum(square, F32(0x1p-100F)));
     const F32 nearest = light.nearest * light.nearest;
@@ -44,9 +44,9 @@ SIMD_INLINE Arrival arrival(const ShadingBlock& b, const scene::ViewLight& light
 }
 
 SIMD_INLINE void store_arrival(const Arrival& a, const scene::ViewLight& light, BlockLight& lanes,
-                               int lane) {
-    store_vec3(a.towards, lanes.towards, lane);
-    store_vec3(everywhere<Vec3F32>(light.colour) * a.attenuation, lanes.colour, lane);
+                               int item) {
+    store_vec3(a.towards, lanes.towards, item);
+    store_vec3(everywhere<Vec3F32>(light.colour) * a.attenuation, lanes.colour, item);
 }
 
 SIMD_END

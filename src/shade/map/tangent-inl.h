@@ -73,16 +73,16 @@ SIMD_INLINE void write_tangents(ShadingBlock& b, const FrameState& frame) {
 
 // The normal whose components along b.tangent and b.normal are given; of any length. Where it does
 // not lean, the normal stays as it is, to the bit.
-SIMD_INLINE void lean_normal(ShadingBlock& b, int lane, const Vec3F32& given) {
+SIMD_INLINE void lean_normal(ShadingBlock& b, int item, const Vec3F32& given) {
     const F32 zero = 0.0F;
-    const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, lane);
-    const Vec3F32 leant = (load_vec3<Vec3F32>(b.tangent[0], lane) * given.x +
-                           load_vec3<Vec3F32>(b.tangent[1], lane) * given.y) +
+    const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, item);
+    const Vec3F32 leant = (load_vec3<Vec3F32>(b.tangent[0], item) * given.x +
+                           load_vec3<Vec3F32>(b.tangent[1], item) * given.y) +
                           normal * given.z;
     const F32 size = length(leant);
     const auto straight = (given.x == zero) & (given.y == zero);
     const auto usable = (size > F32(0x1p-20F)) & !straight;
-    store_vec3(normalised(leant, size, usable, normal), b.normal, lane);
+    store_vec3(normalised(leant, size, usable, normal), b.normal, item);
 }
 
 SIMD_END

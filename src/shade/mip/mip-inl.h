@@ -39,9 +39,9 @@ public:
     float last() const { return chain_ == nullptr ? 0 : static_cast<float>(chain_->last); }
 
     // In texels of the image.
-    SIMD_INLINE UvSlopes<F32::Tag> slopes(const ShadingBlock& b, int lane) const {
-        return {load<F32>(b.u_x + lane) * F32(size_x_), load<F32>(b.v_x + lane) * F32(size_y_),
-                load<F32>(b.u_y + lane) * F32(size_x_), load<F32>(b.v_y + lane) * F32(size_y_)};
+    SIMD_INLINE UvSlopes<F32::Tag> slopes(const ShadingBlock& b, int item) const {
+        return {load<F32>(b.u_x + item) * F32(size_x_), load<F32>(b.v_x + item) * F32(size_y_),
+                load<F32>(b.u_y + item) * F32(size_x_), load<F32>(b.v_y + item) * F32(size_y_)};
     }
 
     // Bilinear in a level of each lane; s and t in repeats of the texture.

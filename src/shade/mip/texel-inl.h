@@ -42,9 +42,9 @@ SIMD_INLINE Texel<kChannels> mix(F32 t, const Texel<kChannels>& from, const Texe
     return mixed;
 }
 template <int kChannels>
-SIMD_INLINE void store_sample(const Texel<kChannels>& texel, ShadingBlock& b, int lane) {
+SIMD_INLINE void store_sample(const Texel<kChannels>& texel, ShadingBlock& b, int item) {
     for (int c = 0; c < kChannels; ++c)
-        store(texel.channel[c], b.sampled[kChannels == 1 ? 3 : c] + lane);
+        store(texel.channel[c], b.sampled[kChannels == 1 ? 3 : c] + item);
 }
 
 class TexelReader {
@@ -153,15 +153,15 @@ SIMD_INLINE BilinearTaps bilinear_taps(const TexelReader& reader, F32 s, F32 t) 
 template <class Texels, int kCount>
 struct TapWords {
     std::int32_t word[4][kCount];
-    SIMD_INLINE void store_taps(const BilinearTaps& at, int lane) {
+    SIMD_INLINE void store_taps(const BilinearTaps& at, int item) {
         static_assert(Texels::kWords == 1 || Texels::kWords == 4);
         const auto words = [](I32 texel) SIMD_LAMBDA {
             return Texels::kWords == 4 ? shift_left<2>(texel) : texel;
         };
-        store(words(at.bottom + at.left), word[0] + lane);
-        store(words(at.bottom + at.right), word[1] + lane);
-        store(words(at.top + at.left), word[2] + lane);
-        store(words(at.top + at.right), word[3] + lane);
+        store(words(at.bottom + at.left), word[0] + item);
+        store(words(at.bottom + at.right), word[1] + item);
+        store(words(at.top + at.left), word[2] + item);
+        store(words(at.top + at.right), word[3] + item);
     }
 };
 // All channels, blended, of the lanes kRow, kRow + 4, ... of a register, in blocks of 128 bits.
@@ -169,9 +169,9 @@ struct TapWords {
 // texels.block(tag, word): one texel.
 template <int kRow, class Texels, int kCount>
 SIMD_INLINE F32 blend_row(const Texels& texels, const TapWords<Texels, kCount>& words_of_taps,
-                          int lane, F32 x, F32 y) {
+                          int item, F32 x, F32 y) {
     const auto read = [&](int k) SIMD_LAMBDA {
-        return F32(load_row(F32::Tag(), lane + kRow, [&](auto tag, int number) SIMD_LAMBDA {
+        return F32(load_row(F32::Tag(), item + kRow, [&](auto tag, int number) SIMD_LAMBDA {
             return texels.block(tag, words_of_taps.word[k][number]);
         }));
     };

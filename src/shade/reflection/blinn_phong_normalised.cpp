@@ -20,9 +20,9 @@ struct BlinnPhongNormalised {
         return half_vector_cosine(normal, eye, light);
     }
     SIMD_INLINE F32 reflectance(F32 lobe, const Vec3F32& normal, const Vec3F32& light,
-                                int lane) const {
+                                int item) const {
         const F32 falls = maximum(dot(normal, light), F32(0.0F));
-        return load<F32>(factor + lane) * falls * lobe;
+        return load<F32>(factor + item) * falls * lobe;
     }
 };
 

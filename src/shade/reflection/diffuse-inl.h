@@ -18,14 +18,14 @@ SIMD_INLINE Vec3F32 ambient_of(const ShadingBlock& b) {
 
 // Of a register of lanes.
 SIMD_INLINE Vec3F32 diffuse_at(const ShadingBlock& b, const FrameState& frame,
-                               const Vec3F32& ambient, std::size_t light_count, int lane) {
-    const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, lane);
+                               const Vec3F32& ambient, std::size_t light_count, int item) {
+    const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, item);
     Vec3F32 sum = ambient;
     for (std::size_t k = 0; k < light_count; ++k) {
-        const Light l = light_at(b, frame, k, lane);
+        const Light l = light_at(b, frame, k, item);
         sum = sum + l.colour * maximum(dot(normal, l.towards), F32(0.0F));
     }
-    return load_vec3<Vec3F32>(b.albedo, lane) * sum;
+    return load_vec3<Vec3F32>(b.albedo, item) * sum;
 }
 
 // Sets b.colour.

@@ -52,16 +52,16 @@ void find_mirrors(const ShadingBlock& b, Mirrors& out) {
 }
 
 // What a surface that is no metal mirrors straight on.
-SIMD_INLINE Vec3F32 straight_on(const ShadingBlock& b, const Mirrors& m, int lane) {
+SIMD_INLINE Vec3F32 straight_on(const ShadingBlock& b, const Mirrors& m, int item) {
     if (m.physical) return splat(F32(0.04F));
-    const Vec3F32 ks = specular_at(b, lane);
+    const Vec3F32 ks = specular_at(b, item);
     const auto share = [](F32 a) SIMD_LAMBDA { return minimum(maximum(a, F32(0.0F)), F32(1.0F)); };
     return {share(ks.x), share(ks.y), share(ks.z)};
 }
 
-SIMD_INLINE F32 metal_at(const ShadingBlock& b, const Mirrors& m, int lane) {
+SIMD_INLINE F32 metal_at(const ShadingBlock& b, const Mirrors& m, int item) {
     if (!m.physical || b.map[kMetalnessMap].texture == nullptr) return F32(m.metal);
-    return minimum(maximum(load<F32>(b.metalness + lane), F32(0.0F)), F32(1.0F));
+    return minimum(maximum(load<F32>(b.metalness + item), F32(0.0F)), F32(1.0F));
 }
 
 // (1 - x)^5

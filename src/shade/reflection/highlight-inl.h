@@ -12,31 +12,31 @@
 SIMD_BEGIN(scanout::shade::reflection)
 
 // Unit, from the surface.
-SIMD_INLINE Vec3F32 eye_at(const ShadingBlock& b, const FrameState& frame, int lane) {
+SIMD_INLINE Vec3F32 eye_at(const ShadingBlock& b, const FrameState& frame, int item) {
     const F32 zero = 0.0F, one = 1.0F;
     if (b.eye != nullptr)
-        return {load<F32>(b.eye[0] + lane), load<F32>(b.eye[1] + lane), load<F32>(b.eye[2] + lane)};
-    const Vec3F32 back = {-(frame.orthographic ? zero : load<F32>(b.ray_x + lane)),
-                          -(frame.orthographic ? zero : load<F32>(b.ray_y + lane)), one};
+        return {load<F32>(b.eye[0] + item), load<F32>(b.eye[1] + item), load<F32>(b.eye[2] + item)};
+    const Vec3F32 back = {-(frame.orthographic ? zero : load<F32>(b.ray_x + item)),
+                          -(frame.orthographic ? zero : load<F32>(b.ray_y + item)), one};
     return back * (one / length(back));
 }
 
 // Ns of a lane: the material's own, or what its map made of it. Exponent 0 would shine on all of a
 // surface, where Ns 0 means no highlight: below 1 the exponent stays 1, and Ks fades with Ns. So
 // nothing jumps, and black in map_Ns never shines more than white.
-SIMD_INLINE F32 ns_at(const ShadingBlock& b, int lane) {
-    return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + lane)
+SIMD_INLINE F32 ns_at(const ShadingBlock& b, int item) {
+    return b.map[kShininessMap].texture != nullptr ? load<F32>(b.shininess + item)
                                                    : F32(b.material->shininess);
 }
-SIMD_INLINE F32 exponent_at(const ShadingBlock& b, int lane) {
-    return maximum(ns_at(b, lane), F32(1.0F));
+SIMD_INLINE F32 exponent_at(const ShadingBlock& b, int item) {
+    return maximum(ns_at(b, item), F32(1.0F));
 }
 // Ks of a lane, likewise.
-SIMD_INLINE Vec3F32 specular_at(const ShadingBlock& b, int lane) {
+SIMD_INLINE Vec3F32 specular_at(const ShadingBlock& b, int item) {
     const Vec3F32 ks = b.map[kSpecularMap].texture != nullptr
-                           ? load_vec3<Vec3F32>(b.specular, lane)
+                           ? load_vec3<Vec3F32>(b.specular, item)
                            : everywhere<Vec3F32>(b.material->specular);
-    return ks * minimum(ns_at(b, lane), F32(1.0F));
+    return ks * minimum(ns_at(b, item), F32(1.0F));
 }
 
 // of_exponent(exponent) for every lane. In double, one by one: the same for the same Ns wherever it
@@ -48,8 +48,8 @@ SIMD_INLINE void for_exponents(const ShadingBlock& b, OfExponent of_exponent,
         return static_cast<float>(of_exponent(double{ns < 1 ? 1.0F : ns}));
     };
     const float own = found(b.material->shininess);
-    for (float& lane : out)
-        lane = own;
+    for (float& item : out)
+        item = own;
     if (b.map[kShininessMap].texture == nullptr) return;
     for (int i = 0; i < b.count; ++i)
         out[i] = found(b.shininess[i]);

@@ -26,10 +26,10 @@ SIMD_INLINE Light light_everywhere(const FrameState& frame, std::size_t k) {
     return {everywhere<Vec3F32>(l.towards), everywhere<Vec3F32>(l.colour)};
 }
 SIMD_INLINE Light light_at(const ShadingBlock& b, const FrameState& frame, std::size_t k,
-                           int lane) {
+                           int item) {
     if (!varies(frame, k)) return light_everywhere(frame, k);
     const BlockLight& l = b.light.data()[k];
-    return {load_vec3<Vec3F32>(l.towards, lane), load_vec3<Vec3F32>(l.colour, lane)};
+    return {load_vec3<Vec3F32>(l.towards, item), load_vec3<Vec3F32>(l.colour, item)};
 }
 
 SIMD_END

@@ -380,13 +380,13 @@ SIMD_INLINE void shadow_by_maps(ShadingBlock& b, const FrameState& frame, Hide h
                 const F32 before = load<F32>(visibility + i);
                 r.asked = inside & lit & (before < F32(0.0F));
                 if (!any(r.asked)) continue;
-                const F32 kept = F32(1.0F) - hide(m, r, shadow);
-                store(select(r.asked, kept, before), visibility + i);
+                const F32 visible = F32(1.0F) - hide(m, r, shadow);
+                store(select(r.asked, visible, before), visibility + i);
             }
         }
         for (int i = first; i < end; i += kLanes) {
-            const F32 kept = load<F32>(visibility + i);
-            store(select(kept < F32(0.0F), F32(1.0F), kept), visibility + i);
+            const F32 visible = load<F32>(visibility + i);
+            store(select(visible < F32(0.0F), F32(1.0F), visible), visibility + i);
         }
     };
     shadow_lanes(b, frame, store_visibility);

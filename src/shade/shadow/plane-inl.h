@@ -79,9 +79,9 @@ SIMD_INLINE void shadow_lanes(ShadingBlock& b, const FrameState& frame,
                 if (lit != 0) store_visibility(k, i, i + step, facing, visibility);
                 if (lit == (1U << kLanes) - 1) continue;
                 const F32 lit_side = to_f32(select(facing.lit, F64(1.0), F64(0.0)));
-                for (int lane = i; lane < i + step; lane += kLanes)
-                    store(select(lit_side > F32(0.5F), load<F32>(visibility + lane), F32(0.0F)),
-                          visibility + lane);
+                for (int item = i; item < i + step; item += kLanes)
+                    store(select(lit_side > F32(0.5F), load<F32>(visibility + item), F32(0.0F)),
+                          visibility + item);
             }
         }
         BlockLight& lanes = b.light.data()[k];

@@ -39,9 +39,9 @@ SIMD_INLINE I32 hash(I32 x) {
     return exclusive_or(x, shifted_down<16>(x));
 }
 
-SIMD_INLINE void store_grey(ShadingBlock& b, int lane, F32 value) {
+SIMD_INLINE void store_grey(ShadingBlock& b, int item, F32 value) {
     for (int c = 0; c < 3; ++c)
-        store(value, b.sampled[c] + lane);
+        store(value, b.sampled[c] + item);
 }
 
 SIMD_END

@@ -17,26 +17,26 @@ template <int kChannels>
 class Minified {
 public:
     // s and t in repeats of the texture, level in [1, last].
-    SIMD_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int lane) {
+    SIMD_INLINE void add(const MipReader& reader, F32 s, F32 t, F32 level, int item) {
         s = reader.image().unit(s);
         t = reader.image().unit(t);
         const I32 sharp = to_i32(level);
         const MipReader::Levels level_near = reader.levels(sharp);
-        near_.store_taps(reader.taps_in_chain(s, t, level_near), lane);
-        far_.store_taps(reader.taps_in_chain(s, t, reader.next(level_near)), lane);
-        store(level - to_f32(sharp), fraction_ + lane);
-        lane_[count_++] = lane;
+        near_.store_taps(reader.taps_in_chain(s, t, level_near), item);
+        far_.store_taps(reader.taps_in_chain(s, t, reader.next(level_near)), item);
+        store(level - to_f32(sharp), fraction_ + item);
+        item_[count_++] = item;
     }
     SIMD_INLINE void read(const MipReader& reader, ShadingBlock& b) const {
         if (count_ == 0) return;
         const ChainTexels texels = reader.texels();
         for (int i = 0; i < count_; ++i) {
-            const int lane = lane_[i];
+            const int item = item_[i];
             const auto found = quads_of_rows<F32::Tag>([&](auto number) SIMD_LAMBDA {
-                return row<decltype(number)::value>(texels, lane);
+                return row<decltype(number)::value>(texels, item);
             });
             for (int c = kFirst; c < kFirst + kChannels; ++c)
-                store(from_bits(found.word(c)), b.sampled[c] + lane);
+                store(from_bits(found.word(c)), b.sampled[c] + item);
         }
     }
 
@@ -46,25 +46,25 @@ private:
     struct TapsOfBlock {
         TapWords<ChainTexels, kPaddedBlock> words_of_taps;
         float x[kPaddedBlock], y[kPaddedBlock];
-        SIMD_INLINE void store_taps(const BilinearTaps& at, int lane) {
-            words_of_taps.store_taps(at, lane);
-            store(at.x, x + lane);
-            store(at.y, y + lane);
+        SIMD_INLINE void store_taps(const BilinearTaps& at, int item) {
+            words_of_taps.store_taps(at, item);
+            store(at.x, x + item);
+            store(at.y, y + item);
         }
         template <int kRow>
-        SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
-            return blend_row<kRow>(texels, words_of_taps, lane, load<F32>(x + lane),
-                                   load<F32>(y + lane));
+        SIMD_INLINE F32 row(const ChainTexels& texels, int item) const {
+            return blend_row<kRow>(texels, words_of_taps, item, load<F32>(x + item),
+                                   load<F32>(y + item));
         }
     };
     template <int kRow>
-    SIMD_INLINE F32 row(const ChainTexels& texels, int lane) const {
-        return mix(broadcast_in_quad<kRow>(load<F32>(fraction_ + lane)),
-                   near_.template row<kRow>(texels, lane), far_.template row<kRow>(texels, lane));
+    SIMD_INLINE F32 row(const ChainTexels& texels, int item) const {
+        return mix(broadcast_in_quad<kRow>(load<F32>(fraction_ + item)),
+                   near_.template row<kRow>(texels, item), far_.template row<kRow>(texels, item));
     }
     TapsOfBlock near_, far_;
     float fraction_[kPaddedBlock];
-    int lane_[kPaddedBlock / kLanes], count_ = 0;
+    int item_[kPaddedBlock / kLanes], count_ = 0;
 };
 
 template <int kChannels>

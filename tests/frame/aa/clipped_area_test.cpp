@@ -33,7 +33,7 @@ Polygon cut_along(const Polygon& p, int axis, double limit, double sign) {
     }
     return kept;
 }
-double share_of_pixel(const Polygon& p, int x, int y) {
+double coverage_of_pixel(const Polygon& p, int x, int y) {
     Polygon left = cut_along(p, 0, x, 1);
     left = cut_along(left, 0, x + 1, -1);
     left = cut_along(left, 1, y, 1);
@@ -81,7 +81,7 @@ struct AreaFrame {
         view.near_distance = kAreaNear;
         scanout::test::draw(s, view, {.linear = &linear});
     }
-    double share(int x, int y) { return double{linear.at(x, y)[3]}; }
+    double coverage(int x, int y) { return double{linear.at(x, y)[3]}; }
 };
 
 // `behind` vertices are nearer than the near plane, or behind the eye.
@@ -110,12 +110,12 @@ TEST(ClippedArea, IsThatOfTheLeftPolygonInEveryPixel) {
             const Polygon seen = seen_of(corner);
             for (int y = 0; y < kAreaSide; ++y)
                 for (int x = 0; x < kAreaSide; ++x) {
-                    const double exact = share_of_pixel(seen, x, y);
-                    worst = std::max(worst, std::abs(drawn.share(x, y) - exact));
+                    const double exact = coverage_of_pixel(seen, x, y);
+                    worst = std::max(worst, std::abs(drawn.coverage(x, y) - exact));
                     partly += exact > 0 && exact < 1 ? 1 : 0;
                 }
         }
-        EXPECT_LT(worst, 1e-6) << behind << " behind"; // shares are floats
+        EXPECT_LT(worst, 1e-6) << behind << " behind"; // coverage is in floats
         EXPECT_GT(partly, 3000);
     }
 }
@@ -147,7 +147,7 @@ TEST(ClippedArea, OfAFloorUnderTheEyeLeavesNoSeam) {
     for (int y = 0; y < kAreaSide; ++y)
         for (int x = 0; x < kAreaSide; ++x) {
             const double below = std::clamp(y + 1 - to_grid({0, far}).y, 0.0, 1.0);
-            ASSERT_NEAR(drawn.share(x, y), below, 1e-6) << x << ',' << y;
+            ASSERT_NEAR(drawn.coverage(x, y), below, 1e-6) << x << ',' << y;
         }
 }
 

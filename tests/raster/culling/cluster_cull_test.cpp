@@ -58,7 +58,7 @@ scene::View any_view(Random& random, int number) {
 
 std::vector<std::uint8_t> hidden_by(const ClusterCull& cull, const geom::Clusters& clusters) {
     std::vector<std::uint8_t> culled(clusters.cluster.size());
-    cull.find_hidden(clusters.cluster, culled.data());
+    cull.find_culled(clusters.cluster, culled.data());
     return culled;
 }
 
