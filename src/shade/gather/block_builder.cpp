@@ -72,7 +72,7 @@ const Primitive& Gatherer::primitive(const GatherInput& in, std::uint32_t id,
         finish_block(in, picture);
         primitives_->clear();
     }
-    return set_up_later_ ? primitives_->get_later(id) : primitives_->get(in, id);
+    return set_up_later_ ? primitives_->get_later(id) : primitives_->get(id);
 }
 
 // The next pixels of pixel_.
@@ -129,7 +129,7 @@ void Gatherer::finish_block(const GatherInput& in, image::Image& picture) {
     ShadingBlock& b = *block_;
     if (b.count == 0) return;
     if (b.lit) {
-        if (set_up_later_) primitives_->set_up(source_);
+        if (set_up_later_) primitives_->set_up();
         place_block();
     }
     if (b.lit && in.frame->attributes.ray) set_rays(b, in.rays);

@@ -41,9 +41,10 @@ void Gatherer::set_shadow(const TileShadow* shadow) {
 
 void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
                      const BlendedPixels* blended) {
-    if (in.frame->per_item_setup) item_source_ = source_ = triangle_source(in);
+    primitives_->begin(in);
+    item_source_ = primitives_->source();
     all_unclipped_ = in.frame->per_item_setup && in.geometry->all_unclipped();
-    set_up_later_ = all_unclipped_ && in.frame->steps == nullptr;
+    set_up_later_ = in.frame->per_item_setup;
     interior_pixels_->clear();
     area_ = area;
     pixel_ = interior_pixels_->pixels();
@@ -128,7 +129,6 @@ void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& pictur
 std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture,
                                         const raster::VisibilityTile* rows) {
     static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
-    primitives_->clear();
     if (sink_.filter != nullptr)
         splats_.assign(edge_pixels_.size(), {});
     else

@@ -170,11 +170,10 @@ private:
     // Interior pixels. Triangles with few of them in the tile are set up in the block, if the frame
     // allows it; others once in primitives_.
     std::unique_ptr<TilePixels> interior_pixels_;
-    TriangleSource source_{};      // of triangles by id
     TriangleSource item_source_{}; // by id, or by spatial index after take_small_triangles()
     bool all_unclipped_ = false;   // every triangle can be set up in the block
-    // Primitives are set up with their block, 8 side by side, not one by one when first seen. Buys
-    // a tenth of the time of the bunny with Blinn-Phong.
+    // Unclipped primitives are set up with their block, 8 side by side, not one by one when first
+    // seen. Buys a tenth of the time of the bunny with Blinn-Phong.
     bool set_up_later_ = false;
     std::vector<Fragment> fragments_;
     // Edge pixels are bits of the tile's rows, not fragments of a list: all primitives have one

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shade/gather/gather.h"
+#include "shade/setup/primitive_cache.h"
 
 #include <cstdint>
 
@@ -39,7 +40,7 @@ struct Gatherer::VisibleSurface {
 // May its items set it up, each on its own?
 inline bool Gatherer::is_set_up_per_item(const GatherInput& in, std::uint32_t id) const {
     return in.frame->per_item_setup && id < in.mesh->triangles() &&
-           (all_unclipped_ || is_unclipped(source_, id));
+           (all_unclipped_ || is_unclipped(primitives_->source(), id));
 }
 
 inline std::uint8_t byte_of(std::int32_t offset) { // in a pixel: [0, 255]

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "shade/gather/gather.h"
+#include "shade/setup/shading_setup.h"
 
-#include <array>
 #include <memory>
 #include <vector>
 
@@ -13,22 +13,18 @@ namespace scanout::shade {
 class PrimitiveCache {
 public:
     PrimitiveCache();
-    // Ids mean another frame's triangles now.
+    // Forgets all: ids mean triangles of this frame now. The input must outlive the use.
+    void begin(const GatherInput& input);
     void clear();
     // No room for another triangle: what points to the present ones must be done first.
     bool full() const { return used_ + 1 >= pool_.size(); }
     // The triangle, or what is drawn first of it.
-    const Primitive& get(const GatherInput& input, std::uint32_t triangle) {
-        const std::uint16_t slot = slot_[triangle % kSlots];
-        return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add(input, triangle);
-    }
-    // The same where all its vertices stand on the screen, in frames whose lanes may set up
-    // triangles of their own: it is set up when set_up() is next called, side by side with others.
-    const Primitive& get_later(std::uint32_t triangle) {
-        const std::uint16_t slot = slot_[triangle % kSlots];
-        return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add_later(triangle);
-    }
-    void set_up(const TriangleSource& source);
+    const Primitive& get(std::uint32_t triangle) { return find(triangle, false); }
+    // The same, in frames whose items may set up triangles of their own: one that is not clipped is
+    // set up when set_up() is next called, side by side with others.
+    const Primitive& get_later(std::uint32_t triangle) { return find(triangle, true); }
+    void set_up();
+    const TriangleSource& source() const { return source_; }
     // Of a triangle drawn as two clipped ones, the second of which stands behind the first: does
     // the second cover a sample that shows the triangle (1/256 pixel)? Of other triangles: no.
     static bool is_of_second(const Primitive& first, std::int32_t x, std::int32_t y);
@@ -38,24 +34,27 @@ public:
     }
 
 private:
-    const Primitive& add(const GatherInput& input, std::uint32_t triangle);
-    const Primitive& add_later(std::uint32_t triangle);
-    void add_clipped(const GatherInput& input, std::uint32_t triangle,
-                     const std::array<std::uint32_t, 3>& corner);
-    static constexpr std::size_t kMaxPrimitives = 512, kSlots = 1024;
+    const Primitive& find(std::uint32_t triangle, bool later) {
+        const std::uint16_t slot = slot_[triangle % kSlots];
+        return slot < used_ && pool_[slot].id == triangle ? pool_[slot] : add(triangle, later);
+    }
+    const Primitive& add(std::uint32_t triangle, bool later);
+    void add_clipped(std::uint32_t triangle);
     Primitive& next(std::uint32_t triangle, bool clipped);
+    void finish(Primitive& primitive) const;
+    static constexpr std::size_t kMaxPrimitives = 512, kSlots = 1024;
+    const GatherInput* in_ = nullptr;
+    TriangleSource source_{}; // of in_
+    bool all_unclipped_ = false;
     std::vector<Primitive> pool_; // in use: the first `used_`
     std::size_t used_ = 0;
-    std::size_t ready_ = 0;                 // those behind are yet to be set up
+    std::size_t ready_ = 0;                 // those behind are yet to be set up, if not clipped
     std::unique_ptr<ShadingSetup> scratch_; // of set_up_primitives
     std::vector<std::uint16_t> slot_;       // by id modulo kSlots: place in the pool
 };
 
-// Never outside the range of its ends.
-float between(double from, double to, double t);
-
-// Pieces of one triangle stand side by side. On their common edge both say the same, so that the
-// rounding of this does not show.
+// The two clipped triangles of one stand side by side. On their common edge both say the same, so
+// that the rounding of this does not show.
 inline bool PrimitiveCache::is_of_second(const Primitive& first, std::int32_t x, std::int32_t y) {
     if (first.across < 0) return false;
     const auto outside = [&](int k) { return (first.a[k] * x + first.b[k] * y) + first.c[k] < 0; };

@@ -43,7 +43,7 @@ SIMD_INLINE void copy_primitive(const TriangleSource& s, const ShadingSetup& t, 
         if (s.wants_facing()) p.facing[c] = t.facing[c][lane];
         if (s.wanted.normal) copy_vertices(t.normal[c], lane, p.normal[c]);
         if (s.wanted.colour) copy_vertices(t.colour[c], lane, p.colour[c]);
-        if (s.wanted.position) copy_vertices(t.position[c], lane, p.position[c]);
+        if (s.wants_view_position()) copy_vertices(t.position[c], lane, p.position[c]);
         if (s.wanted.uv && c < 2) copy_vertices(t.uv[c], lane, p.uv[c]);
     }
 }

@@ -1,4 +1,5 @@
-// Triangles that a tile shows in many pixels, set up once each, and 8 side by side.
+// Triangles that a tile shows in many pixels, or whose items read what they share: set up once
+// each, 8 side by side.
 #pragma once
 
 #include "shade/setup/shading_setup.h"
@@ -6,7 +7,8 @@
 namespace scanout::shade {
 
 // Of `count` primitives from `first` on, whose ids are set and whose vertices all stand on the
-// screen: all but `clipped`, `across`, `step` and what follows from a cut. `room` is written over.
+// screen: all but `clipped`, `across`, `step`, `object` and what follows from a cut. `scratch` is
+// written over.
 void set_up_primitives(const TriangleSource& source, ShadingSetup& scratch, Primitive* first,
                        int count);
 

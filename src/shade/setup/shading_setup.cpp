@@ -68,8 +68,8 @@ template <class D>
 struct AreaDouble {
     using Number = Double<D>;
     static SIMD_INLINE Number of(Int<D> a) { return to_f64(a); }
-    static SIMD_INLINE Number twice(const ShadingSetup& t, int lane, int live, const Entries<D>&) {
-        return DoubleEntries<D>(t.triangle_of + lane, live).of(t.exact_twice_area);
+    static SIMD_INLINE Number twice(const ShadingSetup& t, int item, int live, const Entries<D>&) {
+        return DoubleEntries<D>(t.triangle_of + item, live).of(t.exact_twice_area);
     }
     static SIMD_INLINE Mask<D> narrow(const typename Number::DoubleMask& mask) {
         return HWY_NAMESPACE::narrow<D>(mask);
@@ -122,58 +122,58 @@ SIMD_INLINE void fill_exact(ShadingSetup& t, int at) {
 // Moves a register of lanes where they are shaded, and finds their weights there. sloped: slopes
 // will be wanted, too.
 template <class D, template <class> class In>
-SIMD_INLINE void find_weights(ShadingSetup& t, ShadingBlock& block, int lane, int live,
+SIMD_INLINE void find_weights(ShadingSetup& t, ShadingBlock& block, int item, int live,
                               bool sloped) {
     using I = Int<D>;
     using N = typename In<D>::Number;
-    const Entries<D> entries(t.triangle_of + lane, live);
-    I x = load<I>(block.x + lane), y = load<I>(block.y + lane);
-    const N twice = In<D>::twice(t, lane, live, entries);
+    const Entries<D> entries(t.triangle_of + item, live);
+    I x = load<I>(block.x + item), y = load<I>(block.y + item);
+    const N twice = In<D>::twice(t, item, live, entries);
     auto found = areas_at(In<D>(), t, entries, x, y);
-    if (lane + static_cast<int>(I::kLanes) > t.centred) { // not all cover the centre
-        const I sample_x = load<I>(t.sample_x + lane), sample_y = load<I>(t.sample_y + lane);
+    if (item + static_cast<int>(I::kLanes) > t.centred) { // not all cover the centre
+        const I sample_x = load<I>(t.sample_x + item), sample_y = load<I>(t.sample_y + item);
         const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
-        const auto mine = (iota<I>(0) < I(live)) & (iota<I>(lane) >= I(t.centred));
+        const auto mine = (iota<I>(0) < I(live)) & (iota<I>(item) >= I(t.centred));
         const auto moves = mine & !covered<In<D>>(t, entries, area);
         x = x + select(moves, sample_x, I(0));
         y = y + select(moves, sample_y, I(0));
-        store(x, block.x + lane);
-        store(y, block.y + lane);
+        store(x, block.x + item);
+        store(y, block.y + item);
         found = areas_at(In<D>(), t, entries, x, y);
     }
     const N area[3] = {(twice - found.one) - found.two, found.one, found.two};
     SIMD_FOR (int k = 0; k < 3; ++k) {
-        store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + lane);
-        if (sloped) In<D>::keep(area[k], t.area[k] + lane);
+        store(to_f32(area[k]) * entries.of(t.inverse_w[k]), t.weight[k] + item);
+        if (sloped) In<D>::keep(area[k], t.area[k] + item);
     }
 }
 
 // The areas at a register of lanes that have been weighed.
 template <class D>
-SIMD_INLINE void read_areas(AreaInt32<D>, const ShadingSetup& t, const ShadingBlock&, int lane, int,
+SIMD_INLINE void read_areas(AreaInt32<D>, const ShadingSetup& t, const ShadingBlock&, int item, int,
                             Double<D> (&area)[3]) {
     SIMD_FOR (int k = 0; k < 3; ++k)
-        area[k] = to_f64(load<Int<D>>(t.area[k] + lane));
+        area[k] = to_f64(load<Int<D>>(t.area[k] + item));
 }
 template <class D>
 SIMD_INLINE void read_areas(AreaDouble<D>, const ShadingSetup& t, const ShadingBlock& block,
-                            int lane, int live, Double<D> (&area)[3]) {
-    const Entries<D> entries(t.triangle_of + lane, live);
-    const auto found = areas_at(AreaDouble<D>(), t, entries, load<Int<D>>(block.x + lane),
-                                load<Int<D>>(block.y + lane));
-    area[0] = (AreaDouble<D>::twice(t, lane, live, entries) - found.one) - found.two;
+                            int item, int live, Double<D> (&area)[3]) {
+    const Entries<D> entries(t.triangle_of + item, live);
+    const auto found = areas_at(AreaDouble<D>(), t, entries, load<Int<D>>(block.x + item),
+                                load<Int<D>>(block.y + item));
+    area[0] = (AreaDouble<D>::twice(t, item, live, entries) - found.one) - found.two;
     area[1] = found.one;
     area[2] = found.two;
 }
 
 // How u and v change on the screen (footprint-inl.h).
 template <template <class> class In>
-SIMD_INLINE void store_slopes(ShadingSetup& t, const ShadingBlock& block, int lane, int live) {
+SIMD_INLINE void store_slopes(ShadingSetup& t, const ShadingBlock& block, int item, int live) {
     using D = F32x8::Tag;
-    const Entries<D> entries(t.triangle_of + lane, live);
-    const DoubleEntries<D> doubles(t.triangle_of + lane, live);
+    const Entries<D> entries(t.triangle_of + item, live);
+    const DoubleEntries<D> doubles(t.triangle_of + item, live);
     F64x8 area[3];
-    read_areas(In<D>(), t, block, lane, live, area);
+    read_areas(In<D>(), t, block, item, live, area);
     Plane plane;
     SIMD_FOR (int k = 0; k < 3; ++k)
         plane.inverse_w[k] = to_f64(entries.of(t.inverse_w[k]));
@@ -181,16 +181,16 @@ SIMD_INLINE void store_slopes(ShadingSetup& t, const ShadingBlock& block, int la
     plane.f0[0] = plane.f0[1] = F64x8(0.0); // the values are not read
     const auto at = texture::HWY_NAMESPACE::PlaneOf<2, F64x8>(plane).at(area);
     SIMD_FOR (int c = 0; c < 2; ++c) {
-        store(at.right[c], t.slope[c] + lane);
-        store(at.down[c], t.slope[2 + c] + lane);
+        store(at.right[c], t.slope[c] + item);
+        store(at.down[c], t.slope[2 + c] + item);
     }
 }
 
 // No loop over the triangles: how many there are is not foretold.
 void take(const std::int32_t* number, const std::uint32_t* ids, int count, ShadingSetup& t,
-          int lane) {
+          int item) {
     const std::int32_t first = number[0];
-    std::int32_t* const to = t.triangle_of + lane;
+    std::int32_t* const to = t.triangle_of + item;
     std::uint32_t* const id = t.id + t.count;
     const I32 more = t.count - first;
     for (int i = 0; i < count; i += kLanes) {
@@ -274,8 +274,8 @@ TriangleSource triangle_source(const GatherInput& in) {
 }
 
 void assign_triangles(const std::int32_t* number, const std::uint32_t* ids, int count,
-                      ShadingSetup& triangles, int lane) {
-    SIMD_CALL(take, number, ids, count, triangles, lane);
+                      ShadingSetup& triangles, int item) {
+    SIMD_CALL(take, number, ids, count, triangles, item);
 }
 
 void set_up_run(const TriangleSource& source, ShadingSetup& triangles, ShadingBlock& block,

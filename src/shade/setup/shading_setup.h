@@ -1,8 +1,8 @@
 // Triangle set-up for shading: the triangles of a block, set up side by side in SIMD lanes, once a
 // block, so that each pixel of the block reads those of its own. Cheaper than one set-up after the
 // other where triangles are small and where edge pixels show many. Nothing is kept from block to
-// block, so neither the order nor the number of triangles matters. The same operations as
-// shade/setup/primitive_cache.cpp, and so the same bits.
+// block, so neither the order nor the number of triangles matters. A triangle with many pixels is
+// set up by the same kernel, once a tile (shade/setup/primitive_setup.h): the same bits.
 #pragma once
 
 #include "raster/screen/screen.h"
@@ -71,8 +71,9 @@ struct TriangleSource {
     Sides sides;
     Attributes wanted;
 
-    bool wants_facing() const { return sides == Sides::eye || wanted.facing; }
-    bool wants_position() const { return wanted.position || wants_facing(); }
+    bool wants_facing() const { return sides == Sides::eye || wanted.facing || wanted.vertices; }
+    bool wants_view_position() const { return wanted.position || wanted.vertices; }
+    bool wants_position() const { return wants_view_position() || wants_facing(); }
 };
 TriangleSource triangle_source(const GatherInput& input);
 

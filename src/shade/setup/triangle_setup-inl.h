@@ -1,7 +1,5 @@
-// Triangles in the lanes of a register: their vertices in canonical order, the edges between them,
-// and what those carry.
-// The same operations as shade/setup/primitive_cache.cpp, and so the same bits. Included once for
-// every SIMD target.
+// The set-up of unclipped triangles for shading, one a lane: their vertices in canonical order, the
+// edges between them, and what those carry. Included once for every SIMD target.
 #if defined(SCANOUT_SHADE_SETUP_TRIANGLE_SETUP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SCANOUT_SHADE_SETUP_TRIANGLE_SETUP_INL_H
 #undef SCANOUT_SHADE_SETUP_TRIANGLE_SETUP_INL_H
@@ -234,7 +232,7 @@ SIMD_INLINE void store_normals(const TriangleSource& s, Attribute<D, 3> normal, 
     store_attribute(normal, out.normal, lane);
 }
 
-// The triangles' own normals, brought near length 1; `turned` ones the other way round.
+// The triangles' own normals, brought near length 1; `flipped` ones the other way round.
 template <class D>
 SIMD_INLINE void store_facing(const MeshPositions<D>& position, Mask<D> flipped, ShadingSetup& out,
                               int lane) {
@@ -267,8 +265,7 @@ SIMD_INLINE Windings<D> windings_of(Mask<D> clockwise_in_order, const Reordering
     return {behind ^ reordering.of[0] ^ reordering.of[1] ^ reordering.of[2], behind};
 }
 
-// The side that normals are on, and which way `facing` goes (Vertices in
-// shade/setup/primitive_cache.cpp).
+// The side that normals are on, and which way `facing` goes.
 template <class D>
 SIMD_INLINE void store_sides(const TriangleSource& s, const Windings<D>& behind, ShadingSetup& out,
                              int lane) {
@@ -303,7 +300,7 @@ SIMD_INLINE void set_up_attributes(const TriangleSource& s, ShadingSetup& out, i
         const MeshPositions<D> position = fetch<D, 3>(s.position, out, at);
         if (s.wants_facing())
             store_facing(position, load<Int<D>>(out.flipped + at) == Int<D>(1), out, at);
-        if (s.wanted.position) store_positions(s, position, out, at);
+        if (s.wants_view_position()) store_positions(s, position, out, at);
     }
     if (s.wanted.normal) store_normals(s, fetch<D, 3>(s.normal, out, at), out, at);
     if (s.wanted.colour) store_attribute(fetch<D, 3>(s.colour, out, at), out.colour, at);

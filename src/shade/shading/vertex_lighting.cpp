@@ -3,7 +3,7 @@
 #include "base/check.h"
 #include "math/rotation.h"
 #include "shade/check_lanes.h"
-#include "shade/setup/primitive_cache.h"
+#include "shade/setup/clipped_primitive.h"
 
 #include <algorithm>
 #include <array>

@@ -21,7 +21,7 @@ constinit const LitSides one_sided{
 
 // Two-sided lighting: normals are turned to the side that the eye sees, whichever way the file
 // wound the face. Where all normals of a face lie on one side of it that is decided once a face,
-// from its winding on the screen (shade/setup/primitive_cache.cpp, shade/setup/shading_setup.cpp),
+// from its winding on the screen (shade/setup/triangle_setup-inl.h),
 // else at every lane (shade/interpolate/interpolate-inl.h).
 constinit const LitSides two_sided{card("two_sided", "the side that the eye sees is lit"),
                                    Sides::eye, Sides::face};

@@ -18,7 +18,7 @@ void AlphaEvaluator::begin(const GatherInput& input, At at, std::vector<float>& 
     out_ = &out;
     out.clear();
     material_ = -2;
-    primitives_->clear();
+    primitives_->begin(in_);
     block_->lit = true;
     block_->count = block_->runs = 0;
 }
@@ -50,7 +50,7 @@ void AlphaEvaluator::add_item(std::uint32_t triangle, int x, int y, raster::Samp
         run_block();
         primitives_->clear();
     }
-    const Primitive& primitive = primitives_->get(in_, triangle);
+    const Primitive& primitive = primitives_->get(triangle);
     const auto place = at_ == At::centre ? place_in_pixel(in_, primitive, x, y, sample)
                                          : raster::SampleOffset{x * kSubpixel + sample.x,
                                                                 y * kSubpixel + sample.y};

@@ -1,10 +1,11 @@
-// A lane that sets up its own triangle has the same bits as a lane of a triangle that is set up
-// once, and that one the same whether it is set up alone or with others: a million random
-// triangles, on every target; under a sanitizer a sixth of them, which go through the same code.
+// Triangles set up for shading, by items each on its own, or once in the cache, alone or with
+// others, have the bits of a scalar reference: a million random triangles, on every target; under a
+// sanitizer a sixth of them, which go through the same code.
 #include "base/jobs.h"
 #include "rows.h"
 #include "shade/gather/gather.h"
 #include "shade/setup/primitive_cache.h"
+#include "shade/setup/primitive_reference.h"
 #include "shade/setup/shading_setup.h"
 #include "support/random.h"
 #include "support/targets.h"
@@ -105,44 +106,47 @@ void expect_same(const GatherInput& in, const Primitive& p, const TriangleLanes&
     }
 }
 
-// Set up alone and with others.
-void expect_same(const GatherInput& in, const Primitive& alone, const Primitive& together) {
-    ASSERT_EQ(alone.id, together.id);
-    ASSERT_EQ(alone.fits_int32, together.fits_int32);
-    ASSERT_EQ(alone.clipped, together.clipped);
-    ASSERT_EQ(alone.across, together.across);
-    ASSERT_EQ(alone.step, together.step);
+// Set up by the reference and by the cache.
+void expect_same(const GatherInput& in, const Primitive& expected, const Primitive& got) {
+    ASSERT_EQ(expected.id, got.id);
+    ASSERT_EQ(expected.fits_int32, got.fits_int32);
+    ASSERT_EQ(expected.clipped, got.clipped);
+    ASSERT_EQ(expected.across, got.across);
+    ASSERT_EQ(expected.step, got.step);
     const auto same = [](const auto& one, const auto& other) {
         return std::memcmp(&one, &other, sizeof one) == 0;
     };
-    ASSERT_TRUE(same(alone.a, together.a));
-    ASSERT_TRUE(same(alone.b, together.b));
-    ASSERT_TRUE(same(alone.c, together.c));
-    ASSERT_TRUE(same(alone.a_int32, together.a_int32));
-    ASSERT_TRUE(same(alone.b_int32, together.b_int32));
-    ASSERT_TRUE(same(alone.c_int32, together.c_int32));
-    ASSERT_TRUE(same(alone.least, together.least));
-    ASSERT_TRUE(same(alone.inverse_w, together.inverse_w));
+    ASSERT_TRUE(same(expected.a, got.a));
+    ASSERT_TRUE(same(expected.b, got.b));
+    ASSERT_TRUE(same(expected.c, got.c));
+    ASSERT_TRUE(same(expected.a_int32, got.a_int32));
+    ASSERT_TRUE(same(expected.b_int32, got.b_int32));
+    ASSERT_TRUE(same(expected.c_int32, got.c_int32));
+    ASSERT_TRUE(same(expected.least, got.least));
+    ASSERT_TRUE(same(expected.inverse_w, got.inverse_w));
     if (triangle_source(in).wants_facing()) {
-        ASSERT_TRUE(same(alone.facing, together.facing));
+        ASSERT_TRUE(same(expected.facing, got.facing));
     }
-    ASSERT_TRUE(same(alone.normal, together.normal));
-    ASSERT_TRUE(same(alone.uv, together.uv));
-    ASSERT_TRUE(same(alone.colour, together.colour));
-    ASSERT_TRUE(same(alone.position, together.position));
+    ASSERT_TRUE(same(expected.normal, got.normal));
+    ASSERT_TRUE(same(expected.uv, got.uv));
+    ASSERT_TRUE(same(expected.colour, got.colour));
+    ASSERT_TRUE(same(expected.position, got.position));
 }
 
-// As many at once as there are lanes, which fill registers or do not.
-void check_together(const GatherInput& in, const TriangleLanes& lanes, PrimitiveCache& alone) {
-    auto primitives = std::make_unique<PrimitiveCache>();
+// As many at once as there are lanes, which fill registers or do not; and one by one.
+void check_cache(const GatherInput& in, const TriangleLanes& lanes, PrimitiveCache& alone) {
+    auto together = std::make_unique<PrimitiveCache>();
+    together->begin(in);
     const int count = lanes.block->count;
     for (int lane = 0; lane < count; ++lane) {
-        primitives->get_later(lanes.id(lane));
-        if (lane == count / 3 || lane == count - 1) primitives->set_up(triangle_source(in));
+        together->get_later(lanes.id(lane));
+        if (lane == count / 3 || lane == count - 1) together->set_up();
     }
     for (int lane = 0; lane < count && !testing::Test::HasFatalFailure(); ++lane) {
         const std::uint32_t id = lanes.id(lane);
-        expect_same(in, alone.get(in, id), primitives->get_later(id));
+        const PrimitiveReference reference(in, id);
+        expect_same(in, reference.p, together->get_later(id));
+        expect_same(in, reference.p, alone.get(id));
     }
 }
 
@@ -159,7 +163,7 @@ std::unique_ptr<ShadingBlock> interpolated(const GatherInput& in, PrimitiveCache
         if (lane == own && own < end)
             add_items(*block, nullptr, end - own);
         else
-            add_items(*block, &once.get(in, set_up.id(lane)), 1);
+            add_items(*block, &once.get(set_up.id(lane)), 1);
     }
     find_stage("interpolate", "perspective")->run(*block, *in.frame);
     return block;
@@ -200,21 +204,21 @@ void check(const GatherInput& in, const TriangleLanes& lanes, Counts& counts) {
         const int part = count / 3;
         set_up_run(triangle_source(in), *own.triangles, *own.block, 0, part);
         set_up_run(triangle_source(in), *own.triangles, *own.block, part, count - part);
-        once->clear();
+        once->begin(in);
         for (int lane = 0; lane < count && !testing::Test::HasFatalFailure(); ++lane) {
-            const Primitive& p = once->get(in, own.id(lane));
+            const Primitive p = PrimitiveReference(in, own.id(lane)).p;
             expect_same(in, p, lanes, own, lane);
             counts.lanes += 1;
             counts.moved += own.block->x[lane] != lanes.block->x[lane] ? 1 : 0;
             counts.large += p.fits_int32 ? 0 : 1;
             counts.turned += own.triangles->side[own.triangles->triangle_of[lane]] < 0 ? 1 : 0;
         }
-        check_together(in, lanes, *once);
+        check_cache(in, lanes, *once);
         if (!testing::Test::HasFatalFailure()) expect_same_attributes(in, *once, own);
     });
 }
 
-TEST(ShadingSetup, HaveTheBitsOfTrianglesThatAreSetUpOnce) {
+TEST(ShadingSetup, HasTheBitsOfTheReferenceByItemsAndInTheCache) {
     Jobs jobs(1);
     Random random(7);
     Counts counts;
