@@ -53,6 +53,51 @@ bool diagonal_is_13(std::span<const DVec2> p) {
     return worst(1, 2, 3, 0) > worst(0, 1, 2, 3);
 }
 
+// A corner on top of its neighbour, or the tip of a spike: the outline goes there and back along
+// one line.
+bool encloses_nothing(const DVec2& before, const DVec2& tip, const DVec2& after) {
+    if (before == tip || after == tip) return true;
+    const auto same_side = [](double x, double y, double of) {
+        return (x < of) == (y < of) && (x > of) == (y > of);
+    };
+    return same_side(before.x, after.x, tip.x) && same_side(before.y, after.y, tip.y) &&
+           orient2d(before, tip, after) == 0;
+}
+
+// Clips the corners that enclose nothing, down to three, and returns the others. They go before the
+// first ear: the corner at the foot of a spike can be a concave one, which no test of an ear may
+// miss.
+std::vector<std::uint32_t> clip_spikes(std::span<const DVec2> p, std::vector<std::uint32_t>& out) {
+    std::vector<std::uint32_t> left;
+    std::size_t begin = 0; // of `left`: what lies before was clipped at the seam of the ring
+    const auto clips = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        if (!encloses_nothing(p[a], p[b], p[c])) return false;
+        out.insert(out.end(), {a, b, c});
+        return true;
+    };
+    const auto n = static_cast<std::uint32_t>(p.size());
+    std::uint32_t clipped = 0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+        left.push_back(i);
+        while (left.size() >= 3 && n - clipped > 3 &&
+               clips(left[left.size() - 3], left[left.size() - 2], i)) {
+            left[left.size() - 2] = i;
+            left.pop_back();
+            ++clipped;
+        }
+    }
+    while (left.size() - begin > 3) {
+        if (clips(left[left.size() - 2], left.back(), left[begin]))
+            left.pop_back();
+        else if (clips(left.back(), left[begin], left[begin + 1]))
+            ++begin;
+        else
+            break;
+    }
+    left.erase(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(begin));
+    return left;
+}
+
 // Ear clipping over a ring of the corners that are left. A corner b between a and c is an ear when
 // a, b, c turn left and nothing of the outline reaches into the triangle. Only corners that do not
 // turn left can be the first to reach in, so only those are tested; a grid finds them by place.
@@ -191,6 +236,27 @@ private:
     PointGrid grid_; // of the reflex corners; last, since it is made from the others
 };
 
+// Of a polygon of the plane; counter-clockwise.
+void cut(std::span<const DVec2> points, std::vector<std::uint32_t>& out) {
+    const std::size_t n = points.size();
+    if (n == 4 && diagonal_is_13(points)) {
+        out.insert(out.end(), {1, 2, 3, 1, 3, 0});
+    } else if (n <= 4 || every_corner_turns_left(points)) {
+        for (std::uint32_t i = 2; i < n; ++i)
+            out.insert(out.end(), {0, i - 1, i});
+    } else {
+        const std::vector<std::uint32_t> left = clip_spikes(points, out);
+        if (left.size() == n) return EarClipper(points, out).run();
+        std::vector<DVec2> rest;
+        for (const std::uint32_t corner : left)
+            rest.push_back(points[corner]);
+        const std::size_t done = out.size();
+        cut(rest, out);
+        for (std::size_t i = done; i < out.size(); ++i)
+            out[i] = left[out[i]];
+    }
+}
+
 } // namespace
 
 void triangulate(std::span<const DVec3> polygon, std::vector<std::uint32_t>& out) {
@@ -202,15 +268,7 @@ void triangulate(std::span<const DVec3> polygon, std::vector<std::uint32_t>& out
     const Projection project(newell_normal(polygon));
     for (std::size_t i = 0; i < n; ++i)
         points[i] = project(polygon[i]);
-
-    if (n == 4 && diagonal_is_13(points)) {
-        out.insert(out.end(), {1, 2, 3, 1, 3, 0});
-    } else if (n <= 4 || every_corner_turns_left(points)) {
-        for (std::uint32_t i = 2; i < n; ++i)
-            out.insert(out.end(), {0, i - 1, i});
-    } else {
-        EarClipper(points, out).run();
-    }
+    cut(points, out);
 }
 
 } // namespace scanout::geom

@@ -211,6 +211,37 @@ Outline with_needless_corners(const Outline& p, std::uint32_t seed) {
     return out;
 }
 
+// Spikes at some corners: the outline goes to a place and comes back, perhaps by a stop or two, or
+// with a spike of the spike.
+Outline with_spikes(const Outline& p, std::uint32_t seed) {
+    std::mt19937 random(seed);
+    Outline out;
+    for (const Point& corner : p) {
+        const Point a{corner.x * 4, corner.y * 4};
+        out.push_back(a);
+        if (random() % 3 != 0) continue;
+        const Point step{static_cast<int>(random() % 801) - 400,
+                         static_cast<int>(random() % 801) - 400};
+        const auto along = [&](int steps) {
+            return Point{a.x + step.x * steps, a.y + step.y * steps};
+        };
+        if (random() % 2 == 0) out.push_back(along(1));
+        out.push_back(along(3));
+        if (random() % 2 == 0) {
+            const Point tip = along(3);
+            out.insert(out.end(), {{tip.x + 7, tip.y - 9}, tip});
+        }
+        if (random() % 2 == 0) out.push_back(along(2));
+        out.push_back(a);
+    }
+    return out;
+}
+
+RC_GTEST_PROP(Triangulate, SpikesEncloseNothing, (std::uint32_t seed, bool holes)) {
+    const Outline p = holes ? keyhole(seed, 4, false) : star(seed, 12, 1000);
+    RC_ASSERT(fault_of(shuffled_start(with_spikes(p, seed), seed)) == "");
+}
+
 RC_GTEST_PROP(Triangulate, StarsAreCoveredExactlyOnce, (std::uint32_t seed)) {
     const Outline p = shuffled_start(star(seed, *rc::gen::inRange<std::size_t>(0, 60), 1000), seed);
     RC_ASSERT(fault_of(p) == "");
