@@ -8,7 +8,9 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace scanout::geom {
 namespace {
@@ -158,16 +160,54 @@ std::vector<Solid> locate(MeshTopology& result, const Mesh& mesh, DisjointSets& 
     return solids;
 }
 
+// A face at one of its edges.
+struct FaceEdge {
+    std::uint64_t low, high; // ends
+    bool rises;
+    DVec3 normal;
+};
+
+bool are_opposite(const FaceEdge& a, const FaceEdge& b) {
+    return a.rises != b.rises && dot3(a.normal, b.normal) < kOpposite;
+}
+
+// Of many faces at one edge: are two of them opposite? Their normals stand about the edge, in a
+// circle; so each is compared with those alone that stand nearest to its opposite.
+bool some_are_opposite(std::span<const FaceEdge> faces) {
+    DVec3 x(0), y(0);
+    for (const FaceEdge& face : faces)
+        if (x == DVec3(0)) x = face.normal;
+    for (const FaceEdge& face : faces)
+        if (const DVec3 across = face.normal - x * dot3(face.normal, x);
+            dot3(across, across) > dot3(y, y))
+            y = across;
+    y = normalized(y, DVec3(0));
+    constexpr double kTurn = 6.283185307179586;
+    using Placed = std::pair<double, const FaceEdge*>; // by angle
+    std::vector<Placed> rising, falling;
+    for (const FaceEdge& face : faces) {
+        if (face.normal == DVec3(0)) continue;
+        const double angle = scanout::atan2(dot3(face.normal, y), dot3(face.normal, x));
+        (face.rises ? rising : falling).emplace_back(angle, &face);
+    }
+    const auto by_angle = [](const Placed& a, const Placed& b) { return a.first < b.first; };
+    std::sort(falling.begin(), falling.end(), by_angle);
+    return !falling.empty() && std::any_of(rising.begin(), rising.end(), [&](const Placed& face) {
+        const double opposite = face.first + (face.first > 0 ? -kTurn / 2 : kTurn / 2);
+        const auto next =
+            std::lower_bound(falling.begin(), falling.end(), Placed(opposite, nullptr), by_angle);
+        const Placed& above = next == falling.end() ? falling.front() : *next;
+        const Placed& below = next == falling.begin() ? falling.back() : *(next - 1);
+        return are_opposite(*face.second, *above.second) ||
+               are_opposite(*face.second, *below.second);
+    });
+}
+
 // Does a face lie on the back of another? Then they share an edge that ends at one of the places,
 // run along it in opposite directions, and look in opposite ones.
 bool lie_back_to_back(const Mesh& mesh, const std::vector<std::uint64_t>& number,
                       const std::vector<std::uint64_t>& places) {
-    struct Edge {
-        std::uint64_t low, high; // ends
-        bool rises;
-        DVec3 normal;
-    };
-    std::vector<Edge> edges;
+    std::vector<FaceEdge> edges;
     const auto listed = [&](std::uint64_t place) {
         return std::binary_search(places.begin(), places.end(), place);
     };
@@ -177,18 +217,18 @@ bool lie_back_to_back(const Mesh& mesh, const std::vector<std::uint64_t>& number
             const std::uint64_t from = number[v[k]], to = number[v[(k + 1) % 3]];
             if (from != to && (listed(from) || listed(to)))
                 edges.push_back({std::min(from, to), std::max(from, to), from < to,
-                                 normalized(Triangle(mesh, v).n)});
+                                 normalized(Triangle(mesh, v).n, DVec3(0))});
         }
     }
-    const auto before = [](const Edge& a, const Edge& b) {
+    const auto before = [](const FaceEdge& a, const FaceEdge& b) {
         return std::tie(a.low, a.high) < std::tie(b.low, b.high);
     };
     std::sort(edges.begin(), edges.end(), before);
-    for (std::size_t i = 0; i < edges.size(); ++i)
-        for (std::size_t k = i + 1; k < edges.size() && !before(edges[i], edges[k]); ++k)
-            if (edges[i].rises != edges[k].rises &&
-                dot3(edges[i].normal, edges[k].normal) < kOpposite)
-                return true;
+    for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+        while (end < edges.size() && !before(edges[begin], edges[end]))
+            ++end;
+        if (some_are_opposite(std::span(edges).subspan(begin, end - begin))) return true;
+    }
     return false;
 }
 

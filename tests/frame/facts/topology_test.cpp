@@ -1,10 +1,13 @@
 // Facts about backs: is a mesh closed, wound outwards, and do its normals say the same?
 #include "frame/facts/back_faces.h"
 #include "math/rotation.h"
+#include "math/transcendental.h"
+#include "support/random.h"
 #include "support/scenes.h"
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace scanout::frame {
 namespace {
@@ -118,6 +121,40 @@ TEST(MeshTopology, AFaceOnTheBackOfAnotherIsFound) {
     test::add_sphere(touching, {0.5F, 0, 0}, 0.5F, 24, 12);
     EXPECT_FALSE(geom::topology(touching).back_to_back);
     EXPECT_FALSE(geom::topology(sphere()).back_to_back);
+}
+
+// Many faces at one edge are not compared by pairs: each with those that stand nearest to its
+// opposite. The answer is that of all pairs.
+TEST(MeshTopology, OppositeFacesAtOneEdgeAreFoundAmongMany) {
+    int found = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        test::Random random(seed);
+        geom::Mesh mesh = empty_mesh();
+        std::vector<std::pair<bool, DVec3>> faces; // rises along the edge; normal
+        const auto add = [&](double degrees, bool rises) {
+            const DVec3 out(scanout::cos_degrees(degrees), 0, scanout::sin_degrees(degrees));
+            const Vec3 low(0), high(0, 0.5F, 0), tip(out * random.in(0.1, 0.4));
+            const Vec3 &from = rises ? low : high, &to = rises ? high : low;
+            const DVec3 n = normalized(cross3(DVec3(to - from), DVec3(tip - from)));
+            const std::uint32_t a = test::add_vertex(mesh, from, Vec3(n)),
+                                b = test::add_vertex(mesh, to, Vec3(n)),
+                                c = test::add_vertex(mesh, tip, Vec3(n));
+            test::add_triangle(mesh, a, b, c);
+            faces.emplace_back(rises, n);
+        };
+        add(0, true);
+        add(180, true); // looks the other way: their corners are asked about
+        for (int more = random.whole(0, 12); more > 0; --more)
+            add(random.in(0, 90), random.unit() < 0.8);
+        bool expected = false;
+        for (const auto& [rises, normal] : faces)
+            for (const auto& [other_rises, other] : faces)
+                expected |= rises != other_rises && dot3(normal, other) < -0.99;
+        EXPECT_EQ(geom::topology(mesh).back_to_back, expected) << seed;
+        found += expected ? 1 : 0;
+    }
+    EXPECT_GT(found, 40);
+    EXPECT_LT(found, 360);
 }
 
 TEST(MeshTopology, ATriangleWithoutAnAreaHasNoSide) {
