@@ -317,6 +317,12 @@ constexpr std::array kOptions = std::to_array<Option>({
      "what the model's file is, where its content does not tell (obj stl ply off); a model named - "
      "is read from standard input"},
 
+    {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kDraw,
+     Integer([](Settings& s) -> int& { return s.max_memory_mb; }),
+     "refuse a model that takes more to load; default: what is available"},
+    {"allow-outside", 0, "", "", "", 0, 0, Group::model, kDraw,
+     Switch([](Settings& s) -> bool& { return s.allow_outside; }),
+     "read libraries and textures outside of the model's folder, too"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kDraw, Parsed(read_scale),
      "scale the model about its centre, first"},
     {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_rotate),

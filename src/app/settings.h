@@ -26,6 +26,8 @@ struct Settings {
     frame::FrameOptions frame;
     scene::ModelTransform model;
     std::optional<io::ModelFormat> model_format; // --model-format
+    int max_memory_mb = 0;      // that a model may take while it is loaded; 0: what is available
+    bool allow_outside = false; // of the model's folder
     scene::CameraOptions camera;
     std::string named_view; // --view; already in `camera`
     bool camera_given = false, light_given = false;

@@ -4,12 +4,20 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <memory>
 #include <system_error>
+
+#include <dirent.h>
 
 namespace scanout::io {
 namespace {
 
 namespace fs = std::filesystem;
+
+// std::filesystem::directory_iterator ends the program where memory runs out.
+struct CloseFolder {
+    void operator()(DIR* folder) const { ::closedir(folder); }
+};
 
 constexpr std::size_t kLongestPath = 4095; // PATH_MAX of Linux without its NUL
 
@@ -37,16 +45,31 @@ std::string folder_of(const std::string& path) {
     return slash == 0 ? "/" : path.substr(0, slash);
 }
 
+FileFinder::FileFinder(const std::string& root) {
+    std::error_code error;
+    root_ = fs::absolute(root.empty() ? "." : root, error).lexically_normal().string();
+    if (!root_.ends_with('/')) root_ += '/';
+}
+
+bool FileFinder::is_outside(const std::string& folder, std::string_view name) const {
+    const auto leaves = [&](std::string_view spelling) {
+        std::error_code error;
+        const std::string path = join(folder, spelling);
+        return !fs::absolute(path, error).lexically_normal().string().starts_with(root_);
+    };
+    return !root_.empty() && (leaves(name) || leaves(with_slashes(name)));
+}
+
 // Of several entries that differ in case alone the first in byte order is meant.
 std::optional<std::string> FileFinder::entry_in_any_case(const std::string& folder,
                                                          std::string_view name) {
     if (name == "." || name == ".." || exists(join(folder, name))) return std::string(name);
     const auto [known, is_new] = folders_.try_emplace(folder);
     if (is_new) {
-        std::error_code error;
-        fs::directory_iterator entries(folder.empty() ? "." : folder, error);
-        for (; !error && entries != fs::directory_iterator(); entries.increment(error)) {
-            const std::string entry = entries->path().filename().string();
+        const std::unique_ptr<DIR, CloseFolder> entries(
+            ::opendir(folder.empty() ? "." : folder.c_str()));
+        while (const dirent* const next = entries ? ::readdir(entries.get()) : nullptr) {
+            const std::string entry = next->d_name;
             const auto [same, first] = known->second.try_emplace(folded(entry), entry);
             if (!first && entry < same->second) same->second = entry;
         }
@@ -58,6 +81,7 @@ std::optional<std::string> FileFinder::entry_in_any_case(const std::string& fold
 std::optional<std::string> FileFinder::find(const std::string& folder, std::string_view name) {
     if (name.empty() || name.size() > kLongestPath || name.find('\0') != std::string_view::npos)
         return std::nullopt;
+    if (is_outside(folder, name)) return std::nullopt;
     if (std::string path = join(folder, name); exists(path)) return path;
     const std::string slashed = with_slashes(name);
     if (slashed.front() == '/') return exists(slashed) ? std::optional(slashed) : std::nullopt;

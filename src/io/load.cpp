@@ -82,7 +82,7 @@ Result<ReadModel> read_obj_model(std::string_view file, const std::string& path,
     ReadModel model;
     model.times.parse = watch.milliseconds();
     watch.restart();
-    model.materials = load_materials(obj, path, warnings);
+    model.materials = load_materials(obj, path, warnings, how);
     model.times.materials = watch.milliseconds();
     use_materials(obj.polygons, model.materials);
     count(model, std::move(obj.polygons), obj.skipped);
@@ -116,7 +116,7 @@ Result<ReadModel> read_ply_model(std::string_view file, const std::string& path,
     ReadModel model;
     model.times.parse = watch.milliseconds();
     watch.restart();
-    model.materials = load_texture_materials(ply.textures, path, warnings);
+    model.materials = load_texture_materials(ply.textures, path, warnings, how);
     append(model.materials, ply.face_colours);
     model.times.materials = watch.milliseconds();
     count(model, std::move(ply.polygons), ply.skipped);
@@ -178,7 +178,9 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
         return memory.holds(file.size() - done) &&
                (!options.progress || options.progress(fraction * reader.fraction));
     };
-    auto model = reader.read(file.text(), name, warnings, progress, {.jobs = options.jobs});
+    Reading how{.jobs = options.jobs, .allow_outside = options.allow_outside};
+    how.texture_bytes = std::min(how.texture_bytes, memory.bytes());
+    auto model = reader.read(file.text(), name, warnings, progress, how);
     if (memory.was_exceeded())
         return fail(Exit::unreadable,
                     "{}: needs more memory than the {} MB that are available: close other "
@@ -246,7 +248,10 @@ Result<scene::Scene> load(const std::string& path, const LoadOptions& options, W
     try {
         return load_or_throw(path, options, warnings);
     } catch (const std::bad_alloc&) {
-        return fail(Exit::unreadable, "{}: is too large for this machine's memory", path);
+        return fail(Exit::internal,
+                    "{}: memory ran out while it was loaded: close other programs, or cut the "
+                    "model into parts",
+                    path);
     } catch (const std::exception& error) {
         return fail(Exit::internal, "{}: {}", path, error.what());
     }

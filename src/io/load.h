@@ -33,6 +33,8 @@ struct LoadOptions {
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model
     // that takes more is refused: else it would drive the machine into swapping.
     std::uint64_t memory_bytes = 0;
+    bool allow_outside =
+        false; // libraries and textures outside of the model's folder are read, too
     std::optional<ModelFormat> format; // given: what the file is, whatever it looks like
 };
 
@@ -40,6 +42,7 @@ struct LoadOptions {
 // gzip is unpacked (io/formats.h); the path "-" is standard input. Errors are one
 // line with the path, the reason and what to do: Exit::unreadable for a file that cannot be read,
 // has an unknown extension, or holds nothing to draw. Everything less is a warning.
+// Exit::internal where memory runs out.
 Result<scene::Scene> load(const std::string& path, const LoadOptions& options, Warnings& warnings);
 
 } // namespace scanout::io

@@ -23,6 +23,9 @@ namespace {
 constexpr std::size_t kMaxLibraries = 256;
 constexpr std::size_t kMaxTextures = 4096;
 constexpr std::size_t kMaxWordsPerLibraryLine = 16;
+constexpr std::string_view kMissing = "is not there";
+constexpr std::string_view kOutside =
+    "lies outside of the model's folder (--allow-outside reads it)";
 constexpr std::size_t kTextureWarnings = 20; // told one by one, the rest together
 
 std::string canonical(const std::string& path) {
@@ -82,9 +85,10 @@ bool holds_normals(const image::Image& image) {
 
 class MaterialLoader {
 public:
-    MaterialLoader(const std::string& model_path, Warnings& warnings, std::uint64_t texture_bytes)
+    MaterialLoader(const std::string& model_path, Warnings& warnings, const Reading& how)
         : model_path_(model_path), folder_(folder_of(model_path)), warnings_(warnings),
-          texture_bytes_left_(texture_bytes) {}
+          finder_(how.allow_outside ? FileFinder() : FileFinder(folder_)),
+          texture_bytes_left_(how.texture_bytes) {}
 
     Materials load(const std::vector<NameAtLine>& pictures) {
         for (const NameAtLine& picture : pictures) {
@@ -188,14 +192,13 @@ void MaterialLoader::read_library(const std::string& name, std::size_t line) {
     const auto path = finder_.find_anywhere(folder_, folder_, name);
     if (!seen_libraries_.insert(path ? canonical(*path) : name).second) return;
     if (!path) {
-        if (const auto own = own_library())
-            return read_own_library(*own, line,
-                                    fmt::format("material library '{}' is not there", shown(name)));
+        const std::string why =
+            fmt::format("material library '{}' {}", shown(name),
+                        finder_.is_outside(folder_, name) ? kOutside : kMissing);
+        if (const auto own = own_library()) return read_own_library(*own, line, why);
         library_missing_ = true;
-        warnings_.add("library",
-                      fmt::format("{}:{}: material library '{}' is not there; its materials are "
-                                  "drawn plain",
-                                  model_path_, line, shown(name)));
+        warnings_.add("library", fmt::format("{}:{}: {}; its materials are drawn plain",
+                                             model_path_, line, why));
         return;
     }
     const auto file = Mapping::open(*path);
@@ -351,7 +354,8 @@ std::int32_t MaterialLoader::texture(const std::string& name, const std::string&
     }
     const auto path = finder_.find_anywhere(folder, folder_, name);
     if (!path) {
-        texture_fault(name, fmt::format("{}: '{}' is not there; drawn plain", where, shown(name)));
+        texture_fault(name, fmt::format("{}: '{}' {}; drawn plain", where, shown(name),
+                                        finder_.is_outside(folder, name) ? kOutside : kMissing));
         return -1;
     }
     const std::string real = canonical(*path);
@@ -419,14 +423,14 @@ std::vector<std::string> library_names(FileFinder& finder, const std::string& fo
 }
 
 Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
-                         std::uint64_t texture_bytes) {
-    return MaterialLoader(obj_path, warnings, texture_bytes).load(obj);
+                         const Reading& how) {
+    return MaterialLoader(obj_path, warnings, how).load(obj);
 }
 
 Materials load_texture_materials(const std::vector<NameAtLine>& pictures,
                                  const std::string& model_path, Warnings& warnings,
-                                 std::uint64_t texture_bytes) {
-    return MaterialLoader(model_path, warnings, texture_bytes).load(pictures);
+                                 const Reading& how) {
+    return MaterialLoader(model_path, warnings, how).load(pictures);
 }
 
 } // namespace scanout::io

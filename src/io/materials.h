@@ -4,6 +4,7 @@
 #include "base/warnings.h"
 #include "io/find_file.h"
 #include "io/obj.h"
+#include "io/text_parts.h"
 #include "scene/material.h"
 
 #include <cstdint>
@@ -20,19 +21,16 @@ struct Materials {
     std::uint64_t bytes = 0;           // of the libraries, and of the textures decoded
 };
 
-// All textures of a model together may take this much memory, decoded.
-inline constexpr std::uint64_t kTextureBytes = std::uint64_t{1} << 30;
-
 // Never fails: what is missing or damaged is a warning, and drawn plain. So is a texture that would
 // bring them all over `texture_bytes`, as its header tells; smaller ones after it are still drawn.
 Materials load_materials(const ObjFile& obj, const std::string& obj_path, Warnings& warnings,
-                         std::uint64_t texture_bytes = kTextureBytes);
+                         const Reading& how = {});
 
 // A material for each of these pictures, which is its diffuse map; of those that cannot be read the
 // material is plain, with a warning.
 Materials load_texture_materials(const std::vector<NameAtLine>& pictures,
                                  const std::string& model_path, Warnings& warnings,
-                                 std::uint64_t texture_bytes = kTextureBytes);
+                                 const Reading& how = {});
 
 // The file names behind one mtllib: several with blanks between them, or one that holds blanks,
 // quoted, with backslashes before its blanks, or bare. Names that exist in `folder` decide; what is

@@ -7,16 +7,22 @@
 #include "base/jobs.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
 namespace scanout::io {
 
-// How a file is read. The result does not depend on it.
+// All textures of a model together may take this much memory, decoded.
+inline constexpr std::uint64_t kTextureBytes = std::uint64_t{1} << 30;
+
+// How a file is read. But for the limits of textures the result does not depend on it.
 struct Reading {
     Jobs* jobs = nullptr; // null, or of one thread: from beginning to end
     std::size_t part_bytes = std::size_t{512} * 1024;
     std::size_t* read_again = nullptr; // counts the parts that had to be, where given
+    std::uint64_t texture_bytes = kTextureBytes;
+    bool allow_outside = false; // files outside of the model's folder may be read
 };
 
 class TextParts {

@@ -27,8 +27,8 @@ def faults(path, folder):
     found = []
     if process.returncode not in (0, 3):
         found.append(f"exit code {process.returncode}: {error[:4000]}")  # a sanitizer's report, if one runs
-    if process.returncode == 3 and (len(error.strip().splitlines()) < 1 or os.path.basename(path) not in error):
-        found.append(f"no line that names the file: {error!r}")
+    if process.returncode == 3 and (len(error.strip().splitlines()) != 1 or os.path.basename(path) not in error):
+        found.append(f"not one line that names the file: {error!r}")
     if process.returncode == 0 and not os.path.exists(out):
         found.append("exit code 0 without a picture")
     if process.returncode != 0 and os.path.exists(out):
@@ -46,8 +46,7 @@ def main():
     if not os.path.isdir(root):
         print("the asset set is not here")
         sys.exit(77)
-    files = [os.path.join(base, name) for base, _, names in os.walk(root) for name in names
-             if name.lower().endswith((".obj", ".stl"))]
+    files = [os.path.join(base, name) for base, _, names in os.walk(root) for name in names if not name.endswith(".md")]
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
         for path in sorted(files):

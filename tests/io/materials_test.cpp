@@ -197,8 +197,39 @@ TEST(Textures, EachThatFailsIsOneLineAndItsMaterialIsPlain) {
         EXPECT_EQ(m.map_diffuse.texture, -1);
     EXPECT_EQ(l.warnings.lines().size(), 4u) << all_lines(l.warnings);
     EXPECT_TRUE(warned(l.warnings, {"m.mtl:2: map_Kd: 'gone.png' is not there"}));
-    EXPECT_TRUE(warned(l.warnings, {"zero: is not a regular file"}));
+    EXPECT_TRUE(warned(l.warnings, {"zero' lies outside of the model's folder"}));
     EXPECT_EQ(all_lines(l.warnings).find("secret"), std::string::npos);
+}
+
+TEST(Textures, OutsideOfTheModelsFolderAreReadWhereThatIsAllowed) {
+    const Folder folder;
+    folder.write_picture("shared/a.png", 1, 1, {});
+    folder.write_picture("model/in/b.png", 1, 1, {});
+    folder.write("shared/other.mtl", "newmtl d\n");
+    const std::string absolute = folder.path("shared/a.png");
+    folder.write("model/m.mtl",
+                 "newmtl a\nmap_Kd ../shared/a.png\nnewmtl b\nmap_Kd ..\\shared\\A.PNG\n"
+                 "newmtl c\nmap_Kd in/../../model/in/b.png\nnewmtl abs\nmap_Kd " +
+                     absolute + "\nnewmtl zero\nmap_Kd /dev/zero\n");
+    for (const bool allowed : {false, true}) {
+        Warnings warnings;
+        const auto obj =
+            read_obj("v 0 0 0\nmtllib m.mtl\nmtllib ../shared/other.mtl\nusemtl a\nusemtl b\n"
+                     "usemtl c\nusemtl abs\nusemtl zero\nusemtl d\n",
+                     folder.path("model/m.obj"), warnings);
+        const Materials got =
+            load_materials(*obj, folder.path("model/m.obj"), warnings, {.allow_outside = allowed});
+        ASSERT_EQ(got.materials.size(), allowed ? 6U : 5U);
+        for (const int material : {0, 1, 3})
+            EXPECT_EQ(got.materials[static_cast<std::size_t>(material)].map_diffuse.texture >= 0,
+                      allowed)
+                << material;
+        EXPECT_GE(got.materials[2].map_diffuse.texture, 0) << "leads back into the folder";
+        EXPECT_EQ(warned(warnings, {"m.mtl:2: map_Kd: '../shared/a.png' lies outside"}), !allowed);
+        EXPECT_EQ(warned(warnings, {"material library '../shared/other.mtl' lies outside"}),
+                  !allowed);
+        EXPECT_EQ(warned(warnings, {"/dev/zero: is not a regular file"}), allowed);
+    }
 }
 
 TEST(Textures, ABlackKdBesideAMapThatCannotBeUsedIsNoBlackHole) {

@@ -104,7 +104,7 @@ LoadedWithin load(const Folder& folder, const std::vector<std::string>& textures
     EXPECT_TRUE(file);
     const std::string path = folder.path("m.obj");
     l.warnings = {};
-    l.materials = load_materials(*file, path, l.warnings, texture_bytes);
+    l.materials = load_materials(*file, path, l.warnings, {.texture_bytes = texture_bytes});
     return l;
 }
 
