@@ -17,6 +17,7 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     options.progress = progress;
     options.jobs = &jobs;
     options.format = settings.model_format;
+    options.clamps = settings.frame.wrap == "clamp";
     options.memory_bytes =
         std::uint64_t{1'000'000} * static_cast<std::uint64_t>(settings.max_memory_mb);
     options.allow_outside = settings.allow_outside;

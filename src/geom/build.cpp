@@ -24,8 +24,10 @@ namespace {
 
 class Builder {
 public:
-    Builder(Jobs& jobs, PolygonMesh& polygons, BuildResult& result, const Usable& usable)
+    Builder(Jobs& jobs, PolygonMesh& polygons, BuildResult& result, const Usable& usable,
+            std::span<const DVec2> uv_step)
         : jobs_(jobs), m_(polygons), result_(result), mesh_(result.mesh), usable_(usable),
+          uv_step_(uv_step),
           vertices_(jobs, polygons,
                     std::min(m_.positions.size(), m_.corners.size() + m_.line_vertices.size() +
                                                       m_.point_vertices.size())),
@@ -92,7 +94,8 @@ public:
 private:
     static constexpr std::size_t kBatch = 1 << 16; // corners whose vertices are found at once
     // A texture that is repeated very often has uvs whose floats keep too few digits of the place
-    // within one repeat: such a face is moved by whole repeats towards 0 (HARD-CASES 36).
+    // within one repeat: such a face is moved by whole repeats towards 0 (HARD-CASES 36), where
+    // that shows the same (BuildOptions::uv_step).
     static constexpr double kLargeUv = 64;
 
     // Where a block's corners and triangles begin: the former in corners_, the latter in the mesh.
@@ -206,8 +209,12 @@ private:
             lo = {std::min(lo.x, uv.x), std::min(lo.y, uv.y)};
             largest = {std::max(largest.x, std::abs(uv.x)), std::max(largest.y, std::abs(uv.y))};
         }
-        return {largest.x > kLargeUv ? std::floor(lo.x) : 0,
-                largest.y > kLargeUv ? std::floor(lo.y) : 0};
+        const auto material = static_cast<std::size_t>(m_.face_material[face]); // -1: none
+        const DVec2 step = material < uv_step_.size() ? uv_step_[material] : DVec2(2);
+        const auto moved = [](double least, double most, double by) {
+            return most > kLargeUv && by > 0 ? std::floor(least / by) * by : 0.0;
+        };
+        return {moved(lo.x, largest.x, step.x), moved(lo.y, largest.y, step.y)};
     }
 
     Jobs& jobs_;
@@ -215,6 +222,7 @@ private:
     BuildResult& result_;
     Mesh& mesh_;
     const Usable& usable_;
+    std::span<const DVec2> uv_step_;
     Vertices vertices_;
     std::vector<Place> places_;                       // of a batch's chunks, and their end
     std::vector<Corner> corners_;                     // of a batch
@@ -272,7 +280,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     if (result.stopped) return result;
     release(m.face_smoothing);
     {
-        Builder builder(jobs, m, result, usable);
+        Builder builder(jobs, m, result, usable, options.uv_step);
         result.stopped = !builder.add_faces(part_of(options.progress, kToFaces, kToVertices));
         if (result.stopped) return result;
         builder.add_lines();

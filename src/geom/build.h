@@ -15,6 +15,10 @@ namespace scanout::geom {
 struct BuildOptions {
     double crease_degrees = 60; // where the file has neither normals nor smoothing groups
     Jobs* jobs = nullptr;       // null: on one thread. The mesh does not depend on it
+    // By material: by multiples of how much a face's texture coordinates may move without a change
+    // of what its maps show; 0: by nothing. Of what has no entry: 2, an even number of repeats,
+    // which change nothing where they are mirrored, either.
+    std::vector<DVec2> uv_step = {};
     // Called now and then with the share that is done, 0 to 1; false stops the work.
     std::function<bool(double)> progress = nullptr;
 };

@@ -30,6 +30,7 @@ struct LoadOptions {
     // cancelled".
     std::function<bool(double)> progress;
     LoadTimes* times = nullptr; // filled when given
+    bool clamps = false; // the frame clamps all maps: texture coordinates stay as the file has them
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model
     // that takes more is refused: else it would drive the machine into swapping.
     std::uint64_t memory_bytes = 0;

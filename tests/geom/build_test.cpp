@@ -393,6 +393,29 @@ TEST(Build, ManyRepeatsOfATextureKeepTheirDigits) {
     EXPECT_LT(std::abs(first.x), 2);
 }
 
+TEST(Build, ManyRepeatsAreMovedByWholeStepsOfTheMaterial) {
+    for (const DVec2& step : {DVec2(2), DVec2(20, 0), DVec2(0, 40)}) {
+        PolygonMesh polygons = cube();
+        polygons.uvs = {{1013.25, -787.5}};
+        for (Corner& c : polygons.corners)
+            c.uv = 0;
+        for (std::int32_t& material : polygons.face_material)
+            material = 1;
+        Warnings warnings;
+        BuildOptions options;
+        options.uv_step = {DVec2(0), step};
+        const Mesh m = build_mesh(std::move(polygons), options, "cube", warnings).mesh;
+        const Vec2 uv = m.uv[0];
+        const auto moved = [](double from, float to, double by) {
+            if (by == 0) return static_cast<double>(to) == from;
+            const double steps = (from - static_cast<double>(to)) / by;
+            return steps == std::round(steps) && to >= 0 && static_cast<double>(to) < by;
+        };
+        EXPECT_TRUE(moved(1013.25, uv.x, step.x)) << uv.x;
+        EXPECT_TRUE(moved(-787.5, uv.y, step.y)) << uv.y;
+    }
+}
+
 TEST(Build, FewRepeatsOfATextureStayAsTheFileSays) {
     PolygonMesh polygons = cube();
     polygons.uvs = {{63.5, -60}};

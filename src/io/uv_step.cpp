@@ -1,0 +1,53 @@
+#include "io/uv_step.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace scanout::io {
+namespace {
+
+constexpr std::array kMaps = {&scene::Material::map_diffuse,   &scene::Material::map_specular,
+                              &scene::Material::map_shininess, &scene::Material::map_opacity,
+                              &scene::Material::map_emission,  &scene::Material::map_roughness,
+                              &scene::Material::map_metalness, &scene::Material::map_bump,
+                              &scene::Material::map_normal};
+
+constexpr int kMost = 1000;
+
+// The least number that the factor makes an even number of repeats: 20 of 0.3. 0: none.
+int step_of(float scale) {
+    if (scale == 0) return 2;
+    for (int step = 1; step <= kMost; ++step) {
+        const double repeats = step * std::abs(double{scale}) / 2, whole = std::round(repeats);
+        // The factor is a decimal number, rounded to a float.
+        if (whole > 0 && std::abs(repeats - whole) <= repeats * 0x1p-23) return step;
+    }
+    return 0;
+}
+
+// The least that is a multiple of both; 0: none.
+int common(int a, int b) {
+    const int both = a == 0 || b == 0 ? 0 : std::lcm(a, b);
+    return both > kMost ? 0 : both;
+}
+
+} // namespace
+
+std::vector<DVec2> uv_steps(const std::vector<scene::Material>& materials) {
+    std::vector<DVec2> steps;
+    for (const scene::Material& material : materials) {
+        int x = 2, y = 2;
+        for (const auto map : kMaps) {
+            const scene::TextureMap& m = material.*map;
+            if (m.texture < 0) continue;
+            x = m.clamp ? 0 : common(x, step_of(m.scale.x));
+            y = m.clamp ? 0 : common(y, step_of(m.scale.y));
+        }
+        steps.emplace_back(x, y);
+    }
+    return steps;
+}
+
+} // namespace scanout::io
