@@ -3,13 +3,17 @@
 #include "base/mapping.h"
 #include "image/codec.h"
 #include "io/find_file.h"
+#include "io/hidden_colours.h"
 #include "io/mtl.h"
+#include "io/normal_maps.h"
 #include "io/text.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
@@ -68,20 +72,29 @@ std::string unquoted(const std::string& text, std::size_t begin, std::size_t end
     return name;
 }
 
-// Exporters that know no norm write a normal map as map_bump. Such a picture is bluish, and its
-// colours are unit vectors.
-bool holds_normals(const image::Image& image) {
-    std::size_t units = 0;
-    std::int64_t bluer = 0;
-    for (const image::Rgba8& p : image.pixels()) {
-        const int x = 2 * p.r - 255, y = 2 * p.g - 255, z = 2 * p.b - 255;
-        const int square = x * x + y * y + z * z;
-        units += z > 0 && square > 255 * 255 * 4 / 5 && square < 255 * 255 * 6 / 5 ? 1 : 0;
-        bluer += p.b - p.r;
+// The faces of each material name, -1 first.
+class FacesByName {
+public:
+    explicit FacesByName(const ObjFile& obj) : begin_(obj.materials.size() + 2) {
+        const std::vector<std::int32_t>& names = obj.polygons.face_material;
+        for (const std::int32_t name : names)
+            ++begin_[static_cast<std::size_t>(name + 1)];
+        std::exclusive_scan(begin_.begin(), begin_.end(), begin_.begin(), std::size_t{0});
+        face_.resize(names.size());
+        std::vector<std::size_t> next = begin_;
+        for (std::size_t face = 0; face < names.size(); ++face)
+            face_[next[static_cast<std::size_t>(names[face] + 1)]++] =
+                static_cast<std::uint32_t>(face);
     }
-    const std::size_t texels = image.pixels().size();
-    return units >= texels - texels / 50 && bluer > 32 * static_cast<std::int64_t>(texels);
-}
+    std::span<const std::uint32_t> of(std::int32_t name) const {
+        const auto i = static_cast<std::size_t>(name + 1);
+        return std::span(face_).subspan(begin_[i], begin_[i + 1] - begin_[i]);
+    }
+
+private:
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> face_;
+};
 
 class MaterialLoader {
 public:
@@ -103,9 +116,13 @@ public:
     }
 
     Materials load(const ObjFile& obj) {
+        obj_ = &obj;
         read_libraries(obj.libraries, !obj.materials.empty());
-        for (const NameAtLine& used : obj.materials)
+        for (const NameAtLine& used : obj.materials) {
+            name_ = static_cast<std::int32_t>(out_.of_name.size());
             use(used);
+        }
+        name_ = -1;
         use_only_material(obj);
         name_what_is_not_drawn();
         return std::move(out_);
@@ -129,8 +146,10 @@ private:
     void use_only_material(const ObjFile& obj);
     void add_material(Library& library, const MtlMaterial& m);
     std::int32_t opaque_texture(std::int32_t texture);
+    std::int32_t filled_texture(std::int32_t texture);
     void name_what_is_not_drawn();
     void load_normal_maps(scene::Material& material, const std::string& library_path);
+    bool is_normal_map(const scene::TextureMap& map);
     void load_map(scene::TextureMap& map, std::string_view keyword,
                   const std::string& library_path);
     std::int32_t texture(const std::string& name, const std::string& where,
@@ -141,6 +160,9 @@ private:
     const std::string& model_path_;
     std::string folder_;
     Warnings& warnings_;
+    const ObjFile* obj_ = nullptr;
+    std::int32_t name_ = -1;                   // whose material is loaded, in the OBJ file
+    std::optional<FacesByName> faces_by_name_; // once it is asked for
     Materials out_;
     std::vector<Library> libraries_;
     std::unordered_map<std::string, Place> places_;
@@ -149,7 +171,8 @@ private:
     bool library_missing_ = false;
     std::unordered_map<std::string, std::int32_t>
         textures_; // by folder and name, then by real path
-    std::unordered_map<std::int32_t, std::int32_t> opaque_textures_;
+    std::unordered_map<std::int32_t, std::int32_t> opaque_textures_, filled_textures_;
+    std::unordered_map<std::int32_t, bool> holds_normals_; // of a texture, all of it
     std::uint64_t texture_bytes_left_;
     std::size_t texture_faults_ = 0;
 };
@@ -282,8 +305,10 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
                             library.path, m.line));
     }
     // The alpha of map_Kd says how opaque it is where no other map does.
-    if (material.map_opacity.texture >= 0 && material.map_diffuse.texture >= 0)
-        material.map_diffuse.texture = opaque_texture(material.map_diffuse.texture);
+    if (material.map_diffuse.texture >= 0)
+        material.map_diffuse.texture = material.map_opacity.texture >= 0
+                                           ? opaque_texture(material.map_diffuse.texture)
+                                           : filled_texture(material.map_diffuse.texture);
     load_normal_maps(material, library.path);
     if (has_highlight(material)) {
         load_map(material.map_specular, "map_Ks", library.path);
@@ -316,13 +341,33 @@ std::int32_t MaterialLoader::opaque_texture(std::int32_t texture) {
     return known->second = static_cast<std::int32_t>(out_.textures.size()) - 1;
 }
 
+// The texture without the colours that its alpha hides: itself where it hides none. A copy: in
+// other maps the same file's alpha may hide nothing.
+std::int32_t MaterialLoader::filled_texture(std::int32_t texture) {
+    const auto [known, is_new] = filled_textures_.try_emplace(texture, texture);
+    if (!is_new) return known->second;
+    scene::Texture filled = out_.textures[static_cast<std::size_t>(texture)];
+    if (!fill_hidden_colours(filled.image)) return texture;
+    out_.textures.push_back(std::move(filled));
+    return known->second = static_cast<std::int32_t>(out_.textures.size()) - 1;
+}
+
 void MaterialLoader::load_normal_maps(scene::Material& material, const std::string& library_path) {
     load_map(material.map_normal, "norm", library_path);
     if (material.map_bump.bump_multiplier != 0)
         load_map(material.map_bump, "map_bump", library_path);
     if (material.map_bump.texture >= 0 && !material.map_normal.given() &&
-        holds_normals(out_.textures[static_cast<std::size_t>(material.map_bump.texture)].image))
+        is_normal_map(material.map_bump))
         std::swap(material.map_bump, material.map_normal);
+}
+
+bool MaterialLoader::is_normal_map(const scene::TextureMap& map) {
+    const image::Image& image = out_.textures[static_cast<std::size_t>(map.texture)].image;
+    const auto [known, is_new] = holds_normals_.try_emplace(map.texture, false);
+    if (is_new) known->second = holds_normals(image);
+    if (known->second) return true;
+    if (!faces_by_name_) faces_by_name_.emplace(*obj_);
+    return shows_normals(image, map, obj_->polygons, faces_by_name_->of(name_));
 }
 
 void MaterialLoader::name_what_is_not_drawn() {

@@ -39,7 +39,10 @@ public:
 
     std::string write_picture(const std::string& name, int width, int height,
                               image::Rgba8 colour) const {
-        const auto png = image::encode_png(image::Image(width, height, colour));
+        return write_picture(name, image::Image(width, height, colour));
+    }
+    std::string write_picture(const std::string& name, const image::Image& picture) const {
+        const auto png = image::encode_png(picture);
         return write(name, {reinterpret_cast<const char*>(png->data()), png->size()});
     }
 

@@ -226,8 +226,7 @@ TEST(Textures, OutsideOfTheModelsFolderAreReadWhereThatIsAllowed) {
                 << material;
         EXPECT_GE(got.materials[2].map_diffuse.texture, 0) << "leads back into the folder";
         EXPECT_EQ(warned(warnings, {"m.mtl:2: map_Kd: '../shared/a.png' lies outside"}), !allowed);
-        EXPECT_EQ(warned(warnings, {"material library '../shared/other.mtl' lies outside"}),
-                  !allowed);
+        EXPECT_EQ(warned(warnings, {"material library '../shared/other.mtl' lies outside"}), !allowed);
         EXPECT_EQ(warned(warnings, {"/dev/zero: is not a regular file"}), allowed);
     }
 }
@@ -378,6 +377,35 @@ TEST(Textures, AMapBumpOfNormalsIsANormalMap) {
     EXPECT_EQ(m[1].map_normal.texture, -1);
     EXPECT_GE(m[1].map_bump.texture, 0);
     EXPECT_EQ(all_lines(l.warnings), "");
+}
+
+// Baked maps have normals on the islands of the faces alone, and any colour between them.
+TEST(Textures, AMapBumpOfNormalsWhereFacesAreIsANormalMap) {
+    for (const image::Rgba8 background : std::vector<image::Rgba8>{
+             {0, 0, 0, 255}, {255, 255, 255, 255}, {200, 60, 10, 255}, {0, 0, 0, 0}}) {
+        image::Image picture(64, 64, {140, 120, 254, 255});
+        for (int y = 0; y < 24; ++y) // rows from the top: v above 0.625
+            for (int x = 0; x < 64; ++x)
+                picture.at(x, y) = background;
+        const Folder folder;
+        folder.write_picture("n.png", picture);
+        folder.write("m.mtl",
+                     "newmtl low\nmap_bump -clamp on n.png\nnewmtl whole\nmap_bump n.png\n"
+                     "newmtl scaled\nmap_bump -s 1 0.5 1 n.png\nnewmtl none\nmap_bump n.png\n");
+        const std::string faces = "f 1/1 2/2 3/3 4/4\n";
+        const Loaded l = load(
+            folder, "mtllib m.mtl\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 0.6\nvt 0 0.6\n"
+                    "vt 1 1\nvt 0 1\nusemtl low\n" +
+                        faces + "usemtl whole\n" + faces + "f 1/1 2/2 3/5 4/6\nusemtl scaled\n" +
+                        "f 1/1 2/2 3/5 4/6\nusemtl none\nf 1 2 3 4\n");
+        const std::vector<scene::Material>& m = l.materials.materials;
+        ASSERT_EQ(m.size(), 4u);
+        EXPECT_GE(m[0].map_normal.texture, 0);
+        EXPECT_EQ(m[1].map_normal.texture, -1) << "a face shows the background";
+        EXPECT_GE(m[1].map_bump.texture, 0);
+        EXPECT_GE(m[2].map_normal.texture, 0);
+        EXPECT_EQ(m[3].map_normal.texture, -1) << "nothing says where it is seen";
+    }
 }
 
 TEST(Textures, HundredsThatFailAreTwentyLinesAndOneMore) {
