@@ -64,16 +64,17 @@ Result<void> check_files(const Settings& s) {
 // Draws the pictures of one run, in order, and writes and counts each.
 class RenderRun {
 public:
-    RenderRun(const Settings& settings, PictureFormat format, const scene::Scene& scene, Jobs& jobs)
-        : settings_(settings), format_(format), scene_(scene),
-          plan_(frame::facts(scene, settings.frame.shadow_plane)), renderer_(jobs) {}
+    RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model, Jobs& jobs)
+        : settings_(settings), format_(format), scene_(model.scene),
+          camera_(camera_of(settings, model)),
+          plan_(frame::facts(scene_, settings.frame.shadow_plane)), renderer_(jobs) {}
 
     Result<void> draw(int index, RunReport& report) {
         scene::Pose pose;
         pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
         TRY(const scene::View view,
-            scene::make_view(scene_.mesh, settings_.model, pose, settings_.camera, {},
-                             settings_.frame.width, settings_.frame.height));
+            scene::make_view(scene_.mesh, settings_.model, pose, camera_, {}, settings_.frame.width,
+                             settings_.frame.height));
         TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
         if (index == 0) tell(*plan, report);
         const image::Image* picture = nullptr;
@@ -93,9 +94,11 @@ private:
         if (settings_.verbose)
             for (const frame::Decision& decision : plan.decisions)
                 say(to_string(decision));
-        const std::vector<std::string> ignored = frame::ignored_options(plan);
-        print_warnings(ignored, settings_);
-        report.warnings.insert(report.warnings.end(), ignored.begin(), ignored.end());
+        warn(frame::ignored_options(plan), report);
+    }
+    void warn(const std::vector<std::string>& lines, RunReport& report) const {
+        print_warnings(lines, settings_);
+        report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
     }
 
     std::uint64_t hash_of(const image::Image& picture) const {
@@ -126,6 +129,7 @@ private:
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
+    scene::CameraOptions camera_;
     frame::PlanCache plan_;
     frame::Renderer renderer_;
 };
@@ -147,7 +151,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     report.warnings = model.warnings;
     report.start_bytes = start_bytes;
     report.threads = jobs.threads();
-    RenderRun run(settings, format, model.scene, jobs);
+    RenderRun run(settings, format, model, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));
     if (settings.json) TRY_VOID(write_report(settings, to_json(report)));

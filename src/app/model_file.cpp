@@ -17,14 +17,24 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     options.progress = progress;
     options.jobs = &jobs;
     options.format = settings.model_format;
-    options.clamps = settings.frame.wrap == "clamp";
     options.memory_bytes =
         std::uint64_t{1'000'000} * static_cast<std::uint64_t>(settings.max_memory_mb);
     options.allow_outside = settings.allow_outside;
+    options.clamps = settings.frame.wrap == "clamp";
     io::LoadTimes times;
     options.times = &times;
+    io::ModelFormat format{};
+    options.format_read = &format;
     TRY(scene::Scene scene, io::load(path, options, warnings));
-    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times};
+    // CAD programs and slicers have z up.
+    const auto up = format == io::ModelFormat::stl ? scene::UpAxis::plus_z : scene::UpAxis::plus_y;
+    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times, up};
+}
+
+scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model) {
+    scene::CameraOptions camera = settings.camera;
+    if (!settings.up_given) camera.up = model.up;
+    return camera;
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,

@@ -18,8 +18,12 @@ struct LoadedModel {
     scene::Scene scene;
     std::vector<std::string> warnings;
     double load_ms = 0;
-    io::LoadTimes load_times; // its parts
+    io::LoadTimes load_times;                 // its parts
+    scene::UpAxis up = scene::UpAxis::plus_y; // of files of its format
 };
+
+// The camera that the command line asks for; a model's format says what is up where it does not.
+scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model);
 
 // `progress` is called with the fraction of the work that is done; false cancels.
 // The path "-" is standard input.

@@ -310,9 +310,12 @@ constexpr std::array kOptions = std::to_array<Option>({
          s.camera.projection = static_cast<scene::Projection>(i);
      }),
      "with or without foreshortening"},
-    {"up", 0, "", "y -y z -z x -x", "y", 0, 0, Group::camera, kDraw,
-     Choice([](Settings& s, std::size_t i) { s.camera.up = static_cast<scene::UpAxis>(i); }),
-     "the model's axis that points up"},
+    {"up", 0, "", "y -y z -z x -x", "", 0, 0, Group::camera, kDraw,
+     Choice([](Settings& s, std::size_t i) {
+         s.camera.up = static_cast<scene::UpAxis>(i);
+         s.up_given = true;
+     }),
+     "the model's axis that points up; default: z in STL, else y"},
     {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kDraw, Parsed(read_model_format),
      "what the model's file is, where its content does not tell (obj stl ply off); a model named - "
      "is read from standard input"},

@@ -30,7 +30,7 @@ struct Settings {
     bool allow_outside = false; // of the model's folder
     scene::CameraOptions camera;
     std::string named_view; // --view; already in `camera`
-    bool camera_given = false, light_given = false;
+    bool camera_given = false, light_given = false, up_given = false;
 
     std::string target = "auto"; // SIMD target
     int threads = 0;             // 0: one a core

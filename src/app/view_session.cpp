@@ -279,8 +279,9 @@ Result<void> ViewSession::outcome() const {
 
 Result<void> ViewSession::load(bool again) {
     const Time start = std::chrono::steady_clock::now();
-    Result<LoadedModel> model = load_model(
-        path(), settings_, parts_.jobs, [&](double share) { return report_progress(share, start); });
+    Result<LoadedModel> model = load_model(path(), settings_, parts_.jobs, [&](double share) {
+        return report_progress(share, start);
+    });
     if (quit_) return {};
     explain_.stop(); // the model that it explains is going
     clock_.stop();   // the time that loading took does not turn the model
@@ -291,6 +292,7 @@ Result<void> ViewSession::load(bool again) {
         slot_.put_error(model.error().what);
         return {};
     }
+    if (!settings_.up_given) viewer_.take_up_of_file(model->up);
     slot_.put(*std::move(model), settings_.frame);
     return report_plan();
 }

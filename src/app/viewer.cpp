@@ -34,6 +34,11 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     state_.pointer.y = height / 2;
 }
 
+void Viewer::take_up_of_file(scene::UpAxis up) {
+    if (state_.look.up == start_.up) state_.look.up = up;
+    start_.up = up;
+}
+
 scene::CameraOptions Viewer::camera() const {
     scene::CameraOptions camera = camera_;
     camera.projection = state_.look.projection;

@@ -46,6 +46,9 @@ public:
     // nothing happened. Empty: the picture says it.
     const std::string& answer() const { return answer_; }
 
+    // The axis that a file that is shown from now on has upwards; the user's own choice stays.
+    void take_up_of_file(scene::UpAxis up);
+
     // How many pages the plan on the display has, one at least: X goes through them.
     void set_explain_pages(int pages) { explain_pages_ = pages; }
 

@@ -170,6 +170,7 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
     TRY_VOID(memory.admit_stl(file.text(), file.size(), name)); // now that it is unpacked
     TRY(const ModelFormat format, options.format ? Result<ModelFormat>(*options.format)
                                                  : tell_format(file.text(), file.size(), name));
+    if (options.format_read != nullptr) *options.format_read = format;
     const FormatReader& reader = *std::find_if(kReaders.begin(), kReaders.end(),
                                                [&](const auto& r) { return r.format == format; });
     // What is read leaves memory at once: the file never stands beside its mesh.

@@ -36,7 +36,8 @@ struct LoadOptions {
     std::uint64_t memory_bytes = 0;
     bool allow_outside =
         false; // libraries and textures outside of the model's folder are read, too
-    std::optional<ModelFormat> format; // given: what the file is, whatever it looks like
+    ModelFormat* format_read = nullptr; // filled when given
+    std::optional<ModelFormat> format;  // given: what the file is, whatever it looks like
 };
 
 // The format is told by the content and, where that says nothing, by the extension (any case);

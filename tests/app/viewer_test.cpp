@@ -224,6 +224,20 @@ RC_GTEST_PROP(Viewer, ResetIsTheStartWhateverWasDone, ()) {
     RC_ASSERT(bench.look() == before || before == start);
 }
 
+TEST(Viewer, TakesTheUpAxisOfAFileUntilTheUserChooses) {
+    Bench bench;
+    bench.viewer.take_up_of_file(scene::UpAxis::plus_z);
+    EXPECT_EQ(bench.look().up, scene::UpAxis::plus_z);
+    bench.viewer.take_up_of_file(scene::UpAxis::plus_y);
+    EXPECT_EQ(bench.look().up, scene::UpAxis::plus_y);
+    bench.act(Id::up_axis_next);
+    bench.act(Id::up_axis_next);
+    bench.viewer.take_up_of_file(scene::UpAxis::plus_z);
+    EXPECT_EQ(bench.look().up, scene::UpAxis::plus_x) << "the user's";
+    bench.act(Id::reset);
+    EXPECT_EQ(bench.look().up, scene::UpAxis::plus_z) << "the file's";
+}
+
 // What a hand did is undone; what the turntable turned meanwhile is not.
 TEST(Viewer, UndoLeavesTheTurntablesTurnAlone) {
     Bench bench;
