@@ -7,6 +7,7 @@
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
+#include "frame/blank_picture.h"
 #include "frame/plan/ignored_options.h"
 #include "frame/plan/plan_cache.h"
 #include "image/hash.h"
@@ -84,6 +85,7 @@ public:
                 report.frames.push_back({index, hash_of(*picture), picture->width(),
                                          picture->height(), renderer_.stats()});
         }
+        if (!told_blank_) tell_if_blank(view, *plan, *picture, report);
         if (settings_.hash && settings_.json != "-")
             fmt::print("{}\n", image::hash_text(hash_of(*picture)));
         return settings_.output.empty() ? Result<void>() : write(*picture, index, report);
@@ -95,6 +97,14 @@ private:
             for (const frame::Decision& decision : plan.decisions)
                 say(to_string(decision));
         warn(frame::ignored_options(plan), report);
+    }
+    void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
+                       const image::Image& picture, RunReport& report) {
+        const auto why =
+            frame::why_blank(scene_, view, camera_.up, plan, renderer_.stats(), picture);
+        if (!why) return;
+        told_blank_ = true; // of several pictures, once
+        warn({*why}, report);
     }
     void warn(const std::vector<std::string>& lines, RunReport& report) const {
         print_warnings(lines, settings_);
@@ -132,6 +142,7 @@ private:
     scene::CameraOptions camera_;
     frame::PlanCache plan_;
     frame::Renderer renderer_;
+    bool told_blank_ = false;
 };
 
 } // namespace

@@ -1,0 +1,112 @@
+#include "frame/blank_picture.h"
+
+#include "frame/view/bounding_sphere.h"
+#include "rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace scanout::frame {
+namespace {
+
+// Triangles by what becomes of them in a view; the first that holds.
+struct Triangles {
+    std::size_t without_area = 0, unseen = 0, edge_on = 0, culled = 0, others = 0;
+    DVec3 edge_on_normal{0}; // of one of them, view space
+};
+
+bool is_unseen(const FramePlan& plan, std::int32_t material) {
+    const std::vector<raster::AlphaMode>& modes = plan.transparency.alpha_modes;
+    return !modes.empty() &&
+           modes[static_cast<std::size_t>(material + 1)] == raster::AlphaMode::nothing;
+}
+
+Triangles sorted_out(const scene::Scene& scene, const scene::View& view, const FramePlan& plan) {
+    constexpr double kEdgeOn = 0x1p-24; // sine of the angle between the line of sight and a face
+    const geom::Mesh& mesh = scene.mesh;
+    Triangles found;
+    for (std::size_t i = 0; i < mesh.triangles(); ++i) {
+        const auto at = [&](std::size_t k) {
+            return view.linear * DVec3(mesh.position[mesh.index[3 * i + k]]) + view.translation;
+        };
+        const DVec3 a = at(0), n = cross3(at(1) - a, at(2) - a);
+        const DVec3 sight =
+            view.projection == scene::Projection::orthographic ? DVec3(0, 0, -1) : a;
+        const double away = dot3(n, sight) * (view.mirrored ? -1 : 1);
+        if (dot3(n, n) == 0) {
+            ++found.without_area;
+        } else if (is_unseen(plan, mesh.material[i])) {
+            ++found.unseen;
+        } else if (std::abs(away) <= kEdgeOn * length(n) * length(sight)) {
+            ++found.edge_on;
+            found.edge_on_normal = n;
+        } else if (plan.options.cull != Cull::none &&
+                   (away > 0) == (plan.options.cull == Cull::back)) {
+            ++found.culled;
+        } else {
+            ++found.others;
+        }
+    }
+    return found;
+}
+
+// The name of the view that looks along a direction of view space, as well as one does.
+const char* view_along(const DVec3& direction, const scene::View& view, scene::UpAxis up) {
+    const DVec3 world = scene::up_rotation(up) * (transpose(view.world_axes) * direction);
+    const double x = std::abs(world.x), y = std::abs(world.y), z = std::abs(world.z);
+    return y >= x && y >= z ? "top" : z >= x ? "front" : "right";
+}
+
+std::string why_nothing_is_drawn(const scene::Scene& scene, const scene::View& view,
+                                 scene::UpAxis up, const FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    if (!row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).shows)
+        return fmt::format("--depth-test {} lets nothing through; leave it out", o.depth_test);
+    if (!may_be_visible(view))
+        return "the model lies outside of it; leave out what moves the camera or the model "
+               "(--camera, --eye, --look-at, --translate), or say --view iso";
+    const Triangles t = sorted_out(scene, view, plan);
+    const std::size_t all = scene.mesh.triangles();
+    const bool faces_alone = scene.mesh.line_index.empty() && scene.mesh.point_index.empty();
+    if (all > 0 && faces_alone && t.others == 0) {
+        if (t.without_area == all)
+            return fmt::format("none of the model's {} triangles has an area: their corners stand "
+                               "on a line; check the coordinates in the file",
+                               all);
+        if (t.unseen > 0 && t.edge_on + t.culled == 0)
+            return "the materials are clear (d, Tr or the alpha of maps is 0); "
+                   "--effect blending=off draws them opaque";
+        if (t.culled > 0)
+            return fmt::format("--cull {} leaves out all faces that look this way; say --cull none",
+                               o.cull == Cull::back ? "back" : "front");
+        return fmt::format("the model is flat and seen from its edge; say --view {}",
+                           view_along(t.edge_on_normal, view, up));
+    }
+    if (plan.transparency.cut_out != nullptr)
+        return fmt::format("the materials are clear where it looks: alpha is below --alpha-cut "
+                           "{:.3g}; --effect cut_out=off draws them whole",
+                           o.alpha_cut);
+    return "no sample of it falls onto the model: it is too small or too thin from here, or the "
+           "camera stands too near; say another --camera, or a larger --size";
+}
+
+} // namespace
+
+std::optional<std::string> why_blank(const scene::Scene& scene, const scene::View& view,
+                                     scene::UpAxis up, const FramePlan& plan,
+                                     const FrameStats& stats, const image::Image& picture) {
+    const auto is_background = [&](const image::Rgba8& p) { return p == plan.options.background; };
+    const auto pixels = picture.pixels();
+    if (!std::all_of(pixels.begin(), pixels.end(), is_background)) return {};
+    const std::string blank = "the picture is blank: ";
+    if (stats.items_shaded == 0) return blank + why_nothing_is_drawn(scene, view, up, plan);
+    return blank + (plan.transparency.blended != nullptr || plan.transparency.cut_out != nullptr
+                        ? "all that it shows of the model is transparent, or has the background's "
+                          "colour; say another --background, or --effect blending=off"
+                        : "all that it shows of the model has the background's colour; say another "
+                          "--background, more light (--light, --exposure), or --view iso");
+}
+
+} // namespace scanout::frame
