@@ -21,18 +21,34 @@ std::string bytes_text(std::uint64_t bytes) {
     return fmt::format("{} MiB", bytes / (1024 * 1024));
 }
 
-// Never "-0.00".
-std::string milliseconds_text(double ms) {
-    return fmt::format("{:.2f}", std::abs(ms) < 0.005 ? 0.0 : ms);
+// The CPU time of a row: what the frame pays for it, so that what is off takes none.
+std::string price_text(const EffectRow& row) {
+    if (row.price->by_construction) return "same plan";
+    return !row.decision.choice && !row.decision.on() ? "0" : to_string(row.price->cpu_ms);
 }
 
-// What another technique would take more: "+0.30", "-0.02".
-std::string more_milliseconds_text(double ms) {
-    return (ms < 0.005 ? "" : "+") + milliseconds_text(ms);
+// What another technique would take more: "+0.30 ± 0.02", "-0.02 ± 0.01", "0 ± 0.01".
+std::string more_text(const measure::Difference& more) {
+    return (more.is_zero() || more.median < 0 ? "" : "+") + to_string(more);
+}
+
+// One for each code point.
+std::size_t letters_in(std::string_view utf8) {
+    return static_cast<std::size_t>(
+        std::count_if(utf8.begin(), utf8.end(), [](char byte) { return (byte & 0xc0) != 0x80; }));
+}
+
+std::string cut_to(std::string line, std::size_t letters) {
+    while (letters_in(line) > letters) {
+        while ((line.back() & 0xc0) == 0x80)
+            line.pop_back();
+        line.pop_back();
+    }
+    return line;
 }
 
 // The cells of a row, in the order of kHeads.
-constexpr std::array<std::string_view, 8> kHeads = {"effect", "runs", "ms",     "memory",
+constexpr std::array<std::string_view, 8> kHeads = {"effect", "runs", "CPU ms", "memory",
                                                     "codes",  "FLIP", "pixels", "because"};
 constexpr std::size_t kTimeColumn = 2;
 using Cells = std::array<std::string, kHeads.size()>;
@@ -41,7 +57,7 @@ Cells cells(const EffectRow& row) {
     Cells c;
     c[0] = row.decision.effect;
     c[1] = row.decision.technique;
-    if (row.milliseconds) c[kTimeColumn] = milliseconds_text(*row.milliseconds);
+    if (row.price) c[kTimeColumn] = price_text(row);
     c[3] = bytes_text(row.bytes);
     if (row.change) {
         c[4] = fmt::format("{}", row.change->largest_code);
@@ -54,17 +70,22 @@ Cells cells(const EffectRow& row) {
 
 using Columns = std::array<bool, kHeads.size()>; // columns
 
-// Names to the left, numbers to the right; the last column as it is.
-std::string line_of(const Cells& c, const std::array<std::size_t, kHeads.size()>& width,
-                    const Columns& shown) {
-    std::string line = fmt::format("{:<{}}  {:<{}}", c[0], width[0], c[1], width[1]);
+// A line of a table: `figures` are as long in all lines, in letters.
+struct Line {
+    std::string figures, reason;
+};
+
+// Names to the left, numbers to the right.
+std::string figures_of(const Cells& c, const std::array<std::size_t, kHeads.size()>& width,
+                       const Columns& shown) {
+    std::string figures = fmt::format("{:<{}}  {:<{}}", c[0], width[0], c[1], width[1]);
     for (std::size_t i = 2; i + 1 < c.size(); ++i)
-        if (shown[i]) line += fmt::format("  {:>{}}", c[i], width[i]);
-    return line + "  " + c.back();
+        if (shown[i]) figures += fmt::format("  {:>{}}", c[i], width[i]);
+    return figures + "  ";
 }
 
 // The heads, and a line for each row.
-std::vector<std::string> table_of(const std::vector<EffectRow>& rows, const Columns& shown) {
+std::vector<Line> table_of(const std::vector<EffectRow>& rows, const Columns& shown) {
     std::vector<Cells> table = {{}};
     std::copy(kHeads.begin(), kHeads.end(), table.front().begin());
     for (const EffectRow& row : rows)
@@ -72,10 +93,10 @@ std::vector<std::string> table_of(const std::vector<EffectRow>& rows, const Colu
     std::array<std::size_t, kHeads.size()> width{};
     for (const Cells& c : table)
         for (std::size_t i = 0; i < c.size(); ++i)
-            width[i] = std::max(width[i], c[i].size());
-    std::vector<std::string> lines;
+            width[i] = std::max(width[i], letters_in(c[i]));
+    std::vector<Line> lines;
     for (const Cells& c : table)
-        lines.push_back(line_of(c, width, shown));
+        lines.push_back({figures_of(c, width, shown), c.back()});
     return lines;
 }
 
@@ -93,6 +114,18 @@ std::string verdict(const Explanation& explanation) {
     return fmt::format("switching on what is off changes pixels in {} of {} rows", missing, off);
 }
 
+bool has_prices(const Explanation& e) {
+    return std::any_of(e.rows.begin(), e.rows.end(),
+                       [](const EffectRow& row) { return row.price.has_value(); });
+}
+
+std::string about_times(const Explanation& e) {
+    std::string text = "CPU ms: of all threads, median ± half of its 95 % interval; same plan: "
+                       "equal by construction, not timed";
+    if (e.cost && !e.cost->instructions) text += "; this machine counts no instructions";
+    return text;
+}
+
 } // namespace
 
 std::string because(const EffectRow& row) {
@@ -108,9 +141,11 @@ std::string because(const EffectRow& row) {
         text += fmt::format("; {} would be chosen: {} codes, FLIP {:.4f}, {} pixels differ",
                             other->technique, other->change.largest_code, other->change.mean_flip,
                             other->change.pixels);
-        if (other->milliseconds)
-            text += fmt::format(", {} ms", more_milliseconds_text(-*other->milliseconds));
+        if (other->price && !other->price->by_construction)
+            text += fmt::format(", {} ms", more_text(-other->price->cpu_ms));
     }
+    if (row.price && !row.price->by_construction && !row.decision.choice && !row.decision.on())
+        text += fmt::format("; on it would take {} ms", more_text(row.price->cpu_ms));
     if (!row.refusal.empty()) text += "; " + row.refusal;
     return text;
 }
@@ -121,15 +156,18 @@ std::vector<std::string> explain_table(const LoadedModel& model, const Explanati
     lines.push_back(fmt::format("{}  {} triangles  {}x{}  {:.1f} % of pixels covered",
                                 path.substr(path.rfind('/') + 1), model.scene.counts.triangles,
                                 e.width, e.height, e.covered_share * 100));
-    if (e.milliseconds) lines.back() += fmt::format("  {:.2f} ms", *e.milliseconds);
+    if (e.cost)
+        lines.back() +=
+            fmt::format("  {:.2f} ms, {:.2f} ms of CPU time", e.cost->wall_ms, e.cost->cpu_ms);
     if (e.special == 0)
         lines.emplace_back("nothing special is called for: plain surfaces in their own colour");
     Columns shown;
     shown.fill(true);
-    shown[kTimeColumn] = e.milliseconds.has_value();
-    const std::vector<std::string> table = table_of(e.rows, shown);
-    lines.insert(lines.end(), table.begin(), table.end());
+    shown[kTimeColumn] = has_prices(e);
+    for (const Line& line : table_of(e.rows, shown))
+        lines.push_back(line.figures + line.reason);
     if (const std::string proof = verdict(e); !proof.empty()) lines.push_back(proof);
+    if (shown[kTimeColumn]) lines.emplace_back(about_times(e));
     return lines;
 }
 
@@ -138,19 +176,19 @@ namespace {
 // Lines that stay together on a page.
 using Entry = std::vector<std::string>;
 
-// A row whose text from the letter `reason` on may be broken: beside its figures where there is
-// Room for some words in a line, else under them.
-Entry entry_of(const std::string& row, std::size_t reason, std::size_t letters) {
+// The reason may be broken into lines: beside the figures where there is room for some words in a
+// line, else under them.
+Entry entry_of(const Line& row, std::size_t letters) {
     constexpr std::size_t kLeast = 40, kIndent = 4;
-    if (row.size() <= letters) return {row};
-    const bool beside = reason + kLeast <= letters;
-    const std::size_t left = beside ? reason : kIndent;
+    const std::size_t figures = letters_in(row.figures);
+    if (figures + letters_in(row.reason) <= letters) return {row.figures + row.reason};
+    const bool beside = figures + kLeast <= letters;
+    const std::size_t left = beside ? figures : kIndent;
     Entry entry;
-    if (!beside) entry.push_back(row.substr(0, row.find_last_not_of(' ', reason - 1) + 1));
+    if (!beside) entry.push_back(row.figures.substr(0, row.figures.find_last_not_of(' ') + 1));
     for (const std::string& part :
-         broken_into_lines(row.substr(reason), letters > left ? letters - left : 1)) {
-        const std::string start =
-            beside && entry.empty() ? row.substr(0, reason) : std::string(left, ' ');
+         broken_into_lines(row.reason, letters > left ? letters - left : 1)) {
+        const std::string start = beside && entry.empty() ? row.figures : std::string(left, ' ');
         entry.push_back(start + part);
     }
     return entry;
@@ -175,7 +213,7 @@ ScreenPage page_of(const std::string& head, const std::vector<Entry>& entries, s
         result.lines.push_back(fmt::format("page {} of {}: {}", shown, pages.size(),
                                            shown < pages.size() ? "X goes on" : "X closes"));
     for (std::string& line : result.lines)
-        if (line.size() > letters) line.resize(letters);
+        line = cut_to(std::move(line), letters);
     return result;
 }
 
@@ -186,14 +224,13 @@ ScreenPage screen_table(const Explanation& e, std::size_t measured, std::size_t 
     constexpr std::size_t kWide = 110; // letters: room for all columns and some of the last
     Columns shown;
     shown.fill(true);
-    shown[kTimeColumn] = e.milliseconds.has_value() || measured < e.rows.size();
+    shown[kTimeColumn] = has_prices(e) || measured < e.rows.size();
     if (letters < kWide) shown[5] = shown[6] = false; // FLIP, pixels
-    const std::vector<std::string> table = table_of(e.rows, shown);
-    const std::size_t reason = table.front().rfind(kHeads.back());
+    const std::vector<Line> table = table_of(e.rows, shown);
     std::vector<Entry> entries;
     for (std::size_t i = 1; i < table.size(); ++i)
-        entries.push_back(entry_of(table[i], reason, letters));
-    return page_of(table.front(), entries,
+        entries.push_back(entry_of(table[i], letters));
+    return page_of(table.front().figures + table.front().reason, entries,
                    measured < e.rows.size()
                        ? fmt::format("measured {} of {}", measured, e.rows.size())
                        : verdict(e),
@@ -207,16 +244,16 @@ ScreenPage plan_lines(const frame::FramePlan& plan, bool times, std::size_t lett
         effect = std::max(effect, d.effect.size());
         runs = std::max(runs, d.technique.size());
     }
-    const auto line = [&](std::string_view what, std::string_view how, std::string_view why) {
-        return fmt::format("{:<{}}  {:<{}}  {}", what, effect, how, runs, why);
+    const auto line = [&](std::string_view what, std::string_view how, std::string why) {
+        return Line{fmt::format("{:<{}}  {:<{}}  ", what, effect, how, runs), std::move(why)};
     };
     std::vector<Entry> entries;
     for (const frame::Decision& d : plan.decisions)
-        entries.push_back(
-            entry_of(line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")),
-                     effect + runs + 4, letters));
+        entries.push_back(entry_of(
+            line(d.effect, d.technique, d.because + (d.forced ? " (forced)" : "")), letters));
+    const Line heads = line(kHeads[0], kHeads[1], std::string(kHeads.back()));
     return page_of(
-        line(kHeads[0], kHeads[1], kHeads.back()), entries,
+        heads.figures + heads.reason, entries,
         fmt::format("{}memory and changes: when the picture stands still", times ? "times, " : ""),
         letters, lines, page);
 }

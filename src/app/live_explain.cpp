@@ -6,13 +6,11 @@ namespace scanout::app {
 
 void LiveExplain::begin(std::unique_ptr<measure::Explainer> explainer, const PictureKey& key) {
     explainer_ = std::move(explainer);
-    measured_rows_ = 0;
     key_ = key;
 }
 
-void LiveExplain::measure_row() {
+void LiveExplain::measure() {
     explainer_->step();
-    ++measured_rows_;
 }
 
 bool LiveExplain::has_all_rows(const PictureKey& key) const {
@@ -20,7 +18,7 @@ bool LiveExplain::has_all_rows(const PictureKey& key) const {
 }
 
 ScreenPage LiveExplain::page(std::size_t letters, std::size_t lines, std::size_t page) const {
-    return screen_table(explainer_->so_far(), measured_rows_, letters, lines, page);
+    return screen_table(explainer_->so_far(), explainer_->rows_done(), letters, lines, page);
 }
 
 } // namespace scanout::app

@@ -14,7 +14,8 @@ class LiveExplain {
 public:
     // Begins anew, for the picture that `key` names.
     void begin(std::unique_ptr<measure::Explainer> explainer, const PictureKey& key);
-    void measure_row();
+    // Goes on with the figures of a row: a few frames.
+    void measure();
     void stop() { explainer_.reset(); }
 
     bool explains(const PictureKey& key) const { return explainer_ != nullptr && key == key_; }
@@ -25,7 +26,6 @@ public:
 
 private:
     std::unique_ptr<measure::Explainer> explainer_;
-    std::size_t measured_rows_ = 0;
     PictureKey key_;
 };
 

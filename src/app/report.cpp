@@ -60,6 +60,25 @@ Json change_json(const measure::Change& change) {
             {"mean_flip", change.mean_flip}};
 }
 
+Json difference_json(const measure::Difference& d) {
+    const auto value = [](double x) { return std::round(x * 1e4) / 1e4; };
+    return {{"median", value(d.median)},
+            {"low", value(d.low)},
+            {"high", value(d.high)},
+            {"zero", d.is_zero()}};
+}
+
+Json price_json(const measure::Price& price) {
+    if (price.by_construction) return {{"same_plan", true}};
+    Json json = {{"same_plan", false},
+                 {"pairs", price.pairs},
+                 {"cpu_ms", difference_json(price.cpu_ms)},
+                 {"wall_ms", difference_json(price.wall_ms)}};
+    json["instructions"] =
+        price.instructions ? difference_json(*price.instructions) : Json(nullptr);
+    return json;
+}
+
 Json effect_json(const measure::EffectRow& row) {
     const frame::Decision& d = row.decision;
     Json json = {{"effect", d.effect}, {"on", d.on()},       {"technique", d.technique},
@@ -79,10 +98,9 @@ Json effect_json(const measure::EffectRow& row) {
     if (row.automatic) {
         json["automatic"] = change_json(row.automatic->change);
         json["automatic"]["technique"] = row.automatic->technique;
-        if (row.automatic->milliseconds)
-            json["automatic"]["ms"] = rounded(-*row.automatic->milliseconds);
+        if (row.automatic->price) json["automatic"]["time"] = price_json(-*row.automatic->price);
     }
-    if (row.milliseconds) json["ms"] = rounded(*row.milliseconds);
+    if (row.price) json["time"] = price_json(*row.price);
     return json;
 }
 
@@ -160,7 +178,11 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
         {"techniques", techniques},
         {"warnings", model.warnings},
         {"version", SCANOUT_VERSION}};
-    if (e.milliseconds) json["ms"] = rounded(*e.milliseconds);
+    if (e.cost) {
+        json["ms"] = rounded(e.cost->wall_ms);
+        json["cpu_ms"] = rounded(e.cost->cpu_ms);
+        json["instructions"] = e.cost->instructions ? Json(*e.cost->instructions) : Json(nullptr);
+    }
     return dumped(json);
 }
 

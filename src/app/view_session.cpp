@@ -50,7 +50,7 @@ Result<void> ViewSession::run() {
         if (quit_) break;
         TRY_VOID(draw_if_due(now));
         if (viewer_.state().explain == 0) explain_.stop();
-        if (wants_row()) TRY_VOID(explain_a_row());
+        if (wants_row()) TRY_VOID(measure_row());
         TRY_VOID(wait());
     }
     return outcome();
@@ -61,7 +61,7 @@ Result<void> ViewSession::run_instantly() {
     while (!quit_) {
         TRY_VOID(play_script());
         while (!viewer_.moving() && lacks_rows() && viewer_.view(*slot_.mesh()))
-            TRY_VOID(explain_a_row());
+            TRY_VOID(measure_row());
         if (wants_frame()) TRY_VOID(draw(wanted()));
         if (quit_ || frame_file_) continue;
         TRY_VOID(take_input());
@@ -381,9 +381,9 @@ bool ViewSession::wants_row() {
 }
 
 // Switches one effect, so that keys are heard in between.
-Result<void> ViewSession::explain_a_row() {
+Result<void> ViewSession::measure_row() {
     if (explain_.explains(key())) {
-        explain_.measure_row();
+        explain_.measure();
         return {};
     }
     TRY(const scene::View view, viewer_.view(*slot_.mesh()));
@@ -391,7 +391,6 @@ Result<void> ViewSession::explain_a_row() {
     how.times = !steady_;
     how.display = parts_.display.info().format;
     how.seconds_a_row = 0.05;
-    how.min_pairs = 1; // keys wait for a row
     set_frame_options();
     TRY(std::unique_ptr<measure::Explainer> explainer,
         measure::Explainer::create(slot_.model()->scene, slot_.facts(), view, frame_options_,

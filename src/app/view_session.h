@@ -95,7 +95,7 @@ private:
     ScreenPage explain_page();
     bool lacks_rows() const;
     bool wants_row();
-    Result<void> explain_a_row();
+    Result<void> measure_row();
 
     // Frames.
     struct Shown {

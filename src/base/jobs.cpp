@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <csignal>
 #include <thread>
+#include <vector>
 
 #if SCANOUT_JOBS_STD_THREAD
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
-#include <vector>
 #else
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
@@ -108,10 +108,6 @@ private:
     void* function_ = nullptr;
 };
 
-void Jobs::run(int count, Thunk thunk, void* function) {
-    pool_->run(count, thunk, function);
-}
-
 #else
 
 namespace tbb = oneapi::tbb;
@@ -126,26 +122,73 @@ static int with_raised_limit(int threads) {
 
 struct Jobs::Pool {
     explicit Pool(int threads) : arena(with_raised_limit(threads)) {}
+    void run(int count, Thunk thunk, void* function) {
+        if (threads() == 1 || count <= 1) {
+            for (int i = 0; i < count; ++i)
+                thunk(function, i, 0);
+            return;
+        }
+        const EndingSignalsHeld held; // oneTBB makes its workers when there is work
+        arena.execute([&] {
+            tbb::parallel_for(
+                0, count,
+                [&](int i) { thunk(function, i, tbb::this_task_arena::current_thread_index()); },
+                tbb::simple_partitioner());
+        });
+    }
     int threads() const { return arena.max_concurrency(); }
     tbb::task_arena arena;
 };
 
-void Jobs::run(int count, Thunk thunk, void* function) {
-    if (pool_->threads() == 1 || count <= 1) {
-        for (int i = 0; i < count; ++i)
-            thunk(function, i, 0);
-        return;
-    }
-    const EndingSignalsHeld held; // oneTBB makes its workers when there is work
-    pool_->arena.execute([&] {
-        tbb::parallel_for(
-            0, count,
-            [&](int i) { thunk(function, i, tbb::this_task_arena::current_thread_index()); },
-            tbb::simple_partitioner());
-    });
+#endif
+
+struct Jobs::Count {
+    // A cache line each: workers write theirs at the same time.
+    struct alignas(64) OfWorker {
+        Work work;
+    };
+    Work start;                      // of the calling thread
+    Work in_for_each;                // of the calling thread, its functions and its waiting
+    std::vector<OfWorker> functions; // by worker
+};
+
+void Jobs::start_counting() {
+    count_ = std::make_unique<Count>();
+    count_->functions.resize(static_cast<std::size_t>(threads()));
+    count_->start = thread_work();
 }
 
-#endif
+Work Jobs::stop_counting() {
+    Work work = thread_work() - count_->start - count_->in_for_each;
+    for (const Count::OfWorker& of : count_->functions)
+        work = work + of.work;
+    count_.reset();
+    return work;
+}
+
+void Jobs::run(int count, Thunk thunk, void* function) {
+    if (count_ == nullptr) {
+        pool_->run(count, thunk, function);
+        return;
+    }
+    struct Counted {
+        Thunk thunk;
+        void* function;
+        Count& count;
+    } counted{thunk, function, *count_};
+    const Work before = thread_work();
+    pool_->run(
+        count,
+        [](void* f, int index, int worker) {
+            const Counted& c = *static_cast<Counted*>(f);
+            const Work start = thread_work();
+            c.thunk(c.function, index, worker);
+            Work& sum = c.count.functions[static_cast<std::size_t>(worker)].work;
+            sum = sum + (thread_work() - start);
+        },
+        &counted);
+    count_->in_for_each = count_->in_for_each + (thread_work() - before);
+}
 
 Jobs::Jobs(int threads) : pool_(std::make_unique<Pool>(resolve_threads(threads))) {}
 Jobs::~Jobs() = default;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/float_environment.h"
+#include "base/work.h"
 
 #include <memory>
 #include <type_traits>
@@ -35,11 +36,19 @@ public:
             const_cast<void*>(static_cast<const void*>(&function)));
     }
 
+    // Between the two, counts the work of the calling thread and of all functions that for_each
+    // calls, whatever thread runs them. Waiting for other workers is no work: while they wait they
+    // spin, for longer on a busy machine. A call of a function costs two system calls more.
+    void start_counting();
+    Work stop_counting();
+
 private:
     using Thunk = void (*)(void* function, int index, int worker);
     void run(int count, Thunk thunk, void* function);
     struct Pool;
+    struct Count;
     std::unique_ptr<Pool> pool_;
+    std::unique_ptr<Count> count_; // while work is counted
 };
 
 } // namespace scanout

@@ -1,6 +1,5 @@
 #include "measure/explain.h"
 
-#include "base/stopwatch.h"
 #include "frame/catalogue.h"
 #include "frame/plan/bytes.h"
 #include "frame/plan/ignored_options.h"
@@ -15,8 +14,6 @@
 
 namespace scanout::measure {
 namespace {
-
-constexpr std::size_t kMaxPairs = 25;
 
 // The material that a primitive has, as an index into frame::MaterialSet.
 std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t none) {
@@ -52,7 +49,7 @@ Change change_between(const image::Image& reference, const image::Image& other) 
 Explainer::Explainer(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
                      const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
     : scene_(scene), view_(view), options_(options), facts_(std::move(facts)), how_(how),
-      renderer_(jobs), other_renderer_(jobs) {}
+      jobs_(jobs), renderer_(jobs), other_renderer_(jobs) {}
 
 Result<std::unique_ptr<Explainer>>
 Explainer::create(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
@@ -184,24 +181,42 @@ Change Explainer::change_to(const frame::FramePlan& other) {
     return change_between(picture_, shown(other_renderer_.render(scene_, view_, other), other));
 }
 
-// In turn: what else the machine does meets both alike. The first frame of each made room.
-std::optional<double> Explainer::milliseconds_against(const frame::FramePlan& other) {
-    if (!how_.times) return std::nullopt;
-    std::vector<double> differences;
-    const Stopwatch watch;
-    while (differences.size() < how_.min_pairs ||
-           (differences.size() < kMaxPairs && watch.milliseconds() < how_.seconds_a_row * 1000)) {
-        renderer_.render(scene_, view_, plan_);
-        other_renderer_.render(scene_, view_, other);
-        own_times_.push_back(renderer_.stats().total_ms);
-        differences.push_back(own_times_.back() - other_renderer_.stats().total_ms);
+void Explainer::time(const frame::FramePlan& other, std::optional<Price>& price,
+                     bool other_costs_more) {
+    if (!how_.times) return;
+    if (frame::draws_alike(plan_, other)) {
+        price = equal_by_construction();
+        return;
     }
-    so_far_.milliseconds = median(own_times_);
-    return median(differences);
+    timings_.push_back({other, &price, other_costs_more});
 }
 
-void Explainer::step() {
-    EffectRow& row = so_far_.rows[measured_++];
+// Four frames. The first one of each plan made room.
+void Explainer::step_timing() {
+    Timing& timing = timings_.back();
+    if (!timer_) {
+        const auto frames = [this](frame::Renderer& renderer, const frame::FramePlan& plan) {
+            return
+                [&, this] { return cost_of(jobs_, [&] { renderer.render(scene_, view_, plan); }); };
+        };
+        other_renderer_.render(scene_, view_, timing.plan);
+        timer_.emplace(frames(renderer_, plan_), frames(other_renderer_, timing.plan),
+                       how_.seconds_a_row);
+    }
+    timer_->step();
+    if (!timer_->finished()) return;
+    const Price price = timer_->price();
+    *timing.price = timing.other_costs_more ? -price : price;
+    const std::vector<Cost>& own = timer_->costs_of_a();
+    own_costs_.insert(own_costs_.end(), own.begin(), own.end());
+    so_far_.cost = medians(own_costs_);
+    timer_.reset();
+    timings_.pop_back();
+}
+
+// Switches the row's effect: what changes. Its times are left to come.
+void Explainer::compare_row() {
+    EffectRow& row = so_far_.rows[rows_done_];
     const frame::Decision& d = row.decision;
     const auto options = switched(row);
     if (!options) return;
@@ -211,8 +226,7 @@ void Explainer::step() {
         return;
     }
     row.change = change_to(*other);
-    row.milliseconds = milliseconds_against(*other);
-    if (row.milliseconds && !d.on() && !d.choice) *row.milliseconds = -*row.milliseconds;
+    time(*other, row.price, !d.on() && !d.choice);
     if (d.choice || (!d.on() && d.forced)) return;
     const auto unasked = automatic(d.axis);
     if (!unasked) return;
@@ -220,8 +234,16 @@ void Explainer::step() {
     if (!own_choice) return;
     const std::string& technique = own_choice->decision(d.effect)->technique;
     if (technique == d.technique) return;
-    const Change change = change_to(*own_choice);
-    row.automatic = Alternative{technique, change, milliseconds_against(*own_choice)};
+    row.automatic = Alternative{technique, change_to(*own_choice), {}};
+    time(*own_choice, row.automatic->price);
+}
+
+void Explainer::step() {
+    if (timings_.empty())
+        compare_row();
+    else
+        step_timing();
+    if (timings_.empty()) ++rows_done_;
 }
 
 Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
@@ -230,10 +252,9 @@ Result<Explanation> explain(const scene::Scene& scene, const scene::View& view,
     TRY(const std::unique_ptr<Explainer> explainer,
         Explainer::create(scene, frame::facts(scene, options.shadow_plane), view, options, jobs,
                           how));
-    std::size_t done = 0;
-    for (; !explainer->finished(); ++done) {
+    while (!explainer->finished()) {
         if (how.progress)
-            how.progress(static_cast<double>(done) /
+            how.progress(static_cast<double>(explainer->rows_done()) /
                          static_cast<double>(explainer->so_far().rows.size()));
         explainer->step();
     }

@@ -9,6 +9,7 @@
 #include "frame/plan/plan.h"
 #include "frame/renderer.h"
 #include "image/pixel_format.h"
+#include "measure/paired.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
@@ -35,7 +36,7 @@ struct Change {
 struct Alternative {
     std::string technique;
     Change change;
-    std::optional<double> milliseconds;
+    std::optional<Price> price;
 };
 
 // What turns its back to the eye.
@@ -57,9 +58,9 @@ struct EffectRow {
     std::optional<Change> change;
     std::string compared_with; // the other technique; empty: on or off
     std::string refusal;
-    // A frame with it minus one without (or with the other technique), median of pairs; nothing
-    // without times or comparison.
-    std::optional<double> milliseconds;
+    // Of a frame with it over one without (or with the other technique); nothing without times or
+    // comparison.
+    std::optional<Price> price;
     std::optional<Alternative> automatic; // of an effect whose technique the user names
 };
 
@@ -71,15 +72,14 @@ struct Explanation {
     std::vector<EffectRow> rows;              // as in the plan
     std::vector<std::string> ignored_options; // what is asked for and cannot be shown, a line each
     std::vector<const Technique*> techniques;
-    std::optional<double> milliseconds; // of the frame as it is, median
+    std::optional<Cost> cost; // of the frame as it is, medians
 };
 
 struct ExplainOptions {
     // What is compared: the pictures that such a display shows; else as they are rendered.
     std::optional<image::PixelFormat> display;
     bool times = true;
-    double seconds_a_row = 0.25; // of measuring time, about
-    std::size_t min_pairs = 3;
+    double seconds_a_row = 0.25; // of measuring time, about; 2 kLeastPairs frames in any case
     std::function<void(double fraction)> progress;
 };
 
@@ -95,8 +95,9 @@ public:
     static Result<std::unique_ptr<Explainer>>
     create(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
            const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how = {});
-    bool finished() const { return measured_ == so_far_.rows.size(); }
-    // Switches the next row's effect; draws some frames.
+    bool finished() const { return rows_done_ == so_far_.rows.size(); }
+    std::size_t rows_done() const { return rows_done_; }
+    // Switches the next row's effect, or goes on with its times; draws a few frames.
     void step();
     // All rows; those that step() has not come to yet have neither change nor milliseconds.
     const Explanation& so_far() const { return so_far_; }
@@ -111,21 +112,34 @@ private:
     std::optional<frame::FrameOptions> automatic(std::string_view axis) const;
     image::Image shown(const image::Image& picture, const frame::FramePlan& plan) const;
     Change change_to(const frame::FramePlan& other);
-    std::optional<double> milliseconds_against(const frame::FramePlan& other);
+    void compare_row();
+    // A plan whose frames are timed beside those of the plan that is explained.
+    struct Timing {
+        frame::FramePlan plan;
+        std::optional<Price>* price; // where it is to stand
+        bool other_costs_more;       // the price is that of the other plan
+    };
+    void time(const frame::FramePlan& other, std::optional<Price>& price,
+              bool other_costs_more = false);
+    void step_timing();
 
     const scene::Scene& scene_;
     scene::View view_;
     frame::FrameOptions options_;
     frame::SceneFacts facts_;
     ExplainOptions how_;
+    Jobs& jobs_;
     frame::Renderer renderer_, other_renderer_;
     frame::FramePlan plan_;
     image::Image picture_;
     std::map<std::string, double, std::less<>> shares_;
     FacesAway faces_away_;
-    std::vector<double> own_times_;
+    std::vector<Cost> own_costs_;
     Explanation so_far_;
-    std::size_t measured_ = 0; // rows
+    std::size_t rows_done_ = 0;
+    // Of the row that is being measured: what is left to time, the last one first.
+    std::vector<Timing> timings_;
+    std::optional<PairedTimer> timer_; // of the last
 };
 
 } // namespace scanout::measure

@@ -55,6 +55,7 @@ struct Attributes {
     bool object = false;    // vertices' places in object space
     bool steps = false;     // FrameState::steps
     MapBits maps = 0;
+    friend bool operator==(const Attributes&, const Attributes&) = default;
 };
 constexpr Attributes operator|(Attributes a, Attributes b) {
     return {a.normal || b.normal,       a.uv || b.uv,

@@ -25,6 +25,13 @@ measure::EffectRow row(const std::string& effect, const std::string& technique,
     return r;
 }
 
+measure::Price price(double median, double half) {
+    measure::Price p;
+    p.pairs = 6;
+    p.cpu_ms = p.wall_ms = {median, median - half, median + half};
+    return p;
+}
+
 struct Example {
     LoadedModel model;
     measure::Explanation e;
@@ -58,14 +65,41 @@ TEST(ExplainTable, ShowsWhatRunsWhyAndWhatItChanges) {
 
 TEST(ExplainTable, HasAColumnOfTimesWhereTheyWereMeasured) {
     Example x;
-    x.e.milliseconds = 3.25;
-    x.e.rows[0].milliseconds = 1.5;
-    x.e.rows[1].milliseconds = -0.001;
-    const auto lines = explain_table(x.model, x.e);
-    EXPECT_THAT(lines[0], HasSubstr("3.25 ms"));
-    EXPECT_THAT(lines[1], HasSubstr("  ms  "));
-    EXPECT_THAT(lines[2], HasSubstr("1.50"));
-    EXPECT_THAT(lines[3], AllOf(HasSubstr("0.00"), Not(HasSubstr("-"))));
+    x.e.cost = measure::Cost{6.5, 3.25, {}};
+    x.e.rows.push_back(row("gloss", "off", "no map"));
+    x.e.rows.push_back(row("bump", "on", "a map"));
+    x.e.rows[0].price = price(1.5, 0.1);
+    x.e.rows[1].price = measure::equal_by_construction();
+    x.e.rows[2].price = price(0.75, 0.25);
+    x.e.rows[3].price = price(0.5, 0.6);
+    EXPECT_EQ(
+        explain_table(x.model, x.e),
+        (std::vector<std::string>{
+            "x.obj  12 triangles  64x48  50.0 % of pixels covered  3.25 ms, 6.50 ms of CPU time",
+            "effect   runs           CPU ms  memory  codes    FLIP  pixels  because",
+            "texture  bilinear  1.50 ± 0.10  64 KiB     77  0.0123     100  3 of 14 materials have "
+            "a map, 1.8 % of pixels",
+            "fog      off         same plan       0      0  0.0000       0  there is none",
+            "gloss    off                 0       0      0  0.0000       0  no map; on it would "
+            "take +0.75 ± 0.25 ms",
+            "bump     on           0 ± 1.10       0      0  0.0000       0  a map",
+            "switching on any of the 2 that are off: 0 pixels differ",
+            "CPU ms: of all threads, median ± half of its 95 % interval; same plan: equal by "
+            "construction, not timed; this machine counts no instructions"}));
+    x.e.cost->instructions = 1e6;
+    EXPECT_THAT(explain_table(x.model, x.e).back(), Not(HasSubstr("instructions")));
+}
+
+TEST(ExplainTable, IsWrittenAsJsonWithIntervals) {
+    Example x;
+    x.e.cost = measure::Cost{6.5, 3.25, {}};
+    x.e.rows[0].price = price(1.5, 0.1);
+    x.e.rows[1].price = measure::equal_by_construction();
+    const std::string json = to_json(x.model, x.e);
+    for (const char* part : {"\"same_plan\": true", "\"same_plan\": false", "\"pairs\": 6",
+                             "\"low\": 1.4", "\"high\": 1.6", "\"zero\": false",
+                             "\"instructions\": null", "\"cpu_ms\": 6.5", "\"ms\": 3.25"})
+        EXPECT_THAT(json, HasSubstr(part));
 }
 
 TEST(ExplainTable, SaysWhenNothingSpecialIsCalledFor) {
@@ -99,12 +133,14 @@ TEST(ExplainTable, SaysWhatATechniqueThatTheUserNamesLosesAgainstTheAutomaticOne
               "3 of 14 materials have a map, 1.8 % of pixels; trilinear would be chosen: 34 codes, "
               "FLIP 0.0021, 7 pixels differ");
     EXPECT_THAT(to_json(x.model, x.e), HasSubstr("\"technique\": \"trilinear\""));
-    x.e.rows[0].automatic->milliseconds = -0.25; // what runs takes less
-    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, +0.25 ms"));
-    x.e.rows[0].automatic->milliseconds = 0.001;
-    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, 0.00 ms"));
-    x.e.rows[0].automatic->milliseconds = 1.5;
-    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, -1.50 ms"));
+    x.e.rows[0].automatic->price = price(-0.25, 0.05); // what runs takes less
+    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, +0.25 ± 0.05 ms"));
+    x.e.rows[0].automatic->price = price(0.001, 0.02);
+    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, 0 ± 0.02 ms"));
+    x.e.rows[0].automatic->price = price(1.5, 0.1);
+    EXPECT_THAT(because(x.e.rows[0]), HasSubstr("7 pixels differ, -1.50 ± 0.10 ms"));
+    x.e.rows[0].automatic->price = measure::equal_by_construction();
+    EXPECT_THAT(because(x.e.rows[0]), testing::EndsWith("7 pixels differ"));
 }
 
 TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
@@ -112,17 +148,19 @@ TEST(ScreenTable, HasTheFiguresThatAreKnownAndFitsTheScreen) {
     for (int i = 0; i < 10; ++i)
         e.rows.push_back(row("effect" + std::to_string(i), i < 3 ? "on" : "off", "a fact"));
     e.rows[0].change = measure::Change{120, 37, 0.0125};
-    e.rows[0].milliseconds = 1.25;
+    e.rows[0].price = price(1.25, 0.05);
     e.rows[0].bytes = 4096;
     const auto all = screen_table(e, 1, 200, 40, 1).lines;
     ASSERT_EQ(all.size(), 12U) << "heads, rows, and how far it is";
-    for (const char* part : {"effect0", "1.25", "4096 B", "37", "0.0125", "120", "a fact"})
+    for (const char* part : {"effect0", "1.25 ± 0.05", "4096 B", "37", "0.0125", "120", "a fact"})
         EXPECT_THAT(all[1], HasSubstr(part));
     EXPECT_EQ(all.back(), "measured 1 of 10");
     const auto whole = screen_table(e, 10, 200, 40, 1).lines;
     EXPECT_THAT(whole.back(), HasSubstr("pixels"));
-    EXPECT_THAT(all[0], HasSubstr(" ms "));
-    EXPECT_THAT(whole[0], Not(HasSubstr(" ms "))) << "nothing of it was timed";
+    EXPECT_THAT(all[0], HasSubstr(" CPU ms "));
+    e.rows[0].price.reset();
+    EXPECT_THAT(screen_table(e, 10, 200, 40, 1).lines[0], Not(HasSubstr(" ms ")))
+        << "nothing of it was timed";
 
     const auto low = screen_table(e, 1, 60, 8, 1);
     EXPECT_EQ(low.pages, 2U) << "five rows a page";

@@ -50,7 +50,7 @@ TEST_F(Live, FiguresComeRowByRowUntilAllAreThere) {
     const std::vector<std::string> before = live.page(100, 200, 1).lines;
     int rows = 0;
     for (; !live.has_all_rows(key) && rows < 1000; ++rows)
-        live.measure_row();
+        live.measure();
     EXPECT_GT(rows, 20);
     EXPECT_LT(rows, 1000);
     EXPECT_NE(live.page(100, 200, 1).lines, before);

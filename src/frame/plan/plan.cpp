@@ -39,6 +39,20 @@ const Decision* FramePlan::decision(std::string_view effect) const {
     return found == decisions.end() ? nullptr : &*found;
 }
 
+bool draws_alike(const FramePlan& a, const FramePlan& b) {
+    // What was asked for is decided: the renderer reads sizes, culling, background and limits of
+    // the options alone.
+    const auto decided = [](FramePlan plan) {
+        plan.decisions.clear();
+        plan.options.effects.clear();
+        plan.options.lights.clear(); // the plan has those that reach something
+        for (const AskedAxis& axis : asked_axes())
+            plan.options.*axis.asked = "auto";
+        return plan;
+    };
+    return decided(a) == decided(b);
+}
+
 std::string to_string(const Decision& d) {
     return fmt::format("{} {}: {}{}", d.effect, d.technique, d.because,
                        d.forced ? " (forced)" : "");

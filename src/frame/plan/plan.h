@@ -47,6 +47,7 @@ struct TransparencyPlan {
     std::vector<const shade::Stage*> stages; // find alpha where a map has it
     shade::Attributes attributes;            // what they read
     const shade::Filter* filter = nullptr;
+    friend bool operator==(const TransparencyPlan&, const TransparencyPlan&) = default;
 };
 
 // Shadow casters, and the technique of their shadows.
@@ -59,6 +60,7 @@ struct ShadowPlan {
     std::vector<raster::AlphaMode> casters;
     // By light of the plan: the faces that its shadow maps are drawn of.
     std::vector<raster::Facing> in_maps;
+    friend bool operator==(const ShadowPlan&, const ShadowPlan&) = default;
 };
 
 struct FramePlan {
@@ -100,7 +102,12 @@ struct FramePlan {
     std::vector<Decision> decisions; // one for each effect and axis, in a fixed order
 
     const Decision* decision(std::string_view effect) const; // null where there is none
+    friend bool operator==(const FramePlan&, const FramePlan&) = default;
 };
+
+// The same stages run on the same data, whatever was asked for and why it was decided: pictures are
+// equal to the bit, and a frame of one takes as long as a frame of the other.
+bool draws_alike(const FramePlan& a, const FramePlan& b);
 
 // The materials that call for an effect of SceneFacts::materials_of, as the plan has them reflect;
 // null where the facts do not say.

@@ -30,6 +30,7 @@ struct DepthRule {
     // Stored as 1 - depth: a float, or a multiple of 1 / steps where that is not 0.
     bool standard = false;
     double steps = 0;
+    friend bool operator==(const DepthRule&, const DepthRule&) = default;
 
     bool is_default() const { return test == DepthTest::greater && !standard; }
 

@@ -50,6 +50,7 @@ struct Output {
     const Encoding& sum_encoding() const {
         return blend_space->encoding != nullptr ? *blend_space->encoding : *encoding;
     }
+    friend bool operator==(const Output&, const Output&) = default;
 };
 
 } // namespace scanout::shade
