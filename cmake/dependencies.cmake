@@ -15,6 +15,7 @@ pkg_check_modules(STB REQUIRED IMPORTED_TARGET stb)             # libstb-dev
 if(SCANOUT_PROGRAM)
   find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
   find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev
+  find_package(embree 3 CONFIG REQUIRED)      # libembree-dev
   pkg_check_modules(DRM REQUIRED IMPORTED_TARGET libdrm)        # libdrm-dev
   pkg_check_modules(SEAT REQUIRED IMPORTED_TARGET libseat)      # libseat-dev
   pkg_check_modules(INPUT REQUIRED IMPORTED_TARGET libinput)    # libinput-dev

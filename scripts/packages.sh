@@ -11,7 +11,7 @@ libraries_core=(
 libraries_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev)
 
 packages_build=(
-    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev
+    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev libembree-dev
     libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev libxkbcommon-dev
     xkb-data # read when the viewer starts
 )

@@ -4,6 +4,8 @@
 #include "app/message.h"
 #include "app/model_file.h"
 #include "app/picture.h"
+#include "app/progress_bar.h"
+#include "app/reference.h"
 #include "app/report.h"
 #include "base/check.h"
 #include "base/stopwatch.h"
@@ -12,8 +14,11 @@
 #include "frame/plan/plan_cache.h"
 #include "image/hash.h"
 #include "simd/targets.h"
+#include "trace/render.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include <unistd.h>
 
@@ -32,6 +37,9 @@ Result<PictureFormat> check_render(const Settings& s) {
                                        "models/spot/spot.obj -o spot.png`")
                    : fail(Exit::usage, "render draws one model, not {}; run it once for each",
                           fmt::join(s.arguments, " and "));
+    if (s.reference && s.frames > 1)
+        return fail(Exit::usage, "--frames {} times the renderer; --reference draws once",
+                    s.frames);
     if (s.output.empty()) {
         if (s.hash || s.json) return PictureFormat::png;
         return fail(Exit::usage,
@@ -68,7 +76,7 @@ public:
     RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model, Jobs& jobs)
         : settings_(settings), format_(format), scene_(model.scene),
           camera_(camera_of(settings, model)),
-          plan_(frame::facts(scene_, settings.frame.shadow_plane)), renderer_(jobs) {}
+          plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs) {}
 
     Result<void> draw(int index, RunReport& report) {
         scene::Pose pose;
@@ -78,6 +86,7 @@ public:
                              settings_.frame.height));
         TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
         if (index == 0) tell(*plan, report);
+        if (settings_.reference) return draw_reference(index, view, *plan, report);
         const image::Image* picture = nullptr;
         for (int repeat = 0; repeat < settings_.frames; ++repeat) {
             picture = &renderer_.render(scene_, view, *plan);
@@ -86,12 +95,47 @@ public:
                                          picture->height(), renderer_.stats()});
         }
         if (!told_blank_) tell_if_blank(view, *plan, *picture, report);
-        if (settings_.hash && settings_.json != "-")
-            fmt::print("{}\n", image::hash_text(hash_of(*picture)));
-        return settings_.output.empty() ? Result<void>() : write(*picture, index, report);
+        return finish(*picture, index, report);
     }
 
 private:
+    Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
+                                RunReport& report) {
+        TRY(const trace::Look look, look_of(plan));
+        TRY_VOID(check_reference_fits(scene_));
+        if (index == 0) {
+            const std::vector<std::string> missing = left_out_of_reference(scene_);
+            print_warnings(missing, settings_);
+            report.warnings.insert(report.warnings.end(), missing.begin(), missing.end());
+        }
+        const Stopwatch watch;
+        std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
+        TRY(const trace::Reference made,
+            trace::render(scene_, view, look, jobs_,
+                          [&](double fraction) { bar->show(fraction); }));
+        bar.reset();
+        if (settings_.verbose)
+            say(fmt::format("{:.1f} samples a pixel, standard error {:.3f} codes, {} pixels above "
+                            "{} codes",
+                            static_cast<double>(made.samples) /
+                                static_cast<double>(made.error.size()),
+                            made.mean_error(), made.unsure(), trace::kErrorWanted));
+        if (settings_.json) {
+            frame::FrameStats stats;
+            stats.total_ms = watch.milliseconds();
+            report.frames.push_back(
+                {index, hash_of(made.image), made.image.width(), made.image.height(), stats});
+            report.references.push_back({made.samples, made.mean_error(), made.unsure()});
+        }
+        return finish(made.image, index, report);
+    }
+
+    Result<void> finish(const image::Image& picture, int index, RunReport& report) {
+        if (settings_.hash && settings_.json != "-")
+            fmt::print("{}\n", image::hash_text(hash_of(picture)));
+        return settings_.output.empty() ? Result<void>() : write(picture, index, report);
+    }
+
     void tell(const frame::FramePlan& plan, RunReport& report) const {
         if (settings_.verbose)
             for (const frame::Decision& decision : plan.decisions)
@@ -141,6 +185,7 @@ private:
     const scene::Scene& scene_;
     scene::CameraOptions camera_;
     frame::PlanCache plan_;
+    Jobs& jobs_;
     frame::Renderer renderer_;
     bool told_blank_ = false;
 };

@@ -332,6 +332,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      "then turn it, in degrees about x, y and z, in this order"},
     {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_translate),
      "then move it, in bounding radii"},
+    {"reference", 0, "", "", "", 0, 0, Group::picture, kRender,
+     Switch([](Settings& s) -> bool& { return s.reference; }),
+     "draw by rays in double precision, 16 to 4096 samples a pixel: slow, the picture that "
+     "techniques are measured against; models and filters as asked, rungs ignored"},
     {"turntable", 0, "N", "", "", 1, 100000, Group::model, kRender,
      Integer([](Settings& s) -> int& { return s.turntable; }),
      "draw N pictures of one full turn; -o wants {n} in the name"},

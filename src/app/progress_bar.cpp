@@ -11,7 +11,9 @@
 namespace scanout::app {
 namespace {
 
-constexpr std::size_t kBar = 30, kBehindWhat = kBar + 10; // two brackets, blanks, "100 %"
+// Two brackets, blanks, "100 %"; and ", 99999 s left".
+constexpr std::size_t kBar = 30, kBehindWhat = kBar + 10 + 14;
+constexpr double kWorthTelling = 5000; // milliseconds: work that takes longer says how long
 
 std::string shortened(const std::string& what) {
     constexpr std::size_t kMax = ProgressBar::kWidth - kBehindWhat;
@@ -23,6 +25,12 @@ std::string shortened(const std::string& what) {
 }
 
 } // namespace
+
+std::string time_left(double fraction, double milliseconds) {
+    if (milliseconds < kWorthTelling || !(fraction > 0)) return {};
+    const double left = milliseconds / 1000 * (1 - fraction) / fraction;
+    return fmt::format(", {:.0f} s left", std::min(left, 99999.0));
+}
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
     : ProgressBar(std::move(what), kPatience,
@@ -40,8 +48,9 @@ void ProgressBar::show(double fraction) {
     if (!write_ || percent == shown_ || watch_.milliseconds() < patience_) return;
     shown_ = percent;
     const std::size_t full = kBar * static_cast<std::size_t>(percent) / 100;
-    write_(fmt::format("{}  [{}{}] {:3} %", shortened(what_), std::string(full, '#'),
-                       std::string(kBar - full, '.'), percent));
+    write_(fmt::format("{}  [{}{}] {:3} %{}", shortened(what_), std::string(full, '#'),
+                       std::string(kBar - full, '.'), percent,
+                       time_left(fraction, watch_.milliseconds())));
 }
 
 } // namespace scanout::app

@@ -9,6 +9,9 @@
 
 namespace scanout::app {
 
+// ", 12 s left", at the speed so far; nothing for work that has not taken long yet.
+std::string time_left(double fraction, double milliseconds);
+
 class ProgressBar {
 public:
     static constexpr double kPatience = 1000; // milliseconds without a bar

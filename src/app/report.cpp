@@ -121,6 +121,12 @@ std::string to_json(const RunReport& report) {
                           {"width", frame.width},
                           {"height", frame.height},
                           {"ms", rounded(frame.stats.total_ms)}});
+    for (std::size_t i = 0; i < report.references.size(); ++i) {
+        const ReferenceRecord& r = report.references[i];
+        frames[i]["reference"] = {{"samples", r.samples},
+                                  {"standard_error", std::round(r.error * 1e4) / 1e4},
+                                  {"unsure_pixels", r.unsure_pixels}};
+    }
     const frame::FrameStats drawn =
         report.frames.empty() ? frame::FrameStats{} : report.frames.front().stats;
     const scene::ModelCounts& counts = report.counts;

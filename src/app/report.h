@@ -23,10 +23,18 @@ struct FrameRecord {
     frame::FrameStats stats;
 };
 
+// How sure a reference picture is.
+struct ReferenceRecord {
+    std::uint64_t samples = 0;
+    double error = 0;              // standard, codes
+    std::size_t unsure_pixels = 0; // whose error is estimated above what is wanted
+};
+
 struct RunReport {
     std::string model_path;
     scene::ModelCounts counts;
     std::vector<FrameRecord> frames;
+    std::vector<ReferenceRecord> references; // of the same pictures, where they are references
     double load_ms = 0;
     io::LoadTimes load_times;
     double encode_ms = 0; // of the first picture

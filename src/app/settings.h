@@ -42,8 +42,9 @@ struct Settings {
     std::string output;
     PictureFormat picture_format = PictureFormat::by_name;
     bool hash = false;
-    int turntable = 0; // pictures in a full turn; 0: one picture
-    int frames = 1;    // how often each picture is drawn, for times
+    bool reference = false; // drawn by rays, as what rungs are measured against
+    int turntable = 0;      // pictures in a full turn; 0: one picture
+    int frames = 1;         // how often each picture is drawn, for times
 
     Backend backend = Backend::automatic;
     std::string device, connector, mode;

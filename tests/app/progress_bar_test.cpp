@@ -56,6 +56,14 @@ TEST(ProgressBar, FitsIntoALineWhateverTheName) {
     }
 }
 
+TEST(ProgressBar, TellsOfLongWorkHowMuchTimeIsLeft) {
+    EXPECT_EQ(time_left(0.5, 4000), "") << "soon done";
+    EXPECT_EQ(time_left(0, 60000), "") << "nobody knows";
+    EXPECT_EQ(time_left(0.25, 6000), ", 18 s left");
+    EXPECT_EQ(time_left(1, 6000), ", 0 s left");
+    EXPECT_EQ(time_left(1e-9, 6000), ", 99999 s left") << "fits into the line";
+}
+
 TEST(ProgressBar, SharesOutOfRangeAreItsEnds) {
     Terminal terminal;
     ProgressBar bar("a", 0, terminal.write());

@@ -1,0 +1,120 @@
+#include "app/reference.h"
+
+#include "base/available_memory.h"
+#include "rows.h"
+#include "shade/stage.h"
+#include "shade/transparency.h"
+#include "trace/bvh.h"
+
+#include <algorithm>
+
+namespace scanout::app {
+namespace {
+
+trace::Alpha alpha_of(raster::AlphaMode mode) {
+    switch (mode) {
+    case raster::AlphaMode::opaque:
+        return trace::Alpha::opaque;
+    case raster::AlphaMode::cut_out:
+        return trace::Alpha::cut_out;
+    case raster::AlphaMode::blended:
+        return trace::Alpha::blended;
+    case raster::AlphaMode::nothing:
+        break;
+    }
+    return trace::Alpha::nothing;
+}
+
+std::vector<trace::Alpha> alpha_of(const std::vector<raster::AlphaMode>& modes) {
+    std::vector<trace::Alpha> alpha;
+    std::transform(modes.begin(), modes.end(), std::back_inserter(alpha),
+                   [](raster::AlphaMode mode) { return alpha_of(mode); });
+    return alpha;
+}
+
+trace::MapsRead maps_read(const frame::FramePlan& plan) {
+    const auto reads = [&](shade::Map map) {
+        return (plan.attributes.maps & shade::bit_of(map)) != 0;
+    };
+    const bool alpha_maps = plan.transparency.attributes.maps != 0;
+    return {reads(shade::kDiffuseMap),   alpha_maps,
+            reads(shade::kNormalMap),    reads(shade::kBumpMap),
+            reads(shade::kSpecularMap),  reads(shade::kShininessMap),
+            reads(shade::kRoughnessMap), reads(shade::kMetalnessMap),
+            reads(shade::kEmissionMap)};
+}
+
+trace::Edges edges_of(const std::optional<shade::Wrap>& wrap) {
+    if (!wrap) return trace::Edges::as_the_map_says;
+    return *wrap == shade::Wrap::repeat   ? trace::Edges::repeat
+           : *wrap == shade::Wrap::mirror ? trace::Edges::mirror
+                                          : trace::Edges::clamp;
+}
+
+bool is_on(const frame::FramePlan& plan, std::string_view effect) {
+    const frame::Decision* row = plan.decision(effect);
+    return row != nullptr && row->on();
+}
+
+// What the reference has no formula for; null where there is nothing of it.
+const char* not_traced(const frame::FramePlan& plan) {
+    if (plan.depth_rule.test != raster::DepthTest::greater)
+        return "--depth-test: rays meet the nearest surface first";
+    if (plan.stencil != nullptr) return "--stencil: it marks no pixels";
+    if (plan.convolution != nullptr) return "--convolution: it filters no finished picture";
+    if (plan.source != nullptr) return "--source: it computes no textures";
+    if (plan.mapped) return "--mapping: it lays no textures on the model";
+    if (plan.transparency.blended != nullptr && plan.transparency.blend != &shade::blend::over)
+        return "--blend: its surfaces lie over each other";
+    return nullptr;
+}
+
+} // namespace
+
+Result<trace::Look> look_of(const frame::FramePlan& plan) {
+    if (const char* const what = not_traced(plan))
+        return fail(Exit::usage, "the reference does not know {}", what);
+    trace::Look look;
+    look.width = plan.options.width;
+    look.height = plan.options.height;
+    look.background = plan.options.background;
+    look.left = plan.options.cull == frame::Cull::none   ? trace::Left::none
+                : plan.options.cull == frame::Cull::back ? trace::Left::backs
+                                                         : trace::Left::fronts;
+    look.turned_to_eye = plan.sides != shade::Sides::file;
+    look.maps = maps_read(plan);
+    look.edges = edges_of(plan.wrap);
+    look.vertex_colours = plan.attributes.colour;
+    look.emission = is_on(plan, "emission");
+    for (std::size_t i = 0; i < look.reflection.size(); ++i)
+        look.reflection[i] = plan.reflection[i]->card.name;
+    look.matt = plan.matt;
+    look.alpha = alpha_of(plan.transparency.alpha_modes);
+    look.alpha_cut = plan.options.alpha_cut;
+    look.lights = plan.lights;
+    look.shadows = plan.shadow.stage != nullptr;
+    look.casts = alpha_of(plan.shadow.casters);
+    look.exposure = double{plan.exposure};
+    look.white = double{plan.white};
+    look.tone = plan.decision("tone")->technique;
+    if (plan.aa->weight != nullptr) look.filter = plan.aa->weight;
+    return look;
+}
+
+Result<void> check_reference_fits(const scene::Scene& scene) {
+    const std::uint64_t wanted = trace::Bvh::bytes(scene.mesh.triangles()),
+                        available = available_bytes();
+    if (wanted <= available) return {};
+    return fail(Exit::unreadable,
+                "{}: the reference takes about {} MiB for {} triangles, and {} MiB are left",
+                scene.path, wanted >> 20, scene.mesh.triangles(), available >> 20);
+}
+
+std::vector<std::string> left_out_of_reference(const scene::Scene& scene) {
+    const std::size_t lines = scene.mesh.lines(), points = scene.mesh.points();
+    if (lines + points == 0) return {};
+    return {fmt::format("{}: {} lines and {} points have no area: they are not in the reference",
+                        scene.path, lines, points)};
+}
+
+} // namespace scanout::app

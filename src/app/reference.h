@@ -1,0 +1,24 @@
+// The reference (src/trace) of what a plan draws: its choices without its rungs.
+#pragma once
+
+#include "base/result.h"
+#include "frame/plan/plan.h"
+#include "scene/scene.h"
+#include "trace/look.h"
+
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+// Fails (Exit::usage) where the plan draws what the reference knows nothing of: another depth test
+// or blend than the usual ones, computed textures, a stencil, a filter over the finished picture.
+Result<trace::Look> look_of(const frame::FramePlan& plan);
+
+// Fails (Exit::unreadable) where the model does not fit into memory a second time.
+Result<void> check_reference_fits(const scene::Scene& scene);
+
+// What of the scene is not in the reference, a line each.
+std::vector<std::string> left_out_of_reference(const scene::Scene& scene);
+
+} // namespace scanout::app

@@ -1,0 +1,104 @@
+#include "app/reference.h"
+#include "support/scenes.h"
+#include "trace/render.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+
+#include <gmock/gmock.h>
+
+namespace scanout::app {
+namespace {
+
+using test::Shot;
+
+image::Image traced(const Shot& s) {
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    const auto plan = frame::plan(s.options, frame::facts(s.scene), *view);
+    const auto look = look_of(*plan);
+    EXPECT_TRUE(look) << (look ? "" : look.error().what);
+    if (!look) return {};
+    Jobs jobs(2);
+    auto made = trace::render(s.scene, *view, *look, jobs);
+    EXPECT_TRUE(made) << (made ? "" : made.error().what);
+    return made ? std::move(made->image) : image::Image();
+}
+
+// Nothing changes much in a pixel and those about it.
+bool smooth(const image::Image& picture, int x, int y) {
+    std::array<int, 3> low{255, 255, 255}, high{};
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, picture.height() - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, picture.width() - 1); ++u) {
+            const image::Rgba8& p = picture.at(u, v);
+            const std::array<int, 3> code{p.r, p.g, p.b};
+            for (std::size_t c = 0; c < 3; ++c) {
+                low[c] = std::min(low[c], code[c]);
+                high[c] = std::max(high[c], code[c]);
+            }
+        }
+    return high[0] - low[0] < 12 && high[1] - low[1] < 12 && high[2] - low[2] < 12;
+}
+
+int largest(const image::Rgba8& a, const image::Rgba8& b) {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
+}
+
+// Where the renderer takes many samples, it draws what rays find: to a code, but at edges.
+TEST(Reference, IsWhatTheRendererDrawsAtItsBest) {
+    std::vector<Shot> shots = {test::solids("solids"), test::bowl("bowl", frame::Cull::none),
+                               test::bowl("bowl_culled", frame::Cull::back)};
+    for (const char* model :
+         {"lambert", "toon", "phong", "blinn_phong", "blinn_phong_normalised", "ggx"})
+        shots.push_back(test::glossy(model, model));
+    for (const char* tone : {"filmic", "shoulder"}) {
+        shots.push_back(test::solids(tone));
+        shots.back().options.tone = tone;
+        shots.back().options.exposure = 1;
+    }
+    shots.push_back(test::shadowed("shadowed", "volume", scene::LightKind::directional, 0));
+    shots.push_back(test::shadowed("by_a_lamp", "volume", scene::LightKind::point, 0));
+    for (Shot& s : shots) {
+        SCOPED_TRACE(s.name);
+        s.options.width = 60;
+        s.options.height = 40;
+        s.options.aa = "supersampling_4";
+        const image::Image drawn = test::draw(s), found = traced(s);
+        int compared = 0;
+        double sum = 0;
+        for (int y = 0; y < 40; ++y)
+            for (int x = 0; x < 60; ++x) {
+                const int difference = largest(drawn.at(x, y), found.at(x, y));
+                sum += difference;
+                if (!smooth(found, x, y)) continue;
+                ++compared;
+                EXPECT_LE(difference, 1) << x << " " << y;
+            }
+        EXPECT_GT(compared, 1000);
+        EXPECT_LT(sum / 2400, 0.6) << "codes; at edges 4 x 4 samples are off by more";
+    }
+}
+
+TEST(Reference, SaysWhatItDoesNotDraw) {
+    for (const auto& [axis, technique] :
+         {std::pair("depth_test", "less"), {"stencil", "outline"}, {"convolution", "low_pass"}}) {
+        Shot s = test::solids(axis);
+        ASSERT_TRUE(frame::ask(s.options, axis, technique));
+        const auto look = look_of(*frame::plan(s.options, frame::facts(s.scene)));
+        ASSERT_FALSE(look);
+        EXPECT_EQ(look.error().exit, Exit::usage);
+        EXPECT_THAT(look.error().what, testing::HasSubstr("--" + frame::option_of(axis)));
+    }
+}
+
+TEST(Reference, NamesLinesAndPoints) {
+    scene::Scene scene;
+    EXPECT_TRUE(left_out_of_reference(scene).empty());
+    EXPECT_TRUE(check_reference_fits(scene));
+    scene.mesh.point_index = {0};
+    EXPECT_THAT(left_out_of_reference(scene), testing::ElementsAre(testing::HasSubstr("1 point")));
+}
+
+} // namespace
+} // namespace scanout::app
