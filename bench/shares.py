@@ -25,7 +25,7 @@ STAGES = {
     "culling": r"cull_all",
     "to the tiles": r"Geometry::(bin_|tile_area|is_empty)|WorkerBins|TileBin|::bin_all|rank_all|sort_front_to_back|__introsort",
     "coverage, depth": r"raster::(?!.*copy_(depths|lines))",
-    "set-up for shading": r"set_up|PrimitiveCache::|Gatherer::primitive",
+    "set-up for shading": r"set_up|assign_triangles|PrimitiveCache::",
     "interpolation": r"shade::interpolate",
     "texture": r"shade::texture",
     "light": r"shade::(reflection|shadow|light)|::cast$|light_lanes",

@@ -7,7 +7,6 @@
 #include "frame/pass/shading_input.h"
 #include "frame/pass/shadow_pass.h"
 #include "frame/pass/stencil_marks.h"
-#include "frame/plan/step_limits.h"
 #include "raster/stage/geometry.h"
 #include "rows.h"
 #include "shade/gather/gather.h"
@@ -24,6 +23,9 @@ struct TileWorker {
     raster::VisibilityTile visibility;
     raster::DeferredTriangles deferred; // scratch
     shade::Gatherer gatherer;
+    shade::PictureSink picture_sink; // of these sinks a frame uses one
+    shade::SumSink sum_sink;
+    shade::SplatSink splat_sink;
     std::unique_ptr<shade::TransparencyPass> transparency; // made when a plan wants it
     std::uint64_t items = 0;
     int number = 0;               // among the workers
@@ -143,7 +145,7 @@ static ShadowPass* shadow_pass(std::unique_ptr<ShadowPass>& pass, const ShadowSc
 
 // Shades by areas: the visible primitive at a pixel's centre decides only for lines and points.
 static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t triangles,
-                        const shade::GatherInput& in, TileWorker& worker, image::Image& picture) {
+                        const shade::GatherInput& in, TileWorker& worker, shade::PixelSink& sink) {
     const image::Rect& area = worker.visibility.area();
     worker.areas.reset(area);
     geometry.draw(tile, worker.areas);
@@ -153,17 +155,17 @@ static void shade_areas(const raster::Geometry& geometry, int tile, std::size_t 
             const std::uint32_t id = worker.visibility.id(x, y);
             if (id >= triangles && id != raster::kNoPrimitive) worker.areas.fill(x, y, id);
         }
-    worker.items += worker.gatherer.shade(worker.areas, in, picture);
+    worker.items += worker.gatherer.shade(worker.areas, in, sink);
 }
 
 // Shades by samples, and the fragments that blend over them.
 static void shade_samples(const raster::Geometry& geometry, int tile, const shade::GatherInput& in,
-                          TileWorker& worker, image::Image& picture) {
+                          TileWorker& worker, shade::PixelSink& sink) {
     if (in.transparency != nullptr && in.transparency->blended != nullptr)
         worker.items += worker.transparency->shade(geometry, tile, in, worker.visibility,
-                                                   worker.gatherer, picture);
+                                                   worker.gatherer, sink);
     else if (!worker.visibility.empty())
-        worker.items += worker.gatherer.shade(worker.visibility, in, picture);
+        worker.items += worker.gatherer.shade(worker.visibility, in, sink);
 }
 
 // Resolves every pixel of the area from scale x scale of the tile's pixels.
@@ -174,8 +176,8 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
     worker.drawn.reset(larger.width(), larger.height());
     worker.drawn.x0 = larger.x0;
     worker.drawn.y0 = larger.y0;
-    worker.gatherer.set_sum_sink({.own = &worker.drawn});
-    shade_samples(geometry, tile, in, worker, picture);
+    worker.sum_sink.set(worker.drawn);
+    shade_samples(geometry, tile, in, worker, worker.sum_sink);
     worker.sums.reset(static_cast<std::size_t>(area.width()) *
                       static_cast<std::size_t>(area.height()));
     if (shade::mean_of_boxes(worker.drawn, scale, area, worker.sums))
@@ -210,18 +212,19 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     worker.visibility.reset(samples, aa.samples, f.plan.depth_rule);
     draw_samples(geometry, tile, f.in, worker);
     if (f.visibility != nullptr) copy_samples(worker.visibility, *f.visibility);
-    worker.gatherer.set_sum_sink(f.filter == nullptr
-                                     ? shade::PixelSumSink{}
-                                     : shade::PixelSumSink{&splats.own, f.filter, &splats});
     const bool blends = f.in.transparency != nullptr && f.in.transparency->blended != nullptr;
     if (f.shadows != nullptr && (blends || aa.exact || !worker.visibility.empty()))
         worker.gatherer.set_shadow(f.shadows->count(tile, worker.number, worker.visibility));
+    worker.picture_sink.set(back_buffer);
     if (aa.exact)
-        shade_areas(geometry, tile, f.scene.mesh.triangles(), f.in, worker, back_buffer);
-    else if (aa.scale > 1)
-        shade_larger(geometry, tile, area, aa.scale, f.in, worker, back_buffer);
-    else
-        shade_samples(geometry, tile, f.in, worker, back_buffer);
+        return shade_areas(geometry, tile, f.scene.mesh.triangles(), f.in, worker,
+                           worker.picture_sink);
+    if (aa.scale > 1)
+        return shade_larger(geometry, tile, area, aa.scale, f.in, worker, back_buffer);
+    if (f.filter == nullptr)
+        return shade_samples(geometry, tile, f.in, worker, worker.picture_sink);
+    worker.splat_sink.set(*f.filter, splats);
+    shade_samples(geometry, tile, f.in, worker, worker.splat_sink);
 }
 
 // The same, and marks the pixels that show something in the stencil buffer.
@@ -281,28 +284,17 @@ void Renderer::State::filter_tiles(const Frame& f) {
 void Renderer::State::draw_frame(const FrameInput& input) {
     const FramePlan& plan = input.plan;
     const AntiAliasing& aa = *plan.aa;
-    shade::FrameState frame = frame_state(input.view, plan, input.lights);
-    if (input.shadows != nullptr) frame.shadows = input.shadows->lights().data();
-    std::optional<shade::StepLimits> steps;
-    if (plan.attributes.steps) {
-        steps = step_limits(input.scene, plan);
-        frame.steps = &*steps;
-    }
-    shade::GatherInput in =
-        gather_input(input.scene, input.view, plan, geometry, input.transform, frame, mips);
-    in.linear = input.linear;
-    const bool transparent = !plan.transparency.alpha_modes.empty();
-    const shade::TransparencyInput transparency =
-        transparent ? transparency_input(plan, frame) : shade::TransparencyInput();
-    if (transparent) in.transparency = &transparency;
-    prepare_workers(transparent, aa.exact);
+    const ShadingInput shading(
+        {input.scene, input.view, plan, input.lights, geometry, input.transform, mips,
+         input.shadows != nullptr ? input.shadows->lights().data() : nullptr, input.linear});
+    prepare_workers(!plan.transparency.alpha_modes.empty(), aa.exact);
     std::optional<shade::ReconstructionFilter> filter;
     if (aa.weight != nullptr) {
         filter.emplace(raster::sample_pattern(aa.samples), aa.weight);
         splats.reset(plan.options.width * aa.scale, plan.options.height * aa.scale, input.tile_size,
                      geometry.tiles_across(), geometry.tiles());
     }
-    const Frame f{input.scene,      plan,         in, filter ? &*filter : nullptr,
+    const Frame f{input.scene,      plan,         shading.gather(), filter ? &*filter : nullptr,
                   input.visibility, input.shadows};
     cleared.begin({plan.options.width, plan.options.height, input.tile_size / aa.scale,
                    geometry.tiles(), plan.options.background});

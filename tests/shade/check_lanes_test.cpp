@@ -93,8 +93,10 @@ protected:
         in.rays = rays_;
         in.view = &view;
         image::Image picture(64, 64);
+        PictureSink sink;
+        sink.set(picture);
         Gatherer gatherer;
-        EXPECT_GE(gatherer.shade(tile, in, picture), 600U);
+        EXPECT_GE(gatherer.shade(tile, in, sink), 600U);
     }
 
     geom::Mesh mesh_ = scanout::test::empty_mesh();

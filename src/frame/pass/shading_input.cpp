@@ -1,76 +1,87 @@
 #include "frame/pass/shading_input.h"
 
+#include "frame/plan/step_limits.h"
+
 namespace scanout::frame {
 
-shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
-                              const FrameLights& lights) {
-    shade::FrameState frame;
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            frame.normal_matrix[r][c] = static_cast<float>(view.normal[c][r]);
-    frame.orthographic = view.projection == scene::Projection::orthographic;
-    frame.attributes = plan.attributes;
-    frame.filter = plan.filter;
-    frame.reflection = plan.reflection;
-    frame.matt = plan.matt;
-    frame.sides = plan.sides;
-    frame.vertex_normals = plan.vertex_normals;
-    frame.vertex_lights = plan.vertex_lights;
-    frame.shadow_filter = plan.options.shadow_filter;
-    frame.source = plan.source;
-    frame.mapped = plan.mapped;
-    lights.describe(frame);
-    frame.exposure = plan.exposure;
-    frame.white = plan.white;
-    frame.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals;
-    return frame;
+ShadingInput::ShadingInput(const ShadingSource& from) {
+    set_frame(from);
+    set_gather(from);
+    if (from.plan.transparency.alpha_modes.empty()) return;
+    set_transparency(from.plan);
+    gather_.transparency = &transparency_;
 }
 
-shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
-                                const FramePlan& plan, const raster::Geometry& geometry,
-                                const raster::ScreenTransform& transform,
-                                const shade::FrameState& frame, const shade::MipChains& mips) {
-    shade::GatherInput in;
-    in.mesh = &scene.mesh;
-    in.keys = {&scene.mesh, plan.only_material};
-    in.geometry = &geometry;
-    in.transform = &transform;
+void ShadingInput::set_frame(const ShadingSource& from) {
+    const FramePlan& plan = from.plan;
+    for (int r = 0; r < 3; ++r)
+        for (int c = 0; c < 3; ++c)
+            frame_.normal_matrix[r][c] = static_cast<float>(from.view.normal[c][r]);
+    frame_.orthographic = from.view.projection == scene::Projection::orthographic;
+    frame_.attributes = plan.attributes;
+    frame_.filter = plan.filter;
+    frame_.reflection = plan.reflection;
+    frame_.matt = plan.matt;
+    frame_.sides = plan.sides;
+    frame_.vertex_normals = plan.vertex_normals;
+    frame_.vertex_lights = plan.vertex_lights;
+    frame_.shadows = from.shadows;
+    frame_.shadow_filter = plan.options.shadow_filter;
+    frame_.source = plan.source;
+    frame_.mapped = plan.mapped;
+    from.lights.describe(frame_);
+    frame_.exposure = plan.exposure;
+    frame_.white = plan.white;
+    frame_.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals;
+    if (!plan.attributes.steps) return;
+    steps_ = step_limits(from.scene, plan);
+    frame_.steps = &*steps_;
+}
+
+void ShadingInput::set_gather(const ShadingSource& from) {
+    const FramePlan& plan = from.plan;
+    const scene::View& view = from.view;
+    shade::GatherInput& in = gather_;
+    in.mesh = &from.scene.mesh;
+    in.keys = {&from.scene.mesh, plan.only_material};
+    in.geometry = &from.geometry;
+    in.transform = &from.transform;
     in.set_view(view);
-    in.materials = scene.materials;
-    in.textures = scene.textures;
-    in.mips = &mips;
+    in.materials = from.scene.materials;
+    in.textures = from.scene.textures;
+    in.mips = &from.mips;
     in.wrap = plan.wrap;
     in.stages = plan.stages;
-    in.frame = &frame;
+    in.frame = &frame_;
     in.mirrored = view.mirrored;
     in.background = plan.options.background;
     in.output = plan.output;
-    if (frame.orthographic) return in; // every ray is the same; the extent may be no float
+    in.linear = from.linear;
+    if (frame_.orthographic) return; // every ray is the same; the extent may be no float
     const int scale = plan.aa->scale;
     in.rays.scale_x = static_cast<float>(2 * view.half_width / (plan.options.width * scale));
     in.rays.offset_x = static_cast<float>(-view.half_width);
     in.rays.scale_y = static_cast<float>(-2 * view.half_height / (plan.options.height * scale));
     in.rays.offset_y = static_cast<float>(view.half_height);
-    return in;
 }
 
-shade::TransparencyInput transparency_input(const FramePlan& plan, const shade::FrameState& frame) {
+// The alpha stages' frame is that of the opaque surfaces, but for what they read.
+void ShadingInput::set_transparency(const FramePlan& plan) {
     const TransparencyPlan& t = plan.transparency;
-    shade::TransparencyInput in;
+    shade::TransparencyInput& in = transparency_;
     in.cut_out = t.cut_out;
     in.blended = t.blended;
     in.blend = t.blend;
     in.opaque_blended = t.opaque_blended;
     in.alpha = t.alpha;
     in.stages = t.stages;
-    in.frame = frame;
+    in.frame = frame_;
     in.frame.attributes = t.attributes;
     in.frame.filter = t.filter;
     in.frame.steps = nullptr; // alpha is always exact
     in.frame.source = nullptr;
     in.cut = static_cast<float>(plan.options.alpha_cut);
     in.max_fragments = static_cast<std::size_t>(plan.options.max_fragments);
-    return in;
 }
 
 } // namespace scanout::frame

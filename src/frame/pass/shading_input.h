@@ -1,5 +1,5 @@
-// Makes the inputs of shading from a plan: everything that stages, the gatherer and the
-// transparency pass read of a frame's plan, view and lights.
+// The frame state, and all else that shading reads of a frame's plan, view, lights and shadows:
+// what stages, the gatherer and the transparency pass are given is made here, and only here.
 #pragma once
 
 #include "frame/pass/lights.h"
@@ -8,24 +8,44 @@
 #include "raster/stage/geometry.h"
 #include "scene/scene.h"
 #include "scene/view.h"
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 #include "shade/mip/mip_chain.h"
+#include "shade/setup/interpolation_step.h"
 #include "shade/stage.h"
+
+#include <optional>
 
 namespace scanout::frame {
 
-// The state refers to the plan and the lights: both must outlive it. The renderer adds shadows and
-// step limits.
-shade::FrameState frame_state(const scene::View& view, const FramePlan& plan,
-                              const FrameLights& lights);
+// What it is made of, and refers to.
+struct ShadingSource {
+    const scene::Scene& scene;
+    const scene::View& view;
+    const FramePlan& plan;
+    const FrameLights& lights;
+    const raster::Geometry& geometry;
+    const raster::ScreenTransform& transform;
+    const shade::MipChains& mips;
+    const shade::LightShadow* shadows = nullptr; // of each light; null: none casts
+    shade::LinearPicture* linear = nullptr;      // also filled, unless null
+};
 
-// The input refers to all arguments: all must outlive it.
-shade::GatherInput gather_input(const scene::Scene& scene, const scene::View& view,
-                                const FramePlan& plan, const raster::Geometry& geometry,
-                                const raster::ScreenTransform& transform,
-                                const shade::FrameState& frame, const shade::MipChains& mips);
+class ShadingInput {
+public:
+    explicit ShadingInput(const ShadingSource& from);
+    ShadingInput(const ShadingInput&) = delete;
+    ShadingInput& operator=(const ShadingInput&) = delete;
+    const shade::GatherInput& gather() const { return gather_; }
 
-// frame: of the plan's opaque surfaces. The input refers to the plan, which must outlive it.
-shade::TransparencyInput transparency_input(const FramePlan& plan, const shade::FrameState& frame);
+private:
+    void set_frame(const ShadingSource& from);
+    void set_transparency(const FramePlan& plan);
+    void set_gather(const ShadingSource& from);
+
+    std::optional<shade::StepLimits> steps_;
+    shade::FrameState frame_;
+    shade::TransparencyInput transparency_;
+    shade::GatherInput gather_;
+};
 
 } // namespace scanout::frame

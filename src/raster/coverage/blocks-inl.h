@@ -89,97 +89,6 @@ SIMD_INLINE void draw_rows(const DepthRule& rule, const FloatDepthBlocks& b, int
     }
 }
 
-// The pixels of a block inside of a triangle's box: where they are few, they are drawn one by one
-// with a triangle a lane, not row by row.
-constexpr int kFew = 3;
-struct Few {
-    std::uint32_t lanes; // whose boxes are that small
-    I32x8 column, across, down;
-};
-SIMD_INLINE Few few_pixels(const SetupLanes& w, I32x8 left, I32x8 begin, I32x8 end,
-                           std::uint32_t live) {
-    const I32x8 column = maximum(w.x0 - left, 0);
-    const I32x8 across = minimum(w.x1 - left, PixelBlock::kSide) - column, down = end - begin;
-    return {bits((across <= I32x8(kFew)) & (down <= I32x8(kFew))) & live, column, across, down};
-}
-
-// Draws pixel by pixel, by the default depth rule. depth_at(column, row): lanes of depth, columns
-// from few.column, rows from b.begin.
-template <DepthWrite kWrite, class DepthAt>
-SIMD_INLINE void draw_pixels(const FloatDepthBlocks& b, const Few& few, const DepthAt& depth_at,
-                             const std::uint32_t* primitive, float* depth, std::uint32_t* id,
-                             I32& drawn) {
-    I32x8 start[3], right[3], below[3];
-    SIMD_FOR (int k = 0; k < 3; ++k) {
-        right[k] = load<I32x8>(b.per_x[k]);
-        below[k] = load<I32x8>(b.per_y[k]);
-        start[k] = load<I32x8>(b.first[k]) + right[k] * few.column;
-    }
-    std::int32_t corner[kLanesX8];
-    store(load<I32x8>(b.pixel_offset) + load<I32x8>(b.begin) * I32x8(kTileSize) + few.column,
-          corner);
-    // Collects covered samples over several steps, a bit each: one loop over all of them ends in
-    // one branch misprediction, instead of one a step.
-    constexpr int kSteps = 64 / kLanesX8;
-    std::uint64_t waiting = 0;
-    float depths[kSteps][kLanesX8];
-    std::int32_t offset[kSteps];
-    int steps = 0;
-    bool shows = false;
-    const auto draw_pending = [&]() SIMD_LAMBDA {
-        for (; waiting != 0; waiting &= waiting - 1) {
-            const int bit = __builtin_ctzll(waiting), step = bit / kLanesX8, lane = bit % kLanesX8;
-            const std::ptrdiff_t pixel_offset = corner[lane] + offset[step];
-            const float z = depths[step][lane], old = depth[pixel_offset];
-            if (z > old || (kWrite != DepthWrite::depth_only && z == old &&
-                            primitive[lane] < id[pixel_offset])) {
-                depth[pixel_offset] = z;
-                if constexpr (kWrite != DepthWrite::depth_only) id[pixel_offset] = primitive[lane];
-                shows = true;
-            }
-        }
-        steps = 0;
-    };
-    for (int j = 0; j < kFew; ++j) {
-        const MaskX8 in_row = I32x8(j) < few.down;
-        if ((bits(in_row) & few.lanes) == 0) break;
-        I32x8 edge[3] = {start[0], start[1], start[2]};
-        for (int i = 0; i < kFew; ++i) {
-            const MaskX8 in_column = I32x8(i) < few.across;
-            if ((bits(in_column) & few.lanes) == 0) break;
-            const MaskX8 inside = in_row & in_column & ((edge[0] | edge[1] | edge[2]) > I32x8(-1));
-            // No branch on whether any pixel is covered: it would be mispredicted.
-            waiting |= std::uint64_t{bits(inside) & few.lanes} << (steps * kLanesX8);
-            store(depth_at(i, j), depths[steps]);
-            offset[steps] = j * kTileSize + i;
-            if (++steps == kSteps) draw_pending();
-            SIMD_FOR (int k = 0; k < 3; ++k)
-                edge[k] = edge[k] + right[k];
-        }
-        SIMD_FOR (int k = 0; k < 3; ++k)
-            start[k] = start[k] + below[k];
-    }
-    draw_pending();
-    if (shows) drawn = I32(-1);
-}
-
-// The same bits as draw_rows.
-template <DepthWrite kWrite>
-SIMD_INLINE void draw_few(const FloatDepthBlocks& b, const Few& few, SampleOffset at,
-                          const std::uint32_t* primitive, float* depth, std::uint32_t* id,
-                          I32& drawn) {
-    const F32x8 sample_x = static_cast<float>(at.x) / kSubpixel;
-    const F32x8 sample_y = static_cast<float>(at.y) / kSubpixel;
-    const F32x8 base = load<F32x8>(b.base), rest = load<F32x8>(b.rest);
-    const F32x8 per_pixel_x = load<F32x8>(b.per_pixel_x), per_pixel_y = load<F32x8>(b.per_pixel_y);
-    const I32x8 begin = load<I32x8>(b.begin);
-    const auto depth_at = [&](int i, int j) SIMD_LAMBDA {
-        const F32x8 across = (to_f32(few.column + i) + sample_x) * per_pixel_x;
-        return base + (rest + (across + (to_f32(begin + j) + sample_y) * per_pixel_y));
-    };
-    draw_pixels<kWrite>(b, few, depth_at, primitive, depth, id, drawn);
-}
-
 // floor((E + bias) / 256), which saturates at 2^29 (PixelBlock).
 SIMD_INLINE F64x8 floor_in_pixels(F64x8 e, F64x8 bias) {
     const F64x8 most = 0x1p29;
@@ -266,12 +175,9 @@ SIMD_INLINE void draw_float_depth_blocks(const TilePlanes& tile, const SetupLane
     store(to_f32(block.depth - to_f64(base)), b.rest);
     store(to_f32(w.per_x), b.per_pixel_x);
     store(to_f32(w.per_y), b.per_pixel_y);
-    const I32x8 begin = maximum(w.y0 - block.top, 0),
-                end = minimum(w.y1 - block.top, PixelBlock::kSide);
+    const I32x8 begin = maximum(w.y0 - block.top, 0);
     store(begin, b.begin);
-    store(end, b.end);
-    Few few{0, begin, begin, begin};
-    if constexpr (is_default(kWrite)) few = few_pixels(w, block.left, begin, end, live);
+    store(minimum(w.y1 - block.top, PixelBlock::kSide), b.end);
     store(block.top * I32x8(kTileSize) + block.left, b.pixel_offset);
     std::ptrdiff_t plane = 0;
     for (const SampleOffset* at = tile.pattern.data();
@@ -280,8 +186,7 @@ SIMD_INLINE void draw_float_depth_blocks(const TilePlanes& tile, const SetupLane
         set_up_rows(w, block.edge, whole, *at, begin, b);
         float* const depth = tile.depth + plane;
         std::uint32_t* const ids = id_after<kWrite>(tile.id, plane);
-        if (few.lanes != 0) draw_few<kWrite>(b, few, *at, id, depth, ids, drawn);
-        for (std::uint32_t rest = live & ~few.lanes; rest != 0; rest &= rest - 1) {
+        for (std::uint32_t rest = live; rest != 0; rest &= rest - 1) {
             const int lane = __builtin_ctz(rest);
             const std::int32_t first = b.pixel_offset[lane];
             draw_rows<kWrite>(tile.rule, b, lane, *at, id[lane], depth + first,

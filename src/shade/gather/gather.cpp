@@ -1,157 +1,68 @@
 #include "shade/gather/gather.h"
 
-#include "shade/check_lanes.h"
-#include "shade/gather/gather_types.h"
-#include "shade/setup/primitive_cache.h"
-#include "shade/shading/vertex_lighting.h"
 #include "shade/transparency/transparency_pass.h"
 
-#include <algorithm>
+#include <array>
 
 namespace scanout::shade {
 
-static const scene::Material& default_material() {
-    static const scene::Material material;
-    return material;
+// What the samples of a pixel show whose layers' colours decide; all layers are shaded.
+static std::span<const CoveredLight> layer_samples(const ColourBlend::Pixel& pixel,
+                                                   ColourBlend::Of of, const GatherInput& in,
+                                                   const BlendedPixels& blended,
+                                                   std::array<CoveredLight, 16>& out) {
+    const bool in_blend_space = of == ColourBlend::Of::blend_space;
+    const float white = in_blend_space ? in.output.blend_space->white : 1;
+    const Encoding& encoding = in_blend_space ? in.output.sum_encoding() : *in.output.encoding;
+    ColourBlend::Background back{{}, static_cast<float>(in.background.a) / 255};
+    const std::uint8_t code[] = {in.background.r, in.background.g, in.background.b};
+    for (std::size_t c = 0; c < 3; ++c)
+        back.colour[c] = encoding.decode(code[c]) / white * back.alpha;
+    const auto count = static_cast<std::size_t>(blended.samples);
+    for (std::size_t s = 0; s < count; ++s) {
+        const ColourBlend::Sample sample = blended.colour_blend->at(
+            of, pixel, static_cast<int>(s), *in.transparency->blend, blended.list, back);
+        out[s] = {sample.colour[0] * white, sample.colour[1] * white, sample.colour[2] * white,
+                  1 - sample.transmittance};
+    }
+    return std::span(out).first(count);
 }
 
-BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& material) {
-    const scene::TextureMap& options = material.*map_slots()[map].map;
-    return {&in.textures[static_cast<std::size_t>(options.texture)], &options,
-            in.mips->find(mip_use(map, options)),
-            in.wrap.value_or(options.clamp ? Wrap::clamp : Wrap::repeat)};
+static void store_layers(const GatherInput& in, const BlendedPixels& blended,
+                         const PixelSink::Tile& tile, PixelSink& sink) {
+    std::array<CoveredLight, 16> samples;
+    for (const ColourBlend::Pixel& pixel : blended.colour_blend->pixels()) {
+        sink.store_layers(tile, pixel,
+                          layer_samples(pixel, ColourBlend::Of::blend_space, in, blended, samples));
+        if (in.linear != nullptr)
+            add_mean(in.linear->at(tile.area.x0 + column_of(pixel.number),
+                                   tile.area.y0 + row_of(pixel.number)),
+                     layer_samples(pixel, ColourBlend::Of::linear, in, blended, samples));
+    }
 }
 
-const scene::Material& GatherInput::material(std::int32_t index) const {
-    return index >= 0 ? materials[static_cast<std::size_t>(index)] : default_material();
-}
-
-Gatherer::Gatherer()
-    : interior_pixels_(std::make_unique<TilePixels>()),
-      primitives_(std::make_unique<PrimitiveCache>()), block_(std::make_unique<ShadingBlock>()),
-      triangles_(std::make_unique<ShadingSetup>()),
-      contributions_(std::make_unique<Contribution[]>(kBlockSize)) {
-    block_->triangles = triangles_.get();
-}
-Gatherer::~Gatherer() = default;
-
-void Gatherer::set_shadow(const TileShadow* shadow) {
-    block_->shadow = shadow;
-}
-
-void Gatherer::begin(const GatherInput& in, const image::Rect& area, int samples,
-                     const BlendedPixels* blended) {
-    primitives_->begin(in);
-    item_source_ = primitives_->source();
-    all_unclipped_ = in.frame->per_item_setup && in.geometry->all_unclipped();
-    set_up_later_ = in.frame->per_item_setup;
-    interior_pixels_->clear();
-    area_ = area;
-    pixel_ = interior_pixels_->pixels();
-    samples_ = samples;
-    block_->blended = blended;
-    fragments_.clear();
-    edge_pixels_.clear();
-    transmittance_.clear();
+std::uint64_t Gatherer::shade_collected(const GatherInput& in,
+                                        const raster::VisibilityTile* visible,
+                                        const BlendedPixels* blended, PixelSink& sink) {
+    const PixelSink::Tile tile{collector_.area(), collector_.samples(), in.output, in.background,
+                               collector_.edge_pixels()};
+    sink.begin(tile);
+    const std::uint64_t items = builder_.shade(in, collector_, visible, blended, tile, sink);
+    if (blended != nullptr && blended->colour_blend != nullptr)
+        store_layers(in, *blended, tile, sink);
+    sink.end(tile);
+    return items;
 }
 
 std::uint64_t Gatherer::shade(const raster::VisibilityTile& tile, const GatherInput& in,
-                              image::Image& picture, const BlendedPixels* blended) {
-    begin(in, tile.area(), tile.samples(), blended);
-    collect(tile, in, blended);
-    return shade_collected(in, picture, by_rows_ ? &tile : nullptr);
+                              PixelSink& sink, const BlendedPixels* blended) {
+    collector_.collect(tile, in, blended, sink.wants_samples());
+    return shade_collected(in, &tile, blended, sink);
 }
 
-std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in,
-                              image::Image& picture) {
-    begin(in, tile.area(), 1, nullptr);
-    collect(tile, in);
-    return shade_collected(in, picture, nullptr);
-}
-
-void Gatherer::shade_material_batch(const TilePixels::MaterialBatch& batch, const GatherInput& in,
-                                    image::Image& picture) {
-    ShadingBlock& b = *block_;
-    ShadingSetup& t = *triangles_;
-    const ShadingKey key = {batch.material, true};
-    if (key_ != key) begin_key(in, key, picture);
-    const std::int32_t* const triangle = interior_pixels_->triangles();
-    const std::uint32_t* const ids = interior_pixels_->ids();
-    for (std::size_t i = batch.first; i < batch.end;) {
-        if (b.count == kBlockSize) finish_block(in, picture);
-        const std::size_t count =
-            std::min(batch.end - i, static_cast<std::size_t>(kBlockSize - b.count));
-        assign_triangles(triangle + i, ids, static_cast<int>(count), t, b.count);
-        // The next block's: the file may have them far from each other.
-        if (item_source_.spatial_index != nullptr) {
-            const std::int32_t next = triangle[i + count - 1] + 1, as_many = next - triangle[i],
-                               end = std::min(next + as_many, triangle[batch.end - 1] + 1);
-            for (std::int32_t k = next; k < end; ++k)
-                prefetch_spatial_index(item_source_, ids[k]);
-        }
-        add_items(b, nullptr, static_cast<int>(count));
-        interior_count_ = b.count;
-        i += count;
-    }
-}
-
-void Gatherer::shade_primitive_batch(const TilePixels::PrimitiveBatch& batch, const GatherInput& in,
-                                     image::Image& picture) {
-    ShadingBlock& b = *block_;
-    if (key_ != batch.key) begin_key(in, batch.key, picture);
-    const Primitive* of = b.lit ? &primitive(in, batch.id, picture) : nullptr;
-    for (int left = static_cast<int>(batch.count); left > 0;) {
-        if (b.count == kBlockSize) finish_block(in, picture);
-        const int count = std::min(left, kBlockSize - b.count);
-        if (of != nullptr)
-            add_lit(*of, count);
-        else
-            add_unlit(in, batch.id, count);
-        interior_count_ = b.count;
-        left -= count;
-    }
-}
-
-// In the order of their list.
-void Gatherer::shade_interior_pixels(const GatherInput& in, image::Image& picture) {
-    if (all_unclipped_)
-        interior_pixels_->arrange(in.keys, [](std::uint32_t) { return true; });
-    else
-        interior_pixels_->arrange(in.keys,
-                                  [&](std::uint32_t id) { return is_set_up_per_item(in, id); });
-    for (const TilePixels::MaterialBatch& batch : interior_pixels_->material_batches())
-        shade_material_batch(batch, in, picture);
-    for (const TilePixels::PrimitiveBatch& batch : interior_pixels_->primitive_batches())
-        shade_primitive_batch(batch, in, picture);
-}
-
-// rows: the tile whose edge pixels are bits of rows; null: they are fragments.
-std::uint64_t Gatherer::shade_collected(const GatherInput& in, image::Image& picture,
-                                        const raster::VisibilityTile* rows) {
-    static_assert(sizeof(image::Rgba8) == sizeof(std::uint32_t));
-    if (sink_.filter != nullptr)
-        splats_.assign(edge_pixels_.size(), {});
-    else
-        sums_.reset(edge_pixels_.size());
-    ShadingBlock& b = *block_;
-    b.ambient = Vec3(0);
-    if (in.frame->attributes.vertices && vertex_lighting_ == nullptr) {
-        vertex_lighting_ = std::make_unique<VertexLighting>();
-        b.vertex_lighting = vertex_lighting_.get();
-    }
-    if (!in.frame->varies.empty()) b.light.resize(in.frame->lights.size());
-    check_lights(*in.frame);
-    key_.reset();
-    shade_interior_pixels(in, picture);
-    std::uint64_t items = interior_pixels_->size();
-    items += rows != nullptr ? shade_rows(*rows, in, picture) : shade_fragments(in, picture);
-    finish_block(in, picture);
-    if (b.blended != nullptr && b.blended->colour_blend != nullptr) blend_layers(in);
-    if (sink_.filter != nullptr)
-        store_splats();
-    else if (!edge_pixels_.empty() && sink_.own == nullptr)
-        resolve_edge_pixels(in, picture);
-    return items;
+std::uint64_t Gatherer::shade(raster::AreaTile& tile, const GatherInput& in, PixelSink& sink) {
+    collector_.collect(tile, in);
+    return shade_collected(in, nullptr, nullptr, sink);
 }
 
 } // namespace scanout::shade

@@ -1,7 +1,7 @@
 // Lines and points: their plain colour, without light.
 #pragma once
 
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 
 namespace scanout::shade {
 

@@ -1,7 +1,7 @@
 #include "shade/setup/clipped_primitive.h"
 
 #include "math/rotation.h"
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 
 #include <algorithm>
 #include <array>

@@ -35,7 +35,7 @@ const Primitive& PrimitiveCache::add(std::uint32_t triangle, bool later) {
     CHECK(!full());
     const std::size_t slot = used_;
     slot_[triangle % kSlots] = static_cast<std::uint16_t>(slot);
-    if (all_unclipped_ || is_unclipped(source_, triangle)) {
+    if (unclipped(triangle)) {
         next(triangle, false);
         if (!later) set_up();
     } else {

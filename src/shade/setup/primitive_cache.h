@@ -2,7 +2,7 @@
 // shaded.
 #pragma once
 
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 #include "shade/setup/shading_setup.h"
 
 #include <memory>
@@ -25,6 +25,11 @@ public:
     const Primitive& get_later(std::uint32_t triangle) { return find(triangle, true); }
     void set_up();
     const TriangleSource& source() const { return source_; }
+    // Has no triangle of the frame been clipped? Has this one not?
+    bool all_unclipped() const { return all_unclipped_; }
+    bool unclipped(std::uint32_t triangle) const {
+        return all_unclipped_ || is_unclipped(source_, triangle);
+    }
     // Of a triangle drawn as two clipped ones, the second of which stands behind the first: does
     // the second cover a sample that shows the triangle (1/256 pixel)? Of other triangles: no.
     static bool is_of_second(const Primitive& first, std::int32_t x, std::int32_t y);

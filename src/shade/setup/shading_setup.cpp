@@ -1,7 +1,7 @@
 #include "shade/setup/shading_setup.h"
 
 #include "shade/check_lanes.h"
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 
 #define SIMD_FILE "shade/setup/shading_setup.cpp"
 #include "simd/for_each_target.h"

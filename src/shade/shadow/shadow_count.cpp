@@ -32,12 +32,13 @@ VisibleSamples visible_at(const TileShadow& shadow, const float* count, std::uin
     const raster::VisibilityTile& tile = *shadow.tile;
     const auto at =
         static_cast<std::size_t>((y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0));
+    const std::uint32_t* const ids = tile.ids(0).data();
+    const auto end = static_cast<std::size_t>(tile.samples()) * raster::VisibilityTile::kPlane;
     VisibleSamples visible;
-    for (int s = 0; s < tile.samples(); ++s) {
-        if (tile.id(x, y, s) != id) continue;
+    for (std::size_t sample = at; sample < end; sample += raster::VisibilityTile::kPlane) {
+        if (ids[sample] != id) continue;
         ++visible.samples;
-        if (count[at + static_cast<std::size_t>(s) * raster::VisibilityTile::kPlane] == 0)
-            ++visible.bright;
+        visible.bright += count[sample] == 0 ? 1 : 0;
     }
     return visible;
 }
@@ -87,10 +88,10 @@ VisibleSamples visible_by_area(const TileShadow& shadow, std::size_t k, std::uin
     return {.samples = 1, .bright = dark ? 0 : 1};
 }
 
-// The same for an item's pixel.
-VisibleSamples visible_of(const ShadingBlock& b, std::size_t k, std::uint32_t id, int item) {
+// Of an item's pixel, by samples.
+VisibleSamples visible_by_samples(const ShadingBlock& b, std::size_t k, std::uint32_t id,
+                                  int item) {
     const TileShadow& shadow = *b.shadow;
-    if (shadow.areas) return visible_by_area(shadow, k, id, b.x[item], b.y[item]);
     const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
     const VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
     if (visible.samples > 0) return visible;
@@ -98,22 +99,30 @@ VisibleSamples visible_of(const ShadingBlock& b, std::size_t k, std::uint32_t id
     return visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
 }
 
-// Takes the light k from the items of a run that lie in its shadow.
+// Takes the light k from a run's items as far as it is not visible from them: visible_of(item).
+template <class VisibleOf>
+void shade_items(ShadingBlock& b, const Run& run, std::size_t k, const VisibleOf& visible_of) {
+    for (int item = run.first; item < run.first + run.count; ++item) {
+        const VisibleSamples visible = visible_of(item);
+        CHECK_LT(0, visible.samples);
+        const float visibility =
+            static_cast<float>(visible.bright) / static_cast<float>(visible.samples);
+        for (auto& colour : b.light[k].colour)
+            colour[item] *= visibility;
+    }
+}
+
 void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::size_t k) {
     const TileShadow& shadow = *b.shadow;
     const std::uint32_t id = run.primitive->id;
     if (!shadow.receives.empty() && shadow.receives[id] == 0) return;
-    const bool faces = lit(*run.primitive, frame, frame.lights[k]);
-    for (int item = run.first; item < run.first + run.count; ++item) {
-        float visibility = 0;
-        if (faces) {
-            const VisibleSamples visible = visible_of(b, k, id, item);
-            CHECK_LT(0, visible.samples);
-            visibility = static_cast<float>(visible.bright) / static_cast<float>(visible.samples);
-        }
-        for (auto& colour : b.light[k].colour)
-            colour[item] *= visibility;
-    }
+    if (!lit(*run.primitive, frame, frame.lights[k]))
+        shade_items(b, run, k, [](int) { return VisibleSamples{.samples = 1, .bright = 0}; });
+    else if (shadow.areas)
+        shade_items(b, run, k,
+                    [&](int item) { return visible_by_area(shadow, k, id, b.x[item], b.y[item]); });
+    else
+        shade_items(b, run, k, [&](int item) { return visible_by_samples(b, k, id, item); });
 }
 
 } // namespace

@@ -2,13 +2,15 @@
 // fragment is shaded: hidden ones then never are.
 #pragma once
 
-#include "shade/gather/gather.h"
+#include "shade/gather/gather_input.h"
 
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 namespace scanout::shade {
+
+class PrimitiveCache;
 
 class AlphaEvaluator {
 public:

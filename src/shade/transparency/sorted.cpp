@@ -1,8 +1,8 @@
-// Painter's algorithm: triangles are blended in the order of their centroids' distances. Cheap, as
-// no sample sorts; wrong where triangles intersect or overlap in a circle, or where a large one
-// lies beside small ones: there two layers change places, an error of up to the product of their
-// alphas. Newell, Newell and Sancha 1972 without the splitting; [Primer 1.6].
-#include "shade/gather/gather.h"
+// Painter's order: triangles are blended by the distance of their centroids. Cheap, as no sample
+// sorts; wrong where triangles intersect or overlap in a circle, or a large one lies beside small
+// ones: there two layers change places, an error of up to the product of their alphas. Newell,
+// Newell and Sancha 1972 without the splitting; [Primer 1.6].
+#include "shade/gather/gather_input.h"
 #include "shade/transparency.h"
 
 #include <algorithm>

@@ -14,7 +14,7 @@ struct TransparencyPass::Task {
     const GatherInput& in;
     const raster::VisibilityTile& visibility;
     Gatherer& gatherer;
-    image::Image& picture;
+    PixelSink& sink;
 };
 
 namespace {
@@ -104,23 +104,23 @@ TransparencyPass::opaque_base(const raster::Geometry& geometry, int tile,
 std::uint64_t TransparencyPass::shade(const raster::Geometry& geometry, int tile,
                                       const GatherInput& in,
                                       const raster::VisibilityTile& visibility, Gatherer& gatherer,
-                                      image::Image& picture) {
+                                      PixelSink& sink) {
     geometry.of_mode(tile, raster::AlphaMode::blended, triangles_);
-    if (triangles_.empty()) return visibility.empty() ? 0 : gatherer.shade(visibility, in, picture);
+    if (triangles_.empty()) return visibility.empty() ? 0 : gatherer.shade(visibility, in, sink);
     if (in.transparency->blended->sort_triangles != nullptr)
         in.transparency->blended->sort_triangles(triangles_, in);
     probe_.reset(visibility);
     if (in.transparency->blend->compose != nullptr && colour_blend_ == nullptr)
         colour_blend_ = std::make_unique<ColourBlend>();
     pixels_.colour_blend = colour_blend_.get();
-    return shade_region({geometry, in, visibility, gatherer, picture}, visibility.area());
+    return shade_region({geometry, in, visibility, gatherer, sink}, visibility.area());
 }
 
 // A list that is full is drawn in parts of half the pixels; a single pixel may have as many
 // fragments as there are triangles.
 std::uint64_t TransparencyPass::shade_region(const Task& task, const image::Rect& region) {
     if (find(task, region))
-        return task.gatherer.shade(task.visibility, task.in, task.picture, &pixels_);
+        return task.gatherer.shade(task.visibility, task.in, task.sink, &pixels_);
     image::Rect first = region, second = region;
     if (region.height() > 1)
         first.y1 = second.y0 = region.y0 + region.height() / 2;

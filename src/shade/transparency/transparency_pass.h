@@ -53,7 +53,7 @@ public:
     // Returns the number of shaded items.
     std::uint64_t shade(const raster::Geometry& geometry, int tile, const GatherInput& input,
                         const raster::VisibilityTile& visibility, Gatherer& gatherer,
-                        image::Image& picture);
+                        PixelSink& sink);
 
     // Bit x of row y, from the tile's corner: the pixel has blended fragments.
     using Pixels = std::array<std::uint64_t, raster::kTileSize>;

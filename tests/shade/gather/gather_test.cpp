@@ -72,6 +72,13 @@ GatherInput input_of(const geom::Mesh& mesh, const scene::View& view,
     return in;
 }
 
+std::uint64_t shade(Gatherer& gatherer, const Drawn& drawn, const GatherInput& in,
+                    image::Image& picture) {
+    PictureSink sink;
+    sink.set(picture);
+    return gatherer.shade(drawn.tile, in, sink);
+}
+
 TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
     Jobs jobs(1);
     Random random(1);
@@ -100,7 +107,8 @@ TEST(Gather, ShadesATriangleAtTheCentreWhereItCoversItClippedOrNot) {
         const GatherInput in = input_of(mesh, view, transform, all, stages, frame);
         image::Image picture(kGatheredSide, kGatheredSide);
         shaded().clear();
-        Gatherer().shade(all.tile, in, picture);
+        Gatherer gatherer;
+        shade(gatherer, all, in, picture);
         for (int y = 0; y < kGatheredSide; ++y)
             for (int x = 0; x < kGatheredSide; ++x) {
                 const auto found = shaded().find({x, y});
@@ -184,10 +192,10 @@ TEST(Gather, SharedPixelsOfOneLookHaveTheBitsThatTheirListsWouldHave) {
         LinearPicture one_light(kGatheredSide, kGatheredSide),
             other_light(kGatheredSide, kGatheredSide);
         in.linear = &one_light;
-        const std::uint64_t lanes = listed.shade(all.tile, in, one);
+        const std::uint64_t lanes = shade(listed, all, in, one);
         in.keys.only_material = -1;
         in.linear = &other_light;
-        EXPECT_EQ(by_rows.shade(all.tile, in, other), lanes);
+        EXPECT_EQ(shade(by_rows, all, in, other), lanes);
         ASSERT_EQ(one, other) << i;
         ASSERT_EQ(one_light, other_light) << i;
     }
