@@ -50,7 +50,7 @@
     X(shade, texture, SCANOUT_TEXTURE, Filter, asked,                                              \
       "how textures are filtered (`list techniques`)")                                             \
     X(shade, wrap, SCANOUT_WRAP, Wrapping, asked,                                                  \
-      "what shows beyond a texture's edges (`list techniques`); auto: what the material says")     \
+      "texels beyond a texture's edges (`list techniques`); auto: by the material")     \
     X(shade, mapping, SCANOUT_MAPPING, Stage, asked,                                               \
       "how textures lie on the model (`list techniques`); auto: by its uv; a model without uv "    \
       "shows no maps, and a --source lies on it as on a box")                                      \
@@ -74,7 +74,7 @@
       "which of several surfaces is visible, where they do not blend (`list techniques`); auto: "  \
       "greater, the nearest")                                                                      \
     X(shade, blend, SCANOUT_BLEND, Blend, asked,                                                   \
-      "how blended surfaces mix with what lies behind them (`list techniques`); auto: over")       \
+      "how blended surfaces mix with the background (`list techniques`); auto: over")       \
     X(frame, stencil, SCANOUT_STENCIL, Stencil, asked,                                             \
       "mark pixels: draw a line around the model, or show how many surfaces cover each pixel "     \
       "(`list techniques`); auto: none")                                                           \

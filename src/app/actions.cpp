@@ -84,7 +84,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::screenshot, "screenshot", "S F12", "S F12", "write a picture file"},
     {Id::print_view, "print_view", "K", "K", "this view as a command"},
     {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
-    {Id::close, "close", "Escape", "Esc", "close what is open, else quit"},
+    {Id::close, "close", "Escape", "Esc", "close the open panel, else quit"},
     {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C", "quit"},
     {Id::suspend, "suspend", "Ctrl+Z", "Ctrl+Z", "suspend; fg comes back"},
     {Id::drag_begin, "drag_begin", "", "", "a mouse button goes down"},
@@ -94,7 +94,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::drag_end, "drag_end", "", "", "the mouse button goes up"},
     {Id::zoom_at, "zoom_at", "", "Wheel", "scale towards the pointer", 3},
     {Id::pointer, "pointer", "", "", "the mouse pointer moves", 2},
-    {Id::frame, "frame", "", "", "in --replay files: write what is shown to a picture file"},
+    {Id::frame, "frame", "", "", "in --replay files: write the picture to a file"},
 });
 // clang-format on
 

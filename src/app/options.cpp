@@ -68,13 +68,11 @@ Result<void> read_target(Settings& s, std::string_view text) {
         known.push_back(target.name);
         if (target.name == text && !target.supported)
             return fail(Exit::usage,
-                        "{}: this processor lacks it; `scanout list targets` prints what it has",
-                        text);
+                        "{}: this processor lacks it; `scanout list targets` prints its own", text);
     }
     if (std::find(known.begin(), known.end(), text) == known.end())
-        return fail(Exit::usage,
-                    "there is no '{}'{}; `scanout list targets` prints those of this program", text,
-                    did_you_mean(text, known));
+        return fail(Exit::usage, "there is no '{}'{}; `scanout list targets` prints this program's",
+                    text, did_you_mean(text, known));
     s.target = text;
     return {};
 }
@@ -222,8 +220,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      "the file's format, where its extension does not say it"},
     {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
      "the pixels of a display (`list formats`): raw files hold its bytes; other pictures, hashes "
-     "and "
-     "comparisons of explain show what it would show"},
+     "and comparisons of explain are as that display would show them"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
@@ -317,8 +314,8 @@ constexpr std::array kOptions = std::to_array<Option>({
      }),
      "the model's axis that points up; default: z in STL, else y"},
     {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kDraw, Parsed(read_model_format),
-     "what the model's file is, where its content does not tell (obj stl ply off); a model named - "
-     "is read from standard input"},
+     "the model's format (obj stl ply off), instead of the one that its content tells; a model "
+     "named - is read from standard input"},
 
     {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kDraw,
      Integer([](Settings& s) -> int& { return s.max_memory_mb; }),
@@ -363,7 +360,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      "write every action with the step of its time, for --replay"},
     {"replay", 0, "FILE", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.replay; }),
-     "play the actions of a file; its `frame NAME.png` lines write what is shown"},
+     "play the actions of a file; its `frame NAME.png` lines write pictures"},
 
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),

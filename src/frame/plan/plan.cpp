@@ -89,7 +89,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
         choose(shade::interpolate::kRows, options.interpolate, exact));
     const bool flat = view.orthographic;
     planner.choice("interpolate", steps->card.name, options.interpolate,
-                   facts.triangles == 0 ? "along lines colours are exact, whatever is asked"
+                   facts.triangles == 0 ? "along lines, colours are exact under every method"
                    : flat ? "nothing is foreshortened: but for rounding all ways are the same"
                    : steps == &exact ? "a division a pixel is exact at any ratio of distances"
                                      : std::string(steps->card.blurb),

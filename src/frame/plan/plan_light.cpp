@@ -39,7 +39,7 @@ std::vector<LightFacts> plan_lights(Planner& planner, FramePlan& plan, const Sce
         const char* const unlit = why_unlit(plan, facts);
         const bool lit = unlit == nullptr;
         const std::string because =
-            shining.empty() && elsewhere ? "what is lit lies beside the model"
+            shining.empty() && elsewhere ? "its light falls beside the model"
             : shining.empty()            ? fmt::format("there is no {} light", name_of(kind))
             : !lit                       ? unlit
                    : fmt::format("{} light{}: {}", shining.size(), shining.size() == 1 ? "" : "s",

@@ -121,7 +121,7 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
     TRY(const AntiAliasing* by, choose(aa::kRows, options.aa, **numbered));
     std::string because(by->card.blurb);
     if (by->takes_one() && by_number)
-        because = "smoother edges are a matter of taste: nobody asked for them";
+        because = "smoother edges are a matter of taste: only on request";
     const char* const why_not =
         !by->exact ? nullptr
         : !plan.transparency.alpha_modes.empty()
@@ -156,7 +156,7 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
         choose(shade::blend_space::kRows, options.blend_space, shade::blend_space::linear));
     planner.choice("blend_space", space->card.name, options.blend_space,
                    smooth  ? fmt::format("{} mixes what a pixel shows", plan.aa->card.name)
-                   : mixed ? "what is blended is mixed in it"
+                   : mixed ? "blended surfaces are mixed in it"
                    : plan.aa->takes_one() ? "one sample a pixel: nothing is mixed"
                                           : "lines and points fill whole pixels: nothing is mixed",
                    mixed);
@@ -176,7 +176,7 @@ Result<void> plan_output(const FrameOptions& options, const SceneFacts& facts, P
     const bool filtered = plan.convolution != nullptr;
     planner.choice("convolution", filtered ? options.convolution : "off", options.convolution,
                    filtered ? "the finished picture is filtered, as asked"
-                            : "nobody asked for a filter over the finished picture",
+                            : "a filter over the finished picture comes only on request",
                    filtered);
     if (filtered) plan.techniques.push_back(&plan.convolution->card);
     const bool narrow = options.bits < 8;

@@ -13,11 +13,11 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
     TRY(const Stencil* const found, choose(stencil::kRows, plan.options.stencil, stencil::none));
     const std::string all = fmt::format("{} triangles, {} lines and {} points", facts.triangles,
                                         facts.lines, facts.points);
-    std::string because = "nobody asked for an outline or for counts";
+    std::string because = "an outline or counts come only on request";
     if (found->marks == Stencil::Marks::visible)
-        because = fmt::format("{} pixels round what is shown of {}", kOutlineWidth, all);
+        because = fmt::format("{} pixels around the visible part of {}", kOutlineWidth, all);
     else if (found->marks == Stencil::Marks::covering)
-        because = fmt::format("counts what lies over each pixel of {}", all);
+        because = fmt::format("counts the surfaces over each pixel of {}", all);
     planner.choice("stencil", found->card.name, plan.options.stencil, std::move(because));
     if (found->marks == Stencil::Marks::nothing) return {};
     plan.stencil = found;

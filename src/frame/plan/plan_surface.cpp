@@ -72,7 +72,7 @@ Result<void> plan_transparency(Planner& planner, FramePlan& plan, const SceneFac
     const bool cut_for_nothing =
         !cuts && (cuts_by_blending ? may_blend && !blends : opaque_may_be_cut(o));
     const bool blend_for_nothing = !blends && may_blend && !(cuts && cuts_by_blending);
-    const std::string as_it_is = "; what is opaque stays as it is";
+    const std::string as_it_is = "; opaque triangles stay as they are";
     bool cut = planner.effect(
         "cut_out", cuts_by->card.name, cuts,
         cuts ? fmt::format("{} have alpha 0 in places, and else 1",

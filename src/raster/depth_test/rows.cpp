@@ -16,12 +16,12 @@ constexpr Technique card(std::string_view name, std::string_view blurb,
 } // namespace
 
 constinit const DepthTestRow equal{
-    card("equal",
-         "only what lies as deep as what is kept: the buffer starts empty, so nothing, as never"),
+    card("equal", "depth equal to the buffer's, which starts empty: nothing passes, as with never"),
     DepthTest::equal, false, false};
 
-constinit const DepthTestRow always{card("always", "the last in the file, whatever its depth"),
-                                    DepthTest::always, false};
+constinit const DepthTestRow always{
+    card("always", "every fragment passes: the last in the file is seen"), DepthTest::always,
+    false};
 
 constinit const DepthTestRow never{card("never", "nothing"), DepthTest::never, false, false};
 

@@ -10,7 +10,7 @@ extern const Blend multiply;
 constinit const Blend multiply{
     {.axis = "blend",
      .name = "multiply",
-     .blurb = "what lies behind times its colour: stained glass, shadows painted on",
+     .blurb = "the background times the surface's colour: stained glass, painted shadows",
      .source = "Cabanier and Andronikos 2015",
      .kind = Kind::model},
     nullptr,

@@ -7,7 +7,7 @@ namespace scanout::shade::blend {
 extern const Blend over;
 constinit const Blend over{{.axis = "blend",
                             .name = "over",
-                            .blurb = "alpha of the surface, the rest of what lies behind",
+                            .blurb = "alpha of the surface, the rest of the background",
                             .source = "Porter and Duff 1984",
                             .kind = Kind::model},
                            [](float alpha, float transmittance) -> Blend::Weights {

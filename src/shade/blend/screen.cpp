@@ -11,7 +11,7 @@ extern const Blend screen;
 constinit const Blend screen{
     {.axis = "blend",
      .name = "screen",
-     .blurb = "what both lack of white is multiplied: light that never exceeds white",
+     .blurb = "the inverses of both colours multiplied: brighter, never above white",
      .source = "Cabanier and Andronikos 2015",
      .kind = Kind::model},
     nullptr,

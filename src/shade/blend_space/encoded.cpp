@@ -51,7 +51,7 @@ constinit const BlendSpace encoded{
     {.axis = "blend_space",
      .name = "encoded",
      .blurb = "samples are mixed as codes, up to 73 codes too dark",
-     .source = "Gritz and d'Eon 2007, what they warn of",
+     .source = "Gritz and d'Eon 2007, as the mistake to avoid",
      .kind = Kind::rung},
     [](ShadingBlock& block, const std::uint32_t* code) { SIMD_CALL(enter_codes, block, code); },
     &kMeanOfCodes,

@@ -203,7 +203,7 @@ TEST(Plan, ASpotThatMissesTheModelIsOff) {
         EXPECT_EQ(planned->decision("tone")->technique, hits ? "shoulder" : "clamp");
         EXPECT_EQ(planned->lights.size(), hits ? 4U : 3U);
         EXPECT_EQ(planned->decision("spot_light")->because,
-                  hits ? "1 light: spot" : "what is lit lies beside the model");
+                  hits ? "1 light: spot" : "its light falls beside the model");
     }
     EXPECT_EQ(plan_of(facts, options).lights.size(), 4U) << "nothing is known of the view";
 }

@@ -455,7 +455,7 @@ TEST(Plan, OpaqueTrianglesAreBlendedOnlyWhereThatChangesNothing) {
     const auto blends = [&](const FrameOptions& options) {
         const FramePlan planned = plan_of(facts, options);
         EXPECT_EQ(planned.transparency.blended == nullptr,
-                  planned.decision("blending")->because.find("stays as it is") !=
+                  planned.decision("blending")->because.find("stay as they are") !=
                       std::string::npos);
         return planned.transparency.blended != nullptr;
     };

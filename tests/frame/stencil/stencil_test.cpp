@@ -372,10 +372,11 @@ TEST(Stencil, SaysWhatItMarksInNumbers) {
         const auto plan = frame::plan(with(s, name).options, frame::facts(s.scene));
         return plan ? to_string(*plan->decision("stencil")) : plan.error().what;
     };
-    EXPECT_EQ(because("auto"), "stencil none: nobody asked for an outline or for counts");
-    EXPECT_EQ(because("outline"), "stencil outline: 2 pixels round what is shown of 0 triangles, "
-                                  "12 lines and 9 points (forced)");
-    EXPECT_EQ(because("overdraw"), "stencil overdraw: counts what lies over each pixel of 0 "
+    EXPECT_EQ(because("auto"), "stencil none: an outline or counts come only on request");
+    EXPECT_EQ(because("outline"),
+              "stencil outline: 2 pixels around the visible part of 0 triangles, "
+              "12 lines and 9 points (forced)");
+    EXPECT_EQ(because("overdraw"), "stencil overdraw: counts the surfaces over each pixel of 0 "
                                    "triangles, 12 lines and 9 points (forced)");
     EXPECT_THAT(because("glow"), testing::HasSubstr("choose auto none outline overdraw"));
 }
