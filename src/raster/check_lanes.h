@@ -3,6 +3,7 @@
 // clamps are checked before the clamp. In other builds these functions do nothing.
 #pragma once
 
+#include "build_options.h"
 #include "raster/clipped/clipped_triangle.h"
 #include "raster/micro/small_triangles.h"
 #include "raster/screen/primitive.h"

@@ -4,6 +4,7 @@
 // also fire on lanes that a mask discards. In other builds these functions do nothing.
 #pragma once
 
+#include "build_options.h"
 #include "shade/resolve/resolve.h"
 #include "shade/stage.h"
 
