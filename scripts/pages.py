@@ -26,7 +26,7 @@ def without_keys(text):
     text = re.sub(rf" \((?:{KEY}[;,]? ?)+\)", "", text)
     text = re.sub(rf"[;,:] {KEY}", "", text)
     text = re.sub(rf"{KEY}[;,] ", "", text)
-    text = re.sub(rf" {KEY}(?=:)", "", text)
+    text = re.sub(rf" {KEY}(?=[:.])", "", text)
     return re.sub(rf"(?:^|(?<=\. )){KEY}\. ?", "", text).strip()
 
 
