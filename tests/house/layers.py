@@ -3,7 +3,7 @@
 
 A file belongs to the module with the longest folder that contains it. It may include its own module and those
 that its module lists. Headers that stand directly in src/ belong to the ground: anybody may include them, and
-they include no module. src/main.cpp may include the last module (app) alone.
+they include no module; so do headers that CMake makes of cmake/NAME.in. src/main.cpp may include the last module (app) alone.
 """
 import pathlib
 import re
@@ -20,7 +20,8 @@ def resolve(root, includer, name, quoted):
         target = (place / name).resolve()
         if target.is_file() and target.is_relative_to(root):
             return target.relative_to(root)
-    return None
+    made = root / "cmake" / f"{name}.in"  # by CMake, from this
+    return pathlib.Path("src", name) if quoted and made.is_file() else None
 
 
 def module_of(path, folders):
