@@ -59,7 +59,7 @@ scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
     camera.up = up;
     const double half_fov = camera.fov_degrees / 2;
     camera.distance = view.projection == scene::Projection::perspective
-                          ? view.near_distance * 0x1p14 // in make_view() near = distance / 2^14
+                          ? view.target_distance
                           : view.half_height * cos_degrees(half_fov) / sin_degrees(half_fov);
     return camera;
 }

@@ -95,8 +95,10 @@ void set_projection(View& view, const CameraOptions& camera, double tan_half, do
     view.half_height = perspective ? tan_half : tan_half * distance;
     view.half_width = view.half_height * aspect;
     // Reversed, infinite: depth = near / distance keeps its relative precision everywhere, so near
-    // may be small; it is a fixed share of the distance and never cuts what a viewer looks at.
-    view.near_distance = distance * 0x1p-14;
+    // may be small. It is a fixed share of the way to what is looked at, or to the end of the model
+    // where that is nearer: a target far behind the model cuts nothing off.
+    view.target_distance = distance;
+    view.near_distance = std::min(distance, length(view.translation) + radius) * 0x1p-14;
     // Without perspective it changes nothing how far away the model stands; from very far its own
     // depth would be lost in the sum.
     if (!perspective && std::abs(view.translation.z) > radius * 0x1p20) {

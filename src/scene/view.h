@@ -51,7 +51,8 @@ struct View {
     Projection projection = Projection::perspective;
     // Half the picture's extent at distance 1 (perspective) or everywhere (orthographic).
     double half_width = 1, half_height = 1;
-    double near_distance = 0; // perspective: clips nearer points; depth = near / distance
+    double near_distance = 0;   // perspective: clips nearer points; depth = near / distance
+    double target_distance = 0; // from the eye to what it looks at
     // Orthographic: depth = (z - depth_origin) * depth_scale, in (0, 1) for all of the model.
     double depth_origin = 0, depth_scale = 1;
     double centre_distance = 0; // from the eye's plane to the model's centre

@@ -446,6 +446,27 @@ TEST(View, TheWholeModelHasADepthThatAFloatHoldsFromAnyEyeThatThereIs) {
     EXPECT_GT(refused, 2000);
 }
 
+// Only the direction of a target behind the model matters: what is near the eye stays.
+TEST(View, ATargetFarBehindTheModelDoesNotMoveTheNearPlane) {
+    const geom::Mesh mesh = test::empty_mesh();
+    CameraOptions camera;
+    camera.eye = DVec3(0, 0, 3);
+    double before = 0;
+    for (const double target : {-1e1, -1e2, -1e5, -1e9}) {
+        camera.target = DVec3(0, 0, target);
+        const auto v = make_view(mesh, {}, {}, camera, {}, 64, 64);
+        ASSERT_TRUE(v);
+        EXPECT_EQ(v->target_distance, 3 - target);
+        EXPECT_LT(v->near_distance, 0x1p-10);
+        const double ratio = before > 0 ? v->near_distance / before : 1;
+        EXPECT_NEAR(ratio, 1, 1e-6) << target;
+        before = v->near_distance;
+    }
+    // A target within the model decides, however near.
+    camera.target = DVec3(0, 0, 3 - 0x1p-20);
+    EXPECT_EQ(make_view(mesh, {}, {}, camera, {}, 64, 64)->near_distance, 0x1p-34);
+}
+
 TEST(View, EyeAndTargetMayBeVeryCloseAndVeryFarApart) {
     for (int exponent = -888; exponent <= 888; exponent += 27) {
         const double scale = std::ldexp(1.0, exponent);

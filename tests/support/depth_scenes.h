@@ -47,6 +47,10 @@ inline Shot depth_kept(std::string name, const std::string& format) {
     add_crossing(s.scene.mesh, {-0.003F, 0, 0}, 0.0027F, 0.0055F, 1.4e-9F, 0.002F);
     add_crossing(s.scene.mesh, {0.19F, 0, -0.9F}, 0.16F, 0.33F, 5e-6F, 0.05F);
     s.scene.mesh.uv.clear();
+    // As the middle of a large model: else the near plane would come nearer, to where that ends.
+    s.model.scale = DVec3(64);
+    for (Vec3& p : s.scene.mesh.position)
+        p = p / 64.0F;
     s.camera.eye = DVec3(0, 0, 0.015);
     s.camera.target = DVec3(0, 0, 0.015 - 0.01 * 16384); // the near plane is at 0.01
     s.options.depth = format;
