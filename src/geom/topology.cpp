@@ -75,15 +75,14 @@ struct Triangle {
         : a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]),
           ab(DVec3(b) - DVec3(a)), ac(DVec3(c) - DVec3(a)), n(cross3(ab, ac)) {}
 
-    // Unit normals mixed in any shares lean to no side where none of the three does, with room for
-    // the rounding of floats, and of the face's own normal where it is a sliver.
-    bool leans(const Mesh& mesh, const std::uint32_t* v) const {
+    // Does no normal clearly point to the front? With room for the rounding of floats, and of the
+    // face's own normal where it is a sliver.
+    bool is_reversed(const Mesh& mesh, const std::uint32_t* v) const {
         const double room = dot3(n, n) * 0x1p-24 + dot3(ab, ab) * dot3(ac, ac) * 0x1p-80;
-        for (int k = 0; k < 3; ++k) {
-            const double lean = dot3(DVec3(mesh.normal[v[k]]), n);
-            if (!(lean > 0 && lean * lean > room)) return true;
-        }
-        return false;
+        return std::all_of(v, v + 3, [&](std::uint32_t vertex) {
+            const double lean = dot3(DVec3(mesh.normal[vertex]), n);
+            return !(lean > 0 && lean * lean > room);
+        });
     }
     // Is a vertex' normal another than the face's own, but for rounding?
     bool is_smooth(const Mesh& mesh, const std::uint32_t* v) const {
@@ -313,7 +312,7 @@ MeshTopology topology(const Mesh& mesh, const std::vector<bool>& lets_through) {
         components.join(v[0], v[1]);
         components.join(v[0], v[2]);
         const Triangle t(mesh, v);
-        result.leaning_normals += t.leans(mesh, v) && !is_collapsed(mesh, i / 3) ? 1 : 0;
+        result.reversed_triangles += t.is_reversed(mesh, v) && !is_collapsed(mesh, i / 3) ? 1 : 0;
         planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
     }
     std::vector<Component> of(number.size());

@@ -10,7 +10,7 @@ namespace scanout::shade {
 
 struct LitSides {
     Technique card;
-    Sides leaning, upright; // if some normal leans to the back of its face, and if none does
+    Sides reversed, others; // if all normals of some face point to its back, and if of none
 };
 
 } // namespace scanout::shade

@@ -218,10 +218,12 @@ struct Filter;
 struct StepLimits;
 struct Source;
 
-// Which side of a face its normals light.
+// Which side of a face its normals light. All normals of a face are turned together, as in GL: one
+// that leans to the other side than the rest, as smooth normals may do, keeps its direction.
 enum class Sides : std::uint8_t {
-    eye,  // the one that the eye sees, decided at every item
-    face, // the same where all normals of a face lie on one side of it: decided once a face
+    eye,  // the one that the eye sees. Its front is the side that all normals point to; where they
+          // disagree, the side from which it winds counter-clockwise
+    face, // the same where no face has all its normals on its back: the winding alone decides
     file  // the one that the file's normals point to
 };
 
@@ -294,8 +296,8 @@ struct LightTraits {
 struct LightStage : Stage, LightTraits {};
 
 struct ReflectionTraits {
-    bool highlight = true;       // where Ks and Ns give one
-    bool physical = false;       // by Pr and Pm, where the material says them
+    bool highlight = true; // where Ks and Ns give one
+    bool physical = false; // by Pr and Pm, where the material says them
     // The same without a highlight; null: that is lambert, or this stage where it has none.
     const Stage* matt = nullptr;
 };

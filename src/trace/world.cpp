@@ -129,19 +129,25 @@ Surface World::surface(const Hit& hit, const Ray& ray) const {
     const geom::Mesh& mesh = scene_->mesh;
     const scene::Material& m = material(hit.triangle);
     const MapsRead& maps = look_->maps;
-    std::array<DVec3, 3> normal, colour;
+    std::array<DVec3, 3> normal, in_mesh, colour, place;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = mesh.index[3 * std::size_t{hit.triangle} + k];
+        place[k] = DVec3(mesh.position[vertex]);
+        in_mesh[k] = DVec3(mesh.normal[vertex]);
         normal[k] = view_->normal * DVec3(mesh.normal[vertex]);
         colour[k] = mesh.colour.empty() ? DVec3(1) : DVec3(mesh.colour[vertex]);
     }
     Surface s;
     s.normal = unit_of(mixed(normal, hit));
     if (look_->turned_to_eye) {
+        // All normals of a face together. In the mesh's space: a scale may bend them past the face.
         const Corners& c = bvh_.corners(hit.triangle);
-        DVec3 face = cross3(c[1] - c[0], c[2] - c[0]);
-        if (dot3(face, ray.way) > 0) face = -face;
-        if (dot3(s.normal, face) < 0) s.normal = -s.normal;
+        const bool from_behind =
+            (dot3(cross3(c[1] - c[0], c[2] - c[0]), ray.way) > 0) != view_->mirrored;
+        const DVec3 face = cross3(place[1] - place[0], place[2] - place[0]);
+        const bool reversed = dot3(in_mesh[0], face) < 0 && dot3(in_mesh[1], face) < 0 && //
+                              dot3(in_mesh[2], face) < 0;
+        if (from_behind != reversed) s.normal = -s.normal;
     }
     lean_by_maps(s.normal, hit, m);
     s.albedo = DVec3(m.diffuse);

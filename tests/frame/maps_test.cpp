@@ -151,7 +151,7 @@ TEST(MaterialMaps, DoNotDependOnWhatTheSidesOfOtherFacesAskFor) {
         }
         const auto first = static_cast<std::uint32_t>(mesh.position.size() - 3);
         add_triangle(mesh, first, first + 1, first + 2, 0);
-        ASSERT_EQ(frame::facts(s.scene).topology.leaning_normals, 1U);
+        ASSERT_EQ(frame::facts(s.scene).topology.reversed_triangles, 1U);
         EXPECT_EQ(image::compare(draw(s), alone).differing_pixels, 0) << s.name;
     }
 }

@@ -110,7 +110,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
     return {};
 }
 
-// Why back faces may be visible, or why not, of a mesh whose normals lean to no back.
+// Why back faces may be visible, or why not, of a mesh whose faces have normals on their fronts.
 std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& options,
                                    const ViewFacts& view) {
     const geom::MeshTopology& topology = facts.topology;
@@ -153,18 +153,17 @@ std::pair<bool, std::string> backs(const SceneFacts& facts, const FrameOptions& 
 // One-sided or two-sided lighting. Where no back face can be visible, the side that the normals
 // point to is the side that the eye sees.
 void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, const ViewFacts& view) {
-    const std::size_t leaning = facts.topology.leaning_normals;
+    const std::size_t reversed = facts.topology.reversed_triangles;
     auto [needed, because] =
         why_unlit(plan, facts) != nullptr ? std::pair(false, std::string(why_unlit(plan, facts)))
         : !has_directed_light(plan)       ? std::pair(false, std::string(kNoDirection))
-        : leaning > 0
-            ? std::pair(true, fmt::format("{} of {} triangles have a normal that leans to "
-                                          "their back",
-                                          leaning, facts.triangles))
-            : backs(facts, plan.options, view);
+        : reversed > 0 ? std::pair(true, fmt::format("the normals of {} of {} triangles point to "
+                                                     "their back",
+                                                     reversed, facts.triangles))
+                       : backs(facts, plan.options, view);
     const bool on = planner.effect("two_sided", "on", needed, std::move(because));
     const shade::LitSides& lit = needed && !on ? shade::sides::one_sided : shade::sides::two_sided;
-    plan.sides = leaning > 0 ? lit.leaning : lit.upright;
+    plan.sides = reversed > 0 ? lit.reversed : lit.others;
     if (on) plan.techniques.push_back(&lit.card);
 }
 

@@ -29,7 +29,6 @@ struct OfRun {
     SIMD_INLINE F32 uv(const Weights& w, int c) const { return mix(w, t.uv[c]); }
     SIMD_INLINE F32 colour(const Weights& w, int c) const { return mix(w, t.colour[c]); }
     SIMD_INLINE F32 position(const Weights& w, int c) const { return mix(w, t.position[c]); }
-    SIMD_INLINE F32 facing(int c) const { return t.facing[c]; }
 };
 struct OfItems {
     const ShadingSetup& t;
@@ -41,22 +40,11 @@ struct OfItems {
     SIMD_INLINE F32 uv(const Weights& w, int c) const { return mixed(w, t.uv[c]); }
     SIMD_INLINE F32 colour(const Weights& w, int c) const { return mixed(w, t.colour[c]); }
     SIMD_INLINE F32 position(const Weights& w, int c) const { return mixed(w, t.position[c]); }
-    SIMD_INLINE F32 facing(int c) const { return entries.of(t.facing[c]); }
 };
 
 // How a frame needs its normals. Tested for every register of lanes: as a template argument it
 // compiled six versions of every rung for every target, and saved no more than a branch.
-enum class Normals { none, turned, unit, raw };
-
-// Mixed normals, in the vertices' space. turned: towards the eye, so that the side that it sees is
-// lit however the file winds the face or points its normals.
-template <class Of>
-SIMD_INLINE Vec3F32 mix_normals(Normals wanted, const Of& of, const Weights& w) {
-    const Vec3F32 n = {of.normal(w, 0), of.normal(w, 1), of.normal(w, 2)};
-    if (wanted != Normals::turned) return n;
-    const F32 side = dot(n, Vec3F32{of.facing(0), of.facing(1), of.facing(2)});
-    return n * select(side < F32(0.0F), F32(-1.0F), F32(1.0F));
-}
+enum class Normals { none, unit, raw };
 
 // Unit normals in view space.
 SIMD_INLINE Vec3F32 to_view(const FrameState& frame, const Vec3F32& normal) {
@@ -81,10 +69,9 @@ struct Wanted {
     SIMD_INLINE bool any() const { return normal != Normals::none || uv || colour || position; }
 };
 SIMD_INLINE Wanted wanted(const ShadingBlock& b, const FrameState& frame) {
-    return {!frame.attributes.normal    ? Normals::none
-            : frame.vertex_normals      ? Normals::raw
-            : frame.sides == Sides::eye ? Normals::turned
-                                        : Normals::unit,
+    return {!frame.attributes.normal ? Normals::none
+            : frame.vertex_normals   ? Normals::raw
+                                     : Normals::unit,
             wants_uv(b, frame) && !frame.mapped,
             frame.attributes.colour,
             frame.attributes.position,
@@ -95,7 +82,9 @@ SIMD_INLINE Wanted wanted(const ShadingBlock& b, const FrameState& frame) {
 template <class Of>
 SIMD_INLINE void store_attributes(ShadingBlock& b, const Wanted& want, const Of& of,
                                   const Weights& w, int i) {
-    if (want.normal != Normals::none) store_vec3(mix_normals(want.normal, of, w), b.normal, i);
+    if (want.normal != Normals::none)
+        SIMD_FOR (int c = 0; c < 3; ++c)
+            store(of.normal(w, c), b.normal[c] + i);
     if (want.uv) {
         store(of.uv(w, 0), b.u + i);
         store(of.uv(w, 1), b.v + i);
@@ -121,7 +110,8 @@ SIMD_INLINE bool is_flat(const Primitive& t) {
 SIMD_INLINE void flat_normals(ShadingBlock& b, const FrameState& frame, const Wanted& want,
                               const Run& run) {
     const Weights first = {F32(0.0F), F32(0.0F), {run.first, run.count}};
-    const Vec3F32 mixed = mix_normals(want.normal, OfRun(*run.primitive), first);
+    const OfRun of(*run.primitive);
+    const Vec3F32 mixed = {of.normal(first, 0), of.normal(first, 1), of.normal(first, 2)};
     const Vec3F32 n = want.normal != Normals::raw ? to_view(frame, mixed) : mixed;
     for (int i = run.first; i < run.first + run.count; i += kLanes)
         store_vec3(n, b.normal, i);

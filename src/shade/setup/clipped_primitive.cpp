@@ -26,6 +26,19 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const VertexIndices& v, bo
         p.facing[c] = static_cast<float>(n[c]);
 }
 
+// Sides::eye, as triangle_setup-inl.h decides it. winding: the side that the winding chooses.
+double side_of_normals(const geom::Mesh& mesh, const VertexIndices& v, const float (&facing)[3],
+                       double winding) {
+    const DVec3 towards(facing[0], facing[1], facing[2]);
+    int front = 0, back = 0;
+    for (const std::uint32_t vertex : v) {
+        const double lean = dot3(DVec3(mesh.normal[vertex]), towards);
+        front += lean > 0 ? 1 : 0;
+        back += lean < 0 ? 1 : 0;
+    }
+    return back == 3 ? -1 : front == 3 ? 1 : winding;
+}
+
 // By position, so that no bit depends on the order in which the file names them.
 struct Sorted {
     VertexIndices vertex;
@@ -57,11 +70,12 @@ public:
     // behind: the eye sees the side from which the vertices wind clockwise, in the order of the
     // file. Sets the primitive's `facing`, if something of it is read.
     Attributed(Primitive& p, const GatherInput& in, const Sorted& sorted, bool behind)
-        : p_(p), in_(in), side_(in.frame->sides == Sides::face && behind ? -1.0 : 1.0) {
+        : p_(p), in_(in), side_(in.frame->sides != Sides::file && behind ? -1.0 : 1.0) {
         const Sides sides = in.frame->sides;
         if (sides == Sides::eye || in.frame->attributes.vertices || in.frame->attributes.facing)
             set_facing(p, *in.mesh, sorted.vertex,
                        (behind != sorted.odd) != (sides == Sides::file && behind));
+        if (sides == Sides::eye) side_ = side_of_normals(*in.mesh, sorted.vertex, p.facing, side_);
     }
 
     // Vertex k of the clipped triangle: at t between two vertices of the mesh, where it is a cut.
@@ -96,7 +110,7 @@ private:
     // On the side that the frame's `sides` choose; with vertex_normals unit and in view space.
     DVec3 normal(std::uint32_t vertex) const {
         const DVec3 own = DVec3(in_.mesh->normal[vertex]) * side_;
-        return in_.frame->vertex_normals ? vertex_normal(*in_.frame, own, p_.facing) : own;
+        return in_.frame->vertex_normals ? vertex_normal(*in_.frame, own) : own;
     }
 
     Primitive& p_;
@@ -106,13 +120,11 @@ private:
 
 } // namespace
 
-DVec3 vertex_normal(const FrameState& frame, const DVec3& own, const float (&facing)[3]) {
-    const DVec3 towards(facing[0], facing[1], facing[2]);
-    const DVec3 n = frame.sides == Sides::eye && dot3(own, towards) < 0 ? -own : own;
+DVec3 vertex_normal(const FrameState& frame, const DVec3& own) {
     const auto& m = frame.normal_matrix;
     DVec3 in_view;
     for (int r = 0; r < 3; ++r)
-        in_view[r] = (m[r][0] * n.x + m[r][1] * n.y) + m[r][2] * n.z;
+        in_view[r] = (m[r][0] * own.x + m[r][1] * own.y) + m[r][2] * own.z;
     return normalized(in_view);
 }
 

@@ -19,8 +19,8 @@ void set_up_clipped(const GatherInput& input, const raster::ClippedTriangle& cli
                     Primitive& primitive);
 
 // A vertex's normal for light at vertices or faces: unit, in view space. own: the mesh's, on the
-// side that Sides::face chooses; facing: of the triangle.
-DVec3 vertex_normal(const FrameState& frame, const DVec3& own, const float (&facing)[3]);
+// side that the frame's `sides` choose.
+DVec3 vertex_normal(const FrameState& frame, const DVec3& own);
 
 // The component of a vertex's attribute: [component][vertex].
 inline void set_attribute(float (&attribute)[3][3], std::size_t vertex, const DVec3& value) {

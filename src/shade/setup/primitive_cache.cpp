@@ -67,7 +67,7 @@ void PrimitiveCache::finish(Primitive& p) const {
             if (frame.attributes.object) set_attribute(p.object, k, DVec3(in_->mesh->position[v]));
             if (!frame.vertex_normals) continue;
             const DVec3 own = DVec3(in_->mesh->normal[v]) * double{scratch_->side[0]};
-            set_attribute(p.normal, k, vertex_normal(frame, own, p.facing));
+            set_attribute(p.normal, k, vertex_normal(frame, own));
         }
     if (frame.steps != nullptr) p.step = step_for(p, *frame.steps);
     check_primitive(p, frame.attributes);

@@ -72,6 +72,7 @@ struct TriangleSource {
     Attributes wanted;
 
     bool wants_facing() const { return sides == Sides::eye || wanted.facing || wanted.vertices; }
+    bool wants_normal() const { return wanted.normal || (sides == Sides::eye && wanted.vertices); }
     bool wants_view_position() const { return wanted.position || wanted.vertices; }
     bool wants_position() const { return wants_view_position() || wants_facing(); }
 };

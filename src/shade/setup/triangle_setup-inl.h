@@ -71,7 +71,7 @@ SIMD_INLINE void load_vertex_indices(const TriangleSource& source, ShadingSetup&
         SIMD_FOR (int k = 0; k < 3; ++k) {
             const std::size_t offset = std::size_t{out.vertex_index[k][lane]} * 3;
             __builtin_prefetch(s.position + offset);
-            if (s.wanted.normal) __builtin_prefetch(s.normal + offset);
+            if (s.wants_normal()) __builtin_prefetch(s.normal + offset);
         }
 }
 // Into the order that their vertices have been put in: cheaper than to turn all that they carry.
@@ -220,11 +220,29 @@ SIMD_INLINE void store_positions(const TriangleSource& s, const MeshPositions<D>
         }
 }
 
-// On the side that they light.
+// Sides::eye: the side of the winding, but where all normals point to the other one.
+template <class D>
+SIMD_INLINE Float<D> side_of_normals(const Attribute<D, 3>& normal, const ShadingSetup& of,
+                                     int lane) {
+    Float<D> lean[3]; // towards the eye
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        const auto term = [&](int c) SIMD_LAMBDA {
+            return normal.of[c][k] * load<Float<D>>(of.facing[c] + lane);
+        };
+        lean[k] = (term(0) + term(1)) + term(2);
+    }
+    const Float<D> zero = 0.0F, winding = load<Float<D>>(of.side + lane);
+    const Float<D> most = maximum(maximum(lean[0], lean[1]), lean[2]);
+    const Float<D> least = minimum(minimum(lean[0], lean[1]), lean[2]);
+    return select(most < zero, Float<D>(-1.0F), select(least > zero, Float<D>(1.0F), winding));
+}
+
+// On the side that they light. The triangle's `facing` is known.
 template <class D>
 SIMD_INLINE void store_normals(const TriangleSource& s, Attribute<D, 3> normal, ShadingSetup& out,
                                int lane) {
-    if (s.sides != Sides::face) return store_attribute(normal, out.normal, lane); // all sides are 1
+    if (s.sides == Sides::file) return store_attribute(normal, out.normal, lane);
+    if (s.sides == Sides::eye) store(side_of_normals(normal, out, lane), out.side + lane);
     const Float<D> side = load<Float<D>>(out.side + lane);
     SIMD_FOR (int c = 0; c < 3; ++c)
         SIMD_FOR (int k = 0; k < 3; ++k)
@@ -265,12 +283,12 @@ SIMD_INLINE Windings<D> windings_of(Mask<D> clockwise_in_order, const Reordering
     return {behind ^ reordering.of[0] ^ reordering.of[1] ^ reordering.of[2], behind};
 }
 
-// The side that normals are on, and which way `facing` goes.
+// The side that normals are on, as far as the winding tells, and which way `facing` goes.
 template <class D>
 SIMD_INLINE void store_sides(const TriangleSource& s, const Windings<D>& behind, ShadingSetup& out,
                              int lane) {
     const Mask<D> none = Float<D>(0.0F) > Float<D>(0.0F);
-    store(select(s.sides == Sides::face ? behind.of_file : none, Float<D>(-1.0F), Float<D>(1.0F)),
+    store(select(s.sides == Sides::file ? none : behind.of_file, Float<D>(-1.0F), Float<D>(1.0F)),
           out.side + lane);
     if (!s.wants_facing()) return;
     const Mask<D> flipped =
@@ -302,7 +320,7 @@ SIMD_INLINE void set_up_attributes(const TriangleSource& s, ShadingSetup& out, i
             store_facing(position, load<Int<D>>(out.flipped + at) == Int<D>(1), out, at);
         if (s.wants_view_position()) store_positions(s, position, out, at);
     }
-    if (s.wanted.normal) store_normals(s, fetch<D, 3>(s.normal, out, at), out, at);
+    if (s.wants_normal()) store_normals(s, fetch<D, 3>(s.normal, out, at), out, at);
     if (s.wanted.colour) store_attribute(fetch<D, 3>(s.colour, out, at), out.colour, at);
     if (s.wanted.uv) store_attribute(fetch<D, 2>(s.uv, out, at), out.uv, at);
 }

@@ -19,10 +19,9 @@ constinit const LitSides one_sided{
     card("one_sided", "the side that the file's normals point to is lit"), Sides::file,
     Sides::file};
 
-// Two-sided lighting: normals are turned to the side that the eye sees, whichever way the file
-// wound the face. Where all normals of a face lie on one side of it that is decided once a face,
-// from its winding on the screen (shade/setup/triangle_setup-inl.h),
-// else at every lane (shade/interpolate/interpolate-inl.h).
+// Two-sided lighting: the normals of a face are turned to the side that the eye sees, once a face
+// (shade/setup/triangle_setup-inl.h). Its winding on the screen decides, but where all its normals
+// point to its back: such a file winds faces the wrong way round.
 constinit const LitSides two_sided{card("two_sided", "the side that the eye sees is lit"),
                                    Sides::eye, Sides::face};
 

@@ -35,7 +35,7 @@ TEST(MeshTopology, OfASolidAreClosedAndOutward) {
     const geom::MeshTopology topology = geom::topology(mesh);
     EXPECT_TRUE(topology.closed);
     EXPECT_EQ(topology.inside_out, 0U);
-    EXPECT_EQ(topology.leaning_normals, 0U);
+    EXPECT_EQ(topology.reversed_triangles, 0U);
 }
 
 TEST(MeshTopology, AHoleOfOneTriangleShows) {
@@ -48,12 +48,12 @@ TEST(MeshTopology, AHoleOfOneTriangleShows) {
     geom::Mesh turned = sphere(); // one wound the other way
     std::swap(turned.index[300], turned.index[301]);
     EXPECT_FALSE(geom::topology(turned).closed);
-    EXPECT_EQ(geom::topology(turned).leaning_normals, 1U);
+    EXPECT_EQ(geom::topology(turned).reversed_triangles, 1U);
     EXPECT_FALSE(geom::topology(empty_mesh()).closed);
     geom::Mesh square = empty_mesh();
     test::add_square(square, 1);
     EXPECT_FALSE(geom::topology(square).closed);
-    EXPECT_EQ(geom::topology(square).leaning_normals, 0U);
+    EXPECT_EQ(geom::topology(square).reversed_triangles, 0U);
     // A sheet with a front and a back closes round itself.
     test::add_quad(square, {{{1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {1, 1, 0}}}, {0, 0, -1});
     EXPECT_TRUE(geom::topology(square).closed);
@@ -65,11 +65,11 @@ TEST(MeshTopology, InsideOutIsNotOutward) {
     turn(mesh, true, true);
     EXPECT_TRUE(geom::topology(mesh).closed);
     EXPECT_EQ(geom::topology(mesh).inside_out, all);
-    EXPECT_EQ(geom::topology(mesh).leaning_normals, 0U);
+    EXPECT_EQ(geom::topology(mesh).reversed_triangles, 0U);
     turn(mesh, false, true); // normals outwards, winding not
-    EXPECT_EQ(geom::topology(mesh).leaning_normals, all);
+    EXPECT_EQ(geom::topology(mesh).reversed_triangles, all);
     turn(mesh, true, false);
-    EXPECT_EQ(geom::topology(mesh).leaning_normals, 0U);
+    EXPECT_EQ(geom::topology(mesh).reversed_triangles, 0U);
 }
 
 TEST(MeshTopology, EachClosedPartIsInsideOutOrNotByItself) {
@@ -87,7 +87,7 @@ TEST(MeshTopology, EachClosedPartIsInsideOutOrNotByItself) {
     }
     const geom::MeshTopology topology = geom::topology(mesh);
     EXPECT_TRUE(topology.closed);
-    EXPECT_EQ(topology.leaning_normals, 0U);
+    EXPECT_EQ(topology.reversed_triangles, 0U);
     EXPECT_EQ(topology.inside_out, mesh.triangles() - large / 3);
     test::Shot s = test::shot("balls");
     s.scene.mesh = mesh;
@@ -165,9 +165,10 @@ TEST(MeshTopology, ATriangleWithoutAnAreaHasNoSide) {
                             c = test::add_vertex(mesh, {0.5F, y, 0});
         test::add_triangle(mesh, a, b, c);
     }
-    EXPECT_EQ(geom::topology(mesh).leaning_normals, 1U); // the first
-    mesh.normal.back() = {1, 0, 0};                      // along the face: no clear side
-    EXPECT_EQ(geom::topology(mesh).leaning_normals, 2U);
+    EXPECT_EQ(geom::topology(mesh).reversed_triangles, 1U); // the first
+    std::fill(mesh.normal.end() - 3, mesh.normal.end(),
+              Vec3(1, 0, 0)); // along the face: no clear side
+    EXPECT_EQ(geom::topology(mesh).reversed_triangles, 2U);
 }
 
 // Programs that draw parts write 0 for a corner here and 2e-18 there.

@@ -19,7 +19,7 @@ TEST(Plan, WithoutLightFromASideNothingIsDoneAboutNormals) {
     SceneFacts facts;
     facts.triangles = 10;
     facts.vertex_colours = facts.uv = true;
-    facts.topology.leaning_normals = facts.specular_triangles = 5;
+    facts.topology.reversed_triangles = facts.specular_triangles = 5;
     facts.mapped_triangles.fill(5);
     facts.readable_maps = ~shade::MapBits{0};
     FrameOptions options;

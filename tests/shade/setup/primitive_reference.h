@@ -54,7 +54,20 @@ private:
     void set_attributes(const GatherInput& in, bool behind_in_order, bool behind_in_file) {
         const geom::Mesh& mesh = *in.mesh;
         const Sides sides = in.frame->sides;
-        const float side = sides == Sides::face && behind_in_file ? -1.0F : 1.0F;
+        const DVec3 first(mesh.position[v[0]]);
+        DVec3 n = cross3(DVec3(mesh.position[v[1]]) - first, DVec3(mesh.position[v[2]]) - first);
+        const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
+        const bool negate = behind_in_order != (sides == Sides::file && behind_in_file);
+        if (largest > 0) n = n * (1 / (negate ? -largest : largest));
+        for (int c = 0; c < 3; ++c)
+            p.facing[c] = static_cast<float>(n[c]);
+        const auto leans_away = [&](std::uint32_t vertex) {
+            return dot3(DVec3(mesh.normal[vertex]), n) < 0;
+        };
+        const auto away = std::count_if(v.begin(), v.end(), leans_away);
+        const bool agreed = sides == Sides::eye && (away == 0 || away == 3);
+        const bool turned = sides != Sides::file && (agreed ? away == 3 : behind_in_file);
+        const float side = turned ? -1.0F : 1.0F;
         for (std::size_t k = 0; k < 3; ++k) {
             const DVec3 place =
                 (in.view->linear * DVec3(mesh.position[v[k]]) + in.view->translation) * in.unit;
@@ -65,13 +78,6 @@ private:
                 if (c < 2) p.uv[c][k] = mesh.uv[v[k]][c];
             }
         }
-        const DVec3 first(mesh.position[v[0]]);
-        DVec3 n = cross3(DVec3(mesh.position[v[1]]) - first, DVec3(mesh.position[v[2]]) - first);
-        const double largest = std::max({std::abs(n.x), std::abs(n.y), std::abs(n.z)});
-        const bool negate = behind_in_order != (sides == Sides::file && behind_in_file);
-        if (largest > 0) n = n * (1 / (negate ? -largest : largest));
-        for (int c = 0; c < 3; ++c)
-            p.facing[c] = static_cast<float>(n[c]);
     }
 };
 
