@@ -54,16 +54,15 @@ void check_lanes(const TriangleList& triangles) {
 }
 
 void check_lanes(const BinnedList& list) {
-    const int side = micro_side(list.kind);
     for (const BinnedTriangle& binned : list.triangles) {
         const std::uint32_t id = list.id_of(binned);
         check_lanes(TriangleList{list.vertices, list.index, {&binned.spatial_index, 1}, {&id, 1}});
         const image::Rect box = binned.box();
         CHECK_LE(box.x1, kTileSize);
         CHECK_LE(box.y1, kTileSize);
-        if (side == 0) continue;
-        CHECK_LE(box.width(), side);
-        CHECK_LE(box.height(), side);
+        if (!is_micro(list.kind)) continue;
+        CHECK_LE(box.width(), kMicroSide);
+        CHECK_LE(box.height(), kMicroSide);
         if (list.kind == SmallKind::micro_straddling) continue;
         CHECK_EQ(box.x0 / PixelBlock::kSide, (box.x1 - 1) / PixelBlock::kSide);
         CHECK_EQ(box.y0 / PixelBlock::kSide, (box.y1 - 1) / PixelBlock::kSide);

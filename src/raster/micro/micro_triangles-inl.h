@@ -1,4 +1,4 @@
-// Micro-triangles, of at most two or three pixels each way: most triangles of a mesh finer than the
+// Micro-triangles, of at most three pixels each way: most triangles of a mesh finer than the
 // picture, and the parts of larger ones at a tile's edge. Tests every pixel of the square, a
 // triangle a lane, without a branch. Stores covered samples for several registers and depth-tests
 // them afterwards: a test at once would branch on the end of a long dependency chain, and a branch
@@ -16,34 +16,34 @@
 SIMD_BEGIN(scanout::raster)
 
 // A register of micro-triangles at one sample. Each lane covers the pixels of a square, row by row.
-template <int kMax>
 struct MicroTriangles {
+    static constexpr int kPixels = kMicroSide * kMicroSide;
     static constexpr int kSteps = 64 / kLanes; // pixels of all lanes in a word
-    static constexpr int kWords = (kMax * kMax + kSteps - 1) / kSteps;
+    static constexpr int kWords = (kPixels + kSteps - 1) / kSteps;
     std::uint64_t covered[kWords];
-    float depth[kMax * kMax][kLanes];
+    float depth[kPixels][kLanes];
     std::int32_t pixel_offset[kLanes]; // of the first pixel, in a plane of the tile
     std::uint32_t id[kLanes];
     std::ptrdiff_t plane;
 };
-template <int kMax>
 struct MicroBatch {
     static constexpr int kCapacity = 64 / kLanes; // registers, each at one sample
-    MicroTriangles<kMax> micro[kCapacity];
+    MicroTriangles micro[kCapacity];
     int count = 0;
 };
 
-template <DepthWrite kWrite, int kMax>
-SIMD_INLINE void draw_micro_batch(const TilePlanes& tile, MicroBatch<kMax>& batch, I32x8& drawn) {
+template <DepthWrite kWrite>
+SIMD_INLINE void draw_micro_batch(const TilePlanes& tile, MicroBatch& batch, I32x8& drawn) {
     bool written = false;
-    for (const MicroTriangles<kMax>* s = batch.micro; s != batch.micro + batch.count; ++s) {
+    for (const MicroTriangles* s = batch.micro; s != batch.micro + batch.count; ++s) {
         float* const depth = tile.depth + s->plane;
         std::uint32_t* const id = id_after<kWrite>(tile.id, s->plane);
         for (int word = 0; word < s->kWords; ++word)
             for (std::uint64_t rest = s->covered[word]; rest != 0; rest &= rest - 1) {
                 const int bit = __builtin_ctzll(rest), lane = bit % kLanes;
                 const int pixel = bit / kLanes + word * s->kSteps;
-                const int to = s->pixel_offset[lane] + pixel / kMax * kTileSize + pixel % kMax;
+                const int to =
+                    s->pixel_offset[lane] + pixel / kMicroSide * kTileSize + pixel % kMicroSide;
                 const float z = s->depth[pixel][lane], old = depth[to];
                 if constexpr (kWrite == DepthWrite::depth_only) {
                     depth[to] = z > old ? z : old;
@@ -114,10 +114,10 @@ struct MicroDoubleDepth {
 };
 
 // At one sample of the pattern. first: the edge functions at the corner of the first pixel.
-template <int kMax, class Depths>
+template <class Depths>
 SIMD_INLINE void cover_micro(const SmallSetup<F32::Tag>& s, std::uint32_t live,
                              const Depths& depths, const I32 (&first)[3], SampleOffset sample,
-                             MicroTriangles<kMax>& out) {
+                             MicroTriangles& out) {
     const SmallLanes<F32::Tag>& lanes = s.lanes;
     const I32 column = lanes.x0 - lanes.left, row = lanes.y0 - lanes.top;
     const I32 across = lanes.x1 - lanes.x0, down = lanes.y1 - lanes.y0; // 1 and more
@@ -127,12 +127,12 @@ SIMD_INLINE void cover_micro(const SmallSetup<F32::Tag>& s, std::uint32_t live,
     const F32 sample_y = static_cast<float>(sample.y) / kSubpixel;
     I32 in_row[3];
     edges_at(s.edges, first, sample, in_row);
-    std::uint64_t covered[MicroTriangles<kMax>::kWords] = {};
-    SIMD_FOR (int j = 0; j < kMax; ++j) {
+    std::uint64_t covered[MicroTriangles::kWords] = {};
+    SIMD_FOR (int j = 0; j < kMicroSide; ++j) {
         I32 edge[3] = {in_row[0], in_row[1], in_row[2]};
-        SIMD_FOR (int i = 0; i < kMax; ++i) {
-            constexpr int kSteps = MicroTriangles<kMax>::kSteps;
-            const int pixel = j * kMax + i;
+        SIMD_FOR (int i = 0; i < kMicroSide; ++i) {
+            constexpr int kSteps = MicroTriangles::kSteps;
+            const int pixel = j * kMicroSide + i;
             store(depths.at(edge, column + I32(i), row + I32(j), sample_x, sample_y),
                   out.depth[pixel]);
             I32 outside = edge[0] | edge[1] | edge[2]; // where it is negative
@@ -146,15 +146,15 @@ SIMD_INLINE void cover_micro(const SmallSetup<F32::Tag>& s, std::uint32_t live,
         SIMD_FOR (int k = 0; k < 3; ++k)
             in_row[k] = in_row[k] + shift_left<kSubpixelBits>(s.edges.b[k]);
     }
-    SIMD_FOR (int word = 0; word < MicroTriangles<kMax>::kWords; ++word)
+    SIMD_FOR (int word = 0; word < MicroTriangles::kWords; ++word)
         out.covered[word] = covered[word];
 }
 
 // live: the lanes of s that fit the square and have the kind of depth that Depths computes;
 // MicroFloatDepth<false> needs triangles within one block. Gives the same bits as drawing by rows.
-template <class Depths, DepthWrite kWrite, int kMax>
+template <class Depths, DepthWrite kWrite>
 SIMD_INLINE void add_micro(const TilePlanes& tile, const SmallSetup<F32::Tag>& s,
-                           std::uint32_t live, MicroBatch<kMax>& batch, I32x8& drawn) {
+                           std::uint32_t live, MicroBatch& batch, I32x8& drawn) {
     if (live == 0) return;
     const Depths depths(s);
     I32 first[3];
@@ -164,7 +164,7 @@ SIMD_INLINE void add_micro(const TilePlanes& tile, const SmallSetup<F32::Tag>& s
          at != tile.pattern.data() + tile.pattern.size();
          ++at, plane += std::ptrdiff_t{kTileSize} * kTileSize) {
         if (batch.count == batch.kCapacity) draw_micro_batch<kWrite>(tile, batch, drawn);
-        MicroTriangles<kMax>& out = batch.micro[batch.count++];
+        MicroTriangles& out = batch.micro[batch.count++];
         out.plane = plane;
         cover_micro(s, live, depths, first, *at, out);
     }

@@ -56,7 +56,7 @@ private:
 template <DepthWrite kWrite, SmallKind kKind>
 struct MicroDrawer {
     using Tag = F32::Tag;
-    MicroBatch<micro_side(kKind)> batch;
+    MicroBatch batch;
     DoubleDepthQueue double_depth;
 
     HWY_NOINLINE void add_double_depth(const TilePlanes& tile, const BinnedList& list,
@@ -115,10 +115,8 @@ SIMD_INLINE bool draw_list(const TilePlanes& tile, const BinnedList& list) {
 template <DepthWrite kWrite>
 SIMD_INLINE bool draw_kind(const TilePlanes& tile, const BinnedList& list) {
     switch (list.kind) {
-    case SmallKind::micro_2:
-        return draw_list<kWrite, MicroDrawer<kWrite, SmallKind::micro_2>>(tile, list);
-    case SmallKind::micro_3:
-        return draw_list<kWrite, MicroDrawer<kWrite, SmallKind::micro_3>>(tile, list);
+    case SmallKind::micro:
+        return draw_list<kWrite, MicroDrawer<kWrite, SmallKind::micro>>(tile, list);
     case SmallKind::micro_straddling:
         return draw_list<kWrite, MicroDrawer<kWrite, SmallKind::micro_straddling>>(tile, list);
     case SmallKind::rows:

@@ -130,10 +130,8 @@ SIMD_INLINE void bin_lanes(const TileGrid& grid, const std::uint32_t* triangle, 
                            (shift_right<3>(y0) == shift_right<3>(y1 - one));
     const I32 most = maximum(x1 - x0, y1 - y0);
     const auto is = [](SmallKind of) SIMD_LAMBDA { return I32(static_cast<std::int32_t>(of)); };
-    constexpr int kSide2 = micro_side(SmallKind::micro_2), kSide3 = micro_side(SmallKind::micro_3);
-    const I32 micro = select(most <= I32(kSide2), is(SmallKind::micro_2), is(SmallKind::micro_3));
-    const I32 tiny = select(one_block, micro, is(SmallKind::micro_straddling));
-    const I32 front = select(most <= I32(kSide3), tiny, is(SmallKind::rows));
+    const I32 micro = select(one_block, is(SmallKind::micro), is(SmallKind::micro_straddling));
+    const I32 front = select(most <= I32(kMicroSide), micro, is(SmallKind::rows));
     const auto back_facing =
         !((from & I32(static_cast<std::int32_t>(VisibleTriangle::kBackFacing))) == I32(0));
     store(select(back_facing, is(SmallKind::back_facing), front), kind);

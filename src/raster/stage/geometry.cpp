@@ -142,9 +142,9 @@ void Geometry::bin_small_in_tile(const VisibleTriangle& t, int left, int top,
     };
     const int x0 = clamped(t.x0(), left), x1 = clamped(t.x1(), left);
     const int y0 = clamped(t.y0(), top), y1 = clamped(t.y1(), top);
-    const bool tiny = std::max(x1 - x0, y1 - y0) <= micro_side(SmallKind::micro_straddling);
+    const bool micro = std::max(x1 - x0, y1 - y0) <= kMicroSide;
     const SmallKind kind = t.back_facing() ? SmallKind::back_facing
-                           : tiny          ? SmallKind::micro_straddling
+                           : micro         ? SmallKind::micro_straddling
                                            : SmallKind::rows;
     append(small[static_cast<std::size_t>(kind)],
            BinnedTriangle::of(t.spatial_index, x0, y0, x1, y1));

@@ -75,8 +75,7 @@ SmallKind kind_of(int x0, int y0, int x1, int y1) {
     const bool one_block = x0 / 8 == (x1 - 1) / 8 && y0 / 8 == (y1 - 1) / 8;
     const int most = std::max(x1 - x0, y1 - y0);
     if (most > 3) return SmallKind::rows;
-    if (!one_block) return SmallKind::micro_straddling;
-    return most > 2 ? SmallKind::micro_3 : SmallKind::micro_2;
+    return one_block ? SmallKind::micro : SmallKind::micro_straddling;
 }
 
 // As the geometry stage sorts them.
@@ -403,8 +402,7 @@ TEST(SmallTriangles, ThatLieInOneTileArePlacedThere) {
                 EXPECT_EQ(placed.kind[i], static_cast<std::int32_t>(kind));
                 ++of_kind[static_cast<std::size_t>(kind)];
             }
-            for (const SmallKind kind :
-                 {SmallKind::micro_2, SmallKind::micro_3, SmallKind::rows, SmallKind::back_facing})
+            for (const SmallKind kind : {SmallKind::micro, SmallKind::rows, SmallKind::back_facing})
                 EXPECT_GT(of_kind[static_cast<std::size_t>(kind)], 10);
             // A tile of 8 pixels is one block.
             EXPECT_EQ(of_kind[static_cast<std::size_t>(SmallKind::micro_straddling)] > 10,

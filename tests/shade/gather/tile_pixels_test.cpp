@@ -276,7 +276,7 @@ TEST_F(PixelsOfSmallTriangles, AreNotLookedForWhereTrianglesAreManyOrTiny) {
     const auto lists = [&](raster::SmallKind kind) {
         return std::array{raster::BinnedList{{}, {}, triangles, kind, id}};
     };
-    EXPECT_FALSE(take(lists(raster::SmallKind::micro_3)));
+    EXPECT_FALSE(take(lists(raster::SmallKind::micro)));
     EXPECT_FALSE(take(lists(raster::SmallKind::rows), kPixels / 4));
     EXPECT_EQ(pixels.size(), 0U);
     EXPECT_TRUE(pixels.material_batches().empty());
