@@ -7,7 +7,8 @@
 
 SIMD_BEGIN(scanout::raster)
 
-// Triangles of few blocks: several triangles side by side, block after block.
+// Triangles of few blocks: several triangles side by side, block after block. Saves 3 % of a frame
+// of the teapot (6320 triangles, 960 x 540) in instructions.
 template <DepthWrite kWrite>
 SIMD_INLINE void draw_few_blocks(const TilePlanes& tile, const TriangleSetup& w, int i,
                                  std::uint32_t live, I32& drawn) {

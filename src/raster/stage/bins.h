@@ -23,7 +23,8 @@ struct TileBin {
     std::vector<std::uint32_t> deferred, queries;
     BinnedByKind small;
     // Triangles that may cover whole blocks, until prepend_large() sorts them front to back and
-    // puts them before the other `triangles`, so that they occlude those drawn later.
+    // puts them before the other `triangles`, so that they occlude those drawn later. Saves 4.6 %
+    // of the instructions of a building from inside, 1.5 % of those of the Cornell box.
     std::vector<DepthAndId> large;
 
     const std::vector<BinnedTriangle>& small_of(SmallKind kind) const {

@@ -165,7 +165,8 @@ static std::uint64_t columns_of(const image::Rect& region) {
 }
 
 // Of a tile: below this mean length of its runs, pixels are not grouped by triangle. Grouping would
-// take longer than the set-ups that it saves.
+// take longer than the set-ups that it saves: 8 % of the instructions of a frame of the dragon, 3 %
+// of Stanford's bunny, 960 x 540.
 constexpr int kMinRunLength = 2;
 
 // Takes a tile that shows nothing but small triangles, with one sample a pixel. Buys 7 % of a frame
