@@ -164,34 +164,6 @@ SIMD_INLINE Int<D> shift_right(Int<D> a) { // arithmetic: towards -infinity
     return Int<D>(hn::ShiftRight<kCount>(a.raw));
 }
 
-// --- two whole numbers of 16 bits in a lane, which wrap around
-
-template <class D>
-SIMD_INLINE Int<D> pair_of(Int<D> low, Int<D> high) {
-    return (low & Int<D>(0xffff)) | shift_left<16>(high);
-}
-template <class D>
-SIMD_INLINE Int<D> subtract_pairs(Int<D> a, Int<D> b) {
-    const typename Int<D>::Tag tag;
-    const hn::Repartition<std::int16_t, decltype(tag)> halves;
-    return Int<D>(
-        hn::BitCast(tag, hn::Sub(hn::BitCast(halves, a.raw), hn::BitCast(halves, b.raw))));
-}
-// The sum of the products of the low ones and of the high ones, in 32 bits.
-template <class D>
-SIMD_INLINE Int<D> dot_pairs(Int<D> a, Int<D> b) {
-#if HWY_ARCH_X86 && HWY_TARGET != HWY_EMU128 // one instruction, and the second sum stays unused
-    const typename Int<D>::Tag tag;
-    const hn::Repartition<std::int16_t, decltype(tag)> halves;
-    auto unused = hn::Zero(tag);
-    return Int<D>(hn::ReorderWidenMulAccumulate(tag, hn::BitCast(halves, a.raw),
-                                                hn::BitCast(halves, b.raw), hn::Zero(tag), unused));
-#else
-    const auto low = [](Int<D> pair) SIMD_LAMBDA { return shift_right<16>(shift_left<16>(pair)); };
-    return low(a) * low(b) + shift_right<16>(a) * shift_right<16>(b);
-#endif
-}
-
 // --- conversions
 
 // The types of half as many lanes: for decltype alone, there are no such functions.

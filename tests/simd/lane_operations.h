@@ -39,9 +39,6 @@
     X(shift_left<31>(i))                                                                           \
     X(shift_right<7>(i))                                                                           \
     X(shift_right<31>(i))                                                                          \
-    X(pair_of(i, j))                                                                               \
-    X(subtract_pairs(i, j))                                                                        \
-    X(dot_pairs(i, j))                                                                             \
     X(to_i32(c))                                                                                   \
     X(to_i32(r))                                                                                   \
     X(bits_of(a))
@@ -115,11 +112,11 @@ struct MemoryResults {
     struct Record {
         std::int32_t x, y;
         double z;
-    } records[kMaxLanes + 1];                         // of store_interleaved, of wide lanes
-    float x[kMaxLanes], y[kMaxLanes], z[kMaxLanes]; // of load_interleaved
+    } records[kMaxLanes + 1];                                 // of store_interleaved, of wide lanes
+    float x[kMaxLanes], y[kMaxLanes], z[kMaxLanes];           // of load_interleaved
     std::int32_t ix[kMaxLanes], iy[kMaxLanes], iz[kMaxLanes]; // the same of integers
-    std::int32_t pair[2][kMaxLanes];                            // of load_interleaved of two
-    float gathered[kMaxLanes];                                  // numbers[index]
+    std::int32_t pair[2][kMaxLanes];                          // of load_interleaved of two
+    float gathered[kMaxLanes];                                // numbers[index]
     std::int32_t gathered_bits[kMaxLanes], counted[kMaxLanes]; // iota(-3)
     std::uint32_t copied[kMaxLanes];
     std::uint32_t packed[3 * kMaxLanes]; // ix, iy, iz of those lanes

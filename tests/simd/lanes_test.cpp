@@ -60,21 +60,6 @@ Whole shift_right(Whole a) { // floor(a / 2^count)
     const auto wide = static_cast<double>(a.v);
     return {static_cast<std::int32_t>(std::floor(std::ldexp(wide, -kCount)))};
 }
-std::int16_t low_of(Whole a) {
-    return static_cast<std::int16_t>(a.u());
-}
-std::int16_t high_of(Whole a) {
-    return static_cast<std::int16_t>(a.u() >> 16);
-}
-Whole pair_of(Whole low, Whole high) {
-    return whole((low.u() & 0xffffU) | high.u() << 16);
-}
-Whole subtract_pairs(Whole a, Whole b) {
-    return pair_of({low_of(a) - low_of(b)}, {high_of(a) - high_of(b)});
-}
-Whole dot_pairs(Whole a, Whole b) {
-    return Whole{low_of(a) * low_of(b)} + Whole{high_of(a) * high_of(b)};
-}
 
 template <class T>
 T select(bool mask, T yes, T no) {

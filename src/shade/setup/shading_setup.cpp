@@ -87,16 +87,6 @@ SIMD_INLINE Areas<typename In::Number> areas_at(In, const ShadingSetup& t,
     };
     return {area(0), area(1)};
 }
-// Of small triangles (fit_int16), made of numbers of 16 bits: half as many products.
-template <class D>
-struct AreaInt16 : AreaInt32<D> {};
-template <class D>
-SIMD_INLINE Areas<Int<D>> areas_at(AreaInt16<D>, const ShadingSetup& t, const Entries<D>& entries,
-                                   Int<D> x, Int<D> y) {
-    const Int<D> apart = subtract_pairs(pair_of(x, y), entries.of(t.packed_xy));
-    return {dot_pairs(entries.of(t.packed_step[0]), apart),
-            dot_pairs(entries.of(t.packed_step[1]), apart)};
-}
 
 // Which lanes their triangles cover where these areas are.
 template <class In, class D, class N>
@@ -111,7 +101,7 @@ SIMD_INLINE Mask<D> covered(const ShadingSetup& t, const Entries<D>& entries, co
            inside(area[1], a[0], b[0]) & inside(area[2], a[1], b[1]);
 }
 
-// The exact areas of a register of triangles, where fit_int16 has left them out.
+// The exact areas of a register of triangles, where twice_area_of has left them out.
 SIMD_INLINE void fill_exact(ShadingSetup& t, int at) {
     const I32x8 known = load<I32x8>(t.fits_int32 + at);
     const F64x8 twice = to_f64(load<I32x8>(t.twice_area + at));
@@ -204,23 +194,20 @@ void set_up_triangles(const TriangleSource& s, ShadingSetup& t, ShadingBlock& b,
                       int count) {
     const bool sloped = s.wanted.uv && s.wanted.footprint;
     const int begin = t.triangle_of[first], triangles = t.triangle_of[first + count - 1] + 1;
-    AreaRange range;
+    bool fit_int32 = true;
     for (int i = 0; i < kLanes; ++i) // registers reach beyond the last
         t.id[t.count + i] = t.id[t.count - 1];
     using D = F32::Tag;
     for (int i = begin; i < triangles; i += kLanes)
         load_vertex_indices<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
-        range = range & set_up_register<D>(s, t, i);
+        fit_int32 &= set_up_register<D>(s, t, i);
     for (int i = begin; i < triangles; i += kLanes)
         set_up_attributes<D>(s, t, i);
     for (int i = begin; sloped && i < triangles; i += kLanesX8)
         store_uv_plane(t, i);
     const int end = first + count;
-    if (range.int16) {
-        for (int i = first; i < end; i += kLanes)
-            find_weights<F32::Tag, AreaInt16>(t, b, i, end - i, sloped);
-    } else if (range.int32) {
+    if (fit_int32) {
         for (int i = first; i < end; i += kLanes)
             find_weights<F32::Tag, AreaInt32>(t, b, i, end - i, sloped);
     } else {
@@ -231,7 +218,7 @@ void set_up_triangles(const TriangleSource& s, ShadingSetup& t, ShadingBlock& b,
     }
     if (!sloped) return;
     for (int i = first; i < end; i += kLanesX8) {
-        if (range.int32)
+        if (fit_int32)
             store_slopes<AreaInt32>(t, b, i, end - i);
         else
             store_slopes<AreaDouble>(t, b, i, end - i);

@@ -45,8 +45,6 @@ struct ShadingSetup {
     alignas(64) std::int32_t right[2][kPaddedBlock], down[2][kPaddedBlock],
         twice_area[kPaddedBlock];
     alignas(64) std::int32_t fits_int32[kPaddedBlock];
-    // x and y, right and down, modulo 2^16, in the halves of a number.
-    alignas(64) std::int32_t packed_xy[kPaddedBlock], packed_step[2][kPaddedBlock];
     alignas(64) double exact_twice_area[kPaddedBlock];
     alignas(64) float inverse_w[3][kPaddedBlock];
     // side: what normals are multiplied by (Sides), and have been. The rest as in Primitive,

@@ -102,7 +102,7 @@ SIMD_INLINE Mask<D> narrow(const typename Double<D>::DoubleMask& mask) {
 
 // No side as long as 64 pixels: then areas within a pixel of the triangle are numbers of 31 bits.
 template <class D>
-SIMD_INLINE bool fit_int16(const Vertices<D> (&v)[3]) {
+SIMD_INLINE bool are_short(const Vertices<D> (&v)[3]) {
     const auto extent = [](Int<D> a, Int<D> b, Int<D> c) SIMD_LAMBDA {
         return maximum(maximum(a, b), c) - minimum(minimum(a, b), c);
     };
@@ -110,28 +110,18 @@ SIMD_INLINE bool fit_int16(const Vertices<D> (&v)[3]) {
                Int<D>(1 << 14));
 }
 
-// Which integers hold the areas of all of some triangles (ShadingSetup, fit_int16).
-struct AreaRange {
-    bool int32 = true, int16 = true;
-    friend SIMD_INLINE AreaRange operator&(AreaRange a, AreaRange b) {
-        return {a.int32 && b.int32, a.int16 && b.int16};
-    }
-};
-
 // Twice the area of a register of triangles, counter-clockwise below 0 as y runs down.
 template <class D>
 struct TwiceArea {
     Mask<D> below_zero, above_zero, fits_int32;
     Int<D> low; // its amount, modulo 2^32
-    bool fits_int16;
 };
 template <class D>
 SIMD_INLINE TwiceArea<D> twice_area_of(const Vertices<D> (&v)[3], double* exact) {
     const Int<D> right_1 = v[1].x - v[0].x, down_1 = v[1].y - v[0].y, right_2 = v[2].x - v[0].x,
                  down_2 = v[2].y - v[0].y, zero = 0;
     const Int<D> low = right_1 * down_2 - down_1 * right_2;
-    if (fit_int16(v))
-        return {(low < zero), (low > zero), zero == zero, maximum(low, zero - low), true};
+    if (are_short(v)) return {low<zero, low> zero, zero == zero, maximum(low, zero - low)};
     const Double<D> twice = to_f64(right_1) * to_f64(down_2) - to_f64(down_1) * to_f64(right_2);
     const Mask<D> below_zero = narrow<D>(twice < Double<D>(0.0));
     store(abs(twice), exact);
@@ -142,7 +132,7 @@ SIMD_INLINE TwiceArea<D> twice_area_of(const Vertices<D> (&v)[3], double* exact)
     SIMD_FOR (const Int<D>& step : steps)
         fits_int32 = fits_int32 & (zero - side < step) & (step < side);
     return {below_zero, narrow<D>(twice > Double<D>(0.0)), fits_int32,
-            select(below_zero, zero - low, low), false};
+            select(below_zero, zero - low, low)};
 }
 
 // The areas opposite the vertices.
@@ -152,7 +142,6 @@ SIMD_INLINE void store_areas(const Vertices<D> (&v)[3], const TwiceArea<D>& twic
     const Int<D> zero = 0;
     store(v[0].x, out.x + lane);
     store(v[0].y, out.y + lane);
-    store(pair_of(v[0].x, v[0].y), out.packed_xy + lane);
     store(twice.low, out.twice_area + lane);
     store(select(twice.fits_int32, Int<D>(1), zero), out.fits_int32 + lane);
     SIMD_FOR (int k = 1; k < 3; ++k) { // the edge from vertex 2 to 0, or 0 to 1
@@ -162,7 +151,6 @@ SIMD_INLINE void store_areas(const Vertices<D> (&v)[3], const TwiceArea<D>& twic
                      down = select(twice.below_zero, zero - right, right);
         store(across, out.right[k - 1] + lane);
         store(down, out.down[k - 1] + lane);
-        store(pair_of(across, down), out.packed_step[k - 1] + lane);
     }
     SIMD_FOR (int k = 0; k < 3; ++k)
         store(v[k].inverse_w, out.inverse_w[k] + lane);
@@ -297,9 +285,10 @@ SIMD_INLINE void store_sides(const TriangleSource& s, const Windings<D>& behind,
 }
 
 // A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.
-// exact_twice_area is set where not all fit_int16.
+// Returns whether numbers of 32 bits hold the areas of all. exact_twice_area is set where not all
+// are_short.
 template <class D>
-SIMD_INLINE AreaRange set_up_register(const TriangleSource& s, ShadingSetup& out, int at) {
+SIMD_INLINE bool set_up_register(const TriangleSource& s, ShadingSetup& out, int at) {
     Vertices<D> v[3];
     load_vertices(s, out, at, v);
     const Reordering<D> reordering = sort_canonically(v);
@@ -308,7 +297,7 @@ SIMD_INLINE AreaRange set_up_register(const TriangleSource& s, ShadingSetup& out
     store_areas(v, twice, out, at);
     const Mask<D> mirrored = Float<D>(s.mirrored ? 1.0F : 0.0F) > Float<D>(0.0F);
     store_sides(s, windings_of(twice.above_zero, reordering, mirrored), out, at);
-    return {all(twice.fits_int32), twice.fits_int16};
+    return all(twice.fits_int32);
 }
 // And then what their vertices carry: not at once with it, so that compilers leave the corners in
 // memory, and so that no load waits for them.
