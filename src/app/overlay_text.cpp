@@ -22,6 +22,29 @@ std::vector<std::string> info_lines(const Viewer& viewer, const ModelSlot& slot,
     return lines;
 }
 
+// What a key can do about a picture that shows nothing.
+const char* hint_at(frame::Blank why) {
+    switch (why) {
+    case frame::Blank::outside:
+        return "model out of view: press R";
+    case frame::Blank::culled:
+        return "all faces that look this way are left out: press C";
+    case frame::Blank::edge_on:
+        return "a flat model, seen from its edge: turn it, or press 9";
+    case frame::Blank::no_sample:
+        return "the model is too small or too near to be seen: press R";
+    case frame::Blank::no_area:
+        return "no face of the model has an area";
+    case frame::Blank::clear:
+        return "all materials of the model are clear";
+    case frame::Blank::cut_out:
+        return "the materials are clear where you look: turn the model, or press R";
+    case frame::Blank::depth_test:
+        break;
+    }
+    return "the depth test lets nothing through";
+}
+
 } // namespace
 
 std::string file_name_of(const std::string& path) {
@@ -42,8 +65,7 @@ Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings
 }
 
 void add_frame_text(Overlay& overlay, const FrameFacts& frame) {
-    if (!frame.model_in_view && overlay.message.empty())
-        overlay.message = "model out of view: press R";
+    if (frame.blank && overlay.message.empty()) overlay.message = hint_at(*frame.blank);
     if (!frame.times) return;
     if (!overlay.info.empty())
         overlay.info.push_back(

@@ -5,8 +5,10 @@
 #include "app/overlay.h"
 #include "app/settings.h"
 #include "app/viewer.h"
+#include "frame/blank_picture.h"
 #include "frame/renderer.h"
 
+#include <optional>
 #include <string>
 
 namespace scanout::app {
@@ -18,8 +20,8 @@ Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings
 
 // Adds the lines that depend on the frame that is being shown.
 struct FrameFacts {
-    bool model_in_view = true;
-    bool times = true; // print the times
+    std::optional<frame::Blank> blank; // why nothing of the model shows
+    bool times = true;                 // print the times
     double frames_per_second = 0;
     frame::FrameStats stats;
 };

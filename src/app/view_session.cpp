@@ -376,7 +376,7 @@ bool ViewSession::lacks_rows() const {
 
 // And nothing else is to be done.
 bool ViewSession::wants_row() {
-    return lacks_rows() && in_view_ && !lost_ && parts_.display.ready() && !next_change() &&
+    return lacks_rows() && !blank_ && !lost_ && parts_.display.ready() && !next_change() &&
            !wants_frame();
 }
 
@@ -425,20 +425,25 @@ void ViewSession::set_frame_options() {
 
 Result<void> ViewSession::render() {
     if (slot_.model() == nullptr) {
+        blank_.reset();
         picture_ = &background_;
         return {};
     }
     const Result<scene::View> view = viewer_.view(*slot_.mesh());
     TRY(const frame::FramePlan* const now, plan());
     picture_ = view ? &renderer_.render(slot_.model()->scene, *view, *now) : &background_;
-    in_view_ = view && renderer_.stats().items_shaded > 0;
+    if (!view)
+        blank_ = frame::Blank::outside;
+    else if (renderer_.stats().items_shaded == 0)
+        blank_ = frame::why_nothing_is_drawn(slot_.model()->scene, *view, *now);
+    else
+        blank_.reset();
     return {};
 }
 
 void ViewSession::compose(const Overlay& overlay) {
     Overlay complete = overlay;
-    add_frame_text(complete, {slot_.model() == nullptr || in_view_, !steady_,
-                              pacer_.frames_per_second(), renderer_.stats()});
+    add_frame_text(complete, {blank_, !steady_, pacer_.frames_per_second(), renderer_.stats()});
     composer_.set_picture(*picture_,
                           [&](image::Image& picture) { draw_overlay(picture, complete); });
 }

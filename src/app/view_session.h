@@ -18,6 +18,7 @@
 #include "app/timed_message.h"
 #include "app/viewer.h"
 #include "app/virtual_clock.h"
+#include "frame/blank_picture.h"
 #include "frame/renderer.h"
 #include "port/display.h"
 #include "port/input.h"
@@ -139,8 +140,8 @@ private:
     Shown shown_;
     image::Image background_;
     const image::Image* picture_ = nullptr;
-    image::Image undithered_; // of a display that would dither; else empty
-    bool in_view_ = true;     // the picture shows some of the model
+    image::Image undithered_;           // of a display that would dither; else empty
+    std::optional<frame::Blank> blank_; // why the picture shows nothing of the model
     bool lost_ = false, repaint_ = true, quit_ = false;
 };
 

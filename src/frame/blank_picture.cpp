@@ -59,40 +59,69 @@ const char* view_along(const DVec3& direction, const scene::View& view, scene::U
     return y >= x && y >= z ? "top" : z >= x ? "front" : "right";
 }
 
-std::string why_nothing_is_drawn(const scene::Scene& scene, const scene::View& view,
-                                 scene::UpAxis up, const FramePlan& plan) {
+struct Found {
+    Blank why;
+    Triangles triangles;
+};
+
+Found find_why(const scene::Scene& scene, const scene::View& view, const FramePlan& plan) {
     const FrameOptions& o = plan.options;
     if (!row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).shows)
-        return fmt::format("--depth-test {} lets nothing through; leave it out", o.depth_test);
-    if (!may_be_visible(view))
-        return "the model lies outside of it; leave out what moves the camera or the model "
-               "(--camera, --eye, --look-at, --translate), or say --view iso";
+        return {Blank::depth_test, {}};
+    if (!may_be_visible(view)) return {Blank::outside, {}};
     const Triangles t = sorted_out(scene, view, plan);
     const std::size_t all = scene.mesh.triangles();
     const bool faces_alone = scene.mesh.line_index.empty() && scene.mesh.point_index.empty();
-    if (all > 0 && faces_alone && t.others == 0) {
-        if (t.without_area == all)
-            return fmt::format("none of the model's {} triangles has an area: their corners stand "
-                               "on a line; check the coordinates in the file",
-                               all);
-        if (t.unseen > 0 && t.edge_on + t.culled == 0)
-            return "the materials are clear (d, Tr or the alpha of maps is 0); "
-                   "--effect blending=off draws them opaque";
-        if (t.culled > 0)
-            return fmt::format("--cull {} leaves out all faces that look this way; say --cull none",
-                               o.cull == Cull::back ? "back" : "front");
+    const auto why = [&] {
+        if (all == 0 || !faces_alone || t.others > 0)
+            return plan.transparency.cut_out != nullptr ? Blank::cut_out : Blank::no_sample;
+        if (t.without_area == all) return Blank::no_area;
+        if (t.unseen > 0 && t.edge_on + t.culled == 0) return Blank::clear;
+        return t.culled > 0 ? Blank::culled : Blank::edge_on;
+    };
+    return {why(), t};
+}
+
+std::string say_why(const scene::Scene& scene, const scene::View& view, scene::UpAxis up,
+                    const FramePlan& plan) {
+    const FrameOptions& o = plan.options;
+    const Found found = find_why(scene, view, plan);
+    switch (found.why) {
+    case Blank::depth_test:
+        return fmt::format("--depth-test {} lets nothing through; leave it out", o.depth_test);
+    case Blank::outside:
+        return "the model lies outside of it; leave out what moves the camera or the model "
+               "(--camera, --eye, --look-at, --translate), or say --view iso";
+    case Blank::no_area:
+        return fmt::format("none of the model's {} triangles has an area: their corners stand on a "
+                           "line; check the coordinates in the file",
+                           scene.mesh.triangles());
+    case Blank::clear:
+        return "the materials are clear (d, Tr or the alpha of maps is 0); "
+               "--effect blending=off draws them opaque";
+    case Blank::culled:
+        return fmt::format("--cull {} leaves out all faces that look this way; say --cull none",
+                           o.cull == Cull::back ? "back" : "front");
+    case Blank::edge_on:
         return fmt::format("the model is flat and seen from its edge; say --view {}",
-                           view_along(t.edge_on_normal, view, up));
-    }
-    if (plan.transparency.cut_out != nullptr)
+                           view_along(found.triangles.edge_on_normal, view, up));
+    case Blank::cut_out:
         return fmt::format("the materials are clear where it looks: alpha is below --alpha-cut "
                            "{:.3g}; --effect cut_out=off draws them whole",
                            o.alpha_cut);
+    case Blank::no_sample:
+        break;
+    }
     return "no sample of it falls onto the model: it is too small or too thin from here, or the "
            "camera stands too near; say another --camera, or a larger --size";
 }
 
 } // namespace
+
+Blank why_nothing_is_drawn(const scene::Scene& scene, const scene::View& view,
+                           const FramePlan& plan) {
+    return find_why(scene, view, plan).why;
+}
 
 std::optional<std::string> why_blank(const scene::Scene& scene, const scene::View& view,
                                      scene::UpAxis up, const FramePlan& plan,
@@ -101,7 +130,7 @@ std::optional<std::string> why_blank(const scene::Scene& scene, const scene::Vie
     const auto pixels = picture.pixels();
     if (!std::all_of(pixels.begin(), pixels.end(), is_background)) return {};
     const std::string blank = "the picture is blank: ";
-    if (stats.items_shaded == 0) return blank + why_nothing_is_drawn(scene, view, up, plan);
+    if (stats.items_shaded == 0) return blank + say_why(scene, view, up, plan);
     return blank + (plan.transparency.blended != nullptr || plan.transparency.cut_out != nullptr
                         ? "all that it shows of the model is transparent, or has the background's "
                           "colour; say another --background, or --effect blending=off"

@@ -60,7 +60,7 @@ TEST_F(Words, FiguresOfAFrameStandOnlyInOpenBlocksAndOnlyWhereTimesMay) {
     add_frame_text(open, {});
     EXPECT_EQ(open.info.size(), 2U);
     EXPECT_EQ(open.explain.size(), 2U);
-    add_frame_text(steady, {true, false, 0, {}});
+    add_frame_text(steady, {{}, false, 0, {}});
     EXPECT_EQ(steady.info.size(), 1U);
     EXPECT_EQ(steady.explain.size(), 1U);
 }
@@ -69,7 +69,7 @@ TEST_F(Words, AModelOutOfViewIsSaidUnlessThereIsAMessage) {
     Overlay silent, talking;
     talking.message = "wrote a.png";
     for (Overlay* overlay : {&silent, &talking})
-        add_frame_text(*overlay, {false, true, 0, {}});
+        add_frame_text(*overlay, {frame::Blank::outside, true, 0, {}});
     EXPECT_EQ(silent.message, "model out of view: press R");
     EXPECT_EQ(talking.message, "wrote a.png");
 }

@@ -269,6 +269,20 @@ TEST_F(Session, CullingThatChangesNoPixelSaysSo) {
               with_message(culled, "faces left out: back"));
 }
 
+TEST_F(Session, APictureThatShowsNothingSaysWhy) {
+    width = 640; // room for the message
+    const image::Image empty(width, height, settings.frame.background);
+    settings.arguments = {folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\n")};
+    EXPECT_EQ(last_frame({{300ms, {quit()}}}),
+              with_message(empty, "a flat model, seen from its edge: turn it, or press 9"));
+    settings.camera.elevation_degrees = 90;
+    settings.frame.cull = frame::Cull::back;
+    EXPECT_EQ(last_frame({{300ms, {quit()}}}),
+              with_message(empty, "all faces that look this way are left out: press C"));
+    settings.frame.cull = frame::Cull::none;
+    EXPECT_EQ(last_frame({{300ms, {quit()}}}), rendered({}));
+}
+
 TEST_F(Session, AKeyIsOneFrameAndAKeyWithoutEffectIsNone) {
     port::Event release = press(XKB_KEY_Left);
     release.pressed = false;
