@@ -119,6 +119,32 @@ std::string binary_stl() {
     return file;
 }
 
+std::string binary_ply(bool big_endian) {
+    std::string file = std::string("ply\nformat binary_") + (big_endian ? "big" : "little") +
+                       "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                       "property double z\nproperty uchar red\nproperty uchar green\n"
+                       "property uchar blue\nelement face 2\n"
+                       "property list uchar int vertex_indices\nend_header\n";
+    const auto add = [&](auto value) {
+        std::string bytes(reinterpret_cast<const char*>(&value), sizeof value); // little-endian
+        if (big_endian) std::reverse(bytes.begin(), bytes.end());
+        file += bytes;
+    };
+    for (int vertex = 0; vertex < 3; ++vertex) {
+        add(vertex == 1 ? 1.0F : 0.0F);
+        add(vertex == 2 ? 1.0F : 0.0F);
+        add(0.0);
+        for (int channel = 0; channel < 3; ++channel)
+            add(static_cast<std::uint8_t>(channel == vertex ? 255 : 0));
+    }
+    for (int face = 0; face < 2; ++face) {
+        add(std::uint8_t{3});
+        for (const std::int32_t index : {0, 1 + face, 2 - face})
+            add(index);
+    }
+    return file;
+}
+
 struct Loaded {
     Result<scene::Scene> scene;
     std::vector<std::string> warnings;
@@ -183,7 +209,8 @@ TEST(OutOfMemory, EndsEveryReaderWithOneLine) {
           files.write("binary.stl", binary_stl()),
           files.write("ascii.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"
                                    "vertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"),
-          files.write("m.ply", ply),
+          files.write("m.ply", ply), files.write("little.ply", binary_ply(false)),
+          files.write("big.ply", binary_ply(true)),
           files.write("m.off", "OFF\n3 1 0\n" + triangle + "3 0 1 2 255 0 0\n")})
         expect_one_line_wherever_memory_ends(path);
 }
