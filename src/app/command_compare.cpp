@@ -1,11 +1,12 @@
-// scanout compare: two pictures against each other, with two numbers as tolerance.
+// scanout compare: two pictures against each other, with two numbers as tolerance, or by a figure.
 #include "app/commands.h"
+#include "app/comparison.h"
 #include "app/files.h"
 #include "app/message.h"
 #include "app/picture.h"
 #include "app/report.h"
-#include "image/compare.h"
 #include "image/flip.h"
+#include "image/heat_map.h"
 
 #include <sys/stat.h>
 
@@ -47,9 +48,7 @@ Result<std::vector<std::string>> write_difference(const Settings& settings, cons
     return written;
 }
 
-} // namespace
-
-Result<Exit> run_compare(const Settings& settings) {
+Result<void> check_compare(const Settings& settings) {
     if (settings.arguments.size() != 2)
         return fail(Exit::usage,
                     "compare takes two pictures, as in `scanout compare got.png expected.png`; "
@@ -60,30 +59,63 @@ Result<Exit> run_compare(const Settings& settings) {
                                       settings.arguments.size() == 1 ? "was" : "were"));
     for (const std::string& path : settings.arguments)
         TRY_VOID(check_readable(path));
+    if (!settings.heat_map.empty())
+        TRY_VOID(picture_format(settings.heat_map, PictureFormat::by_name));
+    return check_outputs(settings.arguments, {settings.json.value_or(""), settings.heat_map});
+}
+
+Result<void> write_heat_map(const Settings& settings, const image::Image& got,
+                            const image::Image& expected) {
+    if (settings.heat_map.empty()) return {};
+    const image::Image map =
+        settings.metric == Metric::flip
+            ? image::heat_map(got.width(), got.height(), image::flip_map(expected, got))
+            : image::heat_map(expected, got);
+    TRY(const PictureFormat format, picture_format(settings.heat_map, PictureFormat::by_name));
+    TRY(const image::Bytes bytes, encode(map, format, std::nullopt));
+    return write_picture(settings.heat_map, bytes);
+}
+
+// What is printed, without the names of written files.
+std::string line_of(const Comparison& c, const Settings& settings, const image::Image& got,
+                    const image::Image& expected, bool same) {
+    const image::Difference& d = c.difference;
+    if (!d.same_size)
+        return fmt::format("different: sizes {}x{} and {}x{}", got.width(), got.height(),
+                           expected.width(), expected.height());
+    if (settings.metric != Metric::none)
+        return fmt::format("{:.{}f}", c.figure(settings.metric),
+                           settings.metric == Metric::max ? 0 : 6);
+    return fmt::format("{}: {} of {} pixels differ, {} by more than {}; largest difference {}; "
+                       "mean FLIP {:.6f}",
+                       same ? "same" : "different", d.differing_pixels, got.pixels().size(),
+                       d.over_tolerance, settings.max_difference, d.max_difference, c.flip);
+}
+
+} // namespace
+
+Result<Exit> run_compare(const Settings& settings) {
+    TRY_VOID(check_compare(settings));
     TRY(const image::Image got, image::load(settings.arguments[0]));
     TRY(const image::Image expected, image::load(settings.arguments[1]));
-    const image::Difference difference = image::compare(got, expected, settings.max_difference);
-    const bool same = difference.same_size && difference.over_tolerance <= settings.max_pixels;
-    const float flip = difference.same_size ? image::mean_flip(expected, got) : 0.0F;
-
+    const Comparison compared = comparison(expected, got, settings);
+    const bool same = compared.same(settings), by_figure = settings.metric != Metric::none;
     std::vector<std::string> written;
     if (!same) {
         TRY(written, write_difference(settings, got, expected));
     }
-    std::string line =
-        difference.same_size
-            ? fmt::format("{}: {} of {} pixels differ, {} by more than {}; largest difference "
-                          "{}; mean FLIP {:.6f}",
-                          same ? "same" : "different", difference.differing_pixels,
-                          got.pixels().size(), difference.over_tolerance, settings.max_difference,
-                          difference.max_difference, flip)
-            : fmt::format("different: sizes {}x{} and {}x{}", got.width(), got.height(),
-                          expected.width(), expected.height());
-    if (!same) line += fmt::format("; see {}", written.back());
-    if (!settings.quiet) say(line, settings.json == "-" ? stderr : stdout);
-    TRY_VOID(write_report(settings, to_json(difference, flip, settings, written)));
+    if (compared.difference.same_size) TRY_VOID(write_heat_map(settings, got, expected));
+    std::string line = line_of(compared, settings, got, expected, same);
+    const std::string see = same ? "" : fmt::format("; see {}", written.back());
+    if (!by_figure || !compared.difference.same_size) line += see;
+    if (!settings.quiet || by_figure) say(line, settings.json == "-" ? stderr : stdout);
+    if (by_figure && !same && compared.difference.same_size)
+        say(fmt::format("different: {} {} --limit {}{}", text_of(settings.metric),
+                        more_is_better(settings.metric) ? "is below" : "is above", *settings.limit,
+                        see));
+    TRY_VOID(write_report(settings, to_json(compared, settings, written)));
     if (same) return Exit::ok;
-    return difference.same_size ? Exit::pixels_differ : Exit::sizes_differ;
+    return compared.difference.same_size ? Exit::pixels_differ : Exit::sizes_differ;
 }
 
 } // namespace scanout::app

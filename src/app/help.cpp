@@ -66,6 +66,8 @@ std::string_view introduction(Command command) {
                "\n"
                "  scanout compare got.png expected.png\n"
                "  scanout compare got.png expected.png --max-diff 2 --max-pixels 100\n"
+               "  scanout compare got.png expected.png --metric psnr --limit 40\n"
+               "  scanout compare got.png expected.png --metric flip --heatmap error.png\n"
                "\n"
                "Exit code 0: the same within the tolerance; 21: sizes differ; 22: pixels differ.\n"
                "Where they differ it writes got, expected and difference as PNG.\n";

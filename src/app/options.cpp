@@ -149,6 +149,12 @@ Result<void> read_json(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_limit(Settings& s, std::string_view text) {
+    TRY(s.limit, parse_real(text));
+    return {};
+}
+
+constexpr std::string_view kMetrics = "rmse rmse_codes psnr max flip ssim";
 constexpr std::string_view kViews = "front back left right top bottom iso";
 
 void choose_view(Settings& s, std::size_t index) {
@@ -381,6 +387,17 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.difference_prefix; }),
      "where got.png, expected.png and difference.png go when the pictures differ: a folder, or the "
      "beginning of the names; default: beside A"},
+    {"metric", 0, "", kMetrics, "", 0, 0, Group::comparison, kCompare,
+     Choice([](Settings& s, std::size_t i) { s.metric = static_cast<Metric>(i + 1); }),
+     "print this figure alone: rmse (of linear light, 0 to 1), rmse_codes (of sRGB codes, 0 to "
+     "255), psnr (of linear light, dB), max (largest difference, codes), flip (mean FLIP), ssim"},
+    {"limit", 0, "X", "", "", 0, 0, Group::comparison, kCompare, Parsed(read_limit),
+     "with --metric: the pictures are the same when the figure is at most X; of psnr and ssim, at "
+     "least X; default: whatever it is"},
+    {"heatmap", 0, "FILE", "", "", 0, 0, Group::comparison, kCompare,
+     Text([](Settings& s) -> std::string& { return s.heat_map; }),
+     "write the error of each pixel as a picture: black is none, pale yellow 255 codes, each "
+     "doubling of the error a step lighter; with --metric flip, FLIP from 0 to 1"},
 
     {"verbose", 'v', "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.verbose; }), "say more on standard error"},
@@ -479,6 +496,11 @@ Result<void> check_together(const Settings& s) {
     if (int{s.camera_given} + int{!s.named_view.empty()} + int{eye} > 1)
         return fail(Exit::usage,
                     "--view, --camera and --eye each place the camera: give one of them");
+    if (s.limit && s.metric == Metric::none)
+        return fail(Exit::usage, "--limit is of a figure: say which by --metric");
+    if (s.metric != Metric::none && (s.max_difference != 0 || s.max_pixels != 0))
+        return fail(Exit::usage, "--metric has the tolerance --limit; leave --max-diff and "
+                                 "--max-pixels out");
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};
 }

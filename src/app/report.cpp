@@ -151,21 +151,31 @@ std::string to_json(const RunReport& report) {
                    {"version", SCANOUT_VERSION}});
 }
 
-std::string to_json(const image::Difference& difference, float mean_flip, const Settings& settings,
+std::string to_json(const Comparison& compared, const Settings& settings,
                     const std::vector<std::string>& written) {
-    const bool same = difference.same_size && difference.over_tolerance <= settings.max_pixels;
-    return dumped(
-        {{"same", same},
-         {"same_size", difference.same_size},
-         {"max_difference", difference.max_difference},
-         {"differing_pixels", difference.differing_pixels},
-         {"over_tolerance", difference.over_tolerance},
-         {"mean_flip",
-          difference.same_size ? Json(std::round(double{mean_flip} * 1e6) / 1e6) : Json()},
-         {"tolerance",
-          {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}}},
-         {"written", written},
-         {"version", SCANOUT_VERSION}});
+    const image::Difference& d = compared.difference;
+    // Of pictures of one size, and no infinite one: JSON has no word for it.
+    const auto figure = [&](double value) {
+        return d.same_size && std::isfinite(value) ? Json(std::round(value * 1e6) / 1e6) : Json();
+    };
+    Json tolerance = {{"max_diff", settings.max_difference}, {"max_pixels", settings.max_pixels}};
+    if (settings.metric != Metric::none)
+        tolerance = {{"metric", text_of(settings.metric)},
+                     {"limit", settings.limit ? Json(*settings.limit) : Json()}};
+    return dumped({{"same", compared.same(settings)},
+                   {"same_size", d.same_size},
+                   {"max_difference", d.max_difference},
+                   {"differing_pixels", d.differing_pixels},
+                   {"over_tolerance", d.over_tolerance},
+                   {"mean_flip", figure(compared.figure(Metric::flip))},
+                   {"rmse", figure(compared.figure(Metric::rmse))},
+                   {"rmse_codes", figure(compared.figure(Metric::rmse_codes))},
+                   {"psnr", figure(compared.figure(Metric::psnr))},
+                   {"ssim", figure(compared.figure(Metric::ssim))},
+                   {"share_off_by_more_than_one", figure(compared.metrics.share_off)},
+                   {"tolerance", tolerance},
+                   {"written", written},
+                   {"version", SCANOUT_VERSION}});
 }
 
 std::string to_json(const LoadedModel& model, const measure::Explanation& e) {

@@ -1,11 +1,11 @@
 // What a run reports as JSON: one object a run (README, "JSON").
 #pragma once
 
+#include "app/comparison.h"
 #include "app/model_file.h"
 #include "app/settings.h"
 #include "base/result.h"
 #include "frame/renderer.h"
-#include "image/compare.h"
 #include "io/load.h"
 #include "measure/explain.h"
 #include "scene/scene.h"
@@ -44,7 +44,7 @@ struct RunReport {
 };
 
 std::string to_json(const RunReport& report);
-std::string to_json(const image::Difference& difference, float mean_flip, const Settings& settings,
+std::string to_json(const Comparison& compared, const Settings& settings,
                     const std::vector<std::string>& written);
 std::string to_json(const LoadedModel& model, const measure::Explanation& explanation);
 

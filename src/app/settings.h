@@ -17,6 +17,8 @@ enum class Command : unsigned { view = 1, render = 2, compare = 4, list = 8, exp
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
+// What compare measures: a figure of image/metrics.h, image/compare.h or image/flip.h.
+enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim };
 enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
 
 struct Settings {
@@ -54,6 +56,9 @@ struct Settings {
     int max_difference = 0;
     std::int64_t max_pixels = 0;
     std::string difference_prefix;
+    Metric metric = Metric::none;
+    std::optional<double> limit; // of the metric
+    std::string heat_map;        // the file
 };
 
 } // namespace scanout::app

@@ -7,6 +7,7 @@
 #include "support/temporary_folder.h"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -302,6 +303,55 @@ TEST_F(Program, CompareSaysSameSizesDifferOrPixelsDiffer) {
     EXPECT_EQ(run("compare $d/b.png $d/a.png --max-diff 4").code, 22);
     EXPECT_EQ(run("compare $d/b.png $d/a.png --max-diff 5").code, 0);
     EXPECT_EQ(run("compare $d/b.png $d/a.png --max-pixels 1").code, 0);
+}
+
+// A figure alone, its limit, and the heat map; formulas are the test's own.
+TEST_F(Program, CompareMeasuresOneFigure) {
+    const auto write = [&](const char* name, const image::Image& picture) {
+        const image::Bytes bytes = *image::encode_png(picture);
+        folder.write(name, std::string(bytes.begin(), bytes.end()));
+    };
+    image::Image picture(8, 6, {255, 255, 255, 255});
+    write("a.png", picture);
+    picture.at(3, 2).g = 0; // of 48 pixels, one of three channels is off by all
+    write("b.png", picture);
+    write("small.png", image::Image(7, 6));
+    const auto figure = [&](const std::string& metric) {
+        const Outcome outcome = run("compare $d/a.png $d/b.png --metric " + metric);
+        EXPECT_EQ(outcome.code, 0) << metric; // no limit
+        EXPECT_EQ(outcome.err, "") << metric;
+        return outcome.out;
+    };
+    const double rmse = std::sqrt(1.0 / (48 * 3));
+    EXPECT_EQ(figure("max"), "255\n");
+    EXPECT_NEAR(std::stod(figure("rmse")), rmse, 1e-6);
+    EXPECT_NEAR(std::stod(figure("rmse_codes")), 255 * rmse, 1e-6);
+    EXPECT_NEAR(std::stod(figure("psnr")), -20 * std::log10(rmse), 1e-6);
+    EXPECT_GT(std::stod(figure("flip")), 0.001);
+    EXPECT_LT(std::stod(figure("ssim")), 0.999);
+    EXPECT_EQ(run("compare $d/a.png $d/a.png --metric psnr").out, "inf\n");
+
+    EXPECT_EQ(run("compare $d/a.png $d/b.png --metric rmse --limit 0.1").code, 0);
+    const Outcome over = run("compare $d/a.png $d/b.png --metric rmse --limit 0.08");
+    EXPECT_EQ(over.code, 22);
+    EXPECT_NE(over.err.find("rmse is above --limit 0.08"), std::string::npos) << over.err;
+    EXPECT_EQ(run("compare $d/a.png $d/b.png --metric psnr --limit 21").code, 0);
+    EXPECT_EQ(run("compare $d/a.png $d/b.png --metric psnr --limit 22").code, 22);
+    EXPECT_EQ(run("compare $d/a.png $d/small.png --metric ssim").code, 21);
+
+    EXPECT_EQ(run("compare $d/a.png $d/b.png --metric max --heatmap $d/heat.png").code, 0);
+    const image::Image heat = *image::load(folder.file("heat.png"));
+    EXPECT_EQ(heat.at(3, 2), (image::Rgba8{0xfc, 0xfd, 0xbf, 255}));
+    EXPECT_EQ(heat.at(4, 2), (image::Rgba8{0, 0, 4, 255}));
+
+    const auto json = nlohmann::json::parse(run("compare $d/a.png $d/b.png --json").out);
+    EXPECT_NEAR(double{json["rmse"]}, rmse, 1e-6);
+    EXPECT_NEAR(double{json["share_off_by_more_than_one"]}, 1.0 / 48, 1e-6);
+    EXPECT_LT(double{json["ssim"]}, 0.999);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --limit 1"), 2);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --metric max --max-diff 1"), 2);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/heat.jpg"), 2);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/a.png"), 2);
 }
 
 TEST(Report, PercentilesAreTheNearestRank) {

@@ -1,0 +1,118 @@
+#include "image/metrics.h"
+
+#include "base/check.h"
+#include "image/plane.h"
+#include "math/srgb.h"
+#include "math/transcendental.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <vector>
+
+namespace scanout::image {
+namespace {
+
+constexpr int kWindowRadius = 5;
+constexpr double kWindowDeviation = 1.5; // pixels
+
+std::vector<double> window_side() {
+    constexpr double kLog2E = 1.44269504088896340736;
+    std::vector<double> weight;
+    double sum = 0;
+    for (int i = -kWindowRadius; i <= kWindowRadius; ++i) {
+        weight.push_back(exp2(-i * i / (2 * kWindowDeviation * kWindowDeviation) * kLog2E));
+        sum += weight.back();
+    }
+    for (double& w : weight)
+        w /= sum;
+    return weight;
+}
+
+Plane luma(const Image& image) {
+    Plane plane(image.width(), image.height());
+    for (std::size_t i = 0; i < plane.value.size(); ++i) {
+        const Rgba8& p = image.pixels()[i];
+        plane.value[i] = (0.299 * p.r + 0.587 * p.g) + 0.114 * p.b;
+    }
+    return plane;
+}
+
+Plane product(const Plane& a, const Plane& b) {
+    Plane plane(a.width, a.height);
+    for (std::size_t i = 0; i < plane.value.size(); ++i)
+        plane.value[i] = a.value[i] * b.value[i];
+    return plane;
+}
+
+// Of one window, from its means, variances and covariance.
+double similarity(double mean_a, double mean_b, double variance_a, double variance_b,
+                  double covariance) {
+    constexpr double kC1 = (0.01 * 255) * (0.01 * 255), kC2 = (0.03 * 255) * (0.03 * 255);
+    return (2 * mean_a * mean_b + kC1) * (2 * covariance + kC2) /
+           ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
+}
+
+void check_sizes(const Image& a, const Image& b) {
+    CHECK(a.width() == b.width() && a.height() == b.height());
+}
+
+} // namespace
+
+Metrics metrics(const Image& reference, const Image& test) {
+    check_sizes(reference, test);
+    Metrics m;
+    double codes = 0, light = 0;
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < reference.pixels().size(); ++i) {
+        const Rgba8 &p = reference.pixels()[i], &q = test.pixels()[i];
+        if (p == q) continue;
+        int largest = 0;
+        const auto add = [&](std::uint8_t a, std::uint8_t b) {
+            const int difference = std::abs(a - b);
+            const double of_light = double{srgb_decode(a)} - double{srgb_decode(b)};
+            largest = std::max(largest, difference);
+            codes += static_cast<double>(difference * difference);
+            light += of_light * of_light;
+        };
+        add(p.r, q.r);
+        add(p.g, q.g);
+        add(p.b, q.b);
+        m.max_codes = std::max(m.max_codes, largest);
+        off += largest > 1 ? 1 : 0;
+    }
+    const auto pixels = static_cast<double>(std::max<std::size_t>(reference.pixels().size(), 1));
+    m.rmse_codes = sqrt(codes / (3 * pixels));
+    m.rmse = sqrt(light / (3 * pixels));
+    m.share_off = static_cast<double>(off) / pixels;
+    return m;
+}
+
+double psnr(double rmse) {
+    constexpr double kLog2Of10 = 3.32192809488736234787;
+    if (rmse <= 0) return std::numeric_limits<double>::infinity();
+    return -20 * log2(rmse) / kLog2Of10;
+}
+
+double ssim(const Image& reference, const Image& test) {
+    check_sizes(reference, test);
+    if (reference.pixels().empty()) return 1;
+    const std::vector<double> weight = window_side();
+    const Side side{weight, 1};
+    const auto mean = [&](const Plane& plane) { return convolve(plane, side, side); };
+    const Plane a = luma(reference), b = luma(test);
+    const Plane mean_a = mean(a), mean_b = mean(b), mean_aa = mean(product(a, a)),
+                mean_bb = mean(product(b, b)), mean_ab = mean(product(a, b));
+    const auto margin = [](int size) { return size > 2 * kWindowRadius ? kWindowRadius : 0; };
+    const int left = margin(a.width), top = margin(a.height);
+    double sum = 0;
+    for (int y = top; y < a.height - top; ++y)
+        for (int x = left; x < a.width - left; ++x) {
+            const double p = mean_a.at(x, y), q = mean_b.at(x, y);
+            sum += similarity(p, q, mean_aa.at(x, y) - p * p, mean_bb.at(x, y) - q * q,
+                              mean_ab.at(x, y) - p * q);
+        }
+    return sum / (static_cast<double>(a.width - 2 * left) * (a.height - 2 * top));
+}
+
+} // namespace scanout::image
