@@ -40,8 +40,9 @@ struct Sum {
 
 class Tracer {
 public:
-    Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone)
-        : world_(world), look_(look), lights_(std::move(lights)), tone_(tone),
+    Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone,
+           const Effort& effort)
+        : world_(world), look_(look), lights_(std::move(lights)), tone_(tone), effort_(effort),
           least_(world.bvh().radius() * 0x1p-34),
           background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
                       srgb_decode(look.background.b)) {}
@@ -52,7 +53,7 @@ public:
         double error; // codes
         std::uint32_t samples;
     };
-    // Of at least so many samples.
+    // Of at least so many samples, which the effort allows.
     Pixel pixel(int x, int y, std::uint32_t fewest) const;
 
 private:
@@ -75,6 +76,7 @@ private:
     const Look& look_;
     PlacedLights lights_;
     Tone tone_;
+    Effort effort_;
     double least_; // parameter of shadow rays: nearer is the surface itself
     DVec3 background_;
 };
@@ -212,7 +214,7 @@ Tracer::Pixel Tracer::pixel(int x, int y, std::uint32_t fewest) const {
     double error = 0;
     for (;;) {
         error = std::max(0.75 * deviation(parts), least_error(parts, high - low, count));
-        if (error < kErrorWanted || count >= kMostSamples) break;
+        if (error < kErrorWanted || count >= effort_.most_samples) break;
         // Twice as many: the parts that there are become two.
         parts[0].add(parts[1]);
         parts[1] = parts[2];
@@ -291,14 +293,15 @@ std::size_t Reference::unsure() const {
 }
 
 Result<Reference> render(const scene::Scene& scene, const scene::View& view, const Look& look,
-                         Jobs& jobs, const std::function<void(double)>& progress) {
+                         Jobs& jobs, const std::function<void(double)>& progress,
+                         const Effort& effort) {
     const Tone tone = find_tone(look.tone);
     if (tone == nullptr) return fail(Exit::usage, "the reference has no tone curve {}", look.tone);
     for (const std::string& name : look.reflection)
         if (find_reflection(name) == nullptr)
             return fail(Exit::usage, "the reference has no reflection model {}", name);
     TRY(const World world, World::create(scene, view, look));
-    const Tracer tracer(world, look, placed(look.lights, view, scene.mesh), tone);
+    const Tracer tracer(world, look, placed(look.lights, view, scene.mesh), tone, effort);
     Canvas canvas(look.width, look.height);
     const auto draw = [&](const std::vector<int>& pixels, std::uint32_t fewest, double from,
                           double to) {
@@ -319,7 +322,7 @@ Result<Reference> render(const scene::Scene& scene, const scene::View& view, con
     std::vector<int> all(canvas.made.light.size());
     std::iota(all.begin(), all.end(), 0);
     draw(all, kFewestSamples, 0, 0.9);
-    draw(canvas.beside_hard_ones(), 1024, 0.9, 1);
+    draw(canvas.beside_hard_ones(), std::min(1024U, effort.most_samples), 0.9, 1);
     for (const std::uint32_t count : canvas.samples)
         canvas.made.samples += count;
     return std::move(canvas.made);

@@ -34,9 +34,15 @@ struct Reference {
 inline constexpr std::uint32_t kFewestSamples = 16, kMostSamples = 4096; // a pixel
 inline constexpr double kErrorWanted = 0.25;                             // codes
 
+// How much is spent on a pixel that is hard. Fewer samples leave more noise, which the errors say.
+struct Effort {
+    std::uint32_t most_samples = kMostSamples; // a power of two from kFewestSamples to kMostSamples
+};
+
 // progress(fraction) is called by the calling thread alone. Fails where the look names what there
 // is not, and where memory does not suffice. Lines and points of the scene are left out.
 Result<Reference> render(const scene::Scene& scene, const scene::View& view, const Look& look,
-                         Jobs& jobs, const std::function<void(double)>& progress = {});
+                         Jobs& jobs, const std::function<void(double)>& progress = {},
+                         const Effort& effort = {});
 
 } // namespace scanout::trace

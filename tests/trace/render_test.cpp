@@ -360,6 +360,31 @@ TEST(Reference, TakesAsManySamplesAsAPixelNeeds) {
     EXPECT_LT(r.mean_error(), 0.25);
 }
 
+// Less effort: fewer samples where they are many, more noise, which is said.
+TEST(Reference, SpendsNoMoreThanItIsAllowed) {
+    scene::Scene s;
+    s.mesh = test::empty_mesh();
+    s.materials = {{}};
+    s.materials[0].diffuse = Vec3(1);
+    test::add_quad(s.mesh, {{{-3, -3, 0}, {0.13F, -3, 0}, {0.31F, 3, 0}, {-3, 3, 0}}}, {0, 0, 1},
+                   0);
+    Look l = look(16);
+    l.lights = {ambient(1)};
+    Jobs jobs(2);
+    const auto with = [&](std::uint32_t most) {
+        return *render(s, straight_on(), l, jobs, {}, {most});
+    };
+    const Reference all = traced(s, straight_on(), l), same = with(kMostSamples), some = with(64),
+                    least = with(16);
+    EXPECT_EQ(image::frame_hash(all.image), image::frame_hash(same.image));
+    EXPECT_EQ(all.samples, same.samples);
+    EXPECT_EQ(least.samples, 16U * 256);
+    EXPECT_LE(some.samples, 64U * 256);
+    EXPECT_GT(some.samples, least.samples);
+    EXPECT_GT(some.mean_error(), 2 * all.mean_error());
+    EXPECT_GT(least.mean_error(), some.mean_error());
+}
+
 TEST(Reference, SaysWhatItDoesNotKnow) {
     scene::Scene s;
     s.mesh = test::empty_mesh();
