@@ -11,7 +11,7 @@ constinit const AntiAliasing gaussian{
              .name = "gaussian",
              .blurb = "16 samples of 3 x 3 pixels under a Gaussian of half a pixel",
              .source = "Feibush, Levoy and Cook 1980",
-             .kind = Kind::rung},
+             .kind = Kind::model},
     .samples = 16,
     .weight = [](double distance) { return exp2(-2 * 1.4426950408889634 * distance * distance); }};
 

@@ -10,7 +10,7 @@ constinit const AntiAliasing tent{
              .name = "tent",
              .blurb = "16 samples of 3 x 3 pixels under a tent 2 pixels wide",
              .source = "Feibush, Levoy and Cook 1980",
-             .kind = Kind::rung},
+             .kind = Kind::model},
     .samples = 16,
     .weight = [](double distance) { return distance < 1 ? 1 - distance : 0.0; }};
 
