@@ -60,9 +60,15 @@ Difference median_difference(std::vector<double> differences) {
     return {median(differences), differences[rank - 1], differences[differences.size() - rank]};
 }
 
+static Difference inverse(const Difference& ratio) {
+    return {1 / ratio.median, 1 / ratio.high, 1 / ratio.low};
+}
+
 Price operator-(Price price) {
     price.cpu_ms = -price.cpu_ms;
     price.wall_ms = -price.wall_ms;
+    price.cpu_ratio = inverse(price.cpu_ratio);
+    price.wall_ratio = inverse(price.wall_ratio);
     if (price.instructions) price.instructions = -*price.instructions;
     return price;
 }
@@ -108,11 +114,21 @@ Difference PairedTimer::difference(double Cost::*of) const {
     return median_difference(std::move(differences));
 }
 
+Difference PairedTimer::ratio(double Cost::*of) const {
+    constexpr double kLeast = 1e-6; // ms: no clock is finer
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < a_costs_.size(); ++i)
+        ratios.push_back(std::max(a_costs_[i].*of, kLeast) / std::max(b_costs_[i].*of, kLeast));
+    return median_difference(std::move(ratios));
+}
+
 Price PairedTimer::price() const {
     Price price;
     price.pairs = a_costs_.size();
     price.cpu_ms = difference(&Cost::cpu_ms);
     price.wall_ms = difference(&Cost::wall_ms);
+    price.cpu_ratio = ratio(&Cost::cpu_ms);
+    price.wall_ratio = ratio(&Cost::wall_ms);
     std::vector<double> instructions;
     for (std::size_t i = 0; i < a_costs_.size(); ++i)
         if (a_costs_[i].instructions && b_costs_[i].instructions)

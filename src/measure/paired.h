@@ -30,7 +30,7 @@ Cost medians(const std::vector<Cost>& costs);
 // Of what `work` does on these threads.
 Cost cost_of(Jobs& jobs, const std::function<void()>& work);
 
-// The median of differences, with its 95 % interval.
+// The median of differences, or of ratios, with its 95 % interval.
 struct Difference {
     double median = 0, low = 0, high = 0;
     double half_width() const { return (high - low) / 2; }
@@ -49,6 +49,8 @@ struct Price {
     bool by_construction = false; // both are the same work: nothing was timed
     std::size_t pairs = 0;
     Difference cpu_ms, wall_ms;
+    // How many times as much: what slows the whole machine down leaves these alone.
+    Difference cpu_ratio{1, 1, 1}, wall_ratio{1, 1, 1};
     std::optional<Difference> instructions;
 };
 Price operator-(Price price); // what b costs more than a
@@ -74,6 +76,7 @@ public:
 private:
     void pair(bool a_first);
     Difference difference(double Cost::*of) const;
+    Difference ratio(double Cost::*of) const;
     Measured a_, b_;
     double left_ms_;
     std::vector<Cost> a_costs_, b_costs_; // pair by pair

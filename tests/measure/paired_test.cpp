@@ -50,6 +50,28 @@ double skewed(test::Random& random) {
     return std::exp(2 * normal(random));
 }
 
+// A machine that gets slower and slower: differences grow, ratios stay.
+TEST(PairedTimer, RatiosDoNotDependOnTheMachinesSpeed) {
+    double slow = 1;
+    const auto work = [&](double ms) {
+        return [&slow, ms] {
+            slow *= 1.01;
+            return Cost{ms * slow, 2 * ms * slow, {}};
+        };
+    };
+    PairedTimer timer(work(3), work(1), 1e-9);
+    while (!timer.finished())
+        timer.step();
+    const Price price = timer.price();
+    EXPECT_NEAR(price.cpu_ratio.median, 3, 0.04);
+    EXPECT_NEAR(price.wall_ratio.median, 3, 0.04);
+    EXPECT_LE(price.cpu_ratio.low, price.cpu_ratio.median);
+    EXPECT_GE(price.cpu_ratio.high, price.cpu_ratio.median);
+    const Price other = -price;
+    EXPECT_DOUBLE_EQ(other.cpu_ratio.median, 1 / price.cpu_ratio.median);
+    EXPECT_DOUBLE_EQ(other.cpu_ratio.low, 1 / price.cpu_ratio.high);
+}
+
 TEST(MedianDifference, HasTheOrderStatisticsOf95PercentAsItsInterval) {
     // Of a table of the sign test: ranks 1 of 6 to 8, 2 of 9 to 11, 3 of 12, 6 of 20, 10 of 30.
     const std::pair<int, int> ranks[] = {{6, 1},  {8, 1},   {9, 2},   {11, 2},  {12, 3},

@@ -1,0 +1,78 @@
+// What accuracy costs: the ladders of all axes, the price of each effect, and the frontier of whole
+// configurations (Pareto's set): those that no other one beats both in time and in accuracy, each
+// more accurate than the one before by a tenth of a code, as squares add up, and by a fiftieth.
+// Every point on it was drawn, compared and timed as a whole.
+//
+// Errors are root mean squares of sRGB codes; times are CPU times, which a busy machine disturbs
+// little (paired.h). Wall times are kept beside them.
+#pragma once
+
+#include "measure/ladder.h"
+#include "measure/points.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scanout::measure {
+
+struct EffectPrice {
+    std::string effect, technique;
+    Price price;              // of a frame with it over one without
+    double changed_share = 0; // of the pixels
+};
+
+struct FrontierPoint {
+    std::size_t point = 0; // of Points
+    // Its time and that of the next one cannot be told apart.
+    bool ties_with_next = false;
+};
+
+struct Frontier {
+    std::unique_ptr<Points> points;
+    std::vector<Ladder> ladders;
+    std::vector<EffectPrice> effects;    // those that are on
+    std::vector<FrontierPoint> frontier; // quickest first; none where nothing was timed
+    bool stopped = false;                // before all was measured
+
+    // Of a frame: the median of the picture as asked for, times how often as much the point takes.
+    double cpu_ms(std::size_t point) const;
+    double wall_ms(std::size_t point) const;
+    double error(std::size_t point) const { return (*points)[point].error.rmse_codes; }
+    // Of Points; nothing of an empty frontier.
+    std::optional<std::size_t> knee() const;
+    // The most accurate point of the frontier whose frame takes no more than so many milliseconds
+    // of wall time, and the quickest one that errs no more than so many codes.
+    std::optional<std::size_t> best_within(double wall_ms) const;
+    std::optional<std::size_t> quickest_below(double codes) const;
+};
+
+struct FrontierOptions {
+    std::vector<std::string> axes; // of ladder_axes(); empty: all
+    bool times = true;             // without: ladders alone, errors alone
+    double seconds = 60;           // of measuring; what is not measured by then is left out
+    double seconds_a_point = 0.25; // of its frames; 2 kLeastPairs frames in any case
+    bool flip_of_all = true;       // else of the frontier alone
+    std::function<void(double fraction)> progress;
+    std::function<bool()> stop; // asked often: true ends the measurement, and what there is counts
+};
+
+// Fails like frame::plan.
+Result<Frontier> frontier(const scene::Scene& scene, frame::SceneFacts facts,
+                          const scene::View& view, const frame::FrameOptions& options, Jobs& jobs,
+                          const image::Image& reference, const FrontierOptions& how);
+
+// Of points (time, error) those that no other one beats in both, by time; of equal ones the first.
+struct TimedError {
+    double time = 0, error = 0;
+};
+std::vector<std::size_t> pareto_set(const std::vector<TimedError>& points);
+// Of such a set, by time: the one farthest below the line from the first to the last, both axes in
+// logarithms; the first where none is below. Errors of less than a thousandth of a code count as
+// that much.
+std::size_t knee_of(const std::vector<TimedError>& set);
+
+} // namespace scanout::measure

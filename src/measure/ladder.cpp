@@ -1,0 +1,64 @@
+#include "measure/ladder.h"
+
+#include "frame/catalogue.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::measure {
+namespace {
+
+std::vector<std::string_view> rungs_on(std::string_view axis) {
+    std::vector<std::string_view> names;
+    for (const Technique* t : frame::techniques())
+        if (t->axis == axis && t->kind == Kind::rung) names.push_back(t->name);
+    return names;
+}
+
+bool is_rung(std::string_view axis, std::string_view technique) {
+    const std::vector<std::string_view> rungs = rungs_on(axis);
+    return std::find(rungs.begin(), rungs.end(), technique) != rungs.end();
+}
+
+} // namespace
+
+bool Ladder::is_flat() const {
+    return std::all_of(rungs.begin(), rungs.end(),
+                       [&](const LadderRung& r) { return r.point == rungs.front().point; });
+}
+
+std::vector<std::string_view> ladder_axes() {
+    std::vector<std::string_view> axes;
+    for (const frame::AskedAxis& asked : frame::asked_axes())
+        if (rungs_on(asked.axis).size() > 1) axes.push_back(asked.axis);
+    return axes;
+}
+
+frame::FrameOptions without_rungs(const frame::FrameOptions& options) {
+    frame::FrameOptions plain = options;
+    for (const std::string_view axis : ladder_axes())
+        if (is_rung(axis, frame::asked_for(options, axis))) frame::ask(plain, axis, "auto");
+    return plain;
+}
+
+Ladder ladder(Points& points, std::string_view axis, const std::function<bool()>& stop) {
+    Ladder made{axis, {}, {}};
+    const std::string asked = frame::asked_for(points.options(), axis);
+    if (!frame::is_auto(asked) && !is_rung(axis, asked)) {
+        made.left_out = fmt::format("{} is a choice, and no rung draws its picture", asked);
+        return made;
+    }
+    for (const std::string_view technique : rungs_on(axis)) {
+        if (stop()) break;
+        LadderRung rung{technique, {}, {}};
+        if (const auto point = points.at({{axis, technique}}))
+            rung.point = *point;
+        else
+            rung.refusal = point.error().what;
+        made.rungs.push_back(std::move(rung));
+    }
+    return made;
+}
+
+} // namespace scanout::measure

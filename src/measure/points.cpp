@@ -1,0 +1,111 @@
+#include "measure/points.h"
+
+#include "base/check.h"
+#include "image/compare.h"
+#include "image/flip.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace scanout::measure {
+
+std::string Point::options() const {
+    std::string text;
+    for (const Rung& rung : rungs)
+        text += fmt::format("{}--{} {}", text.empty() ? "" : " ", frame::option_of(rung.axis),
+                            rung.technique);
+    return text;
+}
+
+Points::Points(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+               const frame::FrameOptions& options, Jobs& jobs, const image::Image& reference)
+    : scene_(scene), facts_(std::move(facts)), view_(view), options_(options), jobs_(jobs),
+      reference_(reference), own_renderer_(jobs), renderer_(jobs) {}
+
+Result<std::unique_ptr<Points>> Points::create(const scene::Scene& scene, frame::SceneFacts facts,
+                                               const scene::View& view,
+                                               const frame::FrameOptions& options, Jobs& jobs,
+                                               const image::Image& reference) {
+    std::unique_ptr<Points> points(
+        new Points(scene, std::move(facts), view, options, jobs, reference));
+    TRY_VOID(points->at({}));
+    Point& own = points->points_.front();
+    own.price = equal_by_construction();
+    points->own_renderer_.render(scene, view, own.plan); // makes room
+    return points;
+}
+
+Result<frame::FramePlan> Points::plan(const frame::FrameOptions& options) const {
+    return frame::plan(options, facts_, view_);
+}
+
+Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
+    frame::FrameOptions options = options_;
+    for (const Rung& rung : rungs)
+        CHECK(frame::ask(options, rung.axis, rung.technique));
+    TRY(frame::FramePlan planned, plan(options));
+    const auto alike = std::find_if(points_.begin(), points_.end(), [&](const Point& p) {
+        return frame::draws_alike(p.plan, planned);
+    });
+    if (alike != points_.end()) return static_cast<std::size_t>(alike - points_.begin());
+    const image::Image& picture = renderer_.render(scene_, view_, planned);
+    Point point;
+    point.rungs = rungs;
+    point.error = image::metrics(reference_, picture);
+    point.plan = std::move(planned);
+    points_.push_back(std::move(point));
+    return points_.size() - 1;
+}
+
+Price Points::price_of(const frame::FramePlan& plan, double seconds) {
+    const auto frames = [this](frame::Renderer& renderer, const frame::FramePlan& drawn) {
+        return [&, this] { return cost_of(jobs_, [&] { renderer.render(scene_, view_, drawn); }); };
+    };
+    renderer_.render(scene_, view_, plan); // makes room
+    PairedTimer timer(frames(own_renderer_, points_.front().plan), frames(renderer_, plan),
+                      seconds);
+    while (!timer.finished())
+        timer.step();
+    const std::vector<Cost>& own = timer.costs_of_a();
+    own_costs_.insert(own_costs_.end(), own.begin(), own.end());
+    return -timer.price();
+}
+
+void Points::time(std::size_t point, double seconds) {
+    Point& p = points_[point];
+    if (!p.price) p.price = price_of(p.plan, seconds);
+}
+
+Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {
+    if (frame::draws_alike(points_.front().plan, without)) return {equal_by_construction(), 0};
+    const image::Difference d =
+        image::compare(own_renderer_.render(scene_, view_, points_.front().plan),
+                       renderer_.render(scene_, view_, without));
+    return {-price_of(without, seconds), d.differing_pixels};
+}
+
+image::Image Points::drawn(std::size_t point) {
+    return renderer_.render(scene_, view_, points_[point].plan);
+}
+
+void Points::look_at(const std::vector<std::size_t>& points) {
+    const auto at_once = static_cast<std::size_t>(jobs_.threads());
+    for (std::size_t first = 0; first < points.size(); first += at_once) {
+        std::vector<image::Image> pictures;
+        for (std::size_t i = first; i < std::min(first + at_once, points.size()); ++i)
+            pictures.push_back(drawn(points[i]));
+        jobs_.for_each(static_cast<int>(pictures.size()), [&](int i, int) {
+            const auto k = static_cast<std::size_t>(i);
+            points_[points[first + k]].mean_flip = image::mean_flip(reference_, pictures[k]);
+        });
+    }
+}
+
+std::optional<Cost> Points::cost() const {
+    if (own_costs_.empty()) return std::nullopt;
+    return medians(own_costs_);
+}
+
+} // namespace scanout::measure

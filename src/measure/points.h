@@ -1,0 +1,86 @@
+// Ways to draw one picture, each a point of error against time: what it errs against the reference
+// and what it takes more than the picture as it is asked for. Two ways that run the same stages are
+// one point.
+#pragma once
+
+#include "base/jobs.h"
+#include "base/result.h"
+#include "frame/plan/plan.h"
+#include "frame/renderer.h"
+#include "image/metrics.h"
+#include "measure/paired.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace scanout::measure {
+
+// A technique on an axis, instead of the one that is asked for.
+struct Rung {
+    std::string_view axis, technique;
+    friend bool operator==(const Rung&, const Rung&) = default;
+};
+
+struct Point {
+    std::vector<Rung> rungs; // that differ from what is asked for; empty: as asked for
+    frame::FramePlan plan;
+    image::Metrics error;
+    std::optional<float> mean_flip;
+    std::optional<Price> price; // over the point as asked for
+    // "--aa samples_4 --texture trilinear": what to add to the command line; "" for nothing.
+    std::string options() const;
+};
+
+class Points {
+public:
+    // The first point is the picture as asked for. Everything that is named outlives it; the
+    // reference has the size that the options ask for. Fails like frame::plan.
+    static Result<std::unique_ptr<Points>> create(const scene::Scene& scene,
+                                                  frame::SceneFacts facts, const scene::View& view,
+                                                  const frame::FrameOptions& options, Jobs& jobs,
+                                                  const image::Image& reference);
+
+    const std::vector<Point>& all() const { return points_; }
+    const Point& operator[](std::size_t point) const { return points_[point]; }
+    // Draws and compares, unless a point draws alike already. Fails like frame::plan.
+    Result<std::size_t> at(const std::vector<Rung>& rungs);
+    // Frames of the point and of the first one in turn; nothing happens where it has a price.
+    void time(std::size_t point, double seconds);
+    // What another plan takes less than the first point, and the pixels in which they differ.
+    struct Saving {
+        Price price;
+        std::int64_t pixels = 0;
+    };
+    Saving saving(const frame::FramePlan& without, double seconds);
+    // FLIP, of many at once: it takes about a microsecond a pixel.
+    void look_at(const std::vector<std::size_t>& points);
+
+    image::Image drawn(std::size_t point); // once more
+    Result<frame::FramePlan> plan(const frame::FrameOptions& options) const;
+    const frame::FrameOptions& options() const { return options_; }
+    // Of the point as asked for: medians of all its timed frames; nothing before any.
+    std::optional<Cost> cost() const;
+
+private:
+    Points(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
+           const frame::FrameOptions& options, Jobs& jobs, const image::Image& reference);
+    Price price_of(const frame::FramePlan& plan, double seconds); // over the first point
+
+    const scene::Scene& scene_;
+    frame::SceneFacts facts_;
+    scene::View view_;
+    frame::FrameOptions options_;
+    Jobs& jobs_;
+    const image::Image& reference_;
+    frame::Renderer own_renderer_, renderer_; // of the first point, and of the others
+    std::vector<Point> points_;
+    std::vector<Cost> own_costs_;
+};
+
+} // namespace scanout::measure
