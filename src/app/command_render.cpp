@@ -111,8 +111,10 @@ private:
         const Stopwatch watch;
         std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
         TRY(const trace::Reference made,
-            trace::render(scene_, view, look, jobs_,
-                          [&](double fraction) { bar->show(fraction); }));
+            trace::render(scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
+                          {settings_.reference_samples > 0
+                               ? static_cast<std::uint32_t>(settings_.reference_samples)
+                               : trace::kMostSamples}));
         bar.reset();
         if (settings_.verbose)
             say(fmt::format("{:.1f} samples a pixel, standard error {:.3f} codes, {} pixels above "

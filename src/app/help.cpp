@@ -14,12 +14,14 @@ constexpr std::string_view kOverview =
     "quits\n"
     "  scanout render models/spot/spot.obj -o s.png  draw a picture, without a display\n"
     "  scanout explain models/spot/spot.obj          what runs for it, why, and at what price\n"
+    "  scanout frontier models/spot/spot.obj         what accuracy costs in time\n"
     "  scanout compare got.png expected.png          are two pictures the same?\n"
     "\n"
     "Commands:\n"
     "  view MODEL...      show models on the display (also without the word view)\n"
     "  render MODEL       draw to PNG, PPM or PAM files or to standard output\n"
     "  explain MODEL      each effect: on or off, why, its time, its memory, the error without it\n"
+    "  frontier MODEL     error and time of every way to draw it, and the best ways there are\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options\n"
     "\n"
@@ -61,6 +63,17 @@ std::string_view introduction(Command command) {
                "when "
                "it\n"
                "is switched the other way.\n";
+    case Command::frontier:
+        return "scanout frontier MODEL - what accuracy costs in time, on this model and machine\n"
+               "\n"
+               "  scanout frontier spot.obj --camera 150,20 --size 640x360\n"
+               "  scanout frontier spot.obj --quick --axis aa --axis texture\n"
+               "  scanout frontier spot.obj --json=f.json --csv f.csv --svg f.svg --html f.html\n"
+               "  scanout frontier spot.obj --no-times          errors alone\n"
+               "\n"
+               "Every rung of every axis is drawn, compared with a reference picture and timed; "
+               "then\n"
+               "whole configurations. Ctrl-C ends the measurement and keeps what there is.\n";
     case Command::compare:
         return "scanout compare A B - compare the picture A (got) with the picture B (expected)\n"
                "\n"

@@ -16,7 +16,8 @@ constexpr unsigned kRender = static_cast<unsigned>(Command::render);
 constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
 constexpr unsigned kList = static_cast<unsigned>(Command::list);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
-constexpr unsigned kDraw = kView | kRender | kExplain;
+constexpr unsigned kFrontier = static_cast<unsigned>(Command::frontier);
+constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
 constexpr unsigned kAll = kDraw | kCompare | kList;
 
 std::vector<std::string_view> words(std::string_view text) {
@@ -149,6 +150,13 @@ Result<void> read_json(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_axis(Settings& s, std::string_view text) {
+    std::string axis(text);
+    std::replace(axis.begin(), axis.end(), '-', '_'); // as the options spell it
+    s.axes.push_back(std::move(axis));
+    return {};
+}
+
 Result<void> read_limit(Settings& s, std::string_view text) {
     TRY(s.limit, parse_real(text));
     return {};
@@ -224,7 +232,8 @@ constexpr std::array kOptions = std::to_array<Option>({
          s.picture_format = kFormats[i];
      }),
      "the file's format, where its extension does not say it"},
-    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kDraw, Parsed(read_pixel_format),
+    {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kView | kRender | kExplain,
+     Parsed(read_pixel_format),
      "the pixels of a display (`list formats`): raw files hold its bytes; other pictures, hashes "
      "and comparisons of explain are as that display would show them"},
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
@@ -234,6 +243,17 @@ constexpr std::array kOptions = std::to_array<Option>({
      "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
      "only techniques",
      true},
+    {"csv", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,
+     Text([](Settings& s) -> std::string& { return s.csv; }),
+     "write every point that was measured, a line each"},
+    {"svg", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,
+     Text([](Settings& s) -> std::string& { return s.chart_svg; }),
+     "draw error against time: all points, the frontier, the reference's own noise"},
+    {"png", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,
+     Text([](Settings& s) -> std::string& { return s.chart_png; }), "draw the same as a picture"},
+    {"html", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,
+     Text([](Settings& s) -> std::string& { return s.report_html; }),
+     "write a report in one file: sentences, chart, tables, pictures with their errors"},
 
     {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kDraw, Parsed(read_size),
      "pixels of the picture; the viewer uses it only without a display"},
@@ -339,6 +359,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      Switch([](Settings& s) -> bool& { return s.reference; }),
      "draw by rays in double precision, 16 to 4096 samples a pixel: slow, the picture that "
      "techniques are measured against; models and filters as asked, rungs ignored"},
+    {"reference-samples", 0, "", "16 32 64 128 256 512 1024 2048 4096", "", 0, 0, Group::picture,
+     kRender | kFrontier, Choice([](Settings& s, std::size_t i) { s.reference_samples = 16 << i; }),
+     "most samples that a pixel of the reference gets; default: 4096; frontier takes 1024, a quick "
+     "one 128"},
     {"turntable", 0, "N", "", "", 1, 100000, Group::model, kRender,
      Integer([](Settings& s) -> int& { return s.turntable; }),
      "draw N pictures of one full turn; -o wants {n} in the name"},
@@ -357,10 +381,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      "the DRM mode (`list modes`); default: the one that the monitor prefers"},
     {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
-    {"no-times", 0, "", "", "", 0, 0, Group::times, kView | kExplain,
+    {"no-times", 0, "", "", "", 0, 0, Group::times, kView | kExplain | kFrontier,
      Switch([](Settings& s) -> bool& { return s.no_times; }),
      "show nothing that depends on the clock, so that equal states are equal pictures and equal "
-     "tables; --record and --replay imply it"},
+     "tables; recording and replaying imply it"},
     {"record", 0, "FILE", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.record; }),
      "write every action with the step of its time, for --replay"},
@@ -368,6 +392,14 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.replay; }),
      "play the actions of a file; its `frame NAME.png` lines write pictures"},
 
+    {"axis", 0, "NAME", "", "", 0, 0, Group::times, kFrontier, Parsed(read_axis),
+     "measure this axis of rungs alone (`list techniques`); may be given again", false, true},
+    {"seconds", 0, "S", "", "60", 1, 100000, Group::times, kFrontier,
+     Real([](Settings& s) -> double& { return s.seconds; }),
+     "time of measuring, after the reference: what is not measured by then is left out"},
+    {"quick", 0, "", "", "", 0, 0, Group::times, kFrontier,
+     Switch([](Settings& s) -> bool& { return s.quick; }),
+     "10 seconds, a noisier reference, FLIP of the frontier alone"},
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
@@ -509,9 +541,9 @@ std::string options_markdown() {
     std::string text = "| option | value | default | range | commands | what it does |\n"
                        "|---|---|---|---|---|---|\n";
     constexpr std::array kCommands = {
-        std::pair{Command::view, "view"}, std::pair{Command::render, "render"},
-        std::pair{Command::explain, "explain"}, std::pair{Command::compare, "compare"},
-        std::pair{Command::list, "list"}};
+        std::pair{Command::view, "view"},       std::pair{Command::render, "render"},
+        std::pair{Command::explain, "explain"}, std::pair{Command::frontier, "frontier"},
+        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
     for (const Option& option : kOptions) {
         std::string commands;
         for (const auto& [command, name] : kCommands)

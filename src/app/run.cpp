@@ -22,6 +22,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_render(settings, start_bytes);
     case Command::explain:
         return run_explain(settings);
+    case Command::frontier:
+        return run_frontier(settings);
     case Command::compare:
         return run_compare(settings);
     case Command::list:

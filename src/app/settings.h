@@ -13,7 +13,14 @@
 
 namespace scanout::app {
 
-enum class Command : unsigned { view = 1, render = 2, compare = 4, list = 8, explain = 16 };
+enum class Command : unsigned {
+    view = 1,
+    render = 2,
+    compare = 4,
+    list = 8,
+    explain = 16,
+    frontier = 32
+};
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
@@ -44,14 +51,20 @@ struct Settings {
     std::string output;
     PictureFormat picture_format = PictureFormat::by_name;
     bool hash = false;
-    bool reference = false; // drawn by rays, as what rungs are measured against
-    int turntable = 0;      // pictures in a full turn; 0: one picture
-    int frames = 1;         // how often each picture is drawn, for times
+    bool reference = false;    // drawn by rays, as what rungs are measured against
+    int reference_samples = 0; // a pixel of the reference, at most; 0: what the command takes
+    int turntable = 0;         // pictures in a full turn; 0: one picture
+    int frames = 1;            // how often each picture is drawn, for times
 
     Backend backend = Backend::automatic;
     std::string device, connector, mode;
     std::string record, replay;
     bool no_pointer = false, no_times = false;
+
+    std::vector<std::string> axes; // of frontier; empty: all
+    double seconds = 0;            // of measuring; 0: what the command takes
+    bool quick = false;
+    std::string csv, chart_svg, chart_png, report_html; // files
 
     int max_difference = 0;
     std::int64_t max_pixels = 0;

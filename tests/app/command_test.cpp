@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ TEST_F(Program, AnOutputThatTakesNoMoreIsNoMistakeOfTheProgram) {
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_NE(run("--help").out.find("scanout render"), std::string::npos);
     EXPECT_NE(run("--version").out.find("scanout "), std::string::npos);
-    for (const char* command : {"view", "render", "compare", "list"}) {
+    for (const char* command : {"view", "render", "explain", "frontier", "compare", "list"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
@@ -352,6 +353,64 @@ TEST_F(Program, CompareMeasuresOneFigure) {
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --metric max --max-diff 1"), 2);
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/heat.jpg"), 2);
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/a.png"), 2);
+}
+
+// All of its files, and what stands in them.
+TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
+    const Outcome done = run("frontier $m --camera 30,20 --size 64x48 --quick --axis aa --axis "
+                             "shading --json=$d/f.json --csv $d/f.csv --svg $d/f.svg --png "
+                             "$d/f.png --html $d/f.html");
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_TRUE(done.out.starts_with("Knee: ")) << done.out;
+    for (const char* part : {"Dearest effect: ", "Free: ", "What a time buys", "16.7",
+                             "What an error costs", "The frontier", "The ladders"})
+        EXPECT_NE(done.out.find(part), std::string::npos) << part;
+    const auto json = nlohmann::json::parse(folder.read("f.json"));
+    ASSERT_EQ(json["ladders"].size(), 2U);
+    EXPECT_GT(json["ladders"][1]["rungs"].size(), 6U);
+    EXPECT_GE(json["frontier"].size(), 2U);
+    EXPECT_EQ(json["stopped"], false);
+    double last = 1e9;
+    for (const auto& p : json["frontier"]) {
+        const double error = json["points"][std::size_t{p["point"]}]["rmse_codes"];
+        EXPECT_LT(error, last);
+        last = error;
+    }
+    const std::string csv = folder.read("f.csv"), html = folder.read("f.html");
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')),
+              json["points"].size() + 1);
+    EXPECT_TRUE(folder.read("f.svg").ends_with("</svg>\n"));
+    EXPECT_TRUE(html.ends_with("</html>\n"));
+    EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
+    EXPECT_EQ(html.find("http", html.find("<body>")), html.find("http://www.w3.org/2000/svg"));
+    EXPECT_TRUE(image::load(folder.file("f.png")));
+}
+
+// Errors alone do not depend on the clock: the same text, with any number of threads.
+TEST_F(Program, FrontierWithoutTimesSaysTheSameEachTime) {
+    const std::string words = "frontier $m --camera 30,20 --size 64x48 --quick --no-times ";
+    const Outcome once = run(words), again = run(words + "--threads 1");
+    EXPECT_EQ(once.code, 0) << once.err;
+    EXPECT_EQ(once.out, again.out);
+    EXPECT_EQ(once.out.find("ms"), std::string::npos) << once.out;
+    EXPECT_NE(once.out.find("samples_4"), std::string::npos);
+}
+
+TEST_F(Program, FrontierRefusesWhatItCannotMeasure) {
+    EXPECT_EQ(refused("frontier"), 2);
+    EXPECT_EQ(refused("frontier $m $m"), 2);
+    EXPECT_EQ(refused("frontier $m --axis reflection"), 2); // models, no rungs
+    EXPECT_EQ(refused("frontier $m --no-times --svg $d/f.svg"), 2);
+    EXPECT_EQ(refused("frontier $m --png $d/f.jpg"), 2);
+    EXPECT_EQ(refused("frontier $m --csv $d/x --svg $d/x"), 2);
+    EXPECT_EQ(refused("frontier $m --csv - --json"), 2);
+    EXPECT_EQ(refused("frontier $m --stencil outline --quick"), 2); // no formula for it
+    // Nothing is in view.
+    const Outcome empty = run("frontier $m --size 64x48 --translate 100,0,0 --csv $d/none.csv");
+    EXPECT_EQ(empty.code, 2);
+    EXPECT_NE(empty.err.find("nothing to gain"), std::string::npos) << empty.err;
+    EXPECT_EQ(empty.out, "");
+    EXPECT_FALSE(std::filesystem::exists(folder.file("none.csv")));
 }
 
 TEST(Report, PercentilesAreTheNearestRank) {

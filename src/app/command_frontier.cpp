@@ -1,0 +1,204 @@
+// scanout frontier: what accuracy costs in time, on the user's model and machine.
+#include "app/commands.h"
+#include "app/files.h"
+#include "app/frontier_chart.h"
+#include "app/frontier_files.h"
+#include "app/interrupt.h"
+#include "app/message.h"
+#include "app/model_file.h"
+#include "app/picture.h"
+#include "app/progress_bar.h"
+#include "app/reference.h"
+#include "app/report.h"
+#include "base/check.h"
+#include "base/stopwatch.h"
+#include "frame/facts/facts.h"
+#include "frame/plan/ignored_options.h"
+#include "simd/targets.h"
+#include "trace/render.h"
+
+#include <algorithm>
+#include <ctime>
+#include <fstream>
+#include <optional>
+#include <utility>
+
+namespace scanout::app {
+namespace {
+
+// What is spent where the user does not say.
+constexpr double kSeconds = 60, kQuickSeconds = 10;
+constexpr std::uint32_t kSamples = 1024, kQuickSamples = 128; // of the reference, at most
+
+std::vector<std::string> outputs_of(const Settings& s) {
+    return {s.json.value_or(""), s.csv, s.chart_svg, s.chart_png, s.report_html};
+}
+
+Result<void> check_frontier(const Settings& s) {
+    if (s.arguments.size() != 1)
+        return s.arguments.empty()
+                   ? fail(Exit::usage, "name a model to measure, as in `scanout frontier "
+                                       "models/spot/spot.obj`")
+                   : fail(Exit::usage, "frontier takes one model, not {}; run it once for each",
+                          fmt::join(s.arguments, " and "));
+    const std::vector<std::string_view> axes = measure::ladder_axes();
+    for (const std::string& axis : s.axes)
+        if (std::find(axes.begin(), axes.end(), axis) == axes.end())
+            return fail(Exit::usage, "--axis {}: it has no ladder of rungs; these have: {}", axis,
+                        fmt::join(axes, " "));
+    if (s.no_times && !(s.chart_svg.empty() && s.chart_png.empty()))
+        return fail(Exit::usage, "--svg and --png draw errors against times; leave --no-times out");
+    if (!s.chart_png.empty() && s.chart_png != "-" &&
+        format_of_name(s.chart_png) != PictureFormat::png)
+        return fail(Exit::usage, "{}: --png writes a PNG; name it so", s.chart_png);
+    const std::vector<std::string> outputs = outputs_of(s);
+    if (std::count(outputs.begin(), outputs.end(), "-") > 1)
+        return fail(Exit::usage, "two outputs take standard output; name a file for one of them");
+    return check_outputs(s.arguments, outputs);
+}
+
+std::string machine_name() {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.starts_with("model name"))
+            return line.substr(std::min(line.find(": ") + 2, line.size()));
+    return "unknown processor";
+}
+
+std::string today() {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    ::gmtime_r(&now, &utc);
+    return fmt::format("{:04}-{:02}-{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
+}
+
+bool of_one_colour(const image::Image& picture) {
+    const auto pixels = picture.pixels();
+    return std::all_of(pixels.begin(), pixels.end(),
+                       [&](const image::Rgba8& p) { return p == pixels[0]; });
+}
+
+class FrontierRun {
+public:
+    FrontierRun(const Settings& settings, const LoadedModel& model, const scene::View& view,
+                Jobs& jobs)
+        : settings_(settings), model_(model), view_(view), jobs_(jobs),
+          facts_(frame::facts(model.scene, settings.frame.shadow_plane)) {}
+
+    Result<FrontierReport> measured() {
+        FrontierReport report;
+        report.model_path = model_.scene.path;
+        report.triangles = model_.scene.counts.triangles;
+        report.width = settings_.frame.width;
+        report.height = settings_.frame.height;
+        report.threads = jobs_.threads();
+        report.target = simd::chosen_target();
+        report.machine = machine_name();
+        report.date = today();
+        report.warnings = model_.warnings;
+        TRY_VOID(draw_reference(report));
+        const Interrupt interrupt;
+        std::optional<ProgressBar> bar(std::in_place, "measuring " + model_.scene.path,
+                                       settings_.quiet);
+        measure::FrontierOptions how;
+        how.axes = settings_.axes;
+        how.times = !settings_.no_times;
+        how.seconds = settings_.seconds > 0 ? settings_.seconds
+                      : settings_.quick     ? kQuickSeconds
+                                            : kSeconds;
+        how.seconds_a_point = how.seconds / 240;
+        how.flip_of_all = !settings_.quick && !settings_.no_times;
+        how.progress = [&](double fraction) { bar->show(fraction); };
+        how.stop = Interrupt::asked;
+        TRY(report.found, measure::frontier(model_.scene, facts_, view_, settings_.frame, jobs_,
+                                            report.reference, how));
+        bar.reset();
+        warn(frame::ignored_options((*report.found.points)[0].plan), report);
+        return report;
+    }
+
+private:
+    // Of what is asked for, but for rungs.
+    Result<void> draw_reference(FrontierReport& report) {
+        TRY(const frame::FramePlan plan,
+            frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
+        TRY(const trace::Look look, look_of(plan));
+        TRY_VOID(check_reference_fits(model_.scene));
+        warn(left_out_of_reference(model_.scene), report);
+        const Stopwatch watch;
+        trace::Effort effort{settings_.quick ? kQuickSamples : kSamples};
+        if (settings_.reference_samples > 0)
+            effort.most_samples = static_cast<std::uint32_t>(settings_.reference_samples);
+        ProgressBar bar("tracing " + model_.scene.path, settings_.quiet);
+        TRY(trace::Reference made, trace::render(
+                                       model_.scene, view_, look, jobs_,
+                                       [&](double fraction) { bar.show(fraction); }, effort));
+        report.reference_ms = watch.milliseconds();
+        report.reference_samples = made.samples;
+        report.noise = made.mean_error();
+        report.reference = std::move(made.image);
+        if (of_one_colour(report.reference))
+            return fail(Exit::usage,
+                        "{}: nothing to gain: every pixel of the picture has one colour, however "
+                        "it is drawn; turn the camera to the model, or name another one",
+                        model_.scene.path);
+        return {};
+    }
+
+    void warn(const std::vector<std::string>& lines, FrontierReport& report) const {
+        print_warnings(lines, settings_);
+        report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
+    }
+
+    const Settings& settings_;
+    const LoadedModel& model_;
+    const scene::View& view_;
+    Jobs& jobs_;
+    frame::SceneFacts facts_;
+};
+
+Result<void> write_text(const std::string& path, std::string_view text) {
+    if (path.empty()) return {};
+    return write_picture(path, image::Bytes(text.begin(), text.end()));
+}
+
+// All of them are made before the first is written.
+Result<void> write_files(const Settings& settings, const FrontierReport& report) {
+    std::string html;
+    if (!settings.report_html.empty()) {
+        TRY(html, frontier_html(report));
+    }
+    TRY_VOID(write_text(settings.csv, frontier_csv(report)));
+    TRY_VOID(write_text(settings.report_html, html));
+    if (report.timed()) {
+        const Chart chart = frontier_chart(report);
+        TRY_VOID(write_text(settings.chart_svg, chart_svg(chart)));
+        if (!settings.chart_png.empty()) {
+            TRY(const image::Bytes png, image::encode_png(chart_picture(chart)));
+            TRY_VOID(write_picture(settings.chart_png, png));
+        }
+    }
+    return write_report(settings, to_json(report));
+}
+
+} // namespace
+
+Result<Exit> run_frontier(const Settings& settings) {
+    TRY_VOID(check_frontier(settings));
+    Jobs jobs(settings.threads);
+    TRY(const LoadedModel model,
+        load_model_with_messages(settings.arguments.front(), settings, jobs));
+    TRY(const scene::View view,
+        scene::make_view(model.scene.mesh, settings.model, {}, camera_of(settings, model), {},
+                         settings.frame.width, settings.frame.height));
+    CHECK(simd::choose_target(settings.target)); // read_target let only these through
+    TRY(const FrontierReport report, FrontierRun(settings, model, view, jobs).measured());
+    const std::vector<std::string> outputs = outputs_of(settings);
+    if (std::count(outputs.begin(), outputs.end(), "-") == 0)
+        for (const std::string& line : frontier_text(report))
+            say(line, stdout);
+    TRY_VOID(write_files(settings, report));
+    return Exit::ok;
+}
+
+} // namespace scanout::app

@@ -1,0 +1,143 @@
+#include "app/frontier_files.h"
+
+#include "app/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace scanout::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using measure::Point;
+
+// Infinite values have no word in JSON.
+Json number(double value) {
+    return std::isfinite(value) ? Json(std::round(value * 1e6) / 1e6) : Json();
+}
+
+Json interval(const measure::Difference& d, double unit = 1) {
+    return {{"median", number(d.median * unit)},
+            {"low", number(d.low * unit)},
+            {"high", number(d.high * unit)}};
+}
+
+Json point_json(const FrontierReport& report, std::size_t index) {
+    const Point& point = (*report.found.points)[index];
+    Json json = {{"options", point.options()},
+                 {"rmse_codes", number(point.error.rmse_codes)},
+                 {"rmse", number(point.error.rmse)},
+                 {"psnr", number(image::psnr(point.error.rmse))},
+                 {"max_codes", point.error.max_codes},
+                 {"share_off_by_more_than_one", number(point.error.share_off)},
+                 {"mean_flip", point.mean_flip ? number(double{*point.mean_flip}) : Json()}};
+    const auto own = report.found.points->cost();
+    if (own && point.price) {
+        json["cpu_ms"] = interval(point.price->cpu_ratio, own->cpu_ms);
+        json["wall_ms"] = interval(point.price->wall_ratio, own->wall_ms);
+        if (own->instructions && point.price->instructions)
+            json["instructions"] = *own->instructions + point.price->instructions->median;
+    }
+    return json;
+}
+
+Json ladder_json(const measure::Ladder& ladder) {
+    Json rungs = Json::array();
+    for (const measure::LadderRung& rung : ladder.rungs) {
+        Json json = {{"rung", rung.technique}};
+        json["point"] = rung.point ? Json(*rung.point) : Json();
+        if (!rung.refusal.empty()) json["refused"] = rung.refusal;
+        rungs.push_back(std::move(json));
+    }
+    Json json = {{"axis", ladder.axis}, {"rungs", rungs}};
+    if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
+    return json;
+}
+
+Json effect_json(const measure::EffectPrice& effect) {
+    return {{"effect", effect.effect},
+            {"technique", effect.technique},
+            {"cpu_ms", interval(effect.price.cpu_ms)},
+            {"zero", effect.price.by_construction || effect.price.cpu_ms.is_zero()},
+            {"changed_share", number(effect.changed_share)}};
+}
+
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text)
+        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string csv_number(double value) {
+    return std::isfinite(value) ? fmt::format("{:.6f}", value) : "inf";
+}
+
+} // namespace
+
+std::string to_json(const FrontierReport& report) {
+    const measure::Frontier& found = report.found;
+    Json ladders = Json::array(), effects = Json::array(), points = Json::array(),
+         frontier = Json::array();
+    for (const measure::Ladder& ladder : found.ladders)
+        ladders.push_back(ladder_json(ladder));
+    for (const measure::EffectPrice& effect : found.effects)
+        effects.push_back(effect_json(effect));
+    for (std::size_t i = 0; i < found.points->all().size(); ++i)
+        points.push_back(point_json(report, i));
+    for (const measure::FrontierPoint& p : found.frontier)
+        frontier.push_back({{"point", p.point}, {"ties_with_next", p.ties_with_next}});
+    const Json json = {{"model", {{"path", report.model_path}, {"triangles", report.triangles}}},
+                       {"width", report.width},
+                       {"height", report.height},
+                       {"reference",
+                        {{"samples", report.reference_samples},
+                         {"standard_error", number(report.noise)},
+                         {"ms", number(report.reference_ms)}}},
+                       {"machine", report.machine},
+                       {"threads", report.threads},
+                       {"target", report.target},
+                       {"date", report.date},
+                       {"stopped", found.stopped},
+                       {"sentences", frontier_sentences(report)},
+                       {"ladders", ladders},
+                       {"effects", effects},
+                       {"points", points},
+                       {"frontier", frontier},
+                       {"warnings", report.warnings},
+                       {"version", SCANOUT_VERSION}};
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+}
+
+std::string frontier_csv(const FrontierReport& report) {
+    const measure::Frontier& found = report.found;
+    std::string text = "options,rmse_codes,rmse,psnr,max_codes,share_off_by_more_than_one,"
+                       "mean_flip,cpu_ms,cpu_ms_low,cpu_ms_high,wall_ms,on_frontier\r\n";
+    const auto own = found.points->cost();
+    for (std::size_t i = 0; i < found.points->all().size(); ++i) {
+        const Point& p = (*found.points)[i];
+        const bool on_it =
+            std::any_of(found.frontier.begin(), found.frontier.end(),
+                        [i](const measure::FrontierPoint& f) { return f.point == i; });
+        std::vector<std::string> fields = {csv_field(report.name_of(i)),
+                                           csv_number(p.error.rmse_codes),
+                                           csv_number(p.error.rmse),
+                                           csv_number(image::psnr(p.error.rmse)),
+                                           fmt::format("{}", p.error.max_codes),
+                                           csv_number(p.error.share_off),
+                                           p.mean_flip ? csv_number(double{*p.mean_flip}) : ""};
+        if (own && p.price)
+            for (const double value : {found.cpu_ms(i), own->cpu_ms * p.price->cpu_ratio.low,
+                                       own->cpu_ms * p.price->cpu_ratio.high, found.wall_ms(i)})
+                fields.push_back(csv_number(value));
+        else
+            fields.resize(fields.size() + 4);
+        fields.emplace_back(on_it ? "1" : "0");
+        text += fmt::format("{}\r\n", fmt::join(fields, ","));
+    }
+    return text;
+}
+
+} // namespace scanout::app

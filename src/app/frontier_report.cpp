@@ -1,0 +1,289 @@
+#include "app/frontier_report.h"
+
+#include "app/frontier_chart.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+using measure::Frontier;
+using measure::Ladder;
+using measure::LadderRung;
+using measure::Point;
+
+std::string file_name(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
+std::string codes(double error) {
+    return fmt::format("{:.3f}", error);
+}
+
+std::string psnr_text(double rmse) {
+    const double psnr = image::psnr(rmse);
+    return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf";
+}
+
+// "1.24 ± 0.05": of a frame; the interval is that of the difference from what is asked for.
+std::string cpu_text(const Frontier& found, std::size_t point) {
+    const auto& price = (*found.points)[point].price;
+    if (!price) return "";
+    const double half = price->cpu_ratio.half_width() * found.points->cost()->cpu_ms;
+    return fmt::format("{:.2f} ± {:.2f}", found.cpu_ms(point), half);
+}
+
+std::string wall_text(const Frontier& found, std::size_t point) {
+    if (!(*found.points)[point].price) return "";
+    return fmt::format("{:.2f}", found.wall_ms(point));
+}
+
+// --- the sentences
+
+std::string knee_sentence(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    const std::size_t knee = *found.knee();
+    double best = found.error(knee);
+    for (const auto& p : found.frontier)
+        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee))
+            best = std::min(best, found.error(p.point));
+    const double bought = found.error(knee) - best;
+    std::string text = fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU "
+                                   "time); ",
+                                   report.name_of(knee), found.error(knee), found.wall_ms(knee),
+                                   cpu_text(found, knee));
+    if (knee == found.frontier.back().point) return text + "nothing more accurate was found.";
+    if (bought <= 0) return text + "twice the time buys nothing.";
+    return text + fmt::format("twice the time buys {:.2f} codes.", bought);
+}
+
+std::string effect_sentence(const Frontier& found) {
+    const measure::EffectPrice* dearest = nullptr;
+    for (const measure::EffectPrice& e : found.effects) {
+        if (e.price.by_construction || e.price.cpu_ms.is_zero()) continue;
+        if (dearest == nullptr || e.price.cpu_ms.median > dearest->price.cpu_ms.median)
+            dearest = &e;
+    }
+    if (dearest == nullptr || dearest->price.cpu_ms.median <= 0)
+        return "Dearest effect: none takes a time that can be measured.";
+    const double share = 1 - 1 / dearest->price.cpu_ratio.median;
+    return fmt::format("Dearest effect: {}{}: {:.0f} % of the frame's CPU time; it changes {:.1f} "
+                       "% of the pixels.",
+                       dearest->effect, dearest->technique == "on" ? "" : " " + dearest->technique,
+                       share * 100, dearest->changed_share * 100);
+}
+
+// The most accurate rung, where its time cannot be told from that of the quickest.
+std::string free_rung(const Frontier& found, const Ladder& ladder) {
+    const LadderRung *best = nullptr, *quickest = nullptr;
+    for (const LadderRung& rung : ladder.rungs) {
+        if (!rung.point || !(*found.points)[*rung.point].price) continue;
+        if (best == nullptr || found.error(*rung.point) <= found.error(*best->point)) best = &rung;
+        if (quickest == nullptr || found.cpu_ms(*rung.point) < found.cpu_ms(*quickest->point))
+            quickest = &rung;
+    }
+    if (best == nullptr) return {};
+    const measure::Difference a = (*found.points)[*best->point].price->cpu_ratio,
+                              b = (*found.points)[*quickest->point].price->cpu_ratio;
+    if (a.low > b.high) return {};
+    return fmt::format("{} {}", ladder.axis, best->technique);
+}
+
+std::string free_sentence(const Frontier& found) {
+    std::vector<std::string> free;
+    for (const Ladder& ladder : found.ladders)
+        if (std::string rung = free_rung(found, ladder); !ladder.is_flat() && !rung.empty())
+            free.push_back(std::move(rung));
+    if (free.empty()) return "Free: nothing; the best rung costs time on every axis.";
+    return fmt::format("Free: {}: no more CPU time than the quickest rung of the axis.",
+                       fmt::join(free, ", "));
+}
+
+// --- the tables
+
+ReportTable equal_time(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    ReportTable table{
+        "What a time buys", {{"ms a frame", "codes RMSE", "takes ms", "CPU ms", "with"}}, {}};
+    for (const double budget : {4.0, 8.0, 16.7, 33.0}) {
+        const auto best = found.best_within(budget);
+        const std::string head = fmt::format("{:.1f}", budget);
+        if (best)
+            table.rows.push_back({head, codes(found.error(*best)), wall_text(found, *best),
+                                  cpu_text(found, *best), report.name_of(*best)});
+        else
+            table.rows.push_back({head, "-", "", "",
+                                  fmt::format("nothing: the quickest takes {:.2f} ms",
+                                              found.wall_ms(found.frontier.front().point))});
+    }
+    return table;
+}
+
+ReportTable equal_error(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    ReportTable table{
+        "What an error costs", {{"codes RMSE", "ms a frame", "CPU ms", "errs", "with"}}, {}};
+    for (const double error : {4.0, 2.0, 1.0, 0.5}) {
+        const auto quickest = found.quickest_below(error);
+        const std::string head = fmt::format("{:.1f}", error);
+        if (quickest)
+            table.rows.push_back({head, wall_text(found, *quickest), cpu_text(found, *quickest),
+                                  codes(found.error(*quickest)), report.name_of(*quickest)});
+        else
+            table.rows.push_back({head, "-", "", "",
+                                  fmt::format("nothing: the most accurate errs {:.3f} codes",
+                                              found.error(found.frontier.back().point))});
+    }
+    return table;
+}
+
+ReportTable frontier_table(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    ReportTable table{"The frontier (~: its time and the next one's cannot be told apart)",
+                      {{"", "codes RMSE", "FLIP", "ms a frame", "CPU ms", "with"}},
+                      {"render scale is not among the axes: the program has none"}};
+    int number = 0;
+    for (const auto& p : found.frontier) {
+        const Point& point = (*found.points)[p.point];
+        table.rows.push_back({fmt::format("{}{}", ++number, p.ties_with_next ? " ~" : ""),
+                              codes(found.error(p.point)),
+                              point.mean_flip ? fmt::format("{:.4f}", *point.mean_flip) : "",
+                              wall_text(found, p.point), cpu_text(found, p.point),
+                              report.name_of(p.point)});
+    }
+    return table;
+}
+
+std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& ladder,
+                                    const LadderRung& rung) {
+    const bool timed = report.timed();
+    std::vector<std::string> row = {std::string(ladder.axis), std::string(rung.technique)};
+    if (!rung.point) {
+        row.insert(row.end(), timed ? 7 : 5, "");
+        row.back() = rung.refusal;
+        return row;
+    }
+    const Point& point = (*report.found.points)[*rung.point];
+    row.push_back(codes(point.error.rmse_codes));
+    row.push_back(psnr_text(point.error.rmse));
+    row.push_back(fmt::format("{}", point.error.max_codes));
+    row.push_back(fmt::format("{:.2f}", point.error.share_off * 100));
+    if (timed) {
+        row.push_back(wall_text(report.found, *rung.point));
+        row.push_back(cpu_text(report.found, *rung.point));
+    }
+    row.emplace_back(*rung.point == 0 ? "as asked for" : "");
+    return row;
+}
+
+ReportTable ladder_table(const FrontierReport& report) {
+    ReportTable table{"The ladders: each rung, all else as asked for", {}, {}};
+    table.rows.push_back(
+        {"axis", "rung", "codes RMSE", "PSNR dB", "largest", "% off by over a code"});
+    if (report.timed()) {
+        table.rows.back().emplace_back("ms a frame");
+        table.rows.back().emplace_back("CPU ms");
+    }
+    table.rows.back().emplace_back("");
+    std::vector<std::string_view> flat, missing;
+    for (const Ladder& ladder : report.found.ladders) {
+        if (!ladder.left_out.empty())
+            table.notes.push_back(fmt::format("{}: {}", ladder.axis, ladder.left_out));
+        else if (ladder.rungs.empty())
+            missing.push_back(ladder.axis);
+        else if (ladder.is_flat())
+            flat.push_back(ladder.axis);
+        else
+            for (const LadderRung& rung : ladder.rungs)
+                table.rows.push_back(ladder_row(report, ladder, rung));
+    }
+    if (!flat.empty())
+        table.notes.push_back(
+            fmt::format("not called for, all rungs draw the same: {}", fmt::join(flat, ", ")));
+    if (!missing.empty())
+        table.notes.push_back(fmt::format("not measured: {}", fmt::join(missing, ", ")));
+    return table;
+}
+
+std::size_t letters_of(std::string_view text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    }));
+}
+
+// Figures to the right; the first column and the last to the left.
+std::vector<std::string> aligned(const Rows& rows) {
+    std::vector<std::size_t> width(rows.front().size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            width[i] = std::max(width[i], letters_of(row[i]));
+    std::vector<std::string> lines;
+    for (const auto& row : rows) {
+        std::string line = " ";
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string blanks(width[i] - letters_of(row[i]), ' ');
+            const bool left = i == 0 || i + 1 == row.size() || rows.front()[i] == "rung";
+            line += left ? " " + row[i] + blanks + " " : " " + blanks + row[i] + " ";
+        }
+        line.resize(line.find_last_not_of(' ') + 1);
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
+} // namespace
+
+std::string FrontierReport::name_of(std::size_t point) const {
+    const std::string options = (*found.points)[point].options();
+    return options.empty() ? "as asked for" : options;
+}
+
+std::vector<std::string> frontier_sentences(const FrontierReport& report) {
+    if (!report.timed()) return {};
+    return {knee_sentence(report), effect_sentence(report.found), free_sentence(report.found)};
+}
+
+std::vector<ReportTable> frontier_tables(const FrontierReport& report) {
+    if (!report.timed()) return {ladder_table(report)};
+    return {equal_time(report), equal_error(report), frontier_table(report), ladder_table(report)};
+}
+
+std::string frontier_head(const FrontierReport& report) {
+    std::string text =
+        fmt::format("{}: {} triangles, {}x{}; reference of {:.1f} samples a pixel, "
+                    "its own noise {:.3f} codes RMSE",
+                    file_name(report.model_path), report.triangles, report.width, report.height,
+                    static_cast<double>(report.reference_samples) /
+                        (static_cast<double>(report.width) * report.height),
+                    report.noise);
+    if (report.timed())
+        text += fmt::format("; {}, {} thread{}, {}, {}", report.machine, report.threads,
+                            report.threads == 1 ? "" : "s", report.target, report.date);
+    return text;
+}
+
+std::vector<std::string> frontier_text(const FrontierReport& report) {
+    std::vector<std::string> lines = frontier_sentences(report);
+    lines.push_back(frontier_head(report));
+    if (report.found.stopped)
+        lines.emplace_back("stopped before the end: what was measured until then");
+    const std::vector<ReportTable> tables = frontier_tables(report);
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        lines.emplace_back();
+        lines.push_back(tables[i].title);
+        const std::vector<std::string> table = aligned(tables[i].rows);
+        lines.insert(lines.end(), table.begin(), table.end());
+        for (const std::string& note : tables[i].notes)
+            lines.push_back("  " + note);
+        if (!report.timed() || i + 2 != tables.size()) continue;
+        const std::vector<std::string> plot =
+            text_plot(frontier_chart(report)); // under the frontier
+        lines.insert(lines.end(), plot.begin(), plot.end());
+    }
+    return lines;
+}
+
+} // namespace scanout::app

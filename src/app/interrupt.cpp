@@ -1,0 +1,32 @@
+#include "app/interrupt.h"
+
+#include <csignal>
+
+namespace scanout::app {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void set_interrupted(int /*signal*/) {
+    interrupted = 1;
+}
+
+} // namespace
+
+Interrupt::Interrupt() {
+    interrupted = 0;
+    struct sigaction action {};
+    action.sa_handler = set_interrupted;
+    action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
+    ::sigaction(SIGINT, &action, nullptr);
+}
+
+Interrupt::~Interrupt() {
+    std::signal(SIGINT, SIG_DFL);
+}
+
+bool Interrupt::asked() {
+    return interrupted != 0;
+}
+
+} // namespace scanout::app

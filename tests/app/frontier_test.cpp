@@ -1,0 +1,119 @@
+#include "app/chart_axes.h"
+#include "app/interrupt.h"
+#include "app/markup.h"
+
+#include <csignal>
+
+#include <gmock/gmock.h>
+
+namespace scanout::app {
+namespace {
+
+using testing::HasSubstr;
+
+// RFC 4648, section 10.
+TEST(Markup, Base64IsThatOfItsStandard) {
+    const auto of = [](std::string_view text) {
+        return base64({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+    };
+    EXPECT_EQ(of(""), "");
+    EXPECT_EQ(of("f"), "Zg==");
+    EXPECT_EQ(of("fo"), "Zm8=");
+    EXPECT_EQ(of("foo"), "Zm9v");
+    EXPECT_EQ(of("foob"), "Zm9vYg==");
+    EXPECT_EQ(of("fooba"), "Zm9vYmE=");
+    EXPECT_EQ(of("foobar"), "Zm9vYmFy");
+    EXPECT_EQ(of("\xff\xfe\xfd"), "//79");
+}
+
+TEST(Markup, NoNameOfAFileIsATag) {
+    EXPECT_EQ(as_markup("a<b>&\"c\".obj"), "a&lt;b&gt;&amp;&quot;c&quot;.obj");
+    EXPECT_EQ(as_markup("bell\a"), "bell\\x07");
+}
+
+TEST(LogAxis, GoesFromATickToATick) {
+    const LogAxis axis(0.7, 30);
+    EXPECT_THAT(axis.ticks(), testing::ElementsAre(testing::DoubleEq(0.5), testing::DoubleEq(1),
+                                                   testing::DoubleEq(2), testing::DoubleEq(5),
+                                                   testing::DoubleEq(10), testing::DoubleEq(20),
+                                                   testing::DoubleEq(50)));
+    EXPECT_DOUBLE_EQ(axis.place(0.5), 0);
+    EXPECT_DOUBLE_EQ(axis.place(5), 0.5);
+    EXPECT_DOUBLE_EQ(axis.place(50), 1);
+    EXPECT_DOUBLE_EQ(axis.place(0), 0); // no logarithm
+    EXPECT_DOUBLE_EQ(axis.place(1e9), 1);
+    EXPECT_GE(LogAxis(3, 3).ticks().size(), 2U);
+    EXPECT_GE(LogAxis(1e-12, 1e12).ticks().size(), 2U);
+}
+
+Chart chart() {
+    Chart c;
+    c.title = "a<b>.obj";
+    c.noise = 0.2;
+    c.points = {{1, 0.9, 1.1, 4, 3.9, 4.1, 1, false, "--aa none"},
+                {10, 9, 11, 0.5, 0.4, 0.6, 2, false, "--aa area"},
+                {3, 3, 3, 6, 5, 7, 0, true, "as asked for"}};
+    return c;
+}
+
+TEST(Chart, TextStandsWhereThePointsAre) {
+    const std::vector<std::string> lines = text_plot(chart());
+    const auto row_of = [&](char mark) {
+        return std::find_if(lines.begin() + 1, lines.end(),
+                            [mark](const std::string& line) {
+                                return line.substr(10).find(mark) != std::string::npos;
+                            }) -
+               lines.begin();
+    };
+    const auto column_of = [&](char mark) {
+        return lines[static_cast<std::size_t>(row_of(mark))].find(mark);
+    };
+    EXPECT_LT(row_of('@'), row_of('O')); // greater errors stand higher
+    EXPECT_GT(column_of('@'), column_of('O'));
+    EXPECT_LT(row_of('O'), row_of(':'));
+    std::size_t marks = 0;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        EXPECT_LE(lines[i].size(), 80U);
+        marks += static_cast<std::size_t>(std::count(lines[i].begin(), lines[i].end(), 'O'));
+    }
+    EXPECT_EQ(marks, 2U);
+}
+
+TEST(Chart, TheSvgIsWholeAndHoldsEveryPoint) {
+    const std::string svg = chart_svg(chart());
+    EXPECT_TRUE(svg.starts_with("<svg ") && svg.ends_with("</svg>\n"));
+    EXPECT_THAT(svg, HasSubstr("a&lt;b&gt;.obj"));
+    for (const ChartPoint& p : chart().points)
+        EXPECT_THAT(svg, HasSubstr("<title>" + p.name));
+    EXPECT_THAT(svg, HasSubstr("noise of the reference"));
+    EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+// The discs of the frontier are there, in its colour; the one to the right lies lower.
+TEST(Chart, ThePictureShowsTheFrontier) {
+    const image::Image picture = chart_picture(chart());
+    const image::Rgba8 frontier{0xb5, 0x36, 0x7a, 255};
+    int left = picture.width(), right = 0, left_y = 0, right_y = 0;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) {
+            if (!(picture.at(x, y) == frontier)) continue;
+            if (x < left) left = x, left_y = y;
+            if (x > right) right = x, right_y = y;
+        }
+    EXPECT_LT(left, picture.width() / 3);
+    EXPECT_GT(right, picture.width() / 2);
+    EXPECT_LT(left_y, right_y);
+}
+
+TEST(Interrupt, TheFirstOneOnlySetsAFlag) {
+    const Interrupt interrupt;
+    EXPECT_FALSE(Interrupt::asked());
+    std::raise(SIGINT);
+    EXPECT_TRUE(Interrupt::asked());
+    struct sigaction now {};
+    ::sigaction(SIGINT, nullptr, &now);
+    EXPECT_EQ(now.sa_handler, SIG_DFL); // the next one ends the program
+}
+
+} // namespace
+} // namespace scanout::app
