@@ -36,7 +36,7 @@ struct Frontier {
     std::vector<Ladder> ladders;
     std::vector<EffectPrice> effects;    // those that are on
     std::vector<FrontierPoint> frontier; // quickest first; none where nothing was timed
-    bool stopped = false;                // before all was measured
+    bool stopped = false;                // before all was measured, or slow rungs were left out
 
     // Of a frame: the median of the picture as asked for, times how often as much the point takes.
     double cpu_ms(std::size_t point) const;
@@ -53,7 +53,7 @@ struct Frontier {
 struct FrontierOptions {
     std::vector<std::string> axes; // of ladder_axes(); empty: all
     bool times = true;             // without: ladders alone, errors alone
-    double seconds = 60;           // of measuring; what is not measured by then is left out
+    double seconds = 1e9;          // of measuring; what is not measured by then is left out
     double seconds_a_point = 0.25; // of its frames; 2 kLeastPairs frames in any case
     bool flip_of_all = true;       // else of the frontier alone
     std::function<void(double fraction)> progress;
@@ -70,9 +70,9 @@ struct TimedError {
     double time = 0, error = 0;
 };
 std::vector<std::size_t> pareto_set(const std::vector<TimedError>& points);
-// Of such a set, by time: the one farthest below the line from the first to the last, both axes in
-// logarithms; the first where none is below. Errors of less than a thousandth of a code count as
-// that much.
+// Of such a set, by time: the one farthest below the line from the first to the last, where the
+// time's axis is logarithmic and the error's is not: more of the errors' range is gained there than
+// of the times' is spent. The first where none is below.
 std::size_t knee_of(const std::vector<TimedError>& set);
 
 } // namespace scanout::measure

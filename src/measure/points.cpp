@@ -1,6 +1,7 @@
 #include "measure/points.h"
 
 #include "base/check.h"
+#include "base/stopwatch.h"
 #include "image/compare.h"
 #include "image/flip.h"
 
@@ -50,8 +51,10 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
         return frame::draws_alike(p.plan, planned);
     });
     if (alike != points_.end()) return static_cast<std::size_t>(alike - points_.begin());
+    const Stopwatch watch;
     const image::Image& picture = renderer_.render(scene_, view_, planned);
     Point point;
+    point.first_ms = watch.milliseconds();
     point.rungs = rungs;
     point.error = image::metrics(reference_, picture);
     point.plan = std::move(planned);

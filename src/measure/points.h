@@ -30,6 +30,7 @@ struct Rung {
 struct Point {
     std::vector<Rung> rungs; // that differ from what is asked for; empty: as asked for
     frame::FramePlan plan;
+    double first_ms = 0; // of wall time: its first frame, which also made room
     image::Metrics error;
     std::optional<float> mean_flip;
     std::optional<Price> price; // over the point as asked for
