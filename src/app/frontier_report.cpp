@@ -43,21 +43,29 @@ std::string wall_text(const Frontier& found, std::size_t point) {
 
 // --- the sentences
 
+// What more time buys, from the knee on.
+std::string beyond(const Frontier& found, std::size_t knee) {
+    std::optional<std::size_t> best, next;
+    for (const auto& p : found.frontier) {
+        if (found.error(p.point) >= found.error(knee)) continue;
+        if (!next) next = p.point;
+        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee)) best = p.point;
+    }
+    if (best)
+        return fmt::format("twice the time buys {:.2f} codes.",
+                           found.error(knee) - found.error(*best));
+    if (next)
+        return fmt::format("the next step, to {:.2f} codes, takes {:.1f} times as long.",
+                           found.error(*next), found.cpu_ms(*next) / found.cpu_ms(knee));
+    return "nothing more accurate was found.";
+}
+
 std::string knee_sentence(const FrontierReport& report) {
     const Frontier& found = report.found;
     const std::size_t knee = *found.knee();
-    double best = found.error(knee);
-    for (const auto& p : found.frontier)
-        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee))
-            best = std::min(best, found.error(p.point));
-    const double bought = found.error(knee) - best;
-    std::string text = fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU "
-                                   "time); ",
-                                   report.name_of(knee), found.error(knee), found.wall_ms(knee),
-                                   cpu_text(found, knee));
-    if (knee == found.frontier.back().point) return text + "nothing more accurate was found.";
-    if (bought <= 0) return text + "twice the time buys nothing.";
-    return text + fmt::format("twice the time buys {:.2f} codes.", bought);
+    return fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU time); {}",
+                       report.name_of(knee), found.error(knee), found.wall_ms(knee),
+                       cpu_text(found, knee), beyond(found, knee));
 }
 
 std::string effect_sentence(const Frontier& found) {
@@ -269,7 +277,7 @@ std::vector<std::string> frontier_text(const FrontierReport& report) {
     std::vector<std::string> lines = frontier_sentences(report);
     lines.push_back(frontier_head(report));
     if (report.found.stopped)
-        lines.emplace_back("stopped before the end: what was measured until then");
+        lines.emplace_back("the time was up, or Ctrl-C came: what was measured until then");
     const std::vector<ReportTable> tables = frontier_tables(report);
     for (std::size_t i = 0; i < tables.size(); ++i) {
         lines.emplace_back();

@@ -6,6 +6,7 @@ namespace scanout::app {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+struct sigaction before; // of SIGINT
 
 void set_interrupted(int /*signal*/) {
     interrupted = 1;
@@ -18,11 +19,11 @@ Interrupt::Interrupt() {
     struct sigaction action {};
     action.sa_handler = set_interrupted;
     action.sa_flags = static_cast<int>(SA_RESTART | SA_RESETHAND);
-    ::sigaction(SIGINT, &action, nullptr);
+    ::sigaction(SIGINT, &action, &before);
 }
 
 Interrupt::~Interrupt() {
-    std::signal(SIGINT, SIG_DFL);
+    ::sigaction(SIGINT, &before, nullptr);
 }
 
 bool Interrupt::asked() {

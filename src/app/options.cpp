@@ -394,7 +394,7 @@ constexpr std::array kOptions = std::to_array<Option>({
 
     {"axis", 0, "NAME", "", "", 0, 0, Group::times, kFrontier, Parsed(read_axis),
      "measure this axis of rungs alone (`list techniques`); may be given again", false, true},
-    {"seconds", 0, "S", "", "60", 1, 100000, Group::times, kFrontier,
+    {"seconds", 0, "S", "", "40", 1, 100000, Group::times, kFrontier,
      Real([](Settings& s) -> double& { return s.seconds; }),
      "time of measuring, after the reference: what is not measured by then is left out"},
     {"quick", 0, "", "", "", 0, 0, Group::times, kFrontier,
