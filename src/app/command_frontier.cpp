@@ -121,6 +121,11 @@ public:
 private:
     // Of what is asked for, but for rungs.
     Result<void> draw_reference(FrontierReport& report) {
+        if (model_.scene.mesh.triangles() == 0)
+            return fail(Exit::usage,
+                        "{}: nothing to gain: it has no triangles, and lines and points have no "
+                        "reference; name another model",
+                        model_.scene.path);
         TRY(const frame::FramePlan plan,
             frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
         TRY(const trace::Look look, look_of(plan));

@@ -28,89 +28,10 @@ std::string psnr_text(double rmse) {
     return std::isfinite(psnr) ? fmt::format("{:.2f}", psnr) : "inf";
 }
 
-// "1.24 ± 0.05": of a frame; the interval is that of the difference from what is asked for.
-std::string cpu_text(const Frontier& found, std::size_t point) {
-    const auto& price = (*found.points)[point].price;
-    if (!price) return "";
-    const double half = price->cpu_ratio.half_width() * found.points->cost()->cpu_ms;
-    return fmt::format("{:.2f} ± {:.2f}", found.cpu_ms(point), half);
-}
-
 std::string wall_text(const Frontier& found, std::size_t point) {
     if (!(*found.points)[point].price) return "";
     return fmt::format("{:.2f}", found.wall_ms(point));
 }
-
-// --- the sentences
-
-// What more time buys, from the knee on.
-std::string beyond(const Frontier& found, std::size_t knee) {
-    std::optional<std::size_t> best, next;
-    for (const auto& p : found.frontier) {
-        if (found.error(p.point) >= found.error(knee)) continue;
-        if (!next) next = p.point;
-        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee)) best = p.point;
-    }
-    if (best)
-        return fmt::format("twice the time buys {:.2f} codes.",
-                           found.error(knee) - found.error(*best));
-    if (next)
-        return fmt::format("the next step, to {:.2f} codes, takes {:.1f} times as long.",
-                           found.error(*next), found.cpu_ms(*next) / found.cpu_ms(knee));
-    return "nothing more accurate was found.";
-}
-
-std::string knee_sentence(const FrontierReport& report) {
-    const Frontier& found = report.found;
-    const std::size_t knee = *found.knee();
-    return fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU time); {}",
-                       report.name_of(knee), found.error(knee), found.wall_ms(knee),
-                       cpu_text(found, knee), beyond(found, knee));
-}
-
-std::string effect_sentence(const Frontier& found) {
-    const measure::EffectPrice* dearest = nullptr;
-    for (const measure::EffectPrice& e : found.effects) {
-        if (e.price.by_construction || e.price.cpu_ms.is_zero()) continue;
-        if (dearest == nullptr || e.price.cpu_ms.median > dearest->price.cpu_ms.median)
-            dearest = &e;
-    }
-    if (dearest == nullptr || dearest->price.cpu_ms.median <= 0)
-        return "Dearest effect: none takes a time that can be measured.";
-    const double share = 1 - 1 / dearest->price.cpu_ratio.median;
-    return fmt::format("Dearest effect: {}{}: {:.0f} % of the frame's CPU time; it changes {:.1f} "
-                       "% of the pixels.",
-                       dearest->effect, dearest->technique == "on" ? "" : " " + dearest->technique,
-                       share * 100, dearest->changed_share * 100);
-}
-
-// The most accurate rung, where its time cannot be told from that of the quickest.
-std::string free_rung(const Frontier& found, const Ladder& ladder) {
-    const LadderRung *best = nullptr, *quickest = nullptr;
-    for (const LadderRung& rung : ladder.rungs) {
-        if (!rung.point || !(*found.points)[*rung.point].price) continue;
-        if (best == nullptr || found.error(*rung.point) <= found.error(*best->point)) best = &rung;
-        if (quickest == nullptr || found.cpu_ms(*rung.point) < found.cpu_ms(*quickest->point))
-            quickest = &rung;
-    }
-    if (best == nullptr) return {};
-    const measure::Difference a = (*found.points)[*best->point].price->cpu_ratio,
-                              b = (*found.points)[*quickest->point].price->cpu_ratio;
-    if (a.low > b.high) return {};
-    return fmt::format("{} {}", ladder.axis, best->technique);
-}
-
-std::string free_sentence(const Frontier& found) {
-    std::vector<std::string> free;
-    for (const Ladder& ladder : found.ladders)
-        if (std::string rung = free_rung(found, ladder); !ladder.is_flat() && !rung.empty())
-            free.push_back(std::move(rung));
-    if (free.empty()) return "Free: nothing; the best rung costs time on every axis.";
-    return fmt::format("Free: {}: no more CPU time than the quickest rung of the axis.",
-                       fmt::join(free, ", "));
-}
-
-// --- the tables
 
 ReportTable equal_time(const FrontierReport& report) {
     const Frontier& found = report.found;
@@ -121,7 +42,7 @@ ReportTable equal_time(const FrontierReport& report) {
         const std::string head = fmt::format("{:.1f}", budget);
         if (best)
             table.rows.push_back({head, codes(found.error(*best)), wall_text(found, *best),
-                                  cpu_text(found, *best), report.name_of(*best)});
+                                  report.cpu_text(*best), report.name_of(*best)});
         else
             table.rows.push_back({head, "-", "", "",
                                   fmt::format("nothing: the quickest takes {:.2f} ms",
@@ -138,7 +59,7 @@ ReportTable equal_error(const FrontierReport& report) {
         const auto quickest = found.quickest_below(error);
         const std::string head = fmt::format("{:.1f}", error);
         if (quickest)
-            table.rows.push_back({head, wall_text(found, *quickest), cpu_text(found, *quickest),
+            table.rows.push_back({head, wall_text(found, *quickest), report.cpu_text(*quickest),
                                   codes(found.error(*quickest)), report.name_of(*quickest)});
         else
             table.rows.push_back({head, "-", "", "",
@@ -159,7 +80,7 @@ ReportTable frontier_table(const FrontierReport& report) {
         table.rows.push_back({fmt::format("{}{}", ++number, p.ties_with_next ? " ~" : ""),
                               codes(found.error(p.point)),
                               point.mean_flip ? fmt::format("{:.4f}", *point.mean_flip) : "",
-                              wall_text(found, p.point), cpu_text(found, p.point),
+                              wall_text(found, p.point), report.cpu_text(p.point),
                               report.name_of(p.point)});
     }
     return table;
@@ -181,7 +102,7 @@ std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& 
     row.push_back(fmt::format("{:.2f}", point.error.share_off * 100));
     if (timed) {
         row.push_back(wall_text(report.found, *rung.point));
-        row.push_back(cpu_text(report.found, *rung.point));
+        row.push_back(report.cpu_text(*rung.point));
     }
     row.emplace_back(*rung.point == 0 ? "as asked for" : "");
     return row;
@@ -249,9 +170,11 @@ std::string FrontierReport::name_of(std::size_t point) const {
     return options.empty() ? "as asked for" : options;
 }
 
-std::vector<std::string> frontier_sentences(const FrontierReport& report) {
-    if (!report.timed()) return {};
-    return {knee_sentence(report), effect_sentence(report.found), free_sentence(report.found)};
+std::string FrontierReport::cpu_text(std::size_t point) const {
+    const auto& price = (*found.points)[point].price;
+    if (!price) return "";
+    const double half = price->cpu_ratio.half_width() * found.points->cost()->cpu_ms;
+    return fmt::format("{:.2f} ± {:.2f}", found.cpu_ms(point), half);
 }
 
 std::vector<ReportTable> frontier_tables(const FrontierReport& report) {

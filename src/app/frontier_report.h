@@ -27,6 +27,8 @@ struct FrontierReport {
     bool timed() const { return !found.frontier.empty(); }
     // "--aa samples_4"; "as asked for" for nothing.
     std::string name_of(std::size_t point) const;
+    // "1.24 ± 0.05", ms of a frame; the interval is that against what is asked for. "": not timed.
+    std::string cpu_text(std::size_t point) const;
 };
 
 using Rows = std::vector<std::vector<std::string>>;

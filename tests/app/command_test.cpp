@@ -405,6 +405,9 @@ TEST_F(Program, FrontierRefusesWhatItCannotMeasure) {
     EXPECT_EQ(refused("frontier $m --csv $d/x --svg $d/x"), 2);
     EXPECT_EQ(refused("frontier $m --csv - --json"), 2);
     EXPECT_EQ(refused("frontier $m --stencil outline --quick"), 2); // no formula for it
+    folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+    EXPECT_EQ(refused("frontier $d/lines.obj"), 2);
+    EXPECT_NE(run("frontier $d/lines.obj").err.find("no triangles"), std::string::npos);
     // Nothing is in view.
     const Outcome empty = run("frontier $m --size 64x48 --translate 100,0,0 --csv $d/none.csv");
     EXPECT_EQ(empty.code, 2);

@@ -1,0 +1,93 @@
+#include "app/frontier_report.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+using measure::Frontier;
+using measure::Ladder;
+using measure::LadderRung;
+
+// What more time buys, from the knee on.
+std::string beyond(const Frontier& found, std::size_t knee) {
+    std::optional<std::size_t> best, next;
+    for (const auto& p : found.frontier) {
+        if (found.error(p.point) >= found.error(knee)) continue;
+        if (!next) next = p.point;
+        if (found.cpu_ms(p.point) <= 2 * found.cpu_ms(knee)) best = p.point;
+    }
+    if (best)
+        return fmt::format("twice the time buys {:.2f} codes.",
+                           found.error(knee) - found.error(*best));
+    if (next)
+        return fmt::format("the next step, to {:.2f} codes, takes {:.1f} times as long.",
+                           found.error(*next), found.cpu_ms(*next) / found.cpu_ms(knee));
+    return "nothing more accurate was found.";
+}
+
+std::string knee_sentence(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    const std::size_t knee = *found.knee();
+    return fmt::format("Knee: {}: {:.2f} codes RMSE at {:.2f} ms a frame ({} ms of CPU time); {}",
+                       report.name_of(knee), found.error(knee), found.wall_ms(knee),
+                       report.cpu_text(knee), beyond(found, knee));
+}
+
+std::string effect_sentence(const Frontier& found) {
+    const measure::EffectPrice* dearest = nullptr;
+    for (const measure::EffectPrice& e : found.effects) {
+        if (e.price.by_construction || e.price.cpu_ms.is_zero()) continue;
+        if (dearest == nullptr || e.price.cpu_ms.median > dearest->price.cpu_ms.median)
+            dearest = &e;
+    }
+    if (dearest == nullptr || dearest->price.cpu_ms.median <= 0)
+        return "Dearest effect: none takes a time that can be measured.";
+    const double share = 1 - 1 / dearest->price.cpu_ratio.median;
+    return fmt::format("Dearest effect: {}{}: {:.0f} % of the frame's CPU time; it changes {:.1f} "
+                       "% of the pixels.",
+                       dearest->effect, dearest->technique == "on" ? "" : " " + dearest->technique,
+                       share * 100, dearest->changed_share * 100);
+}
+
+// The highest rung that is as accurate as any, to a tenth of a code, and whose time cannot be told
+// from that of the quickest; none where that is the lowest.
+std::string free_rung(const Frontier& found, const Ladder& ladder) {
+    constexpr double kTold = 0.1; // codes, as squares add up
+    double least_error = 1e9, quickest = 1e9;
+    std::vector<const LadderRung*> timed;
+    for (const LadderRung& rung : ladder.rungs) {
+        if (!rung.point || !(*found.points)[*rung.point].price) continue;
+        timed.push_back(&rung);
+        least_error = std::min(least_error, found.error(*rung.point));
+        quickest = std::min(quickest, (*found.points)[*rung.point].price->cpu_ratio.high);
+    }
+    const auto free = std::find_if(timed.rbegin(), timed.rend(), [&](const LadderRung* rung) {
+        const double error = found.error(*rung->point);
+        return error * error <= least_error * least_error + kTold * kTold &&
+               (*found.points)[*rung->point].price->cpu_ratio.low <= quickest;
+    });
+    if (free == timed.rend() || *free == timed.front()) return {};
+    return fmt::format("{} {}", ladder.axis, (*free)->technique);
+}
+
+std::string free_sentence(const Frontier& found) {
+    std::vector<std::string> free;
+    for (const Ladder& ladder : found.ladders)
+        if (std::string rung = free_rung(found, ladder); !ladder.is_flat() && !rung.empty())
+            free.push_back(std::move(rung));
+    if (free.empty()) return "Free: no rung but the cheapest of each axis.";
+    return fmt::format("Free: {}: no more CPU time than the quickest rung of the axis.",
+                       fmt::join(free, ", "));
+}
+
+} // namespace
+
+std::vector<std::string> frontier_sentences(const FrontierReport& report) {
+    if (!report.timed()) return {};
+    return {knee_sentence(report), effect_sentence(report.found), free_sentence(report.found)};
+}
+
+} // namespace scanout::app
