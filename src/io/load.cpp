@@ -212,6 +212,8 @@ void light_vertex_colours_whole(ReadModel& model) {
 Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& options,
                                    Warnings& warnings) {
     TRY(ReadModel model, read(path, options, warnings));
+    if (options.source != nullptr)
+        *options.source = {model.polygons, std::move(model.materials.libraries)};
     light_vertex_colours_whole(model);
     const Stopwatch watch;
     geom::BuildOptions build{

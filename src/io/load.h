@@ -4,6 +4,7 @@
 #include "base/jobs.h"
 #include "base/result.h"
 #include "base/warnings.h"
+#include "geom/polygon_mesh.h"
 #include "io/formats.h"
 #include "scene/scene.h"
 
@@ -12,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace scanout::io {
 
@@ -20,6 +22,12 @@ struct LoadTimes {
     double parse = 0;     // the model file's text or records
     double materials = 0; // libraries and textures
     double build = 0;     // the mesh
+};
+
+// What a file holds, beside the scene that was made of it.
+struct ModelSource {
+    geom::PolygonMesh polygons;         // materials are indices of the scene's
+    std::vector<std::string> libraries; // paths of the material libraries that were read
 };
 
 struct LoadOptions {
@@ -37,6 +45,7 @@ struct LoadOptions {
     bool allow_outside =
         false; // libraries and textures outside of the model's folder are read, too
     ModelFormat* format_read = nullptr; // filled when given
+    ModelSource* source = nullptr;      // filled when given
     std::optional<ModelFormat> format;  // given: what the file is, whatever it looks like
 };
 

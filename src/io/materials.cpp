@@ -236,6 +236,7 @@ void MaterialLoader::read_library(const std::string& name, std::size_t line) {
     library.path = *path;
     library.materials = read_mtl(file->text(), *path, warnings_);
     out_.bytes += file->size();
+    out_.libraries.push_back(*path);
     if (library.materials.empty())
         warnings_.add("empty library", fmt::format("{}: holds no material", *path));
     for (std::size_t i = 0; i < library.materials.size(); ++i) {

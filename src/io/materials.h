@@ -16,9 +16,10 @@ namespace scanout::io {
 struct Materials {
     std::vector<scene::Material> materials; // those used and defined, in the order of first use
     std::vector<scene::Texture> textures;   // each file once
-    std::vector<std::int32_t> of_name; // one an ObjFile::materials: index above, -1 not defined
-    std::int32_t of_rest = -1;         // index above for what uses no material
-    std::uint64_t bytes = 0;           // of the libraries, and of the textures decoded
+    std::vector<std::int32_t> of_name;  // one an ObjFile::materials: index above, -1 not defined
+    std::int32_t of_rest = -1;          // index above for what uses no material
+    std::vector<std::string> libraries; // paths of those that were read
+    std::uint64_t bytes = 0;            // of the libraries, and of the textures decoded
 };
 
 // Never fails: what is missing or damaged is a warning, and drawn plain. So is a texture that would

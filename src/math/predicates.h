@@ -10,4 +10,9 @@ namespace scanout {
 // 0 when collinear. Exact for all finite inputs whose products neither overflow nor underflow.
 int orient2d(const DVec2& a, const DVec2& b, const DVec2& c);
 
+// The sign of six times the signed volume of (a, b, c, d), exactly: > 0 when a, b, c wind clockwise
+// seen from d, 0 when coplanar. Exact for all finite inputs whose products neither overflow nor
+// underflow.
+int orient3d(const DVec3& a, const DVec3& b, const DVec3& c, const DVec3& d);
+
 } // namespace scanout

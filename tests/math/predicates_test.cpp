@@ -1,6 +1,7 @@
 #include "math/predicates.h"
 #include "oracle.h"
 
+#include <algorithm>
 #include <array>
 
 #include <gtest/gtest.h>
@@ -123,6 +124,61 @@ TEST(Orient2d, IsPositiveCounterClockwise) {
     EXPECT_EQ(orient2d({0, 0}, {1, 0}, {0, 1}), 1);
     EXPECT_EQ(orient2d({0, 0}, {0, 1}, {1, 0}), -1);
     EXPECT_EQ(orient2d({0, 0}, {1, 1}, {2, 2}), 0);
+}
+
+int exact_orient3d(const std::array<DVec3, 4>& p) {
+    mpfr_t sum, term;
+    mpfr_inits2(2000, sum, term, static_cast<mpfr_ptr>(nullptr));
+    mpfr_set_zero(sum, 1);
+    // The 4 x 4 determinant with a column of ones, as the sum over all orders of the rows.
+    std::array<int, 4> order = {0, 1, 2, 3};
+    do {
+        int inversions = 0;
+        for (std::size_t i = 0; i < 4; ++i)
+            for (std::size_t k = i + 1; k < 4; ++k)
+                inversions += order[i] > order[k] ? 1 : 0;
+        const auto row = [&](std::size_t i) { return p[static_cast<std::size_t>(order[i])]; };
+        mpfr_set_d(term, row(0).x, MPFR_RNDN);
+        mpfr_mul_d(term, term, row(1).y, MPFR_RNDN);
+        mpfr_mul_d(term, term, row(2).z, MPFR_RNDN);
+        if (inversions % 2 == 1) mpfr_neg(term, term, MPFR_RNDN);
+        mpfr_add(sum, sum, term, MPFR_RNDN);
+    } while (std::next_permutation(order.begin(), order.end()));
+    const int sign = mpfr_sgn(sum);
+    mpfr_clears(sum, term, static_cast<mpfr_ptr>(nullptr));
+    return (sign > 0) - (sign < 0);
+}
+
+int naive_orient3d(const std::array<DVec3, 4>& p) {
+    const double det = dot3(p[0] - p[3], cross3(p[1] - p[3], p[2] - p[3]));
+    return (det > 0) - (det < 0);
+}
+
+TEST(Orient3d, HasTheExactSignOnNearlyCoplanarPoints) {
+    Points points(3);
+    int naive_faults = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const auto coordinate = [&] { return points.any_size(-20, 20); };
+        std::array<DVec3, 4> p;
+        for (std::size_t k = 0; k < 3; ++k)
+            p[k] = {coordinate(), coordinate(), coordinate()};
+        const double s = points.uniform(-1, 2), t = points.uniform(-1, 2);
+        p[3] = p[0] + s * (p[1] - p[0]) + t * (p[2] - p[0]);
+        const int exact = exact_orient3d(p);
+        ASSERT_EQ(orient3d(p[0], p[1], p[2], p[3]), exact) << i;
+        ASSERT_EQ(orient3d(p[1], p[0], p[2], p[3]), -exact) << i;
+        ASSERT_EQ(orient3d(p[3], p[0], p[2], p[1]), -exact_orient3d({p[3], p[0], p[1], p[2]}));
+        naive_faults += naive_orient3d(p) != exact ? 1 : 0;
+    }
+    EXPECT_GT(naive_faults, 500);
+}
+
+TEST(Orient3d, IsZeroInAPlaneAndSeesWindingFromTheFourthPoint) {
+    const DVec3 a(1, 0, 0), b(0, 1, 0), c(0, 0, 1);
+    EXPECT_EQ(orient3d(a, b, c, DVec3(0)), 1);
+    EXPECT_EQ(orient3d(a, b, c, DVec3(1)), -1);
+    EXPECT_EQ(orient3d(a, b, c, DVec3(3, -1, -1)), 0);
+    EXPECT_EQ(orient3d({0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {0.3, 7, 5}), 0);
 }
 
 } // namespace

@@ -1,0 +1,98 @@
+// Coordinates: not finite, unused, not normal floats, equal in floats, far from the origin, and of
+// an unusual size.
+#include "geom/diagnose/families.h"
+#include "geom/join_table.h"
+
+#include <algorithm>
+#include <bit>
+#include <cfloat>
+#include <cmath>
+
+namespace scanout::geom {
+namespace {
+
+void examine_positions(const Surface& surface, Findings& findings) {
+    const std::vector<DVec3>& positions = surface.mesh().positions;
+    Tally not_finite, unused, denormal;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        HazardPlace place;
+        place.position = static_cast<std::uint32_t>(i);
+        if (!is_finite(positions[i])) {
+            not_finite.add(0, place);
+            continue;
+        }
+        place.at = positions[i];
+        if (surface.usable().position[i] == 0) {
+            unused.add(0, place);
+            continue;
+        }
+        const auto is_denormal = [](double x) { return x != 0 && std::abs(x) < double{FLT_MIN}; };
+        const DVec3& p = positions[i];
+        if (is_denormal(p.x) || is_denormal(p.y) || is_denormal(p.z)) denormal.add(0, place);
+    }
+    findings.add(Hazard::not_finite, not_finite);
+    findings.add(Hazard::unreferenced, unused);
+    findings.add(Hazard::denormals, denormal);
+}
+
+// Places whose floats, as the renderer keeps them, are those of another place.
+void examine_merged(const Surface& surface, Findings& findings) {
+    struct Key {
+        std::uint64_t hash;
+        std::uint32_t place;
+    };
+    const auto as_drawn = [&](std::uint32_t place) {
+        return Vec3(surface.framing().normalise(file_position(surface, place)));
+    };
+    std::vector<Key> keys(surface.places());
+    for (std::uint32_t p = 0; p < keys.size(); ++p) {
+        const Vec3 v = as_drawn(p) + 0.0F; // no -0
+        std::uint64_t hash = 0;
+        for (const float x : {v.x, v.y, v.z})
+            hash = mix_bits(hash + std::bit_cast<std::uint32_t>(x));
+        keys[p] = {hash, p};
+    }
+    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
+        return a.hash != b.hash ? a.hash < b.hash : a.place < b.place;
+    });
+    Tally merged;
+    for (std::size_t i = 1; i < keys.size(); ++i)
+        if (keys[i].hash == keys[i - 1].hash &&
+            as_drawn(keys[i].place) == as_drawn(keys[i - 1].place)) {
+            HazardPlace place;
+            place.position = surface.position_of(keys[i].place);
+            place.at = file_position(surface, keys[i].place);
+            merged.add(0, place);
+        }
+    findings.add(Hazard::merged_places, merged);
+}
+
+void examine_extent(const Surface& surface, Findings& findings) {
+    const Framing& framing = surface.framing();
+    const auto largest = [](const DVec3& v) {
+        return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    };
+    const double far = std::max(largest(framing.box_min), largest(framing.box_max));
+    const double radius = framing.radius * surface.unit();
+    HazardPlace place;
+    place.at = framing.centre;
+    // A picture is some 1000 pixels wide: floats step by a tenth of a pixel.
+    constexpr double kStep = 1e-4;
+    const double step = far * 0x1p-23;
+    Tally away, unusual;
+    if (step > kStep * radius) away.add(step, place);
+    if (radius > 0 && (radius < 1e-4 || radius > 1e6)) unusual.add(radius, place);
+    findings.add(Hazard::far_from_origin, away);
+    findings.add(Hazard::unusual_unit, unusual);
+}
+
+} // namespace
+
+void examine_numbers(const Surface& surface, Findings& findings) {
+    examine_positions(surface, findings);
+    if (surface.places() == 0) return;
+    examine_merged(surface, findings);
+    examine_extent(surface, findings);
+}
+
+} // namespace scanout::geom

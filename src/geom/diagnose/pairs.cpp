@@ -1,0 +1,133 @@
+// Triangles that intersect, and those that overlap in one plane: pairs with boxes that meet, from a
+// bounding-volume hierarchy.
+#include "base/chunks.h"
+#include "base/stopwatch.h"
+#include "geom/diagnose/box_tree.h"
+#include "geom/diagnose/families.h"
+#include "geom/diagnose/shape.h"
+#include "geom/diagnose/triangle_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::geom {
+namespace {
+
+class PairSearch {
+public:
+    PairSearch(const Surface& surface, const DiagnoseOptions& how, Findings& findings)
+        : surface_(surface), how_(how), findings_(findings),
+          gap_(how.gap * surface.framing().radius), tree_(surface.jobs(), boxes_of(surface)),
+          tallies_(static_cast<std::size_t>(surface.jobs().threads())) {}
+
+    void run() {
+        const Stopwatch watch;
+        std::atomic<std::size_t> searched{0};
+        // Rounds, between which the calling thread tells how far it is.
+        constexpr std::size_t kChunk = 512, kRound = 64 * kChunk;
+        for (std::size_t from = 0; from < tree_.size(); from += kRound) {
+            const std::size_t to = std::min(from + kRound, tree_.size());
+            for_chunks(surface_.jobs(), to - from, kChunk,
+                       [&](std::size_t begin, std::size_t end, int worker) {
+                           if (watch.milliseconds() > 1000 * how_.seconds) return;
+                           for (std::size_t i = from + begin; i < from + end; ++i)
+                               search_from(i, tallies_[static_cast<std::size_t>(worker)]);
+                           searched.fetch_add(end - begin, std::memory_order_relaxed);
+                       });
+            if (how_.progress)
+                how_.progress(0.5 +
+                              0.5 * static_cast<double>(to) / static_cast<double>(tree_.size()));
+        }
+        tell(tree_.size() == 0 ? 1
+                               : static_cast<double>(searched) / static_cast<double>(tree_.size()));
+    }
+
+private:
+    struct alignas(64) Tallies {
+        Tally crossing, overlapping;
+    };
+
+    static std::vector<Box> boxes_of(const Surface& surface) {
+        std::vector<Box> boxes;
+        boxes.reserve(surface.triangles().size());
+        for (const Surface::Triangle& t : surface.triangles()) {
+            const DVec3 &a = surface.at(t.place[0]), &b = surface.at(t.place[1]),
+                        &c = surface.at(t.place[2]);
+            boxes.push_back(
+                {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                 {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}),
+                  std::max({a.z, b.z, c.z})}});
+        }
+        return boxes;
+    }
+
+    // Pairs with those behind it in the tree's order.
+    void search_from(std::size_t i, Tallies& tallies) {
+        const Box& own = tree_.box_at(i);
+        const Box box = {own.low - DVec3(gap_), own.high + DVec3(gap_)};
+        const Surface::Triangle& a = surface_.triangles()[tree_.item_at(i)];
+        tree_.visit(
+            i + 1, [&](const Box& other) { return boxes_meet(box, other); },
+            [&](std::size_t k) {
+                if (!boxes_meet(box, tree_.box_at(k))) return;
+                judge(a, surface_.triangles()[tree_.item_at(k)], tallies);
+            });
+    }
+
+    void judge(const Surface::Triangle& a, const Surface::Triangle& b, Tallies& tallies) {
+        int shared = 0;
+        for (const std::uint32_t place : a.place)
+            shared += std::count(b.place.begin(), b.place.end(), place) > 0 ? 1 : 0;
+        if (shared == 3) return; // a duplicate, or turned
+        const Corners corners_a = corners_of(a), corners_b = corners_of(b);
+        if (shared < 2 && triangles_cross(corners_a, corners_b)) {
+            tallies.crossing.add(0, pair_place(a, b));
+            mark(a, b, Hazard::intersections);
+            return;
+        }
+        // The triangles of one face are cut so that they do not overlap, unless it crosses itself.
+        if (a.face == b.face) return;
+        const auto gap = overlap_gap(corners_a, corners_b, gap_);
+        if (!gap) return;
+        tallies.overlapping.add(-*gap, pair_place(a, b));
+        mark(a, b, Hazard::overlaps);
+    }
+
+    Corners corners_of(const Surface::Triangle& t) const {
+        return {surface_.at(t.place[0]), surface_.at(t.place[1]), surface_.at(t.place[2])};
+    }
+    HazardPlace pair_place(const Surface::Triangle& a, const Surface::Triangle& b) const {
+        const Surface::Triangle& low = a.face <= b.face ? a : b;
+        return {low.face, std::max(a.face, b.face), {}, middle_of(surface_, low)};
+    }
+    void mark(const Surface::Triangle& a, const Surface::Triangle& b, Hazard hazard) {
+        findings_.mark(a.face, hazard);
+        findings_.mark(b.face, hazard);
+    }
+
+    void tell(double searched) {
+        Tallies all;
+        for (const Tallies& some : tallies_) {
+            all.crossing.add(some.crossing);
+            all.overlapping.add(some.overlapping);
+        }
+        findings_.add(Hazard::overlaps, all.overlapping,
+                      -all.overlapping.badness() * surface_.unit(), searched);
+        findings_.add(Hazard::intersections, all.crossing, 0, searched);
+    }
+
+    const Surface& surface_;
+    const DiagnoseOptions& how_;
+    Findings& findings_;
+    double gap_;
+    BoxTree tree_;
+    std::vector<Tallies> tallies_; // of each worker
+};
+
+} // namespace
+
+void examine_pairs(const Surface& surface, const DiagnoseOptions& how, Findings& findings) {
+    PairSearch(surface, how, findings).run();
+}
+
+} // namespace scanout::geom

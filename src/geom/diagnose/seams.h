@@ -1,0 +1,35 @@
+// Seams that do not close: vertices within another face's open edge (T-vertices), and open vertices
+// close to each other (cracks). Only open edges count: where two faces share an edge, no
+// background can show between them.
+#pragma once
+
+#include "geom/diagnose/surface.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace scanout::geom {
+
+struct TVertex {
+    std::uint32_t corner; // the edge begins at this corner of the mesh
+    std::uint32_t face;   // whose edge it is
+    std::uint32_t place;  // lies within the edge
+    double along;         // 0 to 1
+    double distance;      // from the edge, of at()
+};
+
+struct Crack {
+    std::uint32_t place, other; // place < other
+    std::uint32_t face;         // of an open edge at `place`
+    double distance;            // of at()
+};
+
+struct Seams {
+    std::vector<TVertex> t_vertices; // by corner, then along the edge
+    std::vector<Crack> cracks;       // by place, other
+};
+
+// `tolerance`: a length of at(); see DiagnoseOptions.
+Seams find_seams(const Surface& surface, double tolerance);
+
+} // namespace scanout::geom

@@ -1,0 +1,208 @@
+#include "geom/mend.h"
+
+#include "geom/diagnose/same_faces.h"
+#include "geom/diagnose/seams.h"
+#include "geom/diagnose/shape.h"
+#include "geom/diagnose/surface.h"
+#include "geom/mend_winding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace scanout::geom {
+namespace {
+
+// Keeps the faces and corners that are marked, in their order.
+void filter_faces(PolygonMesh& m, const std::vector<bool>& keep_face,
+                  const std::vector<bool>& keep_corner) {
+    std::size_t faces = 0, corners = 0;
+    for (std::size_t f = 0; f < m.faces(); ++f) {
+        const std::size_t begin = m.face_begin[f], end = m.face_end(f);
+        if (!keep_face[f]) continue;
+        const std::size_t first = corners;
+        for (std::size_t c = begin; c < end; ++c)
+            if (keep_corner[c]) m.corners[corners++] = m.corners[c];
+        m.face_begin[faces] = static_cast<std::uint32_t>(first); // at or before f: read already
+        m.face_material[faces] = m.face_material[f];
+        if (!m.face_smoothing.empty()) m.face_smoothing[faces] = m.face_smoothing[f];
+        ++faces;
+    }
+    m.face_begin.resize(faces);
+    m.face_material.resize(faces);
+    if (!m.face_smoothing.empty()) m.face_smoothing.resize(faces);
+    m.corners.resize(corners);
+}
+void filter_faces(PolygonMesh& m, const std::vector<bool>& keep_face) {
+    filter_faces(m, keep_face, std::vector<bool>(m.corners.size(), true));
+}
+std::size_t count_of(const std::vector<bool>& flags, bool value) {
+    return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), value));
+}
+
+// Equal positions become the first of them, unless their colours differ; what nothing uses goes.
+void weld(const Surface& surface, PolygonMesh& m, Mended& report) {
+    constexpr std::uint32_t kGone = 0xffffffff;
+    std::vector<std::uint32_t> number(m.positions.size(), kGone);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m.positions.size(); ++i) {
+        const std::uint32_t place = surface.place_of(i);
+        if (place == kNoPlace) {
+            ++report.unused;
+            continue;
+        }
+        const std::uint32_t first = surface.position_of(place);
+        const bool alike = m.colours.empty() || m.colours[first] == m.colours[i];
+        if (first != i && number[first] != kGone && alike) {
+            number[i] = number[first];
+            ++report.welded;
+            continue;
+        }
+        number[i] = static_cast<std::uint32_t>(kept);
+        ++kept;
+    }
+    std::vector<DVec3> positions(kept);
+    std::vector<Vec3> colours(m.colours.empty() ? 0 : kept);
+    for (std::size_t i = m.positions.size(); i-- > 0;) {
+        if (number[i] == kGone) continue;
+        positions[number[i]] = m.positions[i];
+        if (!colours.empty()) colours[number[i]] = m.colours[i];
+    }
+    const auto moved = [&](auto& index) { index = number[static_cast<std::size_t>(index)]; };
+    for (Corner& c : m.corners)
+        c.position = static_cast<std::int32_t>(number[static_cast<std::size_t>(c.position)]);
+    std::for_each(m.line_vertices.begin(), m.line_vertices.end(), moved);
+    std::for_each(m.point_vertices.begin(), m.point_vertices.end(), moved);
+    m.positions = std::move(positions);
+    m.colours = std::move(colours);
+}
+
+void remove_unusable(const Surface& surface, PolygonMesh& m, Mended& report) {
+    report.degenerate += count_of(surface.usable().face, false);
+    filter_faces(m, surface.usable().face);
+    // Lines and points with a position that is not finite.
+    const auto bad = [&](std::uint32_t p) { return surface.place_of(p) == kNoPlace; };
+    std::vector<std::uint32_t> vertices, begins;
+    std::vector<std::int32_t> materials;
+    for (std::size_t i = 0; i < m.line_begin.size(); ++i) {
+        const auto begin = m.line_vertices.begin() + m.line_begin[i];
+        const auto end = i + 1 < m.line_begin.size() ? m.line_vertices.begin() + m.line_begin[i + 1]
+                                                     : m.line_vertices.end();
+        if (std::any_of(begin, end, bad)) continue;
+        begins.push_back(static_cast<std::uint32_t>(vertices.size()));
+        materials.push_back(m.line_material[i]);
+        vertices.insert(vertices.end(), begin, end);
+    }
+    m.line_vertices = std::move(vertices);
+    m.line_begin = std::move(begins);
+    m.line_material = std::move(materials);
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < m.point_vertices.size(); ++i)
+        if (!bad(m.point_vertices[i])) {
+            m.point_vertices[kept] = m.point_vertices[i];
+            m.point_material[kept++] = m.point_material[i];
+        }
+    m.point_vertices.resize(kept);
+    m.point_material.resize(kept);
+}
+
+// Of a face that stays, corners at the place of the next one go.
+void remove_degenerate(Jobs& jobs, PolygonMesh& m, Mended& report) {
+    const Surface surface(jobs, m);
+    const std::vector<bool> keep = faces_with_area(surface);
+    std::vector<bool> keep_corner(m.corners.size());
+    for (std::size_t f = 0; f < m.faces(); ++f)
+        for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c)
+            keep_corner[c] =
+                surface.corner_place(c) != surface.corner_place(surface.next_corner(f, c));
+    report.degenerate += count_of(keep, false);
+    filter_faces(m, keep, keep_corner);
+}
+
+void remove_repeated(Jobs& jobs, PolygonMesh& m, Mended& report) {
+    std::vector<bool> keep(m.faces(), true);
+    const Surface surface(jobs, m);
+    for (const SameFace& same : find_same_faces(surface))
+        keep[same.face] = same.turned;
+    report.repeated += count_of(keep, false);
+    filter_faces(m, keep);
+}
+
+// A corner between two others of a face: texture coordinate and normal are interpolated.
+Corner corner_between(PolygonMesh& m, const Corner& a, const Corner& b, double along,
+                      std::uint32_t position) {
+    Corner corner;
+    corner.position = static_cast<std::int32_t>(position);
+    if (a.uv >= 0 && b.uv >= 0) {
+        const DVec2 from = m.uvs[static_cast<std::size_t>(a.uv)];
+        const DVec2 to = m.uvs[static_cast<std::size_t>(b.uv)];
+        corner.uv = static_cast<std::int32_t>(m.uvs.size());
+        m.uvs.push_back(from + along * (to - from));
+    }
+    if (a.normal >= 0 && b.normal >= 0) {
+        if (a.normal == b.normal) {
+            corner.normal = a.normal;
+            return corner;
+        }
+        const DVec3 from(m.normals[static_cast<std::size_t>(a.normal)]);
+        const DVec3 to(m.normals[static_cast<std::size_t>(b.normal)]);
+        const DVec3 between = from + along * (to - from);
+        const double length = std::sqrt(dot3(between, between));
+        corner.normal = static_cast<std::int32_t>(m.normals.size());
+        m.normals.push_back(Vec3(length > 0 ? between / length : between));
+    }
+    return corner;
+}
+
+std::size_t split_once(Jobs& jobs, PolygonMesh& m, double tolerance) {
+    const Surface surface(jobs, m);
+    const Seams seams = find_seams(surface, tolerance * surface.framing().radius);
+    if (seams.t_vertices.empty()) return 0;
+    std::vector<Corner> corners;
+    corners.reserve(m.corners.size() + seams.t_vertices.size());
+    std::vector<std::uint32_t> begins(m.face_begin.size());
+    auto next = seams.t_vertices.begin();
+    for (std::size_t f = 0; f < m.faces(); ++f) {
+        begins[f] = static_cast<std::uint32_t>(corners.size());
+        for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c) {
+            corners.push_back(m.corners[c]);
+            for (; next != seams.t_vertices.end() && next->corner == c; ++next)
+                corners.push_back(corner_between(m, m.corners[c],
+                                                 m.corners[surface.next_corner(f, c)], next->along,
+                                                 surface.position_of(next->place)));
+        }
+    }
+    m.corners = std::move(corners);
+    m.face_begin = std::move(begins);
+    return seams.t_vertices.size();
+}
+
+} // namespace
+
+std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
+    constexpr int kRounds = 8; // a new corner bends its edge a little, towards others
+    std::size_t split = 0;
+    for (int round = 0; round < kRounds; ++round) {
+        const std::size_t more = split_once(jobs, mesh, tolerance);
+        if (more == 0) break;
+        split += more;
+    }
+    return split;
+}
+
+Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
+    Mended report;
+    {
+        const Surface surface(jobs, mesh);
+        remove_unusable(surface, mesh, report);
+    }
+    remove_degenerate(jobs, mesh, report);
+    report.split = split_t_vertices(jobs, mesh, tolerance);
+    if (report.split > 0) remove_degenerate(jobs, mesh, report);
+    remove_repeated(jobs, mesh, report);
+    make_winding_alike(jobs, mesh, report);
+    const Surface surface(jobs, mesh);
+    weld(surface, mesh, report);
+    return report;
+}
+
+} // namespace scanout::geom

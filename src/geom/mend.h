@@ -1,0 +1,32 @@
+// Mends what can be mended in a PolygonMesh without a guess. No vertex moves, and every picture of
+// what was right stays: equal positions become one, positions that nothing uses go, faces without
+// an area and repeated faces go, T-vertices become corners of the faces on whose edges they lie,
+// and faces are turned so that each shell is wound alike; closed ones outwards.
+#pragma once
+
+#include "base/jobs.h"
+#include "geom/polygon_mesh.h"
+
+#include <cstddef>
+
+namespace scanout::geom {
+
+struct Mended {
+    std::size_t welded = 0;     // positions that were equal to others
+    std::size_t unused = 0;     // positions that nothing uses, or that are not finite
+    std::size_t degenerate = 0; // faces without an area, or with a corner that is not finite
+    std::size_t repeated = 0;   // faces
+    std::size_t split = 0;      // corners put into edges
+    std::size_t turned = 0;     // faces
+    std::size_t one_sided = 0;  // shells that cannot be wound alike (as a Moebius strip)
+    bool any() const { return welded + unused + degenerate + repeated + split + turned > 0; }
+};
+
+// `tolerance`: of T-vertices, in bounding radii (DiagnoseOptions). Indices must lie within the
+// mesh's arrays. Texture coordinates and normals of a new corner are interpolated along its edge.
+Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance);
+
+// The one step that draws a different picture: T-vertices become corners.
+std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance);
+
+} // namespace scanout::geom
