@@ -15,6 +15,7 @@ constexpr std::string_view kOverview =
     "  scanout render models/spot/spot.obj -o s.png  draw a picture, without a display\n"
     "  scanout explain models/spot/spot.obj          what runs for it, why, and at what price\n"
     "  scanout frontier models/spot/spot.obj         what accuracy costs in time\n"
+    "  scanout doctor models/spot/spot.obj           what in the file may spoil the picture\n"
     "  scanout compare got.png expected.png          are two pictures the same?\n"
     "\n"
     "Commands:\n"
@@ -22,13 +23,15 @@ constexpr std::string_view kOverview =
     "  render MODEL       draw to PNG, PPM or PAM files or to standard output\n"
     "  explain MODEL      each effect: on or off, why, its time, its memory, the error without it\n"
     "  frontier MODEL     error and time of every way to draw it, and the best ways there are\n"
+    "  doctor MODEL       cracks, overlaps, bad normals and more: how many, where, in how many "
+    "pixels\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options\n"
     "\n"
     "  scanout COMMAND --help explains a command; scanout --version prints the version.\n"
     "\n"
-    "Exit codes: 0 ok, 2 usage, 3 file unreadable or unsupported, 5 no display or no permission,\n"
-    "21 sizes differ, 22 pixels differ, 70 internal.\n";
+    "Exit codes: 0 ok, 2 usage, 3 file unreadable or unsupported, 4 hazards found (--strict),\n"
+    "5 no display or no permission, 21 sizes differ, 22 pixels differ, 70 internal.\n";
 
 std::string_view introduction(Command command) {
     switch (command) {
@@ -74,6 +77,21 @@ std::string_view introduction(Command command) {
                "Every rung of every axis is drawn, compared with a reference picture and timed; "
                "then\n"
                "whole configurations. Ctrl-C ends the measurement and keeps what there is.\n";
+    case Command::doctor:
+        return "scanout doctor MODEL - what in a model's file may spoil its picture\n"
+               "\n"
+               "  scanout doctor spot.obj                            a line a hazard, or one that "
+               "all is well\n"
+               "  scanout doctor spot.obj --camera 150,20 --size 640x360   pixels of this view\n"
+               "  scanout doctor spot.obj --fix mended.obj           mend what needs no guess\n"
+               "  scanout doctor spot.obj --strict --sarif out.sarif     in a CI job\n"
+               "\n"
+               "Each line: severity, hazard, how many, the worst one and its place in the file, "
+               "how "
+               "many\n"
+               "pixels show it here and in the worst of 26 views around the model, and advice. A "
+               "warning\n"
+               "means that a picture is not that of the surface meant; a note is worth knowing.\n";
     case Command::compare:
         return "scanout compare A B - compare the picture A (got) with the picture B (expected)\n"
                "\n"

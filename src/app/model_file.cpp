@@ -9,7 +9,8 @@
 namespace scanout::app {
 
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
-                               const std::function<bool(double)>& progress) {
+                               const std::function<bool(double)>& progress,
+                               io::ModelSource* source) {
     if (path != "-") TRY_VOID(check_readable(path));
     const Stopwatch watch;
     Warnings warnings;
@@ -25,10 +26,11 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     options.times = &times;
     io::ModelFormat format{};
     options.format_read = &format;
+    options.source = source;
     TRY(scene::Scene scene, io::load(path, options, warnings));
     // CAD programs and slicers have z up.
     const auto up = format == io::ModelFormat::stl ? scene::UpAxis::plus_z : scene::UpAxis::plus_y;
-    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times, up};
+    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times, up, format};
 }
 
 scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model) {
@@ -38,13 +40,16 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,
-                                             Jobs& jobs) {
+                                             Jobs& jobs, io::ModelSource* source) {
     Result<LoadedModel> model = [&] {
         ProgressBar bar("reading " + path, settings.quiet);
-        return load_model(path, settings, jobs, [&](double fraction) {
-            bar.show(fraction);
-            return true;
-        });
+        return load_model(
+            path, settings, jobs,
+            [&](double fraction) {
+                bar.show(fraction);
+                return true;
+            },
+            source);
     }();
     if (model) print_warnings(model->warnings, settings);
     return model;

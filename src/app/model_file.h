@@ -20,20 +20,22 @@ struct LoadedModel {
     double load_ms = 0;
     io::LoadTimes load_times;                 // its parts
     scene::UpAxis up = scene::UpAxis::plus_y; // of files of its format
+    io::ModelFormat format{};
 };
 
 // The camera that the command line asks for; a model's format says what is up where it does not.
 scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model);
 
 // `progress` is called with the fraction of the work that is done; false cancels.
-// The path "-" is standard input.
+// The path "-" is standard input. `source` is filled when given.
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
-                               const std::function<bool(double)>& progress);
+                               const std::function<bool(double)>& progress,
+                               io::ModelSource* source = nullptr);
 
 // As load_model, with a progress bar on standard error when it is a terminal and loading takes
 // over a second, and the warnings printed; neither with --quiet.
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,
-                                             Jobs& jobs);
+                                             Jobs& jobs, io::ModelSource* source = nullptr);
 
 void print_warnings(const std::vector<std::string>& warnings, const Settings& settings);
 

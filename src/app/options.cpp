@@ -17,8 +17,10 @@ constexpr unsigned kCompare = static_cast<unsigned>(Command::compare);
 constexpr unsigned kList = static_cast<unsigned>(Command::list);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
 constexpr unsigned kFrontier = static_cast<unsigned>(Command::frontier);
+constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
-constexpr unsigned kAll = kDraw | kCompare | kList;
+constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
+constexpr unsigned kAll = kLoad | kCompare | kList;
 
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> found;
@@ -202,7 +204,7 @@ constexpr bool is_option_of(std::string_view option, std::string_view axis) {
                       [](char a, char b) { return a == b || (a == '-' && b == '_'); });
 }
 // The option of an axis, which is named as it is, with - for _.
-constexpr Option axis_option(std::string_view name) {
+constexpr Option axis_option(std::string_view name, unsigned commands = kDraw) {
     const AxisOption& a =
         *std::find_if(std::begin(kAxes), std::end(kAxes),
                       [&](const AxisOption& axis) { return is_option_of(name, axis.axis); });
@@ -215,7 +217,7 @@ constexpr Option axis_option(std::string_view name) {
             0,
             0,
             Group::picture,
-            kDraw,
+            commands,
             a.slot,
             a.help};
 }
@@ -239,7 +241,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
-    {"json", 0, "FILE", "", "", 0, 0, Group::output, kDraw | kCompare | kList, Parsed(read_json),
+    {"json", 0, "FILE", "", "", 0, 0, Group::output, kLoad | kCompare | kList, Parsed(read_json),
      "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
      "only techniques",
      true},
@@ -255,7 +257,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.report_html; }),
      "write a report in one file: sentences, chart, tables, pictures with their errors"},
 
-    {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kDraw, Parsed(read_size),
+    {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kLoad, Parsed(read_size),
      "pixels of the picture; the viewer uses it only without a display"},
     {"samples", 0, "", "1 2 4 8 16", "1", 0, 0, Group::picture, kDraw,
      Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
@@ -263,7 +265,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     axis_option("aa"),
     {"background", 0, "COLOUR", "", "#303338", 0, 0, Group::picture, kDraw, Parsed(read_background),
      "#rrggbb or a name (black white grey slate red green blue sky transparent)"},
-    axis_option("cull"),
+    axis_option("cull", kLoad),
     axis_option("interpolate"),
     axis_option("texture"),
     axis_option("wrap"),
@@ -272,8 +274,8 @@ constexpr std::array kOptions = std::to_array<Option>({
     axis_option("reflection"),
     axis_option("transparency"),
     axis_option("blend"),
-    axis_option("depth"),
-    axis_option("depth-test"),
+    axis_option("depth", kLoad),
+    axis_option("depth-test", kLoad),
     axis_option("stencil"),
     {"alpha-cut", 0, "ALPHA", "", "0.5", 0, 1, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.alpha_cut; }),
@@ -316,44 +318,44 @@ constexpr std::array kOptions = std::to_array<Option>({
      "again",
      false, true},
 
-    {"view", 0, "", kViews, "", 0, 0, Group::camera, kDraw, Choice(choose_view),
+    {"view", 0, "", kViews, "", 0, 0, Group::camera, kLoad, Choice(choose_view),
      "look from a named side"},
-    {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kDraw, Parsed(read_camera),
+    {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kLoad, Parsed(read_camera),
      "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
      "degrees "
      "up (-90 to 90), from DISTANCE bounding radii (default: the model just fits)"},
-    {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_eye),
+    {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kLoad, Parsed(read_eye),
      "put the eye there, in the model file's coordinates; wants --look-at"},
-    {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kDraw, Parsed(read_look_at),
+    {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kLoad, Parsed(read_look_at),
      "look at this point; --target X,Y,Z says the same"},
-    {"fov", 0, "DEGREES", "", "45", 0.1, 175, Group::camera, kDraw,
+    {"fov", 0, "DEGREES", "", "45", 0.1, 175, Group::camera, kLoad,
      Real([](Settings& s) -> double& { return s.camera.fov_degrees; }), "vertical field of view"},
-    {"projection", 0, "", "perspective orthographic", "perspective", 0, 0, Group::camera, kDraw,
+    {"projection", 0, "", "perspective orthographic", "perspective", 0, 0, Group::camera, kLoad,
      Choice([](Settings& s, std::size_t i) {
          s.camera.projection = static_cast<scene::Projection>(i);
      }),
      "with or without foreshortening"},
-    {"up", 0, "", "y -y z -z x -x", "", 0, 0, Group::camera, kDraw,
+    {"up", 0, "", "y -y z -z x -x", "", 0, 0, Group::camera, kLoad,
      Choice([](Settings& s, std::size_t i) {
          s.camera.up = static_cast<scene::UpAxis>(i);
          s.up_given = true;
      }),
      "the model's axis that points up; default: z in STL, else y"},
-    {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kDraw, Parsed(read_model_format),
+    {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kLoad, Parsed(read_model_format),
      "the model's format (obj stl ply off), instead of the one that its content tells; a model "
      "named - is read from standard input"},
 
-    {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kDraw,
+    {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kLoad,
      Integer([](Settings& s) -> int& { return s.max_memory_mb; }),
      "refuse a model that takes more to load; default: what is available"},
-    {"allow-outside", 0, "", "", "", 0, 0, Group::model, kDraw,
+    {"allow-outside", 0, "", "", "", 0, 0, Group::model, kLoad,
      Switch([](Settings& s) -> bool& { return s.allow_outside; }),
      "read libraries and textures outside of the model's folder, too"},
-    {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kDraw, Parsed(read_scale),
+    {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
      "scale the model about its centre, first"},
-    {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_rotate),
+    {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_rotate),
      "then turn it, in degrees about x, y and z, in this order"},
-    {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kDraw, Parsed(read_translate),
+    {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_translate),
      "then move it, in bounding radii"},
     {"reference", 0, "", "", "", 0, 0, Group::picture, kRender,
      Switch([](Settings& s) -> bool& { return s.reference; }),
@@ -403,10 +405,10 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
-    {"threads", 't', "N", "", "0", 0, 256, Group::times, kDraw,
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kLoad,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},
-    {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kDraw, Parsed(read_target),
+    {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kLoad, Parsed(read_target),
      "instruction set that draws (`list targets`); the picture is the same"},
 
     {"max-diff", 0, "N", "", "0", 0, 255, Group::comparison, kCompare,
@@ -430,6 +432,21 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.heat_map; }),
      "write the error of each pixel as a picture: black is none, pale yellow 255 codes, each "
      "doubling of the error a step lighter; with --metric flip, FLIP from 0 to 1"},
+
+    {"quick", 0, "", "", "", 0, 0, Group::examination, kDoctor,
+     Switch([](Settings& s) -> bool& { return s.quick; }),
+     "leave out the search for T-vertices, cracks, overlaps and intersections"},
+    {"seconds", 0, "N", "", "60", 1, 100000, Group::examination, kDoctor,
+     Real([](Settings& s) -> double& { return s.seconds; }),
+     "search for overlaps and intersections no longer; what is left is said"},
+    {"strict", 0, "", "", "", 0, 0, Group::examination, kDoctor,
+     Switch([](Settings& s) -> bool& { return s.strict; }), "exit code 4 where there is a warning"},
+    {"fix", 0, "OUT.obj", "", "", 0, 0, Group::output, kDoctor,
+     Text([](Settings& s) -> std::string& { return s.fix; }),
+     "write the model with all mended that needs no guess; no vertex moves"},
+    {"sarif", 0, "FILE", "", "", 0, 0, Group::output, kDoctor,
+     Text([](Settings& s) -> std::string& { return s.sarif; }),
+     "report to a file that CI systems read (SARIF 2.1.0)"},
 
     {"verbose", 'v', "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.verbose; }), "say more on standard error"},
@@ -502,8 +519,9 @@ std::span<const Option> options() {
 }
 
 std::string_view title_of(Group group) {
-    constexpr std::array<std::string_view, 8> kTitles = {
-        "Output", "Picture", "Camera", "Model", "Display", "Speed", "Comparison", "General"};
+    constexpr std::array<std::string_view, 9> kTitles = {"Output",     "Picture",     "Camera",
+                                                         "Model",      "Display",     "Speed",
+                                                         "Comparison", "Examination", "General"};
     return kTitles[static_cast<std::size_t>(group)];
 }
 
@@ -543,7 +561,8 @@ std::string options_markdown() {
     constexpr std::array kCommands = {
         std::pair{Command::view, "view"},       std::pair{Command::render, "render"},
         std::pair{Command::explain, "explain"}, std::pair{Command::frontier, "frontier"},
-        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
+        std::pair{Command::doctor, "doctor"},   std::pair{Command::compare, "compare"},
+        std::pair{Command::list, "list"}};
     for (const Option& option : kOptions) {
         std::string commands;
         for (const auto& [command, name] : kCommands)

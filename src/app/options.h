@@ -20,6 +20,7 @@ enum class Group : std::uint8_t {
     display,
     times,
     comparison,
+    examination,
     general
 };
 std::string_view title_of(Group group);

@@ -24,6 +24,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_explain(settings);
     case Command::frontier:
         return run_frontier(settings);
+    case Command::doctor:
+        return run_doctor(settings);
     case Command::compare:
         return run_compare(settings);
     case Command::list:

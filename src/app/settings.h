@@ -19,7 +19,8 @@ enum class Command : unsigned {
     compare = 4,
     list = 8,
     explain = 16,
-    frontier = 32
+    frontier = 32,
+    doctor = 64
 };
 
 // How a picture is written.
@@ -62,9 +63,9 @@ struct Settings {
     bool no_pointer = false, no_times = false;
 
     std::vector<std::string> axes; // of frontier; empty: all
-    double seconds = 0;            // of measuring; 0: what the command takes
-    bool quick = false;
-    std::string csv, chart_svg, chart_png, report_html; // files
+    double seconds = 0;            // of measuring or searching; 0: what the command takes
+    bool quick = false, strict = false;
+    std::string csv, chart_svg, chart_png, report_html, fix, sarif; // files
 
     int max_difference = 0;
     std::int64_t max_pixels = 0;

@@ -2,7 +2,6 @@
 
 #include "geom/diagnose/same_faces.h"
 #include "geom/diagnose/seams.h"
-#include "geom/diagnose/shape.h"
 #include "geom/diagnose/surface.h"
 #include "geom/mend_winding.h"
 
@@ -39,7 +38,8 @@ std::size_t count_of(const std::vector<bool>& flags, bool value) {
     return static_cast<std::size_t>(std::count(flags.begin(), flags.end(), value));
 }
 
-// Equal positions become the first of them, unless their colours differ; what nothing uses goes.
+// Positions at one place become the first of them, unless their colours differ; what nothing uses
+// goes.
 void weld(const Surface& surface, PolygonMesh& m, Mended& report) {
     constexpr std::uint32_t kGone = 0xffffffff;
     std::vector<std::uint32_t> number(m.positions.size(), kGone);
@@ -108,7 +108,7 @@ void remove_unusable(const Surface& surface, PolygonMesh& m, Mended& report) {
 // Of a face that stays, corners at the place of the next one go.
 void remove_degenerate(Jobs& jobs, PolygonMesh& m, Mended& report) {
     const Surface surface(jobs, m);
-    const std::vector<bool> keep = faces_with_area(surface);
+    const std::vector<bool>& keep = surface.faces_with_area();
     std::vector<bool> keep_corner(m.corners.size());
     for (std::size_t f = 0; f < m.faces(); ++f)
         for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c)

@@ -16,6 +16,7 @@ struct DiagnoseOptions {
     // kSeamShare of the edge's length; surfaces closer than `gap` are in one plane.
     double tolerance = 1e-3;
     double gap = 0x1p-20;
+    double touch = 0x1p-20; // triangles that reach less far into each other only touch
     // Material -> has a map; faces with others need no texture coordinates.
     std::vector<bool> textured;
     bool search = true;                   // for seams, overlaps and intersections

@@ -14,7 +14,7 @@ enum class Severity : std::uint8_t { warning, note };
 // In the order in which they are reported.
 enum class Hazard : std::uint8_t {
     not_finite,
-    merged_places,
+    collapsed_faces,
     t_vertices,
     cracks,
     duplicate_faces,
@@ -46,10 +46,9 @@ struct HazardCard {
     std::string_view name; // in reports and JSON
     Severity severity;
     std::string_view one, many; // what is counted
-    std::string_view measure;   // of the worst one: what stands before the number; empty: none
+    std::string_view measure;   // of the worst one, {} for the number; empty: none
     std::string_view advice;
-    bool in_file_units = false; // the measure is a length of the file
-    bool mended = false;        // by geom/mend.h
+    bool mended = false; // by geom/mend.h
 };
 std::span<const HazardCard> hazard_cards(); // in the order of Hazard
 const HazardCard& card_of(Hazard hazard);

@@ -33,7 +33,7 @@ void examine_normals(const Surface& surface, Findings& findings) {
     if (m.normals.empty()) return;
     Tally opposite, zero, missing;
     for (std::uint32_t f = 0; f < m.faces(); ++f) {
-        if (!surface.usable().face[f]) continue;
+        if (!surface.has_area(f)) continue;
         const DVec3 face = surface.normal(f);
         const double area = std::sqrt(dot3(face, face));
         for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c) {

@@ -1,10 +1,7 @@
-// Coordinates: not finite, unused, not normal floats, equal in floats, far from the origin, and of
-// an unusual size.
+// Coordinates: not finite, unused, not normal floats, far from the origin, of an unusual size.
 #include "geom/diagnose/families.h"
-#include "geom/join_table.h"
 
 #include <algorithm>
-#include <bit>
 #include <cfloat>
 #include <cmath>
 
@@ -35,38 +32,6 @@ void examine_positions(const Surface& surface, Findings& findings) {
     findings.add(Hazard::denormals, denormal);
 }
 
-// Places whose floats, as the renderer keeps them, are those of another place.
-void examine_merged(const Surface& surface, Findings& findings) {
-    struct Key {
-        std::uint64_t hash;
-        std::uint32_t place;
-    };
-    const auto as_drawn = [&](std::uint32_t place) {
-        return Vec3(surface.framing().normalise(file_position(surface, place)));
-    };
-    std::vector<Key> keys(surface.places());
-    for (std::uint32_t p = 0; p < keys.size(); ++p) {
-        const Vec3 v = as_drawn(p) + 0.0F; // no -0
-        std::uint64_t hash = 0;
-        for (const float x : {v.x, v.y, v.z})
-            hash = mix_bits(hash + std::bit_cast<std::uint32_t>(x));
-        keys[p] = {hash, p};
-    }
-    std::sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) {
-        return a.hash != b.hash ? a.hash < b.hash : a.place < b.place;
-    });
-    Tally merged;
-    for (std::size_t i = 1; i < keys.size(); ++i)
-        if (keys[i].hash == keys[i - 1].hash &&
-            as_drawn(keys[i].place) == as_drawn(keys[i - 1].place)) {
-            HazardPlace place;
-            place.position = surface.position_of(keys[i].place);
-            place.at = file_position(surface, keys[i].place);
-            merged.add(0, place);
-        }
-    findings.add(Hazard::merged_places, merged);
-}
-
 void examine_extent(const Surface& surface, Findings& findings) {
     const Framing& framing = surface.framing();
     const auto largest = [](const DVec3& v) {
@@ -91,7 +56,6 @@ void examine_extent(const Surface& surface, Findings& findings) {
 void examine_numbers(const Surface& surface, Findings& findings) {
     examine_positions(surface, findings);
     if (surface.places() == 0) return;
-    examine_merged(surface, findings);
     examine_extent(surface, findings);
 }
 

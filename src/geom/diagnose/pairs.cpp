@@ -4,7 +4,6 @@
 #include "base/stopwatch.h"
 #include "geom/diagnose/box_tree.h"
 #include "geom/diagnose/families.h"
-#include "geom/diagnose/shape.h"
 #include "geom/diagnose/triangle_pairs.h"
 
 #include <algorithm>
@@ -17,7 +16,8 @@ class PairSearch {
 public:
     PairSearch(const Surface& surface, const DiagnoseOptions& how, Findings& findings)
         : surface_(surface), how_(how), findings_(findings),
-          gap_(how.gap * surface.framing().radius), tree_(surface.jobs(), boxes_of(surface)),
+          gap_(how.gap * surface.framing().radius), touch_(how.touch * surface.framing().radius),
+          tree_(surface.jobs(), boxes_of(surface)),
           tallies_(static_cast<std::size_t>(surface.jobs().threads())) {}
 
     void run() {
@@ -80,7 +80,7 @@ private:
             shared += std::count(b.place.begin(), b.place.end(), place) > 0 ? 1 : 0;
         if (shared == 3) return; // a duplicate, or turned
         const Corners corners_a = corners_of(a), corners_b = corners_of(b);
-        if (shared < 2 && triangles_cross(corners_a, corners_b)) {
+        if (shared < 2 && triangles_cross(corners_a, corners_b, touch_)) {
             tallies.crossing.add(0, pair_place(a, b));
             mark(a, b, Hazard::intersections);
             return;
@@ -119,7 +119,7 @@ private:
     const Surface& surface_;
     const DiagnoseOptions& how_;
     Findings& findings_;
-    double gap_;
+    double gap_, touch_; // of at()
     BoxTree tree_;
     std::vector<Tallies> tallies_; // of each worker
 };

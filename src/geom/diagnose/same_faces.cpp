@@ -44,7 +44,7 @@ std::vector<SameFace> find_same_faces(const Surface& surface) {
     std::vector<FaceKey> keys;
     keys.reserve(surface.usable().all.faces);
     for (std::uint32_t f = 0; f < surface.mesh().faces(); ++f)
-        if (surface.usable().face[f]) keys.push_back(key_of(surface, f));
+        if (surface.has_area(f)) keys.push_back(key_of(surface, f));
     std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
         return a.hash != b.hash ? a.hash < b.hash : a.face < b.face;
     });

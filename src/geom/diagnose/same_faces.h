@@ -1,4 +1,4 @@
-// Faces with the same corners: repeated, or turned around.
+// Faces with the same corners: repeated, or turned around. Those without an area are left out.
 #pragma once
 
 #include "geom/diagnose/surface.h"

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstdint>
-#include <vector>
 
 namespace scanout::geom {
 
@@ -16,7 +15,5 @@ double sliverness(const DVec3& a, const DVec3& b, const DVec3& c);
 inline constexpr double kNoArea = 0x1p40;
 // Two corners are one place, or the height is below 2^-40 of the longest edge.
 bool has_no_area(const Surface& surface, const std::array<std::uint32_t, 3>& places);
-// By face: some triangle of it has an area.
-std::vector<bool> faces_with_area(const Surface& surface);
 
 } // namespace scanout::geom

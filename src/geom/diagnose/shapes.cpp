@@ -21,21 +21,28 @@ bool has_no_area(const Surface& surface, const std::array<std::uint32_t, 3>& t) 
     return sliverness(surface.at(t[0]), surface.at(t[1]), surface.at(t[2])) > kNoArea;
 }
 
-std::vector<bool> faces_with_area(const Surface& surface) {
-    std::vector<bool> with(surface.mesh().faces(), false);
-    for (const Surface::Triangle& t : surface.triangles())
-        if (!has_no_area(surface, t.place)) with[t.face] = true;
-    return with;
+namespace {
+
+// Some of its corners lie off a line in the file's doubles.
+bool has_area_in_file(const Surface& surface, std::uint32_t face) {
+    const PolygonMesh& m = surface.mesh();
+    const auto at = [&](std::size_t corner) {
+        return surface.framing().normalise(
+            m.positions[static_cast<std::size_t>(m.corners[corner].position)]);
+    };
+    for (std::size_t c = m.face_begin[face] + 1; c + 1 < m.face_end(face); ++c)
+        if (sliverness(at(m.face_begin[face]), at(c), at(c + 1)) <= kNoArea) return true;
+    return false;
 }
+
+} // namespace
 
 void examine_shapes(const Surface& surface, Findings& findings) {
     constexpr double kSliver = 1000; // longest edge / height
-    Tally zero, slivers;
-    const std::vector<bool> with_area = faces_with_area(surface);
-    for (std::uint32_t f = 0; f < with_area.size(); ++f) {
-        if (with_area[f] || !surface.usable().face[f]) continue;
-        zero.add(0, at_face(surface, f));
-        findings.mark(f, Hazard::zero_areas);
+    Tally zero, collapsed, slivers;
+    for (std::uint32_t f = 0; f < surface.mesh().faces(); ++f) {
+        if (surface.has_area(f) || !surface.usable().face[f]) continue;
+        (has_area_in_file(surface, f) ? collapsed : zero).add(0, at_face(surface, f));
     }
     for (const Surface::Triangle& t : surface.triangles()) {
         const double value =
@@ -45,6 +52,7 @@ void examine_shapes(const Surface& surface, Findings& findings) {
         findings.mark(t.face, Hazard::slivers);
     }
     findings.add(Hazard::zero_areas, zero);
+    findings.add(Hazard::collapsed_faces, collapsed);
     findings.add(Hazard::slivers, slivers);
 }
 

@@ -1,6 +1,7 @@
 #include "geom/diagnose/surface.h"
 
 #include "base/chunks.h"
+#include "geom/diagnose/shape.h"
 #include "geom/join_table.h"
 #include "geom/triangulate.h"
 
@@ -14,34 +15,43 @@ namespace {
 
 // The positions that are used, as items of a JoinTable whose rows are the places.
 struct PlaceRows {
-    const std::vector<DVec3>& positions;
-    const std::vector<std::uint32_t>& items;
-    std::vector<std::uint32_t>& first; // position of each row
+    const std::vector<Vec3>& drawn;          // by item
+    std::vector<std::uint32_t>& first_items; // of each row
 
-    static std::uint64_t bits(double x) { return std::bit_cast<std::uint64_t>(x + 0.0); } // no -0
-    std::uint64_t hash_of(std::uint32_t position) const {
-        const DVec3& p = positions[position];
-        return mix_bits(mix_bits(mix_bits(bits(p.x)) + bits(p.y)) + bits(p.z));
+    static std::uint64_t bits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); } // no -0
+    std::uint64_t hash(std::size_t item) const {
+        const Vec3& p = drawn[item];
+        return mix_bits(mix_bits(bits(p.x) << 32 | bits(p.y)) + bits(p.z));
     }
-    std::uint64_t hash(std::size_t item) const { return hash_of(items[item]); }
-    std::uint64_t hash_of_row(std::uint32_t row) const { return hash_of(first[row]); }
-    bool same(std::size_t a, std::size_t b) const {
-        return positions[items[a]] == positions[items[b]];
-    }
+    std::uint64_t hash_of_row(std::uint32_t row) const { return hash(first_items[row]); }
+    bool same(std::size_t a, std::size_t b) const { return drawn[a] == drawn[b]; }
     bool is_row(std::size_t item, std::uint32_t row) const {
-        return positions[items[item]] == positions[first[row]];
+        return drawn[item] == drawn[first_items[row]];
     }
-    void make_room(std::size_t rows) const { first.resize(rows); }
-    void write(std::size_t item, std::uint32_t row) const { first[row] = items[item]; }
+    void make_room(std::size_t rows) const { first_items.resize(rows); }
+    void write(std::size_t item, std::uint32_t row) const {
+        first_items[row] = static_cast<std::uint32_t>(item);
+    }
 };
 
 } // namespace
+
+// Floats, but near 0 no finer than near the model's border: there exporters leave rounding of
+// 1e-17, which no picture shows.
+static Vec3 as_drawn(const DVec3& normalised) {
+    constexpr double kSteps = 0x1.8p52 * 0x1p-26; // x + kSteps - kSteps: a multiple of 2^-26
+    return {(normalised.x + kSteps) - kSteps, (normalised.y + kSteps) - kSteps,
+            (normalised.z + kSteps) - kSteps};
+}
 
 Surface::Surface(Jobs& jobs, const PolygonMesh& mesh)
     : jobs_(jobs), mesh_(mesh), usable_(jobs, mesh),
       framing_(framing_of(jobs, mesh.positions, usable_.position)) {
     find_places();
     find_triangles();
+    has_area_.assign(mesh.faces(), false);
+    for (const Triangle& t : triangles_)
+        if (!has_no_area(*this, t.place)) has_area_[t.face] = true;
     find_edges();
 }
 
@@ -53,8 +63,15 @@ void Surface::find_places() {
     std::vector<std::uint32_t> items;
     for (std::size_t i = 0; i < mesh_.positions.size(); ++i)
         if (usable_.position[i] != 0) items.push_back(static_cast<std::uint32_t>(i));
+    std::vector<Vec3> drawn(items.size());
+    for_chunks(jobs_, items.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            drawn[i] = as_drawn(framing_.normalise(mesh_.positions[items[i]]));
+    });
     JoinTable table(jobs_, items.size());
-    const auto rows = table.join(items.size(), PlaceRows{mesh_.positions, items, position_});
+    const auto rows = table.join(items.size(), PlaceRows{drawn, position_});
+    for (std::uint32_t& position : position_)
+        position = items[position];
     place_.assign(mesh_.positions.size(), kNoPlace);
     for (std::size_t i = 0; i < items.size(); ++i)
         place_[items[i]] = rows[i];

@@ -1,5 +1,6 @@
-// The surface of a PolygonMesh as the diagnosis reads it: places (positions that are equal are
-// one), the edges of its faces, and their triangles. Faces that cannot be drawn are left out.
+// The surface of a PolygonMesh as the diagnosis reads it: places (positions that are one vertex
+// when they are drawn, as floats of 2^-26 at least), the edges of its faces, and their triangles. Faces that cannot
+// be drawn are left out.
 #pragma once
 
 #include "base/jobs.h"
@@ -40,13 +41,16 @@ public:
     Jobs& jobs() const { return jobs_; }
 
     std::size_t places() const { return at_.size(); }
-    // The file's coordinates times 2^-exponent of the framing: exact but for denormals. The radius
-    // of the model is 0.5 to 1.
+    // The file's coordinates of the first position there, times 2^-exponent of the framing: exact
+    // but for denormals. The radius of the model is 0.5 to 1.
     const DVec3& at(std::uint32_t place) const { return at_[place]; }
     double unit() const; // file units in a length of 1
     std::uint32_t place_of(std::size_t position) const { return place_[position]; }
     std::uint32_t position_of(std::uint32_t place) const { return position_[place]; } // the first
     const std::vector<Triangle>& triangles() const { return triangles_; }
+    // Can be drawn, and some of its triangles has an area.
+    bool has_area(std::size_t face) const { return has_area_[face]; }
+    const std::vector<bool>& faces_with_area() const { return has_area_; }
     // Sorted by low, high, face; those whose ends are one place are left out.
     const std::vector<EdgeUse>& edges() const { return edges_; }
     // Calls visit(uses) for each edge, with all its uses.
@@ -81,6 +85,7 @@ private:
     std::vector<std::uint32_t> place_, position_;
     std::vector<DVec3> at_;
     std::vector<Triangle> triangles_;
+    std::vector<bool> has_area_;
     std::vector<EdgeUse> edges_;
 };
 

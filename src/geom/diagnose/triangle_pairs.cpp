@@ -23,13 +23,15 @@ bool edge_crosses(const DVec3& p, const DVec3& q, const Corners& t) {
     return s1 * s2 >= 0 && s2 * s0 >= 0;
 }
 
-// Corners strictly on both sides of the other's plane.
-bool straddles(const Corners& a, const Corners& plane) {
+// Corners on both sides of the other's plane, farther from it than `touch`.
+bool straddles(const Corners& a, const Corners& plane, double touch) {
+    const DVec3 normal = cross3(plane[1] - plane[0], plane[2] - plane[0]);
+    const double least = touch * length_of(normal);
     bool above = false, below = false;
     for (const DVec3& p : a) {
-        const int side = orient3d(plane[0], plane[1], plane[2], p);
-        above |= side > 0;
-        below |= side < 0;
+        const double height = dot3(p - plane[0], normal);
+        above |= height > least;
+        below |= height < -least;
     }
     return above && below;
 }
@@ -67,8 +69,8 @@ Height heights(const Corners& plane, const DVec3& normal, const Corners& t) {
 
 } // namespace
 
-bool triangles_cross(const Corners& a, const Corners& b) {
-    if (!straddles(a, b) || !straddles(b, a)) return false;
+bool triangles_cross(const Corners& a, const Corners& b, double touch) {
+    if (!straddles(a, b, touch) || !straddles(b, a, touch)) return false;
     for (std::size_t i = 0; i < 3; ++i)
         if (edge_crosses(a[i], a[(i + 1) % 3], b) || edge_crosses(b[i], b[(i + 1) % 3], a))
             return true;

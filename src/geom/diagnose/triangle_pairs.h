@@ -10,10 +10,10 @@ namespace scanout::geom {
 
 using Corners = std::array<DVec3, 3>;
 
-// Each has corners strictly on both sides of the other's plane, and an edge of one meets the other,
-// its border included. By exact predicates: triangles that only touch do not cross, nor do those
-// that share an edge.
-bool triangles_cross(const Corners& a, const Corners& b);
+// Each has corners on both sides of the other's plane, farther from it than `touch`, and an edge of
+// one meets the other, its border included. By exact predicates: triangles that only touch do not
+// cross, nor do those that share an edge.
+bool triangles_cross(const Corners& a, const Corners& b, double touch);
 
 // Do they overlap, within `gap` of one plane? Returns how far apart they are there. Overlaps
 // narrower than kOverlap of the smaller triangle's longest edge are none: rounded coordinates of

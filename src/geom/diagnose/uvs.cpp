@@ -33,7 +33,7 @@ void examine_uvs(const Surface& surface, const DiagnoseOptions& how, Findings& f
     const PolygonMesh& m = surface.mesh();
     Tally missing, degenerate, large;
     for (std::uint32_t f = 0; f < m.faces(); ++f) {
-        if (!surface.usable().face[f]) continue;
+        if (!surface.has_area(f)) continue;
         bool complete = true;
         for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c) {
             if (m.corners[c].uv < 0) {

@@ -172,8 +172,9 @@ TEST(Diagnose, JudgesNumbers) {
     EXPECT_EQ(hazards_of(diagnosed(cube(1e-6))), Hazards{Hazard::unusual_unit});
 
     mesh = cube();
-    append(mesh, cube(1e-9, DVec3(0.3, 0.2, 0.1))); // eight places are one float
-    EXPECT_EQ(diagnosed(mesh).count(Hazard::merged_places), 7U);
+    append(mesh, cube(1e-9, DVec3(0.3, 0.2, 0.1)));
+    EXPECT_EQ(hazards_of(diagnosed(mesh)), Hazards{Hazard::collapsed_faces});
+    EXPECT_EQ(diagnosed(mesh).count(Hazard::collapsed_faces), 6U);
 }
 
 TEST(Diagnose, FindsSurfacesInOnePlaneAndHowFarTheyAreApart) {
@@ -208,6 +209,30 @@ TEST(Diagnose, CountsCubesThatReachIntoEachOther) {
     const Diagnosis cut = diagnose(jobs(), mesh, how);
     EXPECT_EQ(cut.count(Hazard::intersections), 0U);
     EXPECT_EQ(cut.find(Hazard::intersections)->searched, 0) << "no time: it says so";
+}
+
+TEST(Diagnose, TakesRoundingForNoHazard) {
+    // A slab that stands on a plane in any direction: its corners are up to 2^-53 off.
+    const auto placed = [](const DVec3& p) {
+        return DVec3(0.36 * p.x + 0.48 * p.y - 0.8 * p.z, -0.8 * p.x + 0.6 * p.y,
+                     0.48 * p.x + 0.64 * p.y + 0.6 * p.z);
+    };
+    PolygonMesh mesh;
+    mesh.positions = {{-3, -2, 0}, {2, -3, 0}, {3, 2, 0}, {-2, 3, 0},
+                      {-1, 0, 0},  {1, 0, 0},  {0, 0, 1}, {0, 0, -1e-9}};
+    for (DVec3& p : mesh.positions)
+        p = placed(p);
+    add_face(mesh, {0, 1, 2, 3});
+    add_face(mesh, {4, 5, 6});
+    add_face(mesh, {4, 7, 6}); // its lowest corner is 1e-9 under the plane
+    EXPECT_EQ(diagnosed(mesh).count(Hazard::intersections), 0U);
+    mesh.positions[7] = placed({0, 0, -1e-4});
+    EXPECT_GT(diagnosed(mesh).count(Hazard::intersections), 0U);
+    // Positions that are one float are one place.
+    mesh = cube();
+    mesh.positions.push_back(mesh.positions[0] + DVec3(1e-17, 3e-16, 0));
+    mesh.corners[0].position = 8;
+    EXPECT_EQ(hazards_of(diagnosed(mesh)), Hazards());
 }
 
 TEST(Diagnose, TakesMeshesWithoutFaces) {

@@ -1,0 +1,52 @@
+#include "measure/framed_views.h"
+
+#include <array>
+#include <string_view>
+
+#include <fmt/format.h>
+
+namespace scanout::measure {
+namespace {
+
+constexpr double kCornerDegrees = 35.26438968275465; // atan(1 / sqrt(2))
+
+std::string name_of(double azimuth, double elevation) {
+    for (const std::string_view name : {"front", "right", "back", "left", "top", "bottom"}) {
+        const auto view = scene::named_view(name);
+        if (view->azimuth_degrees == azimuth && view->elevation_degrees == elevation)
+            return std::string(name);
+    }
+    return fmt::format("--camera {},{:.4g}", azimuth, elevation);
+}
+
+} // namespace
+
+const std::vector<FramedView>& framed_views() {
+    static const std::vector<FramedView> views = [] {
+        std::vector<FramedView> made;
+        const auto add = [&](double azimuth, double elevation) {
+            made.push_back({name_of(azimuth, elevation), azimuth, elevation});
+        };
+        for (int eighth = 0; eighth < 8; ++eighth) {
+            const double up = eighth % 2 == 0 ? 45 : kCornerDegrees;
+            for (const double elevation : {0.0, up, -up})
+                add(45.0 * eighth, elevation);
+        }
+        add(0, 90);
+        add(0, -90);
+        return made;
+    }();
+    return views;
+}
+
+scene::CameraOptions camera_of(const FramedView& view, const scene::CameraOptions& asked) {
+    scene::CameraOptions camera = asked;
+    camera.azimuth_degrees = view.azimuth_degrees;
+    camera.elevation_degrees = view.elevation_degrees;
+    camera.distance = 0;
+    camera.eye.reset();
+    camera.target.reset();
+    return camera;
+}
+
+} // namespace scanout::measure
