@@ -121,7 +121,7 @@ void remove_degenerate(Jobs& jobs, PolygonMesh& m, Mended& report) {
 void remove_repeated(Jobs& jobs, PolygonMesh& m, Mended& report) {
     std::vector<bool> keep(m.faces(), true);
     const Surface surface(jobs, m);
-    for (const SameFace& same : find_same_faces(surface))
+    for (const SameFace& same : surface.same_faces())
         keep[same.face] = same.turned;
     report.repeated += count_of(keep, false);
     filter_faces(m, keep);
@@ -196,9 +196,12 @@ Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
         remove_unusable(surface, mesh, report);
     }
     remove_degenerate(jobs, mesh, report);
-    report.split = split_t_vertices(jobs, mesh, tolerance);
-    if (report.split > 0) remove_degenerate(jobs, mesh, report);
     remove_repeated(jobs, mesh, report);
+    report.split = split_t_vertices(jobs, mesh, tolerance);
+    if (report.split > 0) { // of two faces, one may have had the other's T-vertices
+        remove_degenerate(jobs, mesh, report);
+        remove_repeated(jobs, mesh, report);
+    }
     make_winding_alike(jobs, mesh, report);
     const Surface surface(jobs, mesh);
     weld(surface, mesh, report);

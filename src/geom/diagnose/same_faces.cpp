@@ -1,6 +1,7 @@
 #include "geom/diagnose/same_faces.h"
 
 #include "geom/diagnose/families.h"
+#include "geom/diagnose/surface.h"
 #include "geom/join_table.h"
 
 #include <algorithm>
@@ -78,7 +79,7 @@ std::vector<SameFace> find_same_faces(const Surface& surface) {
 
 void examine_duplicates(const Surface& surface, Findings& findings) {
     Tally repeated, turned;
-    for (const SameFace& same : find_same_faces(surface)) {
+    for (const SameFace& same : surface.same_faces()) {
         HazardPlace place = at_face(surface, same.face);
         place.other_face = same.first;
         (same.turned ? turned : repeated).add(0, place);

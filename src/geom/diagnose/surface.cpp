@@ -49,9 +49,8 @@ Surface::Surface(Jobs& jobs, const PolygonMesh& mesh)
       framing_(framing_of(jobs, mesh.positions, usable_.position)) {
     find_places();
     find_triangles();
-    has_area_.assign(mesh.faces(), false);
-    for (const Triangle& t : triangles_)
-        if (!has_no_area(*this, t.place)) has_area_[t.face] = true;
+    find_areas();
+    same_faces_ = find_same_faces(*this);
     find_edges();
 }
 
@@ -105,13 +104,22 @@ void Surface::find_triangles() {
     }
 }
 
+void Surface::find_areas() {
+    has_area_.assign(mesh_.faces(), false);
+    for (const Triangle& t : triangles_)
+        if (!has_no_area(*this, t.place)) has_area_[t.face] = true;
+}
+
 // A radix sort by the lower place, then each run by the higher one: half the time of std::sort.
 void Surface::find_edges() {
     std::vector<EdgeUse> uses;
     uses.reserve(usable_.all.corners);
     std::vector<std::size_t> begin(places() + 1, 0);
+    auto same = same_faces_.begin();
     for (std::size_t f = 0; f < mesh_.faces(); ++f) {
-        if (!usable_.face[f]) continue;
+        const bool repeats = same != same_faces_.end() && same->face == f && !same->turned;
+        if (same != same_faces_.end() && same->face == f) ++same;
+        if (!usable_.face[f] || repeats || stands_on_two_places(f)) continue;
         for (std::size_t c = mesh_.face_begin[f]; c < mesh_.face_end(f); ++c) {
             const std::uint32_t a = corner_place(c), b = corner_place(next_corner(f, c));
             if (a == b) continue;
@@ -131,6 +139,19 @@ void Surface::find_edges() {
                              edges_.begin() + static_cast<std::ptrdiff_t>(begin[p + 1]),
                              [](const EdgeUse& a, const EdgeUse& b) { return a.high < b.high; });
     });
+}
+
+bool Surface::stands_on_two_places(std::size_t face) const {
+    if (has_area_[face]) return false;
+    const std::uint32_t first = corner_place(mesh_.face_begin[face]);
+    std::uint32_t second = first;
+    for (std::size_t c = mesh_.face_begin[face]; c < mesh_.face_end(face); ++c) {
+        const std::uint32_t place = corner_place(c);
+        if (place == first || place == second) continue;
+        if (second != first) return false;
+        second = place;
+    }
+    return true;
 }
 
 bool Surface::has_corner_at(std::size_t face, std::uint32_t place) const {

@@ -1,9 +1,10 @@
 // The surface of a PolygonMesh as the diagnosis reads it: places (positions that are one vertex
-// when they are drawn, as floats of 2^-26 at least), the edges of its faces, and their triangles. Faces that cannot
-// be drawn are left out.
+// when they are drawn, as floats of 2^-26 at least), the edges of its faces, and their triangles.
+// Faces that cannot be drawn are left out.
 #pragma once
 
 #include "base/jobs.h"
+#include "geom/diagnose/same_faces.h"
 #include "geom/framing.h"
 #include "geom/polygon_mesh.h"
 #include "geom/usable.h"
@@ -51,7 +52,10 @@ public:
     // Can be drawn, and some of its triangles has an area.
     bool has_area(std::size_t face) const { return has_area_[face]; }
     const std::vector<bool>& faces_with_area() const { return has_area_; }
-    // Sorted by low, high, face; those whose ends are one place are left out.
+    // By face. A face is turned only where no earlier one repeats it.
+    const std::vector<SameFace>& same_faces() const { return same_faces_; }
+    // Sorted by low, high, face. Left out: those whose ends are one place, and those of faces that
+    // repeat others or stand on two places.
     const std::vector<EdgeUse>& edges() const { return edges_; }
     // Calls visit(uses) for each edge, with all its uses.
     template <class Visit>
@@ -76,6 +80,8 @@ public:
 private:
     void find_places();
     void find_triangles();
+    bool stands_on_two_places(std::size_t face) const; // or on one
+    void find_areas();
     void find_edges();
 
     Jobs& jobs_;
@@ -86,6 +92,7 @@ private:
     std::vector<DVec3> at_;
     std::vector<Triangle> triangles_;
     std::vector<bool> has_area_;
+    std::vector<SameFace> same_faces_;
     std::vector<EdgeUse> edges_;
 };
 

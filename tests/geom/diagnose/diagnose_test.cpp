@@ -69,7 +69,7 @@ TEST(Diagnose, TellsRepeatedFacesFromTurnedOnes) {
     EXPECT_EQ(repeated.find(Hazard::duplicate_faces)->worst.face, 6U);
     EXPECT_EQ(repeated.find(Hazard::duplicate_faces)->worst.other_face, 0U);
     EXPECT_EQ(repeated.count(Hazard::back_to_back), 0U);
-    EXPECT_EQ(repeated.count(Hazard::non_manifold_edges), 4U);
+    EXPECT_EQ(repeated.count(Hazard::non_manifold_edges), 0U) << "the edges of both are one";
     mesh = cube();
     add_face(mesh, {2, 0, 1, 3});
     const Diagnosis back = diagnosed(mesh);
