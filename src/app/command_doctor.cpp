@@ -62,6 +62,7 @@ public:
     Result<Exit> run() {
         report_.path = model_.scene.path;
         report_.format = model_.format;
+        report_.quick = settings_.quick;
         report_.width = settings_.frame.width;
         report_.height = settings_.frame.height;
         report_.radii_per_unit = scene::radii_per_unit(model_.scene.mesh);

@@ -43,19 +43,25 @@ std::string counted(std::size_t count, std::string_view what) {
     return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+std::string extent(const DoctorReport& report) {
+    return fmt::format("{}, {}{}", counted(report.diagnosis.faces, "face"),
+                       counted(report.diagnosis.triangles, "triangle"),
+                       report.quick ? "; not searched for T-vertices, cracks, overlaps and "
+                                      "intersections (--quick)"
+                                    : "");
+}
+
 std::string summary(const DoctorReport& report, const std::vector<Finding>& findings) {
-    const auto warnings = static_cast<std::size_t>(
-        std::count_if(findings.begin(), findings.end(), [](const Finding& f) {
-            return f.count > 0 && card_of(f.hazard).severity == Severity::warning;
-        }));
-    const auto notes = static_cast<std::size_t>(
-        std::count_if(findings.begin(), findings.end(), [](const Finding& f) {
-            return f.count > 0 && card_of(f.hazard).severity == Severity::note;
-        }));
-    return fmt::format(
-        "{}: {}, {}; {}, {}; pixels of {}x{}", report.path, counted(warnings, "warning"),
-        counted(notes, "note"), counted(report.diagnosis.faces, "face"),
-        counted(report.diagnosis.triangles, "triangle"), report.width, report.height);
+    const auto count = [&](Severity severity) {
+        return static_cast<std::size_t>(
+            std::count_if(findings.begin(), findings.end(), [&](const Finding& f) {
+                return f.count > 0 && card_of(f.hazard).severity == severity;
+            }));
+    };
+    return fmt::format("{}: {}, {}; {}; pixels of {}x{}", report.path,
+                       counted(count(Severity::warning), "warning"),
+                       counted(count(Severity::note), "note"), extent(report), report.width,
+                       report.height);
 }
 
 Json place_json(const DoctorReport& report, const geom::HazardPlace& place) {
@@ -126,9 +132,7 @@ bool has_warning(const DoctorReport& report) {
 std::vector<std::string> doctor_lines(const DoctorReport& report) {
     const std::vector<Finding> findings = told_findings(report);
     if (findings.empty())
-        return {fmt::format("{}: nothing wrong; {}, {}", report.path,
-                            counted(report.diagnosis.faces, "face"),
-                            counted(report.diagnosis.triangles, "triangle"))};
+        return {fmt::format("{}: nothing wrong; {}", report.path, extent(report))};
     std::vector<std::string> lines;
     for (const Finding& finding : findings) {
         const geom::HazardCard& card = card_of(finding.hazard);
@@ -166,6 +170,7 @@ std::string doctor_json(const DoctorReport& report) {
                  {"triangles", report.diagnosis.triangles},
                  {"width", report.width},
                  {"height", report.height},
+                 {"quick", report.quick},
                  {"hazards", std::move(hazards)},
                  {"warnings", report.warnings}};
     if (!report.fixed_path.empty()) {

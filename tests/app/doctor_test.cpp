@@ -67,6 +67,7 @@ TEST_F(Doctor, SaysInOneLineThatNothingIsWrong) {
     EXPECT_EQ(outcome.code, 0);
     EXPECT_EQ(outcome.out, "good.obj: nothing wrong; 4 faces, 4 triangles\n");
     EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(run("doctor good.obj --quick").has("not searched for T-vertices, cracks"));
 }
 
 TEST_F(Doctor, TellsEachHazardInALineWarningsFirst) {
@@ -220,7 +221,7 @@ TEST_F(Doctor, SaysWhatDependsOnTheView) {
                              "v 1 1 .0005\nv 0 1 .0005\nf 1 2 3 4\nf 5 6 7 8\n");
     EXPECT_FALSE(run("doctor near.obj --size 64x48").has("overlaps"));
     EXPECT_TRUE(run("doctor near.obj --size 64x48 --depth fixed_24").has("warning: overlaps: "));
-    EXPECT_FALSE(run("doctor near.obj --size 64x48 --depth fixed_24 --quick").has("overlaps"));
+    EXPECT_FALSE(run("doctor near.obj --size 64x48 --depth fixed_24 --quick").has("overlaps: "));
     EXPECT_FALSE(run("doctor near.obj --size 64x48").has("small-triangles"));
     EXPECT_TRUE(run("doctor near.obj --size 64x48 --scale 0.001")
                     .has("note: small-triangles: 4 triangles are smaller than a pixel here"));

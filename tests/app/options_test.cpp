@@ -69,8 +69,9 @@ TEST(Options, ThePlaneOfProjectedShadowsIsTheGroundOrFourNumbers) {
 }
 
 TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
-    for (const Command command : {Command::view, Command::render, Command::explain,
-                                  Command::frontier, Command::compare, Command::list}) {
+    for (const Command command :
+         {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
+          Command::compare, Command::list}) {
         std::set<std::string_view> names;
         std::set<char> letters = {'h'};
         for (const Option& row : options()) {
@@ -87,8 +88,9 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
         const std::string name = "--" + std::string(row.name);
         EXPECT_FALSE(row.help.empty()) << name;
         EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << name;
-        for (const Command command : {Command::view, Command::render, Command::explain,
-                                      Command::frontier, Command::compare, Command::list})
+        for (const Command command :
+             {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
+              Command::compare, Command::list})
             EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
                           help_for(command).find(name + "[") != std::string::npos ||
                           help_for(command).find(name + "\n") != std::string::npos,
@@ -144,8 +146,9 @@ TEST(Options, BehindTwoDashesEveryWordIsAFile) {
 }
 
 TEST(Options, TheHelpOfEachCommandNamesTheTwoDashes) {
-    for (const Command command : {Command::view, Command::render, Command::explain,
-                                  Command::frontier, Command::compare, Command::list})
+    for (const Command command :
+         {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
+          Command::compare, Command::list})
         EXPECT_NE(help_for(command).find(" --  "), std::string::npos);
 }
 

@@ -29,10 +29,10 @@ public:
             const std::size_t to = std::min(from + kRound, tree_.size());
             for_chunks(surface_.jobs(), to - from, kChunk,
                        [&](std::size_t begin, std::size_t end, int worker) {
-                           if (watch.milliseconds() > 1000 * how_.seconds) return;
-                           for (std::size_t i = from + begin; i < from + end; ++i)
-                               search_from(i, tallies_[static_cast<std::size_t>(worker)]);
-                           searched.fetch_add(end - begin, std::memory_order_relaxed);
+                           std::size_t i = begin;
+                           for (; i < end && watch.milliseconds() < 1000 * how_.seconds; ++i)
+                               search_from(from + i, tallies_[static_cast<std::size_t>(worker)]);
+                           searched.fetch_add(i - begin, std::memory_order_relaxed);
                        });
             if (how_.progress)
                 how_.progress(0.5 +
