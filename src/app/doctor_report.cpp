@@ -28,7 +28,7 @@ std::string sentence(const DoctorReport& report, const Finding& finding) {
     if (finding.count == 0) return text;
     if (finding.hazard == Hazard::small_triangles) {
         const auto pixels = *pixels_of(report, finding.hazard);
-        text += fmt::format(" here, {} at worst ({})", pixels.worst, pixels.worst_view);
+        text += fmt::format(" at worst ({}), {} here", pixels.worst_view, pixels.here);
     }
     std::vector<std::string> about;
     for (const std::string& part : {place_text(report, finding), measure_text(finding)})
@@ -114,7 +114,7 @@ std::vector<Finding> told_findings(const DoctorReport& report) {
     std::vector<Finding> findings = report.diagnosis.findings;
     if (const auto small = *pixels_of(report, Hazard::small_triangles); small.worst > 0)
         findings.push_back(
-            {Hazard::small_triangles, static_cast<std::size_t>(small.here), 0, {}, 1});
+            {Hazard::small_triangles, static_cast<std::size_t>(small.worst), 0, {}, 1});
     std::stable_sort(findings.begin(), findings.end(), [](const Finding& a, const Finding& b) {
         return card_of(a.hazard).severity < card_of(b.hazard).severity;
     });

@@ -43,7 +43,7 @@ const measure::PixelsOfView* worst_view(const DoctorReport& report, Hazard hazar
 
 std::string pixels_text(const PixelsText& pixels, std::string_view what) {
     std::string text =
-        fmt::format("{} pixel{} {} here", pixels.here, pixels.here == 1 ? "" : "s", what);
+        fmt::format("{} in {} pixel{} here", what, pixels.here, pixels.here == 1 ? "" : "s");
     if (pixels.worst > 0)
         text += fmt::format(", {} at worst ({})", pixels.worst, pixels.worst_view);
     return text;
@@ -106,10 +106,10 @@ std::string consequence_text(const DoctorReport& report, const geom::Finding& fi
     switch (finding.hazard) {
     case Hazard::t_vertices: {
         std::string text =
-            pixels_text(*pixels_of(report, Hazard::t_vertices), "show what lies behind");
+            pixels_text(*pixels_of(report, Hazard::t_vertices), "what lies behind shows");
         const auto* worst = worst_view(report, Hazard::t_vertices);
         if (worst != nullptr && worst->background > 0)
-            text += fmt::format(", of these {} the background", worst->background);
+            text += fmt::format(", of these {} of the background", worst->background);
         return text;
     }
     case Hazard::cracks:
@@ -124,7 +124,7 @@ std::string consequence_text(const DoctorReport& report, const geom::Finding& fi
         break;
     }
     const auto pixels = pixels_of(report, finding.hazard);
-    return pixels ? pixels_text(*pixels, "show such faces") : "";
+    return pixels ? pixels_text(*pixels, "such faces show") : "";
 }
 
 } // namespace scanout::app

@@ -224,7 +224,7 @@ TEST_F(Doctor, SaysWhatDependsOnTheView) {
     EXPECT_FALSE(run("doctor near.obj --size 64x48 --depth fixed_24 --quick").has("overlaps: "));
     EXPECT_FALSE(run("doctor near.obj --size 64x48").has("small-triangles"));
     EXPECT_TRUE(run("doctor near.obj --size 64x48 --scale 0.001")
-                    .has("note: small-triangles: 4 triangles are smaller than a pixel here"));
+                    .has("note: small-triangles: 4 triangles are smaller than a pixel at worst"));
 }
 
 } // namespace

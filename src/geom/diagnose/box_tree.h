@@ -29,6 +29,8 @@ public:
     std::size_t size() const { return order_.size(); }
     std::uint32_t item_at(std::size_t place) const { return order_[place]; } // in Morton order
     const Box& box_at(std::size_t place) const { return boxes_[place]; }
+    std::size_t leaves() const { return levels_.empty() ? 0 : levels_.front().size(); }
+    const Box& leaf(std::size_t number) const { return levels_.front()[number]; }
 
     // Calls visit(place in Morton order) for items from `first` on in leaves whose boxes
     // meets(box) says yes to.

@@ -24,9 +24,10 @@ public:
         const Stopwatch watch;
         std::atomic<std::size_t> searched{0};
         // Rounds, between which the calling thread tells how far it is.
-        constexpr std::size_t kChunk = 512, kRound = 64 * kChunk;
-        for (std::size_t from = 0; from < tree_.size(); from += kRound) {
-            const std::size_t to = std::min(from + kRound, tree_.size());
+        constexpr std::size_t kChunk = 128, kRound = 64 * kChunk; // leaves
+        const std::size_t leaves = tree_.leaves();
+        for (std::size_t from = 0; from < leaves; from += kRound) {
+            const std::size_t to = std::min(from + kRound, leaves);
             for_chunks(surface_.jobs(), to - from, kChunk,
                        [&](std::size_t begin, std::size_t end, int worker) {
                            std::size_t i = begin;
@@ -35,11 +36,9 @@ public:
                            searched.fetch_add(i - begin, std::memory_order_relaxed);
                        });
             if (how_.progress)
-                how_.progress(0.5 +
-                              0.5 * static_cast<double>(to) / static_cast<double>(tree_.size()));
+                how_.progress(0.5 + 0.5 * static_cast<double>(to) / static_cast<double>(leaves));
         }
-        tell(tree_.size() == 0 ? 1
-                               : static_cast<double>(searched) / static_cast<double>(tree_.size()));
+        tell(leaves == 0 ? 1 : static_cast<double>(searched) / static_cast<double>(leaves));
     }
 
 private:
@@ -61,18 +60,23 @@ private:
         return boxes;
     }
 
-    // Pairs with those behind it in the tree's order.
-    void search_from(std::size_t i, Tallies& tallies) {
-        const Box& own = tree_.box_at(i);
-        const Box box = {own.low - DVec3(gap_), own.high + DVec3(gap_)};
-        const Surface::Triangle& a = surface_.triangles()[tree_.item_at(i)];
+    // Pairs of the leaf's triangles with those behind them in the tree's order: one walk through
+    // the tree for all four.
+    void search_from(std::size_t leaf, Tallies& tallies) {
+        const std::size_t begin = leaf * BoxTree::kLeaf;
+        const std::size_t end = std::min(begin + BoxTree::kLeaf, tree_.size());
+        const Box box = grown(tree_.leaf(leaf));
         tree_.visit(
-            i + 1, [&](const Box& other) { return boxes_meet(box, other); },
+            begin, [&](const Box& other) { return boxes_meet(box, other); },
             [&](std::size_t k) {
-                if (!boxes_meet(box, tree_.box_at(k))) return;
-                judge(a, surface_.triangles()[tree_.item_at(k)], tallies);
+                const Box other = grown(tree_.box_at(k));
+                for (std::size_t i = begin; i < std::min(end, k); ++i)
+                    if (boxes_meet(tree_.box_at(i), other))
+                        judge(surface_.triangles()[tree_.item_at(i)],
+                              surface_.triangles()[tree_.item_at(k)], tallies);
             });
     }
+    Box grown(const Box& box) const { return {box.low - DVec3(gap_), box.high + DVec3(gap_)}; }
 
     void judge(const Surface::Triangle& a, const Surface::Triangle& b, Tallies& tallies) {
         int shared = 0;
