@@ -126,6 +126,10 @@ private:
                             settings_.fix, report_.path));
         const std::vector<std::string> libraries = libraries_beside(settings_.fix);
         report_.mended = geom::mend(jobs_, source_.polygons, geom::DiagnoseOptions().tolerance);
+        if (source_.polygons.positions.empty())
+            return fail(Exit::unreadable,
+                        "{}: not written: no face of {} has an area, so nothing is left",
+                        settings_.fix, report_.path);
         TRY_VOID(write_file(settings_.fix, io::obj_text(source_.polygons, materials, libraries)));
         report_.fixed_path = settings_.fix;
         return {};

@@ -128,11 +128,14 @@ TEST_F(Doctor, FindsNothingMoreOfWhatFixMends) {
 }
 
 TEST_F(Doctor, WritesTheFixWholeOrNotAtAll) {
-    folder.write("locked.obj", "old");
     const Outcome full = run("doctor ill.obj --fix /dev/full/out.obj");
     EXPECT_EQ(full.code, 3);
     const Outcome bad = run("doctor none.obj --fix out.obj");
     EXPECT_EQ(bad.code, 3);
+    folder.write("line.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    const Outcome nothing = run("doctor line.obj --fix out.obj");
+    EXPECT_EQ(nothing.code, 3);
+    EXPECT_NE(nothing.err.find("nothing is left"), std::string::npos) << nothing.err;
     EXPECT_FALSE(is_there("out.obj"));
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 namespace scanout::geom::testing {
