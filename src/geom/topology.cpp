@@ -75,14 +75,13 @@ struct Triangle {
         : a(mesh.position[v[0]]), b(mesh.position[v[1]]), c(mesh.position[v[2]]),
           ab(DVec3(b) - DVec3(a)), ac(DVec3(c) - DVec3(a)), n(cross3(ab, ac)) {}
 
-    // Does no normal clearly point to the front? With room for the rounding of floats, and of the
-    // face's own normal where it is a sliver.
+    // Does the steepest normal not clearly point to the front? With room for the rounding of
+    // floats, and of the face's own normal where it is a sliver.
     bool is_reversed(const Mesh& mesh, const std::uint32_t* v) const {
         const double room = dot3(n, n) * 0x1p-24 + dot3(ab, ab) * dot3(ac, ac) * 0x1p-80;
-        return std::all_of(v, v + 3, [&](std::uint32_t vertex) {
-            const double lean = dot3(DVec3(mesh.normal[vertex]), n);
-            return !(lean > 0 && lean * lean > room);
-        });
+        const auto lean = [&](int k) { return dot3(DVec3(mesh.normal[v[k]]), n); };
+        const auto [least, most] = std::minmax({lean(0), lean(1), lean(2)});
+        return !(most + least > 0 && (most + least) * (most + least) > room);
     }
     // Is a vertex' normal another than the face's own, but for rounding?
     bool is_smooth(const Mesh& mesh, const std::uint32_t* v) const {

@@ -24,8 +24,8 @@ struct MeshTopology {
     bool closed = false;        // all components are closed
     std::size_t inside_out = 0; // triangles of closed components whose volume is 0 or less
     bool back_to_back = false; // faces at one place look in opposite directions: either may be seen
-    // Triangles none of whose normals clearly points to the side from which they wind counter-
-    // clockwise. Triangles without an area count too, unless they are collapsed.
+    // Triangles whose steepest normal, the one nearest to their own, does not clearly point to the
+    // side from which they wind counter-clockwise. Those without an area count, unless collapsed.
     std::size_t reversed_triangles = 0;
     bool flat = false; // all triangles lie in one plane
     // If no component casts a shadow on itself, the boxes of the components: each lies in one

@@ -10,7 +10,7 @@ namespace scanout::shade {
 
 struct LitSides {
     Technique card;
-    Sides reversed, others; // if all normals of some face point to its back, and if of none
+    Sides reversed, others; // if some face winds the other way round its front, and if none
 };
 
 } // namespace scanout::shade

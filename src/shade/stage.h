@@ -219,11 +219,11 @@ struct StepLimits;
 struct Source;
 
 // Which side of a face its normals light. All normals of a face are turned together, as in GL: one
-// that leans to the other side than the rest, as smooth normals may do, keeps its direction.
+// that leans to the other side than the rest, as smooth normals may do, keeps its direction. The
+// front is where the steepest of them points, the one nearest to the face's own normal.
 enum class Sides : std::uint8_t {
-    eye,  // the one that the eye sees. Its front is the side that all normals point to; where they
-          // disagree, the side from which it winds counter-clockwise
-    face, // the same where no face has all its normals on its back: the winding alone decides
+    eye,  // the one that the eye sees
+    face, // the same where fronts are the sides from which faces wind counter-clockwise
     file  // the one that the file's normals point to
 };
 

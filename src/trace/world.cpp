@@ -145,8 +145,9 @@ Surface World::surface(const Hit& hit, const Ray& ray) const {
         const bool from_behind =
             (dot3(cross3(c[1] - c[0], c[2] - c[0]), ray.way) > 0) != view_->mirrored;
         const DVec3 face = cross3(place[1] - place[0], place[2] - place[0]);
-        const bool reversed = dot3(in_mesh[0], face) < 0 && dot3(in_mesh[1], face) < 0 && //
-                              dot3(in_mesh[2], face) < 0;
+        const auto [least, most] =
+            std::minmax({dot3(in_mesh[0], face), dot3(in_mesh[1], face), dot3(in_mesh[2], face)});
+        const bool reversed = most + least < 0; // by the steepest
         if (from_behind != reversed) s.normal = -s.normal;
     }
     lean_by_maps(s.normal, hit, m);

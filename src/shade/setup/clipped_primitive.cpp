@@ -26,17 +26,14 @@ void set_facing(Primitive& p, const geom::Mesh& mesh, const VertexIndices& v, bo
         p.facing[c] = static_cast<float>(n[c]);
 }
 
-// Sides::eye, as triangle_setup-inl.h decides it. winding: the side that the winding chooses.
-double side_of_normals(const geom::Mesh& mesh, const VertexIndices& v, const float (&facing)[3],
-                       double winding) {
+// Sides::eye, as triangle_setup-inl.h decides it.
+double side_of_normals(const geom::Mesh& mesh, const VertexIndices& v, const float (&facing)[3]) {
     const DVec3 towards(facing[0], facing[1], facing[2]);
-    int front = 0, back = 0;
-    for (const std::uint32_t vertex : v) {
-        const double lean = dot3(DVec3(mesh.normal[vertex]), towards);
-        front += lean > 0 ? 1 : 0;
-        back += lean < 0 ? 1 : 0;
-    }
-    return back == 3 ? -1 : front == 3 ? 1 : winding;
+    const auto lean = [&](std::uint32_t vertex) {
+        return dot3(DVec3(mesh.normal[vertex]), towards);
+    };
+    const auto [least, most] = std::minmax({lean(v[0]), lean(v[1]), lean(v[2])});
+    return most + least < 0 ? -1 : 1;
 }
 
 // By position, so that no bit depends on the order in which the file names them.
@@ -70,12 +67,12 @@ public:
     // behind: the eye sees the side from which the vertices wind clockwise, in the order of the
     // file. Sets the primitive's `facing`, if something of it is read.
     Attributed(Primitive& p, const GatherInput& in, const Sorted& sorted, bool behind)
-        : p_(p), in_(in), side_(in.frame->sides != Sides::file && behind ? -1.0 : 1.0) {
+        : p_(p), in_(in), side_(in.frame->sides == Sides::face && behind ? -1.0 : 1.0) {
         const Sides sides = in.frame->sides;
         if (sides == Sides::eye || in.frame->attributes.vertices || in.frame->attributes.facing)
             set_facing(p, *in.mesh, sorted.vertex,
                        (behind != sorted.odd) != (sides == Sides::file && behind));
-        if (sides == Sides::eye) side_ = side_of_normals(*in.mesh, sorted.vertex, p.facing, side_);
+        if (sides == Sides::eye) side_ = side_of_normals(*in.mesh, sorted.vertex, p.facing);
     }
 
     // Vertex k of the clipped triangle: at t between two vertices of the mesh, where it is a cut.

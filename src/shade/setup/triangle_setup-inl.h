@@ -208,7 +208,7 @@ SIMD_INLINE void store_positions(const TriangleSource& s, const MeshPositions<D>
         }
 }
 
-// Sides::eye: the side of the winding, but where all normals point to the other one.
+// Sides::eye. No bit depends on the winding: the steepest normal is the same.
 template <class D>
 SIMD_INLINE Float<D> side_of_normals(const Attribute<D, 3>& normal, const ShadingSetup& of,
                                      int lane) {
@@ -219,10 +219,9 @@ SIMD_INLINE Float<D> side_of_normals(const Attribute<D, 3>& normal, const Shadin
         };
         lean[k] = (term(0) + term(1)) + term(2);
     }
-    const Float<D> zero = 0.0F, winding = load<Float<D>>(of.side + lane);
     const Float<D> most = maximum(maximum(lean[0], lean[1]), lean[2]);
     const Float<D> least = minimum(minimum(lean[0], lean[1]), lean[2]);
-    return select(most < zero, Float<D>(-1.0F), select(least > zero, Float<D>(1.0F), winding));
+    return select(most + least < Float<D>(0.0F), Float<D>(-1.0F), Float<D>(1.0F));
 }
 
 // On the side that they light. The triangle's `facing` is known.
@@ -276,7 +275,7 @@ template <class D>
 SIMD_INLINE void store_sides(const TriangleSource& s, const Windings<D>& behind, ShadingSetup& out,
                              int lane) {
     const Mask<D> none = Float<D>(0.0F) > Float<D>(0.0F);
-    store(select(s.sides == Sides::file ? none : behind.of_file, Float<D>(-1.0F), Float<D>(1.0F)),
+    store(select(s.sides == Sides::face ? behind.of_file : none, Float<D>(-1.0F), Float<D>(1.0F)),
           out.side + lane);
     if (!s.wants_facing()) return;
     const Mask<D> flipped =

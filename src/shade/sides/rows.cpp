@@ -20,8 +20,8 @@ constinit const LitSides one_sided{
     Sides::file};
 
 // Two-sided lighting: the normals of a face are turned to the side that the eye sees, once a face
-// (shade/setup/triangle_setup-inl.h). Its winding on the screen decides, but where all its normals
-// point to its back: such a file winds faces the wrong way round.
+// (shade/setup/triangle_setup-inl.h): by its winding on the screen, but where some file winds
+// faces the wrong way round, by its normals.
 constinit const LitSides two_sided{card("two_sided", "the side that the eye sees is lit"),
                                    Sides::eye, Sides::face};
 

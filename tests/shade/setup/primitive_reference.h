@@ -61,12 +61,14 @@ private:
         if (largest > 0) n = n * (1 / (negate ? -largest : largest));
         for (int c = 0; c < 3; ++c)
             p.facing[c] = static_cast<float>(n[c]);
-        const auto leans_away = [&](std::uint32_t vertex) {
-            return dot3(DVec3(mesh.normal[vertex]), n) < 0;
-        };
-        const auto away = std::count_if(v.begin(), v.end(), leans_away);
-        const bool agreed = sides == Sides::eye && (away == 0 || away == 3);
-        const bool turned = sides != Sides::file && (agreed ? away == 3 : behind_in_file);
+        double steepest = 0;
+        for (const std::uint32_t vertex : v) {
+            const double lean = dot3(DVec3(mesh.normal[vertex]), n);
+            if (std::abs(lean) > std::abs(steepest)) steepest = lean;
+        }
+        const bool turned = sides == Sides::face  ? behind_in_file
+                            : sides == Sides::eye ? steepest < 0
+                                                  : false;
         const float side = turned ? -1.0F : 1.0F;
         for (std::size_t k = 0; k < 3; ++k) {
             const DVec3 place =
