@@ -217,7 +217,6 @@ private:
                     best_way = w;
                     best_at = way.at;
                 }
-                break; // the next rung that helps
             }
         }
         if (best) ways[best_way].at = best_at;
