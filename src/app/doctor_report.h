@@ -16,7 +16,7 @@ struct DoctorReport {
     std::string path;
     io::ModelFormat format{};
     int width = 0, height = 0;
-    bool quick = false; // seams, overlaps and intersections were not searched
+    bool quick = false;        // seams, overlaps and intersections were not searched
     double radii_per_unit = 1; // of the file
     geom::Diagnosis diagnosis;
     measure::HazardPixels pixels;

@@ -1,8 +1,8 @@
 // Mends what can be mended in a PolygonMesh without a guess. No vertex moves by what a float can
 // tell, and every picture of what was right stays: positions that are drawn as one vertex become
-// one (unless their colours differ), positions that nothing uses go, faces without
-// an area and repeated faces go, T-vertices become corners of the faces on whose edges they lie,
-// and faces are turned so that each shell is wound alike; closed ones outwards.
+// one (unless their colours differ), positions that nothing uses go, faces without an area and
+// repeated faces go, T-vertices become corners of the faces on whose edges they lie, and faces are
+// turned so that each shell is wound alike; closed ones outwards.
 #pragma once
 
 #include "base/jobs.h"

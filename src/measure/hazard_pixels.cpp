@@ -50,7 +50,7 @@ std::vector<float> longest_edges(const geom::Mesh& mesh, Jobs& jobs) {
 class Camera {
 public:
     Camera(const scene::Scene& scene, const HazardPixelsOptions& how, Jobs& jobs)
-        : scene_(scene), how_(how), facts_(frame::facts(scene)), renderer_(jobs),
+        : scene_(scene), facts_(frame::facts(scene)), renderer_(jobs),
           options_(bare_options(how.frame, facts_)) {}
 
     Result<scene::View> view_of(const scene::CameraOptions& camera,
@@ -59,7 +59,6 @@ public:
                                 options_.height);
     }
     Result<void> draw(const scene::View& view) {
-        // An effect that this scene does not know is not one of the plan's.
         TRY(const frame::FramePlan plan, frame::plan(options_, facts_, view));
         renderer_.render(scene_, view, plan, &visible_);
         return {};
@@ -68,7 +67,6 @@ public:
 
 private:
     const scene::Scene& scene_;
-    const HazardPixelsOptions& how_;
     frame::SceneFacts facts_;
     frame::Renderer renderer_;
     frame::FrameOptions options_;

@@ -37,7 +37,6 @@ public:
         count_ += other.count_;
         if (other.count_ > 0) keep(other.badness_, other.place_);
     }
-    void add_count(std::size_t count) { count_ += count; }
     std::size_t count() const { return count_; }
     double badness() const { return badness_; }
     const HazardPlace& place() const { return place_; }

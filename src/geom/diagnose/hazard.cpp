@@ -25,7 +25,7 @@ constexpr std::array kCards = std::to_array<HazardCard>({
      "faces repeat others", "", "remove them: --fix does", true},
     {Hazard::overlaps, "overlaps", kWarning, "pair of triangles overlaps in one plane",
      "pairs of triangles overlap in one plane", "the nearest {:.3g} apart",
-     "remove one of them, or move them apart: which one shows is chance (z-fighting)"},
+     "remove one of them, or move them apart: elsewhere chance shows one (z-fighting)"},
     {Hazard::mixed_winding, "mixed-winding", kWarning, "edge joins faces of opposite winding",
      "edges join faces of opposite winding", "", "make the winding consistent: --fix does", true},
     {Hazard::flipped_shells, "flipped-shells", kWarning, "closed shell is inside out",
@@ -77,6 +77,11 @@ constexpr std::array kCards = std::to_array<HazardCard>({
     {Hazard::small_triangles, "small-triangles", kNote, "triangle is smaller than a pixel",
      "triangles are smaller than a pixel", "", "simplify the model, or draw it larger"},
 });
+static_assert([] {
+    for (std::size_t i = 0; i < kCards.size(); ++i)
+        if (static_cast<std::size_t>(kCards[i].hazard) != i) return false;
+    return kCards.size() == static_cast<std::size_t>(Hazard::small_triangles) + 1;
+}());
 
 } // namespace
 
