@@ -65,8 +65,8 @@ private:
     Mean mean(const Sum& sum) const;
     Sample trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
     DVec3 shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
-    double lit_share(const PlacedLight& light, int number, const DVec3& place, const Hit& hit,
-                     std::uint32_t index, std::uint32_t seed) const;
+    double lit_share(const PlacedLight& light, int number, const DVec3& place, const DVec3& facing,
+                     std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const;
     bool in_shadow(const Ray& ray, double end, std::uint32_t triangle) const;
     double deviation(const std::array<Sum, kParts>& parts) const;
     double least_error(const std::array<Sum, kParts>& parts, const DVec3& range,
@@ -95,22 +95,30 @@ bool Tracer::in_shadow(const Ray& ray, double end, std::uint32_t triangle) const
 }
 
 // Of a light with a size, by several points of it: what reaches a place is summed before the tone
-// curve bends it.
-double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& place, const Hit& hit,
-                         std::uint32_t index, std::uint32_t seed) const {
-    const std::uint32_t points = light.has_size() ? 16 : 1;
-    std::uint32_t lit = 0;
-    for (std::uint32_t i = 0; i < points; ++i) {
-        const DVec2 at = points > 1 ? stratified(index * points + i, number + 1, seed) : DVec2(0.5);
-        lit += in_shadow(light.towards(place, at), light.end(), hit.triangle) ? 0 : 1;
+// curve bends it. Points below the face's plane are not asked: the reflection model, which takes
+// the light's middle, has counted already that they do not shine here. facing: the face's own
+// normal, on the side that is seen.
+double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& place,
+                         const DVec3& facing, std::uint32_t triangle, std::uint32_t index,
+                         std::uint32_t seed) const {
+    if (!light.has_size())
+        return in_shadow(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
+    constexpr std::uint32_t kPoints = 16;
+    int above = 0, lit = 0;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        const Ray ray = light.towards(place, stratified(index * kPoints + i, number + 1, seed));
+        if (dot3(ray.way, facing) <= 0) continue;
+        ++above;
+        lit += in_shadow(ray, light.end(), triangle) ? 0 : 1;
     }
-    return static_cast<double>(lit) / points;
+    return above > 0 ? static_cast<double>(lit) / above : 0;
 }
 
 // What a surface shows to the eye, after the tone curve.
 DVec3 Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const {
     const DVec3 place = ray.from + ray.way * hit.t, eye = unit_of(-ray.way);
     const Surface surface = world_.surface(hit, ray);
+    const DVec3 facing = world_.facing(hit, ray);
     std::array<Arrival, scene::kMaxLights> arrivals;
     std::size_t count = 0;
     for (std::size_t k = 0; k < lights_.others.size(); ++k) {
@@ -118,7 +126,8 @@ DVec3 Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::ui
         Arrival arrival = light.at(place);
         if (arrival.colour == DVec3(0)) continue;
         if (look_.shadows && light.casts()) {
-            const double share = lit_share(light, static_cast<int>(k), place, hit, index, seed);
+            const double share =
+                lit_share(light, static_cast<int>(k), place, facing, hit.triangle, index, seed);
             if (share == 0) continue;
             arrival.colour = arrival.colour * share;
         }

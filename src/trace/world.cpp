@@ -125,6 +125,17 @@ bool World::lets_through(const Hit& hit) const {
            mapped_alpha(hit) < look_->alpha_cut;
 }
 
+// Of the triangle, on the side from which it winds counter-clockwise.
+DVec3 World::wound(const Hit& hit) const {
+    const Corners& c = bvh_.corners(hit.triangle);
+    return cross3(c[1] - c[0], c[2] - c[0]);
+}
+
+DVec3 World::facing(const Hit& hit, const Ray& ray) const {
+    const DVec3 normal = wound(hit);
+    return dot3(normal, ray.way) > 0 ? -normal : normal;
+}
+
 Surface World::surface(const Hit& hit, const Ray& ray) const {
     const geom::Mesh& mesh = scene_->mesh;
     const scene::Material& m = material(hit.triangle);
@@ -141,9 +152,7 @@ Surface World::surface(const Hit& hit, const Ray& ray) const {
     s.normal = unit_of(mixed(normal, hit));
     if (look_->turned_to_eye) {
         // All normals of a face together. In the mesh's space: a scale may bend them past the face.
-        const Corners& c = bvh_.corners(hit.triangle);
-        const bool from_behind =
-            (dot3(cross3(c[1] - c[0], c[2] - c[0]), ray.way) > 0) != view_->mirrored;
+        const bool from_behind = (dot3(wound(hit), ray.way) > 0) != view_->mirrored;
         const DVec3 face = cross3(place[1] - place[0], place[2] - place[0]);
         const auto [least, most] =
             std::minmax({dot3(in_mesh[0], face), dot3(in_mesh[1], face), dot3(in_mesh[2], face)});

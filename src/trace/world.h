@@ -30,6 +30,8 @@ public:
     // Left out, by the way it is wound, or because it shows nothing.
     bool is_left_out(std::uint32_t triangle) const { return left_out_[triangle] != 0; }
     Surface surface(const Hit& hit, const Ray& ray) const;
+    // The triangle's own normal, of any length, on the side that the ray meets.
+    DVec3 facing(const Hit& hit, const Ray& ray) const;
     DVec3 emission(const Hit& hit) const;
     Reflection reflection(const Hit& hit) const;
 
@@ -47,6 +49,7 @@ private:
     bool reads(bool asked, const scene::TextureMap& map) const;
     DVec4 sampled(const Hit& hit, const scene::TextureMap& map, bool encoded) const;
     double mapped_alpha(const Hit& hit) const;
+    DVec3 wound(const Hit& hit) const;
     void lean(DVec3& normal, const Hit& hit, const DVec3& given) const;
     void lean_by_maps(DVec3& normal, const Hit& hit, const scene::Material& m) const;
 
