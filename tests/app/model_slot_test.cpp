@@ -6,7 +6,7 @@
 namespace scanout::app {
 namespace {
 
-struct Slot : ::testing::Test {
+struct ModelOnShow : ::testing::Test {
     LoadedModel triangle() {
         const std::string file = folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
         return *load_model(file, {}, jobs, {});
@@ -16,14 +16,14 @@ struct Slot : ::testing::Test {
     ModelSlot slot;
 };
 
-TEST_F(Slot, IsEmptyWithoutAnErrorAtFirst) {
+TEST_F(ModelOnShow, IsEmptyWithoutAnErrorAtFirst) {
     EXPECT_EQ(slot.model(), nullptr);
     EXPECT_EQ(slot.mesh(), nullptr);
     EXPECT_EQ(slot.error(), "");
     EXPECT_FALSE(slot.has_held_model());
 }
 
-TEST_F(Slot, AnErrorTakesTheModelsPlaceAndAModelTheErrors) {
+TEST_F(ModelOnShow, AnErrorTakesTheModelsPlaceAndAModelTheErrors) {
     slot.put(triangle(), {});
     ASSERT_NE(slot.model(), nullptr);
     EXPECT_EQ(slot.mesh(), &slot.model()->scene.mesh);
@@ -40,7 +40,7 @@ TEST_F(Slot, AnErrorTakesTheModelsPlaceAndAModelTheErrors) {
     EXPECT_NE(slot.generation(), of_error) << "the same file again is another picture";
 }
 
-TEST_F(Slot, PlansAreOfTheModelThatItHolds) {
+TEST_F(ModelOnShow, PlansAreOfTheModelThatItHolds) {
     LoadedModel model = triangle();
     slot.put(triangle(), {});
     const scene::View view = *scene::make_view(*slot.mesh(), {}, {}, {}, {}, 32, 32);
