@@ -212,15 +212,14 @@ SIMD_INLINE void store_positions(const TriangleSource& s, const MeshPositions<D>
 template <class D>
 SIMD_INLINE Float<D> side_of_normals(const Attribute<D, 3>& normal, const ShadingSetup& of,
                                      int lane) {
-    Float<D> lean[3]; // towards the eye
-    SIMD_FOR (int k = 0; k < 3; ++k) {
-        const auto term = [&](int c) SIMD_LAMBDA {
-            return normal.of[c][k] * load<Float<D>>(of.facing[c] + lane);
-        };
-        lean[k] = (term(0) + term(1)) + term(2);
-    }
-    const Float<D> most = maximum(maximum(lean[0], lean[1]), lean[2]);
-    const Float<D> least = minimum(minimum(lean[0], lean[1]), lean[2]);
+    const auto facing = [&](int c) SIMD_LAMBDA { return load<Float<D>>(of.facing[c] + lane); };
+    const Float<D> x = facing(0), y = facing(1), z = facing(2); // towards the eye
+    const auto lean = [&](int k) SIMD_LAMBDA {
+        return (normal.of[0][k] * x + normal.of[1][k] * y) + normal.of[2][k] * z;
+    };
+    const Float<D> one = lean(0), two = lean(1), three = lean(2);
+    const Float<D> most = maximum(maximum(one, two), three),
+                   least = minimum(minimum(one, two), three);
     return select(most + least < Float<D>(0.0F), Float<D>(-1.0F), Float<D>(1.0F));
 }
 
