@@ -5,6 +5,7 @@
 #include "app/values.h"
 #include "simd/targets.h"
 
+#include <algorithm>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -82,6 +83,13 @@ TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
     }
 }
 
+// By whatever row: some names mean one thing to one command and another to another.
+bool takes(Command command, std::string_view name) {
+    return std::any_of(options().begin(), options().end(), [&](const Option& row) {
+        return row.name == name && belongs(row, command);
+    });
+}
+
 TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
     const std::string table = options_markdown();
     for (const Option& row : options()) {
@@ -94,7 +102,7 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
             EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
                           help_for(command).find(name + "[") != std::string::npos ||
                           help_for(command).find(name + "\n") != std::string::npos,
-                      belongs(row, command))
+                      takes(command, row.name))
                 << name;
     }
 }

@@ -85,7 +85,8 @@ double naive_ssim(const Image& a, const Image& b) {
 }
 
 TEST(Metrics, SsimIsTheFormulaWindowByWindow) {
-    for (const auto& [width, height] : {std::pair(25, 18), std::pair(7, 20), std::pair(1, 1)}) {
+    for (const auto& [w, height] : {std::pair(25, 18), std::pair(7, 20), std::pair(1, 1)}) {
+        const int width = w;
         const Image a = random_picture(width, height, 1, true);
         Image b = a; // blurred a little, and darker to the right
         for (int y = 0; y < height; ++y)
