@@ -4,12 +4,12 @@
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm avx3 walk)
+long_stages=(lint analyze faults arm avx3 walk growth)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [counts]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
-    [avx3]="build test avx3" [walk]="build test"
+    [avx3]="build test avx3" [walk]="build test" [growth]="build test"
 )
 
 # What one stage compiled another does not compile again, above all the release of ./run, which differs in no more than
@@ -247,6 +247,13 @@ stage_walk() {
     build test walk
     python3 -B tests/effects/make_models.py build/test/walk
     check build/test/tests/walk "${WALK_SECONDS:-1200}s" "${WALK_SEED:-0}" build/test/walk models
+}
+
+# Time and memory of inputs that make programs quadratic, at n, 2 n and 4 n.
+stage_growth() {
+    configure test release
+    build test scanout
+    check python3 -B tests/growth/growth.py build/test/scanout
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
