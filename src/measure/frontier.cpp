@@ -32,6 +32,13 @@ double Frontier::wall_ms(std::size_t point) const {
     return own && price ? own->wall_ms * price->wall_ratio.median : 0;
 }
 
+double Frontier::least_wall_ms() const {
+    double least = wall_ms(frontier.front().point);
+    for (const FrontierPoint& p : frontier)
+        least = std::min(least, wall_ms(p.point));
+    return least;
+}
+
 std::size_t knee_of(const std::vector<TimedError>& set) {
     const auto log_time = [&](std::size_t i) { return std::log(std::max(set[i].time, 1e-3)); };
     const std::size_t last = set.size() - 1;

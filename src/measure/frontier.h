@@ -42,6 +42,8 @@ struct Frontier {
     double cpu_ms(std::size_t point) const;
     double wall_ms(std::size_t point) const;
     double error(std::size_t point) const { return (*points)[point].error.rmse_codes; }
+    // Of the frontier, whose order is that of CPU times; it has a point.
+    double least_wall_ms() const;
     // Of Points; nothing of an empty frontier.
     std::optional<std::size_t> knee() const;
     // The most accurate point of the frontier whose frame takes no more than so many milliseconds

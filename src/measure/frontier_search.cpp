@@ -24,6 +24,9 @@ public:
         make_ladders();
         if (how_.times) {
             watch_.restart(); // all that is drawn at all was drawn once
+            found_.stopped = stopped_;
+            stopped_ = how_.stop && how_.stop(); // the time for drawing was up, that for timing not
+            if (!stopped_) points_.time(0, how_.seconds_a_point); // what is asked for, at least
             price_effects();
             time_ladders();
             climb();
@@ -60,8 +63,9 @@ private:
             if (!asked.empty() && std::find(asked.begin(), asked.end(), axis) == asked.end())
                 continue;
             found_.ladders.push_back(ladder(points_, axis, [this] { return stop(); }));
+            tell(0.05 * static_cast<double>(found_.ladders.size()) /
+                 static_cast<double>(asked.empty() ? ladder_axes().size() : asked.size()));
         }
-        tell(0.05);
     }
 
     // So that slow rungs leave time for what comes after them, each part ends by its share of it.
@@ -238,6 +242,7 @@ private:
     }
 
     void draw_frontier() {
+        if (!points_.cost()) return;
         std::vector<std::size_t> timed;
         std::vector<TimedError> at;
         for (std::size_t i = 0; i < points_.all().size(); ++i) {

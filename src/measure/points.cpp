@@ -78,7 +78,9 @@ Price Points::price_of(const frame::FramePlan& plan, double seconds) {
 
 void Points::time(std::size_t point, double seconds) {
     Point& p = points_[point];
-    if (!p.price) p.price = price_of(p.plan, seconds);
+    if (p.price && !own_costs_.empty()) return;
+    const Price price = price_of(p.plan, seconds);
+    if (!p.price) p.price = price; // that of the first point is known before its cost
 }
 
 Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {

@@ -51,7 +51,7 @@ public:
     const Point& operator[](std::size_t point) const { return points_[point]; }
     // Draws and compares, unless a point draws alike already. Fails like frame::plan.
     Result<std::size_t> at(const std::vector<Rung>& rungs);
-    // Frames of the point and of the first one in turn; nothing happens where it has a price.
+    // Frames of the point and of the first one in turn; nothing happens where both are timed.
     void time(std::size_t point, double seconds);
     // What another plan takes less than the first point, and the pixels in which they differ.
     struct Saving {

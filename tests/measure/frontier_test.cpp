@@ -186,6 +186,8 @@ TEST(Frontier, NothingMeasuredBeatsIt) {
     EXPECT_TRUE(f.knee());
     EXPECT_EQ(f.best_within(1e9), f.frontier.back().point);
     EXPECT_EQ(f.quickest_below(1e9), f.frontier.front().point);
+    EXPECT_TRUE(f.best_within(f.least_wall_ms()));
+    EXPECT_FALSE(f.best_within(0.999 * f.least_wall_ms()));
     EXPECT_FALSE(f.best_within(0));
     EXPECT_FALSE(f.quickest_below(f.error(f.frontier.back().point) - 1e-6));
 }
@@ -246,7 +248,18 @@ TEST(Frontier, KeepsWhatIsMeasuredWhereItIsStopped) {
     const Measured m(test::textured_cube("cube", "auto"), how);
     EXPECT_TRUE(m.found.stopped);
     EXPECT_GE(m.found.points->all().size(), 5U);
-    EXPECT_FALSE(m.found.frontier.empty()); // what is asked for, at least
+    EXPECT_TRUE(m.found.frontier.empty()); // nothing was timed
+}
+
+TEST(Frontier, TimesWhatIsAskedForWhereDrawingTookAllTheTime) {
+    FrontierOptions how = quick();
+    how.seconds = 1e-9;
+    const Measured m(test::textured_cube("cube", "auto"), how);
+    EXPECT_TRUE(m.found.stopped);
+    ASSERT_EQ(m.found.frontier.size(), 1U);
+    EXPECT_EQ(m.found.frontier[0].point, 0U);
+    EXPECT_GT(m.found.cpu_ms(0), 0);
+    EXPECT_GT(m.found.wall_ms(0), 0);
 }
 
 } // namespace
