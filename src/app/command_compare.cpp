@@ -35,8 +35,9 @@ Result<std::vector<std::string>> write_difference(const Settings& settings, cons
                                                   const image::Image& expected) {
     const std::string prefix = prefix_of(settings);
     std::vector<std::string> written;
-    TRY_VOID(check_outputs(settings.arguments, {prefix + "got.png", prefix + "expected.png",
-                                                prefix + "difference.png"}));
+    TRY_VOID(check_outputs(settings.arguments,
+                           {prefix + "got.png", prefix + "expected.png", prefix + "difference.png",
+                            settings.json.value_or(""), settings.heat_map}));
     const auto write = [&](const char* name, const image::Image& picture) -> Result<void> {
         written.push_back(prefix + name + ".png");
         TRY(const image::Bytes bytes, image::encode_png(picture));
@@ -59,9 +60,12 @@ Result<void> check_compare(const Settings& settings) {
                                       settings.arguments.size() == 1 ? "was" : "were"));
     for (const std::string& path : settings.arguments)
         TRY_VOID(check_readable(path));
-    if (!settings.heat_map.empty())
-        TRY_VOID(picture_format(settings.heat_map, PictureFormat::by_name));
-    return check_outputs(settings.arguments, {settings.json.value_or(""), settings.heat_map});
+    const std::string& map = settings.heat_map;
+    if (!map.empty() && map != "-" && !format_of_name(map))
+        return fail(Exit::usage, "--heatmap {}: name it .png, .ppm, .pam or .raw", map);
+    const std::vector<std::string> outputs = {settings.json.value_or(""), map};
+    TRY_VOID(check_standard_output(outputs));
+    return check_outputs(settings.arguments, outputs);
 }
 
 Result<void> write_heat_map(const Settings& settings, const image::Image& got,
@@ -108,7 +112,8 @@ Result<Exit> run_compare(const Settings& settings) {
     std::string line = line_of(compared, settings, got, expected, same);
     const std::string see = same ? "" : fmt::format("; see {}", written.back());
     if (!by_figure || !compared.difference.same_size) line += see;
-    if (!settings.quiet || by_figure) say(line, settings.json == "-" ? stderr : stdout);
+    const bool output_taken = settings.json == "-" || settings.heat_map == "-";
+    if (!settings.quiet || by_figure) say(line, output_taken ? stderr : stdout);
     if (by_figure && !same && compared.difference.same_size)
         say(fmt::format("different: {} {} --limit {}{}", text_of(settings.metric),
                         more_is_better(settings.metric) ? "is below" : "is above", *settings.limit,

@@ -31,7 +31,9 @@ Result<void> check_doctor(const Settings& s) {
                           fmt::join(s.arguments, " and "));
     if (!s.fix.empty() && !s.fix.ends_with(".obj"))
         return fail(Exit::usage, "--fix {}: writes OBJ; name a file that ends in .obj", s.fix);
-    return check_outputs(s.arguments, {s.json.value_or(""), s.sarif, s.fix});
+    const std::vector<std::string> outputs = {s.json.value_or(""), s.sarif, s.fix};
+    TRY_VOID(check_standard_output(outputs));
+    return check_outputs(s.arguments, outputs);
 }
 
 std::vector<bool> textured(const std::vector<scene::Material>& materials) {
@@ -152,7 +154,7 @@ private:
 
     Result<void> tell() const {
         print_warnings(report_.not_kept, settings_);
-        if (settings_.json != "-") {
+        if (settings_.json != "-" && settings_.sarif != "-") {
             for (const std::string& line : doctor_lines(report_))
                 say(line, stdout);
             if (!report_.fixed_path.empty()) say(mended_line(report_), stdout);

@@ -52,8 +52,7 @@ Result<void> check_frontier(const Settings& s) {
         format_of_name(s.chart_png) != PictureFormat::png)
         return fail(Exit::usage, "{}: --png writes a PNG; name it so", s.chart_png);
     const std::vector<std::string> outputs = outputs_of(s);
-    if (std::count(outputs.begin(), outputs.end(), "-") > 1)
-        return fail(Exit::usage, "two outputs take standard output; name a file for one of them");
+    TRY_VOID(check_standard_output(outputs));
     return check_outputs(s.arguments, outputs);
 }
 
@@ -114,6 +113,12 @@ public:
         TRY(report.found, measure::frontier(model_.scene, facts_, view_, settings_.frame, jobs_,
                                             report.reference, how));
         bar.reset();
+        for (const std::string& chart : {settings_.chart_svg, settings_.chart_png})
+            if (!chart.empty() && !report.timed())
+                warn({fmt::format("{}: not written: the measurement ended before anything was "
+                                  "timed",
+                                  chart)},
+                     report);
         warn(frame::ignored_options((*report.found.points)[0].plan), report);
         return report;
     }

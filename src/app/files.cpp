@@ -1,5 +1,6 @@
 #include "app/files.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -19,16 +20,18 @@ bool same_file(const std::string& a, const std::string& b) {
                first.st_ino == second.st_ino;
     std::error_code error;
     const auto whole = [&](const std::string& path) {
-        return std::filesystem::weakly_canonical(path, error);
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
     };
     return whole(a) == whole(b) && !error;
 }
 
 Result<void> check_folder(const std::string& output) {
+    struct stat info {};
+    if (output != "-" && ::stat(output.c_str(), &info) == 0 && S_ISDIR(info.st_mode))
+        return fail(Exit::unreadable, "{}: is a folder; name a file", output);
     const std::size_t slash = output.rfind('/');
     if (slash == std::string::npos || slash == 0) return {};
     const std::string folder = output.substr(0, slash);
-    struct stat info {};
     if (::stat(folder.c_str(), &info) != 0)
         return fail(Exit::unreadable, "{}: cannot be written: {}: {}; make the folder first",
                     output, folder, std::strerror(errno));
@@ -54,6 +57,12 @@ Result<void> check_outputs(const std::vector<std::string>& inputs,
                 return fail(Exit::usage, "{}: two outputs have this name; name another file",
                             outputs[i]);
     }
+    return {};
+}
+
+Result<void> check_standard_output(const std::vector<std::string>& outputs) {
+    if (std::count(outputs.begin(), outputs.end(), "-") > 1)
+        return fail(Exit::usage, "two outputs take standard output; name a file for one of them");
     return {};
 }
 

@@ -10,10 +10,13 @@
 namespace scanout::app {
 
 // Exit::usage when an output is the same file as an input or as another output, by name or by
-// inode; Exit::unreadable when the folder of an output is not there. "-" and empty names are
-// nobody's file.
+// inode; Exit::unreadable when an output is a folder, or its folder is not there. "-" and empty
+// names are nobody's file.
 Result<void> check_outputs(const std::vector<std::string>& inputs,
                            const std::vector<std::string>& outputs);
+
+// Exit::usage when more than one output is "-".
+Result<void> check_standard_output(const std::vector<std::string>& outputs);
 
 // Exit::unreadable, with advice, when the file cannot be opened for reading.
 Result<void> check_readable(const std::string& path);

@@ -44,9 +44,9 @@ ReportTable equal_time(const FrontierReport& report) {
             table.rows.push_back({head, codes(found.error(*best)), wall_text(found, *best),
                                   report.cpu_text(*best), report.name_of(*best)});
         else
-            table.rows.push_back({head, "-", "", "",
-                                  fmt::format("nothing: the quickest takes {:.2f} ms",
-                                              found.wall_ms(found.frontier.front().point))});
+            table.rows.push_back(
+                {head, "-", "", "",
+                 fmt::format("nothing: the quickest takes {:.2f} ms", found.least_wall_ms())});
     }
     return table;
 }
@@ -196,11 +196,14 @@ std::string frontier_head(const FrontierReport& report) {
     return text;
 }
 
+std::string stopped_sentence() {
+    return "Not all was measured: the time was up, or Ctrl-C was pressed.";
+}
+
 std::vector<std::string> frontier_text(const FrontierReport& report) {
     std::vector<std::string> lines = frontier_sentences(report);
     lines.push_back(frontier_head(report));
-    if (report.found.stopped)
-        lines.emplace_back("the time was up, or Ctrl-C came: what was measured until then");
+    if (report.found.stopped) lines.push_back(stopped_sentence());
     const std::vector<ReportTable> tables = frontier_tables(report);
     for (std::size_t i = 0; i < tables.size(); ++i) {
         lines.emplace_back();

@@ -43,6 +43,8 @@ std::vector<std::string> frontier_sentences(const FrontierReport& report);
 // Equal time, equal error, the frontier, and the ladders; without times the ladders alone.
 std::vector<ReportTable> frontier_tables(const FrontierReport& report);
 
+// Of a report that was stopped.
+std::string stopped_sentence();
 // What was measured, on which machine: a line.
 std::string frontier_head(const FrontierReport& report);
 // All of it, with a plot; lines without line ends.

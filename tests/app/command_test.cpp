@@ -353,6 +353,11 @@ TEST_F(Program, CompareMeasuresOneFigure) {
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --limit 1"), 2);
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --metric max --max-diff 1"), 2);
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/heat.jpg"), 2);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/a-difference.png"), 2);
+    EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap - --json"), 2);
+    const Outcome piped = run("compare $d/a.png $d/b.png --metric max --heatmap -");
+    EXPECT_TRUE(piped.out.ends_with("IEND\xae\x42\x60\x82")) << "more than a PNG";
+    EXPECT_EQ(piped.err, "255\n");
     EXPECT_EQ(refused("compare $d/a.png $d/b.png --heatmap $d/a.png"), 2);
 }
 
@@ -395,6 +400,16 @@ TEST_F(Program, FrontierWithoutTimesSaysTheSameEachTime) {
     EXPECT_EQ(once.out, again.out);
     EXPECT_EQ(once.out.find("ms"), std::string::npos) << once.out;
     EXPECT_NE(once.out.find("samples_4"), std::string::npos);
+}
+
+// An axis that nothing calls for leaves one point, whose time is measured all the same.
+TEST_F(Program, FrontierTimesWhatIsAskedForWhereNothingElseIsToTime) {
+    const Outcome done = run("frontier $m --size 64x48 --quick --axis shadow --json");
+    EXPECT_EQ(done.code, 0) << done.err;
+    const auto json = nlohmann::json::parse(done.out);
+    ASSERT_EQ(json["points"].size(), 1U);
+    ASSERT_TRUE(json["points"][0].contains("cpu_ms"));
+    EXPECT_GT(double{json["points"][0]["cpu_ms"]["median"]}, 0);
 }
 
 TEST_F(Program, FrontierRefusesWhatItCannotMeasure) {

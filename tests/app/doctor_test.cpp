@@ -218,6 +218,13 @@ TEST_F(Doctor, ReportsSarif) {
     }
 }
 
+TEST_F(Doctor, WritesNothingElseWhereAReportGoesToStandardOutput) {
+    const Outcome outcome = run("doctor good.obj --size 64x48 --sarif -");
+    EXPECT_EQ(nlohmann::json::parse(outcome.out, nullptr, false)["version"], "2.1.0")
+        << outcome.out;
+    EXPECT_EQ(run("doctor good.obj --size 64x48 --sarif - --json").code, 2);
+}
+
 TEST_F(Doctor, SaysWhatDependsOnTheView) {
     // Two squares one over the other, nearer than a coarse depth keeps apart.
     folder.write("near.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 .0005\nv 1 0 .0005\n"

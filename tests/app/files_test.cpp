@@ -28,6 +28,7 @@ TEST_F(Files, TwoOutputsOfOneNameAreRefusedBeforeTheyExist) {
     const std::string out = folder_.file("new.png");
     EXPECT_FALSE(check_outputs({}, {out, folder_.file("./new.png")}));
     EXPECT_TRUE(check_outputs({}, {out, folder_.file("other.png")}));
+    EXPECT_FALSE(check_outputs({}, {"new.png", "./new.png"}));
 }
 
 TEST_F(Files, StandardOutputAndNoNameAreNobodysFile) {
@@ -36,15 +37,21 @@ TEST_F(Files, StandardOutputAndNoNameAreNobodysFile) {
                               {folder_.file("a.png"), "/dev/null", "/dev/null"}));
 }
 
+TEST_F(Files, OneOutputAloneTakesStandardOutput) {
+    EXPECT_TRUE(check_standard_output({"-", "", "a.png"}));
+    EXPECT_FALSE(check_standard_output({"-", "a.png", "-"}));
+}
+
 TEST_F(Files, AnOutputWithoutAFolderIsRefusedBeforeAnythingIsDone) {
     const std::string file = folder_.write("file", "");
-    for (const std::string& out : {folder_.file("no/such/a.png"), file + "/a.png"}) {
+    for (const std::string& out :
+         {folder_.file("no/such/a.png"), file + "/a.png", folder_.file("")}) {
         const Result<void> checked = check_outputs({}, {out});
         ASSERT_FALSE(checked) << out;
         EXPECT_EQ(checked.error().exit, Exit::unreadable);
         EXPECT_NE(checked.error().what.find("; "), std::string::npos) << checked.error().what;
     }
-    EXPECT_TRUE(check_outputs({}, {"a.png", "/a.png", folder_.file("a.png"), "./a.png"}));
+    EXPECT_TRUE(check_outputs({}, {"a.png", "/a.png", folder_.file("a.png"), "./b.png"}));
 }
 
 TEST_F(Files, WhatCannotBeReadIsNamedWithWhatToDo) {
