@@ -32,6 +32,13 @@ void examine_positions(const Surface& surface, Findings& findings) {
     findings.add(Hazard::denormals, denormal);
 }
 
+// From one float to the next, where they are as large as x.
+double float_step(double x) {
+    int exponent = 0; // x is at least half of 2^exponent, and below it
+    std::frexp(x, &exponent);
+    return std::ldexp(1.0, exponent - 24);
+}
+
 void examine_extent(const Surface& surface, Findings& findings) {
     const Framing& framing = surface.framing();
     const auto largest = [](const DVec3& v) {
@@ -39,14 +46,15 @@ void examine_extent(const Surface& surface, Findings& findings) {
     };
     const double far = std::max(largest(framing.box_min), largest(framing.box_max));
     const double radius = framing.radius * surface.unit();
+    if (!(radius > 0)) return;
     HazardPlace place;
     place.at = framing.centre;
     // A picture is some 1000 pixels wide: floats step by a tenth of a pixel.
     constexpr double kStep = 1e-4;
-    const double step = far * 0x1p-23;
+    const double step = float_step(far);
     Tally away, unusual;
     if (step > kStep * radius) away.add(step, place);
-    if (radius > 0 && (radius < 1e-4 || radius > 1e6)) unusual.add(radius, place);
+    if (radius < 1e-4 || radius > 1e6) unusual.add(radius, place);
     findings.add(Hazard::far_from_origin, away);
     findings.add(Hazard::unusual_unit, unusual);
 }
