@@ -36,7 +36,16 @@ std::string knee_sentence(const FrontierReport& report) {
                        report.cpu_text(knee), beyond(found, knee));
 }
 
+// The measurement was stopped before anything but the picture as asked for was timed.
+bool nothing_compared(const Frontier& found) {
+    const auto& points = found.points->all();
+    return found.stopped && found.effects.empty() &&
+           std::none_of(points.begin() + 1, points.end(),
+                        [](const measure::Point& p) { return p.price.has_value(); });
+}
+
 std::string effect_sentence(const Frontier& found) {
+    if (nothing_compared(found)) return "Dearest effect: not measured.";
     const measure::EffectPrice* dearest = nullptr;
     for (const measure::EffectPrice& e : found.effects) {
         if (e.price.by_construction || e.price.cpu_ms.is_zero()) continue;
@@ -74,6 +83,7 @@ std::string free_rung(const Frontier& found, const Ladder& ladder) {
 }
 
 std::string free_sentence(const Frontier& found) {
+    if (nothing_compared(found)) return "Free: not measured.";
     std::vector<std::string> free;
     for (const Ladder& ladder : found.ladders)
         if (std::string rung = free_rung(found, ladder); !ladder.is_flat() && !rung.empty())

@@ -1,6 +1,8 @@
 #include "app/chart_axes.h"
+#include "app/frontier_report.h"
 #include "app/interrupt.h"
 #include "app/markup.h"
+#include "support/scenes.h"
 
 #include <csignal>
 
@@ -103,6 +105,25 @@ TEST(Chart, ThePictureShowsTheFrontier) {
     EXPECT_LT(left, picture.width() / 3);
     EXPECT_GT(right, picture.width() / 2);
     EXPECT_LT(left_y, right_y);
+}
+
+// What was not measured is not said to be nothing.
+TEST(FrontierSentences, SayWhatWasNotMeasured) {
+    const test::Shot s = test::textured_cube("cube", "auto");
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    const image::Image reference = test::draw(s);
+    Jobs jobs(2);
+    measure::FrontierOptions how;
+    how.seconds = 1e-9; // over after the first point
+    FrontierReport report;
+    report.found =
+        *measure::frontier(s.scene, frame::facts(s.scene), *view, s.options, jobs, reference, how);
+    const std::vector<std::string> said = frontier_sentences(report);
+    ASSERT_EQ(said.size(), 3U);
+    EXPECT_THAT(said[0], HasSubstr("as asked for"));
+    EXPECT_EQ(said[1], "Dearest effect: not measured.");
+    EXPECT_EQ(said[2], "Free: not measured.");
 }
 
 TEST(Interrupt, TheFirstOneOnlySetsAFlag) {
