@@ -126,6 +126,8 @@ public:
         steps();
         for (auto p = chart_.points.rbegin(); p != chart_.points.rend(); ++p) // the frontier last
             point(*p);
+        for (const ChartPoint& p : chart_.points) // over all points
+            if (p.number > 0) number(p);
         legend();
     }
 
@@ -182,8 +184,10 @@ private:
             fmt::format("{}: {:.3f} codes, {:.2f} ms", p.name, p.error, p.time);
         if (p.asked) canvas_.disc(at, radius + 2, kBlack, note);
         canvas_.disc(at, radius, colour, note);
-        if (p.number > 0)
-            canvas_.text({at.x + 6, at.y - 6}, fmt::format("{}", p.number), Anchor::start, kDark);
+    }
+    void number(const ChartPoint& p) {
+        const Place at = place(p.time, p.error);
+        canvas_.text({at.x + 6, at.y - 6}, fmt::format("{}", p.number), Anchor::start, kDark);
     }
     void legend() {
         double y = kTop + kDown + 56;

@@ -88,6 +88,11 @@ TEST(Chart, TheSvgIsWholeAndHoldsEveryPoint) {
     for (const ChartPoint& p : chart().points)
         EXPECT_THAT(svg, HasSubstr("<title>" + p.name));
     EXPECT_THAT(svg, HasSubstr("noise of the reference"));
+    for (const char* number : {"1", "2"}) { // no point hides it
+        const std::size_t at = svg.find(fmt::format("start\" fill=\"#333333\">{}</text>", number));
+        EXPECT_GT(at, svg.rfind("<circle"));
+        EXPECT_LT(at, svg.size());
+    }
     EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
