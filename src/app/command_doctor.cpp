@@ -127,7 +127,10 @@ private:
                             "library, and {} has none",
                             settings_.fix, report_.path));
         const std::vector<std::string> libraries = libraries_beside(settings_.fix);
-        report_.mended = geom::mend(jobs_, source_.polygons, geom::DiagnoseOptions().tolerance);
+        constexpr double kMending = 0.8; // share of the time
+        ProgressBar bar("mending " + report_.path, settings_.quiet);
+        report_.mended = geom::mend(jobs_, source_.polygons, geom::DiagnoseOptions().tolerance,
+                                    [&](double share) { bar.show(share * kMending); });
         if (source_.polygons.positions.empty())
             return fail(Exit::unreadable,
                         "{}: not written: no face of {} has an area, so nothing is left",

@@ -189,22 +189,34 @@ std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
     return split;
 }
 
-Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
+Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance,
+            const std::function<void(double share)>& progress) {
     Mended report;
+    constexpr double kSteps = 6;
+    int steps = 0;
+    const auto tell = [&] {
+        if (progress) progress(++steps / kSteps);
+    };
     {
         const Surface surface(jobs, mesh);
         remove_unusable(surface, mesh, report);
     }
+    tell();
     remove_degenerate(jobs, mesh, report);
+    tell();
     remove_repeated(jobs, mesh, report);
+    tell();
     report.split = split_t_vertices(jobs, mesh, tolerance);
     if (report.split > 0) { // of two faces, one may have had the other's T-vertices
         remove_degenerate(jobs, mesh, report);
         remove_repeated(jobs, mesh, report);
     }
+    tell();
     make_winding_alike(jobs, mesh, report);
+    tell();
     const Surface surface(jobs, mesh);
     weld(surface, mesh, report);
+    tell();
     return report;
 }
 

@@ -9,6 +9,7 @@
 #include "geom/polygon_mesh.h"
 
 #include <cstddef>
+#include <functional>
 
 namespace scanout::geom {
 
@@ -25,7 +26,9 @@ struct Mended {
 
 // `tolerance`: of T-vertices, in bounding radii (DiagnoseOptions). Indices must lie within the
 // mesh's arrays. Texture coordinates and normals of a new corner are interpolated along its edge.
-Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance);
+// `progress` hears the share of the steps that is done; empty: nobody does.
+Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance,
+            const std::function<void(double share)>& progress = {});
 
 // The one step that draws a different picture: T-vertices become corners.
 std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance);

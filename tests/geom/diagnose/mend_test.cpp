@@ -1,6 +1,8 @@
 #include "geom/diagnose/meshes.h"
 #include "geom/mend.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 namespace scanout::geom::testing {
@@ -13,6 +15,16 @@ TEST(Mend, LeavesAGoodMeshAlone) {
     EXPECT_FALSE(mend(jobs(), mesh, kTolerance).any());
     EXPECT_EQ(mesh.positions, cube().positions);
     EXPECT_EQ(mesh.faces(), 6U);
+}
+
+TEST(Mend, TellsHowFarItIs) {
+    PolygonMesh mesh = cube();
+    std::vector<double> shares;
+    mend(jobs(), mesh, kTolerance, [&](double share) { shares.push_back(share); });
+    EXPECT_GE(shares.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    ASSERT_FALSE(shares.empty());
+    EXPECT_DOUBLE_EQ(shares.back(), 1);
 }
 
 TEST(Mend, SplitsEdgesAtTVerticesAndMovesNone) {
