@@ -183,13 +183,13 @@ std::vector<ReportTable> frontier_tables(const FrontierReport& report) {
 }
 
 std::string frontier_head(const FrontierReport& report) {
-    std::string text =
-        fmt::format("{}: {} triangles, {}x{}; reference of {:.1f} samples a pixel, "
-                    "its own noise {:.3f} codes RMSE",
-                    file_name(report.model_path), report.triangles, report.width, report.height,
-                    static_cast<double>(report.reference_samples) /
-                        (static_cast<double>(report.width) * report.height),
-                    report.noise);
+    std::string text = fmt::format("{}: {} triangle{}, {}x{}; reference of {:.1f} samples a pixel, "
+                                   "its own noise {:.3f} codes RMSE",
+                                   file_name(report.model_path), report.triangles,
+                                   report.triangles == 1 ? "" : "s", report.width, report.height,
+                                   static_cast<double>(report.reference_samples) /
+                                       (static_cast<double>(report.width) * report.height),
+                                   report.noise);
     if (report.timed())
         text += fmt::format("; {}, {} thread{}, {}, {}", report.machine, report.threads,
                             report.threads == 1 ? "" : "s", report.target, report.date);
