@@ -142,7 +142,8 @@ private:
                 const double z = view.linear[0].z * double{p.x} + view.linear[1].z * double{p.y} +
                                  view.linear[2].z * double{p.z} + view.translation.z;
                 const double distance = perspective ? -z : 1;
-                small += longest_[t] * scale < pixel * distance ? 1 : 0;
+                const bool point = longest_[t] == 0; // no distance makes it larger
+                small += !point && longest_[t] * scale < pixel * distance ? 1 : 0;
             }
             all.fetch_add(small, std::memory_order_relaxed);
         });

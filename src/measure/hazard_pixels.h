@@ -27,7 +27,7 @@ struct PixelsOfView {
     // Pixels that show the background, or a surface more than kBehind farther away, where the
     // picture of the mended model shows a face.
     std::int64_t through = 0, background = 0;
-    std::size_t small = 0; // triangles whose longest edge is below a pixel at their distance
+    std::size_t small = 0; // triangles, no points, whose longest edge is below a pixel there
 };
 inline constexpr double kBehind = 0.01; // of the distance
 

@@ -129,10 +129,11 @@ TEST(HazardPixels, CountsThePixelsOfMarkedFacesAndTrianglesBelowAPixel) {
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     add_polygon(mesh, {0, 1, 2});
     add_polygon(mesh, {0, 2, 3});
+    add_polygon(mesh, {0, 0, 0}); // a point is not a small triangle
     const scene::Scene scene = scene_of(mesh);
     HazardPixelsOptions how = options_of(100, 100);
     how.camera.projection = scene::Projection::orthographic;
-    const std::vector<geom::HazardMask> marks = {geom::mask_of(geom::Hazard::slivers), 0};
+    const std::vector<geom::HazardMask> marks = {geom::mask_of(geom::Hazard::slivers), 0, 0};
     const auto pixels = hazard_pixels(scene, nullptr, marks, how, two());
     ASSERT_TRUE(pixels);
     // Half of a square whose half diagonal is the radius; pixels on its diagonal are its own.
