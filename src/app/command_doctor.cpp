@@ -70,8 +70,9 @@ public:
         report_.radii_per_unit = scene::radii_per_unit(model_.scene.mesh);
         report_.warnings = model_.warnings;
         TRY_VOID(examine());
-        if (!settings_.fix.empty()) TRY_VOID(fix());
-        TRY_VOID(tell());
+        const Result<void> fixed = settings_.fix.empty() ? Result<void>() : fix();
+        TRY_VOID(tell()); // what was found, also where it cannot be mended
+        TRY_VOID(fixed);
         return settings_.strict && has_warning(report_) ? Exit::hazards : Exit::ok;
     }
 

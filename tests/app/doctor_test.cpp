@@ -136,6 +136,8 @@ TEST_F(Doctor, WritesTheFixWholeOrNotAtAll) {
     const Outcome nothing = run("doctor line.obj --fix out.obj");
     EXPECT_EQ(nothing.code, 3);
     EXPECT_NE(nothing.err.find("nothing is left"), std::string::npos) << nothing.err;
+    EXPECT_TRUE(nothing.has("zero-areas: 1 face has no area")) << nothing.out;
+    EXPECT_FALSE(nothing.has("wrote")) << nothing.out;
     EXPECT_FALSE(is_there("out.obj"));
 }
 
