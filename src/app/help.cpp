@@ -2,6 +2,9 @@
 
 #include "app/options.h"
 
+#include <algorithm>
+#include <vector>
+
 #include <fmt/format.h>
 
 namespace scanout::app {
@@ -154,13 +157,17 @@ std::string help_overview() {
 
 std::string help_for(Command command) {
     std::string text(introduction(command));
+    std::vector<const Option*> shown;
+    for (const Option& option : options())
+        if (belongs(option, command)) shown.push_back(&option);
+    std::stable_sort(shown.begin(), shown.end(),
+                     [](const Option* a, const Option* b) { return a->group < b->group; });
     const Option* last = nullptr;
-    for (const Option& option : options()) {
-        if (!belongs(option, command)) continue;
-        if (last == nullptr || last->group != option.group)
-            text += fmt::format("\n{}:\n", title_of(option.group));
-        text += described(option);
-        last = &option;
+    for (const Option* option : shown) {
+        if (last == nullptr || last->group != option->group)
+            text += fmt::format("\n{}:\n", title_of(option->group));
+        text += described(*option);
+        last = option;
     }
     return text +
            "  -h, --help                    this text\n"

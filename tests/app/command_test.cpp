@@ -74,6 +74,8 @@ TEST_F(Program, HelpAndVersionGoToStandardOutput) {
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
         EXPECT_NE(outcome.out.find("--help"), std::string::npos) << command;
+        for (const char* title : {"\nOutput:\n", "\nPicture:\n", "\nGeneral:\n"}) // once at most
+            EXPECT_EQ(outcome.out.find(title), outcome.out.rfind(title)) << command << title;
     }
     for (const char* what :
          {"techniques", "formats", "targets", "keys", "options", "displays", "connectors", "modes"})
