@@ -180,7 +180,7 @@ stage_asan() {
 # What runs threads: the render core on each of its scenes (golden), the viewer, and it on a recording.
 stage_tsan() {
     configure tsan tsan "${sanitized[@]}"
-    export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1
+    export TSAN_OPTIONS=halt_on_error=1:second_deadlock_stack=1:suppressions=$root/tests/tsan.supp
     without=$numbers run_modules tsan base golden app
     build tsan scanout
     run_ctest tsan -R '^cli\.replay$'
