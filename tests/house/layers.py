@@ -3,7 +3,8 @@
 
 A file belongs to the module with the longest folder that contains it. It may include its own module and those
 that its module lists. Headers that stand directly in src/ belong to the ground: anybody may include them, and
-they include no module; so do headers that CMake makes of cmake/NAME.in. src/main.cpp may include the last module (app) alone.
+they include no module; so do headers that CMake makes of cmake/NAME.in. src/main.cpp may include the last module
+(app) alone.
 """
 import pathlib
 import re
