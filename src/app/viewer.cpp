@@ -43,15 +43,9 @@ scene::CameraOptions Viewer::camera() const {
     scene::CameraOptions camera = camera_;
     camera.projection = state_.look.projection;
     camera.up = state_.look.up;
-    if (state_.look.view >= 0) {
-        const ViewAngles& angles = view_angles(state_.look.view);
-        camera.azimuth_degrees = angles.azimuth_degrees;
-        camera.elevation_degrees = angles.elevation_degrees;
-        camera.distance = 0;
-        camera.eye.reset();
-        camera.target.reset();
-    }
-    return camera;
+    if (state_.look.view < 0) return camera;
+    const ViewAngles& angles = view_angles(state_.look.view);
+    return scene::fitted_from(angles.azimuth_degrees, angles.elevation_degrees, camera);
 }
 
 Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {

@@ -1,5 +1,7 @@
 #include "measure/framed_views.h"
 
+#include "scene/view.h"
+
 #include <array>
 #include <string_view>
 
@@ -7,8 +9,6 @@
 
 namespace scanout::measure {
 namespace {
-
-constexpr double kCornerDegrees = 35.26438968275465; // atan(1 / sqrt(2))
 
 std::string name_of(double azimuth, double elevation) {
     for (const std::string_view name : {"front", "right", "back", "left", "top", "bottom"}) {
@@ -27,8 +27,9 @@ const std::vector<FramedView>& framed_views() {
         const auto add = [&](double azimuth, double elevation) {
             made.push_back({name_of(azimuth, elevation), azimuth, elevation});
         };
+        const double to_corner = scene::named_view("iso")->elevation_degrees;
         for (int eighth = 0; eighth < 8; ++eighth) {
-            const double up = eighth % 2 == 0 ? 45 : kCornerDegrees;
+            const double up = eighth % 2 == 0 ? 45 : to_corner;
             for (const double elevation : {0.0, up, -up})
                 add(45.0 * eighth, elevation);
         }
@@ -37,16 +38,6 @@ const std::vector<FramedView>& framed_views() {
         return made;
     }();
     return views;
-}
-
-scene::CameraOptions camera_of(const FramedView& view, const scene::CameraOptions& asked) {
-    scene::CameraOptions camera = asked;
-    camera.azimuth_degrees = view.azimuth_degrees;
-    camera.elevation_degrees = view.elevation_degrees;
-    camera.distance = 0;
-    camera.eye.reset();
-    camera.target.reset();
-    return camera;
 }
 
 } // namespace scanout::measure

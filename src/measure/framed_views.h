@@ -2,8 +2,6 @@
 // between them, and those of space; the faces, edges and corners of a cube around it.
 #pragma once
 
-#include "scene/view.h"
-
 #include <string>
 #include <vector>
 
@@ -14,8 +12,5 @@ struct FramedView {
     double azimuth_degrees, elevation_degrees;
 };
 const std::vector<FramedView>& framed_views();
-
-// The camera of a view: projection, field of view and up axis as asked, the distance that fits.
-scene::CameraOptions camera_of(const FramedView& view, const scene::CameraOptions& asked);
 
 } // namespace scanout::measure

@@ -176,7 +176,9 @@ Result<HazardPixels> hazard_pixels(const scene::Scene& scene, const scene::Scene
         if (how.progress)
             how.progress(static_cast<double>(out.framed.size()) /
                          static_cast<double>(views.size()));
-        TRY(PixelsOfView pixels, counter.count(camera_of(view, how.camera), framed, view.name));
+        const scene::CameraOptions camera =
+            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera);
+        TRY(PixelsOfView pixels, counter.count(camera, framed, view.name));
         out.framed.push_back(std::move(pixels));
     }
     return out;

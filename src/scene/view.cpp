@@ -171,6 +171,15 @@ double radii_per_unit(const geom::Mesh& mesh) {
     return scanout::scale(1.0, -mesh.exponent) / mesh.radius;
 }
 
+CameraOptions fitted_from(double azimuth_degrees, double elevation_degrees, CameraOptions camera) {
+    camera.azimuth_degrees = azimuth_degrees;
+    camera.elevation_degrees = elevation_degrees;
+    camera.distance = 0;
+    camera.eye.reset();
+    camera.target.reset();
+    return camera;
+}
+
 std::optional<NamedView> named_view(std::string_view name) {
     static constexpr std::array<NamedView, 7> kViews = {
         {{"front", 0, 0},

@@ -33,6 +33,9 @@ struct CameraOptions {
     std::optional<DVec3> eye, target;
 };
 
+// The same camera at these angles, as far away as fits the model: in place of its eye and target.
+CameraOptions fitted_from(double azimuth_degrees, double elevation_degrees, CameraOptions camera);
+
 // The named views: azimuth and elevation in degrees. front back left right top bottom iso.
 struct NamedView {
     std::string_view name;

@@ -2,6 +2,7 @@
 #include "frame/renderer.h"
 #include "geom/build.h"
 #include "geom/diagnose/diagnose.h"
+#include "geom/diagnose/meshes.h"
 #include "geom/mend.h"
 #include "measure/framed_views.h"
 #include "measure/hazard_pixels.h"
@@ -15,34 +16,11 @@
 namespace scanout::measure {
 namespace {
 
+using geom::testing::add_face, geom::testing::t_junction_grid;
+
 Jobs& two() {
     static Jobs jobs(2);
     return jobs;
-}
-
-void add_polygon(geom::PolygonMesh& mesh, const std::vector<std::int32_t>& positions) {
-    mesh.face_begin.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    mesh.face_material.push_back(-1);
-    for (const std::int32_t position : positions)
-        mesh.corners.push_back({position, -1, -1});
-}
-
-// A quad, and many beside it along one of its edges, in a plane that leans; three decimals.
-geom::PolygonMesh seam(int parts) {
-    const auto rounded = [](double u, double v) {
-        const DVec3 p(0.9 * u + 0.1 * v, 0.3 * u + 0.8 * v, 0.2 * u - 0.5 * v);
-        return DVec3(std::round(p.x * 1000), std::round(p.y * 1000), std::round(p.z * 1000)) /
-               1000.0;
-    };
-    geom::PolygonMesh mesh;
-    mesh.positions = {rounded(-1, 0), rounded(-1, 1)};
-    for (int i = 0; i <= parts; ++i)
-        for (const double u : {0.0, 1.0})
-            mesh.positions.push_back(rounded(u, static_cast<double>(i) / parts));
-    add_polygon(mesh, {0, 2, 2 + 2 * parts, 1});
-    for (int i = 0; i < parts; ++i)
-        add_polygon(mesh, {2 + 2 * i, 3 + 2 * i, 5 + 2 * i, 4 + 2 * i});
-    return mesh;
 }
 
 scene::Scene scene_of(geom::PolygonMesh mesh) {
@@ -78,7 +56,7 @@ std::int64_t pixels_lost(const image::Image& got, const image::Image& whole) {
 }
 
 TEST(HazardPixels, CountsTheBackgroundThatATJunctionShowsAsPicturesDo) {
-    geom::PolygonMesh mesh = seam(60);
+    geom::PolygonMesh mesh = t_junction_grid(3, 60, 1);
     const scene::Scene cracked = scene_of(mesh);
     const geom::Diagnosis found = geom::diagnose(two(), mesh, {});
     ASSERT_EQ(found.count(geom::Hazard::t_vertices), 59U);
@@ -94,7 +72,9 @@ TEST(HazardPixels, CountsTheBackgroundThatATJunctionShowsAsPicturesDo) {
     EXPECT_EQ(pixels->here.through, here) << "there is nothing behind it";
     ASSERT_EQ(pixels->framed.size(), 26U);
     for (const std::size_t i : {1U, 24U}) {
-        const scene::CameraOptions camera = camera_of(framed_views()[i], how.camera);
+        const FramedView& view = framed_views()[i];
+        const scene::CameraOptions camera =
+            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera);
         EXPECT_EQ(pixels->framed[i].background,
                   pixels_lost(picture(cracked, how, camera), picture(whole, how, camera)))
             << framed_views()[i].name;
@@ -102,11 +82,11 @@ TEST(HazardPixels, CountsTheBackgroundThatATJunctionShowsAsPicturesDo) {
 }
 
 TEST(HazardPixels, CountsAFartherSurfaceThatShowsThroughASeam) {
-    geom::PolygonMesh mesh = seam(60);
+    geom::PolygonMesh mesh = t_junction_grid(3, 60, 1);
     const auto first = static_cast<std::int32_t>(mesh.positions.size());
     for (const DVec3& p : {DVec3(-9, -9, -3), DVec3(9, -9, -3), DVec3(9, 9, -3), DVec3(-9, 9, -3)})
         mesh.positions.push_back(p);
-    add_polygon(mesh, {first, first + 1, first + 2, first + 3});
+    add_face(mesh, {first, first + 1, first + 2, first + 3});
     const scene::Scene cracked = scene_of(mesh);
     const geom::Diagnosis found = geom::diagnose(two(), mesh, {});
     geom::split_t_vertices(two(), mesh, geom::DiagnoseOptions().tolerance);
@@ -127,9 +107,9 @@ TEST(HazardPixels, CountsAFartherSurfaceThatShowsThroughASeam) {
 TEST(HazardPixels, CountsThePixelsOfMarkedFacesAndTrianglesBelowAPixel) {
     geom::PolygonMesh mesh;
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
-    add_polygon(mesh, {0, 1, 2});
-    add_polygon(mesh, {0, 2, 3});
-    add_polygon(mesh, {0, 0, 0}); // a point is not a small triangle
+    add_face(mesh, {0, 1, 2});
+    add_face(mesh, {0, 2, 3});
+    add_face(mesh, {0, 0, 0}); // a point is not a small triangle
     const scene::Scene scene = scene_of(mesh);
     HazardPixelsOptions how = options_of(100, 100);
     how.camera.projection = scene::Projection::orthographic;

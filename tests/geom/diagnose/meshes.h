@@ -55,22 +55,21 @@ inline PolygonMesh moebius_strip(int n) {
     return mesh;
 }
 
-// A quad of 1 x 1 in a plane that leans, beside it seven quads along the same edge; coordinates of
-// so many decimals.
-inline PolygonMesh t_junction_grid(int decimals) {
+// A quad of 1 x 1 in a plane that leans, beside it `parts` quads along the same edge, so wide;
+// coordinates of so many decimals.
+inline PolygonMesh t_junction_grid(int decimals, int parts = 7, double width = 0.4) {
     const double unit = std::pow(10, decimals);
     const auto rounded = [&](double u, double v) {
         const DVec3 p(0.9 * u + 0.1 * v, 0.3 * u + 0.8 * v, 0.2 * u - 0.5 * v);
         return DVec3(std::round(p.x * unit), std::round(p.y * unit), std::round(p.z * unit)) / unit;
     };
     PolygonMesh mesh;
-    constexpr int kFine = 7;
     mesh.positions = {rounded(-1, 0), rounded(-1, 1)};
-    for (int i = 0; i <= kFine; ++i)
-        for (const double u : {0.0, 0.4})
-            mesh.positions.push_back(rounded(u, static_cast<double>(i) / kFine));
-    add_face(mesh, {0, 2, 2 + 2 * kFine, 1});
-    for (int i = 0; i < kFine; ++i)
+    for (int i = 0; i <= parts; ++i)
+        for (const double u : {0.0, width})
+            mesh.positions.push_back(rounded(u, static_cast<double>(i) / parts));
+    add_face(mesh, {0, 2, 2 + 2 * parts, 1});
+    for (int i = 0; i < parts; ++i)
         add_face(mesh, {2 + 2 * i, 3 + 2 * i, 5 + 2 * i, 4 + 2 * i});
     return mesh;
 }
