@@ -49,7 +49,7 @@ Change change_between(const image::Image& reference, const image::Image& other) 
 Explainer::Explainer(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
                      const frame::FrameOptions& options, Jobs& jobs, const ExplainOptions& how)
     : scene_(scene), view_(view), options_(options), facts_(std::move(facts)), how_(how),
-      jobs_(jobs), renderer_(jobs), other_renderer_(jobs) {}
+      renderers_(scene, view_, jobs) {}
 
 Result<std::unique_ptr<Explainer>>
 Explainer::create(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
@@ -62,7 +62,7 @@ Explainer::create(const scene::Scene& scene, frame::SceneFacts facts, const scen
 
 Result<void> Explainer::begin() {
     TRY(plan_, frame::plan(options_, facts_, view_));
-    picture_ = shown(renderer_.render(scene_, view_, plan_), plan_);
+    picture_ = shown(renderers_.a().render(scene_, view_, plan_), plan_);
     so_far_.width = options_.width;
     so_far_.height = options_.height;
     so_far_.techniques = plan_.techniques;
@@ -71,7 +71,7 @@ Result<void> Explainer::begin() {
     TRY(so_far_.special, special_rows());
     frame::EffectBytes bytes = frame::bytes_by_effect(scene_, plan_);
     // How many maps, polygons and blended fragments there are depends on the view.
-    const frame::FrameStats& stats = renderer_.stats();
+    const frame::FrameStats& stats = renderers_.a().stats();
     if (stats.shadow_bytes > 0) bytes["shadow"] = stats.shadow_bytes;
     if (stats.blend_list_bytes > 0) bytes["blending"] = stats.blend_list_bytes;
     if (stats.splat_bytes > 0) bytes["aa"] = stats.splat_bytes;
@@ -98,7 +98,7 @@ Result<void> Explainer::count_pixels() {
         if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
     TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));
     frame::Visibility visible;
-    other_renderer_.render(scene_, view_, plan, &visible);
+    renderers_.b().render(scene_, view_, plan, &visible);
     const std::size_t none = scene_.materials.size();
     std::vector<std::int64_t> shown(none + 1, 0); // pixels of each material
     std::int64_t covered = 0;
@@ -178,7 +178,7 @@ image::Image Explainer::shown(const image::Image& picture, const frame::FramePla
 }
 
 Change Explainer::change_to(const frame::FramePlan& other) {
-    return change_between(picture_, shown(other_renderer_.render(scene_, view_, other), other));
+    return change_between(picture_, shown(renderers_.b().render(scene_, view_, other), other));
 }
 
 void Explainer::time(const frame::FramePlan& other, std::optional<Price>& price,
@@ -191,18 +191,10 @@ void Explainer::time(const frame::FramePlan& other, std::optional<Price>& price,
     timings_.push_back({other, &price, other_costs_more});
 }
 
-// Four frames. The first one of each plan made room.
+// Four frames, and those that make room.
 void Explainer::step_timing() {
     Timing& timing = timings_.back();
-    if (!timer_) {
-        const auto frames = [this](frame::Renderer& renderer, const frame::FramePlan& plan) {
-            return
-                [&, this] { return cost_of(jobs_, [&] { renderer.render(scene_, view_, plan); }); };
-        };
-        other_renderer_.render(scene_, view_, timing.plan);
-        timer_.emplace(frames(renderer_, plan_), frames(other_renderer_, timing.plan),
-                       how_.seconds_a_row);
-    }
+    if (!timer_) timer_.emplace(renderers_.timer(plan_, timing.plan, how_.seconds_a_row));
     timer_->step();
     if (!timer_->finished()) return;
     const Price price = timer_->price();

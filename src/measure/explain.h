@@ -7,9 +7,9 @@
 #include "base/jobs.h"
 #include "base/result.h"
 #include "frame/plan/plan.h"
-#include "frame/renderer.h"
 #include "image/pixel_format.h"
 #include "measure/paired.h"
+#include "measure/renderer_pair.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
@@ -128,8 +128,7 @@ private:
     frame::FrameOptions options_;
     frame::SceneFacts facts_;
     ExplainOptions how_;
-    Jobs& jobs_;
-    frame::Renderer renderer_, other_renderer_;
+    RendererPair renderers_; // of the plan, and of those that it is compared with
     frame::FramePlan plan_;
     image::Image picture_;
     std::map<std::string, double, std::less<>> shares_;

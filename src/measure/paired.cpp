@@ -85,8 +85,9 @@ std::string to_string(const Difference& d) {
     return fmt::format("{:.2f} ± {:.2f}", d.median, half);
 }
 
-PairedTimer::PairedTimer(Measured a, Measured b, double seconds)
-    : a_(std::move(a)), b_(std::move(b)), left_ms_(seconds * 1000) {}
+PairedTimer::PairedTimer(Measured a, Measured b, double seconds, std::function<void()> exchange)
+    : a_(std::move(a)), b_(std::move(b)), exchange_(std::move(exchange)), left_ms_(seconds * 1000) {
+}
 
 void PairedTimer::pair(bool a_first) {
     if (a_first) a_costs_.push_back(a_());
@@ -98,20 +99,41 @@ void PairedTimer::pair(bool a_first) {
 void PairedTimer::step() {
     pair(true);
     pair(false);
+    if (!exchange_ || a_costs_.size() % (2 * kPairsAPlace) != kPairsAPlace) return;
+    const Stopwatch watch;
+    exchange_();
+    left_ms_ -= watch.milliseconds();
 }
 
 bool PairedTimer::finished() const {
     if (a_costs_.size() < kLeastPairs) return false;
+    if (exchange_ && a_costs_.size() % (2 * kPairsAPlace) != 0) return false;
     if (left_ms_ <= 0 || a_costs_.size() >= kMostPairs) return true;
     const Difference cpu = difference(&Cost::cpu_ms);
     return cpu.half_width() <= kNarrow * std::abs(cpu.median);
+}
+
+// Where the two changed places, the mean of a pair in one and a pair in the other: what the places
+// make cancels. The few pairs of the first change stand by themselves, since an interval takes
+// kLeastPairs values: half of them are as much too high as the others are too low, so that their
+// interval holds the median more often still.
+std::vector<double> PairedTimer::balanced(std::vector<double> of_pairs) const {
+    if (!exchange_ || of_pairs.size() < 2 * kLeastPairs) return of_pairs;
+    std::vector<double> first, second;
+    for (std::size_t i = 0; i < of_pairs.size(); ++i) {
+        const bool exchanged = (i + kPairsAPlace) / (2 * kPairsAPlace) % 2 == 1;
+        (exchanged ? second : first).push_back(of_pairs[i]);
+    }
+    for (std::size_t i = 0; i < first.size(); ++i)
+        first[i] = (first[i] + second[i]) / 2;
+    return first;
 }
 
 Difference PairedTimer::difference(double Cost::*of) const {
     std::vector<double> differences;
     for (std::size_t i = 0; i < a_costs_.size(); ++i)
         differences.push_back(a_costs_[i].*of - b_costs_[i].*of);
-    return median_difference(std::move(differences));
+    return median_difference(balanced(std::move(differences)));
 }
 
 Difference PairedTimer::ratio(double Cost::*of) const {
@@ -119,7 +141,7 @@ Difference PairedTimer::ratio(double Cost::*of) const {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < a_costs_.size(); ++i)
         ratios.push_back(std::max(a_costs_[i].*of, kLeast) / std::max(b_costs_[i].*of, kLeast));
-    return median_difference(std::move(ratios));
+    return median_difference(balanced(std::move(ratios)));
 }
 
 Price PairedTimer::price() const {
@@ -134,7 +156,7 @@ Price PairedTimer::price() const {
         if (a_costs_[i].instructions && b_costs_[i].instructions)
             instructions.push_back(*a_costs_[i].instructions - *b_costs_[i].instructions);
     if (instructions.size() == a_costs_.size())
-        price.instructions = median_difference(std::move(instructions));
+        price.instructions = median_difference(balanced(std::move(instructions)));
     return price;
 }
 

@@ -59,16 +59,21 @@ Price equal_by_construction();
 // "1.24 ± 0.05", "0 ± 0.02".
 std::string to_string(const Difference& difference);
 
+inline constexpr std::size_t kPairsAPlace = 4;
+
 // Runs a and b in turn until the interval of their CPU times' difference is narrow or the time is
 // up.
 class PairedTimer {
 public:
     using Measured = std::function<Cost()>; // runs it once
-    PairedTimer(Measured a, Measured b, double seconds);
+    // `exchange`, where there is one, gives each the other's place: its buffers, say, of which one
+    // is always a little faster, by where it lies in the caches. After kPairsAPlace pairs they
+    // change, then after twice as many each time, so that both places meet a and b equally often.
+    PairedTimer(Measured a, Measured b, double seconds, std::function<void()> exchange = {});
     // Runs a, b, b, a.
     void step();
     // The half width of the interval is at most a tenth of the difference, or the time is up; after
-    // kLeastPairs in any case.
+    // kLeastPairs in any case, and never before both were equally often in either place.
     bool finished() const;
     Price price() const; // once it is finished
     const std::vector<Cost>& costs_of_a() const { return a_costs_; }
@@ -77,7 +82,9 @@ private:
     void pair(bool a_first);
     Difference difference(double Cost::*of) const;
     Difference ratio(double Cost::*of) const;
+    std::vector<double> balanced(std::vector<double> of_pairs) const;
     Measured a_, b_;
+    std::function<void()> exchange_;
     double left_ms_;
     std::vector<Cost> a_costs_, b_costs_; // pair by pair
 };

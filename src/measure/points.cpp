@@ -23,7 +23,7 @@ std::string Point::options() const {
 Points::Points(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
                const frame::FrameOptions& options, Jobs& jobs, const image::Image& reference)
     : scene_(scene), facts_(std::move(facts)), view_(view), options_(options), jobs_(jobs),
-      reference_(reference), own_renderer_(jobs), renderer_(jobs) {}
+      reference_(reference), renderers_(scene, view_, jobs) {}
 
 Result<std::unique_ptr<Points>> Points::create(const scene::Scene& scene, frame::SceneFacts facts,
                                                const scene::View& view,
@@ -34,7 +34,6 @@ Result<std::unique_ptr<Points>> Points::create(const scene::Scene& scene, frame:
     TRY_VOID(points->at({}));
     Point& own = points->points_.front();
     own.price = equal_by_construction();
-    points->own_renderer_.render(scene, view, own.plan); // makes room
     return points;
 }
 
@@ -52,7 +51,7 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
     });
     if (alike != points_.end()) return static_cast<std::size_t>(alike - points_.begin());
     const Stopwatch watch;
-    const image::Image& picture = renderer_.render(scene_, view_, planned);
+    const image::Image& picture = renderers_.b().render(scene_, view_, planned);
     Point point;
     point.first_ms = watch.milliseconds();
     point.rungs = rungs;
@@ -63,12 +62,7 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
 }
 
 Price Points::price_of(const frame::FramePlan& plan, double seconds) {
-    const auto frames = [this](frame::Renderer& renderer, const frame::FramePlan& drawn) {
-        return [&, this] { return cost_of(jobs_, [&] { renderer.render(scene_, view_, drawn); }); };
-    };
-    renderer_.render(scene_, view_, plan); // makes room
-    PairedTimer timer(frames(own_renderer_, points_.front().plan), frames(renderer_, plan),
-                      seconds);
+    PairedTimer timer = renderers_.timer(points_.front().plan, plan, seconds);
     while (!timer.finished())
         timer.step();
     const std::vector<Cost>& own = timer.costs_of_a();
@@ -86,13 +80,13 @@ void Points::time(std::size_t point, double seconds) {
 Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {
     if (frame::draws_alike(points_.front().plan, without)) return {equal_by_construction(), 0};
     const image::Difference d =
-        image::compare(own_renderer_.render(scene_, view_, points_.front().plan),
-                       renderer_.render(scene_, view_, without));
+        image::compare(renderers_.a().render(scene_, view_, points_.front().plan),
+                       renderers_.b().render(scene_, view_, without));
     return {-price_of(without, seconds), d.differing_pixels};
 }
 
 image::Image Points::drawn(std::size_t point) {
-    return renderer_.render(scene_, view_, points_[point].plan);
+    return renderers_.b().render(scene_, view_, points_[point].plan);
 }
 
 void Points::look_at(const std::vector<std::size_t>& points) {

@@ -6,9 +6,9 @@
 #include "base/jobs.h"
 #include "base/result.h"
 #include "frame/plan/plan.h"
-#include "frame/renderer.h"
 #include "image/metrics.h"
 #include "measure/paired.h"
+#include "measure/renderer_pair.h"
 #include "scene/scene.h"
 #include "scene/view.h"
 
@@ -79,7 +79,7 @@ private:
     frame::FrameOptions options_;
     Jobs& jobs_;
     const image::Image& reference_;
-    frame::Renderer own_renderer_, renderer_; // of the first point, and of the others
+    RendererPair renderers_; // of the first point, and of the others
     std::vector<Point> points_;
     std::vector<Cost> own_costs_;
 };
