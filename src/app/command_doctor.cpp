@@ -14,7 +14,6 @@
 #include "simd/targets.h"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -39,11 +38,9 @@ Result<void> check_doctor(const Settings& s) {
 std::vector<bool> textured(const std::vector<scene::Material>& materials) {
     std::vector<bool> with_map;
     for (const scene::Material& m : materials) {
-        const std::array maps = {&m.map_diffuse,   &m.map_specular, &m.map_shininess,
-                                 &m.map_opacity,   &m.map_emission, &m.map_roughness,
-                                 &m.map_metalness, &m.map_bump,     &m.map_normal};
-        with_map.push_back(std::any_of(maps.begin(), maps.end(),
-                                       [](const auto* map) { return map->texture >= 0; }));
+        with_map.push_back(std::any_of(
+            scene::kTextureMaps.begin(), scene::kTextureMaps.end(),
+            [&](const scene::NamedMap& row) { return row.drawn && (m.*row.map).texture >= 0; }));
     }
     return with_map;
 }

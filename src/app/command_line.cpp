@@ -21,8 +21,8 @@ struct NamedCommand {
 constexpr std::array kCommands = {
     NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
     NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
-    NamedCommand{"doctor", Command::doctor},   NamedCommand{"compare", Command::compare},
-    NamedCommand{"list", Command::list}};
+    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
+    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
 
 bool exists(const std::string& path) {
     return ::access(path.c_str(), F_OK) == 0;

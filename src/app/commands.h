@@ -18,6 +18,7 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes);
 Result<Exit> run_explain(const Settings& settings);
 Result<Exit> run_frontier(const Settings& settings);
 Result<Exit> run_doctor(const Settings& settings);
+Result<Exit> run_info(const Settings& settings);
 Result<Exit> run_compare(const Settings& settings);
 Result<Exit> run_list(const Settings& settings);
 

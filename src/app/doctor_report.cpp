@@ -1,6 +1,7 @@
 #include "app/doctor_report.h"
 
 #include "app/doctor_text.h"
+#include "app/json_text.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -92,10 +93,6 @@ Json finding_json(const DoctorReport& report, const Finding& finding) {
     return json;
 }
 
-std::string dumped_report(const Json& json) {
-    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
-}
-
 // A path as a URI reference (RFC 3986).
 std::string uri_of(std::string_view path) {
     constexpr std::string_view kPlain =
@@ -181,7 +178,7 @@ std::string doctor_json(const DoctorReport& report) {
                          {"unused", m.unused},         {"one_sided", m.one_sided},
                          {"not_kept", report.not_kept}};
     }
-    return dumped_report(json);
+    return json_text(json);
 }
 
 std::string doctor_sarif(const DoctorReport& report) {
@@ -208,9 +205,9 @@ std::string doctor_sarif(const DoctorReport& report) {
          {{"driver", {{"name", "scanout"}, {"version", SCANOUT_VERSION}, {"rules", rules}}}}},
         {"columnKind", "unicodeCodePoints"},
         {"results", std::move(results)}};
-    return dumped_report({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-                          {"version", "2.1.0"},
-                          {"runs", Json::array({std::move(run)})}});
+    return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                      {"version", "2.1.0"},
+                      {"runs", Json::array({std::move(run)})}});
 }
 
 } // namespace scanout::app

@@ -1,5 +1,6 @@
 #include "app/frontier_files.h"
 
+#include "app/json_text.h"
 #include "app/report.h"
 
 #include <algorithm>
@@ -108,7 +109,7 @@ std::string to_json(const FrontierReport& report) {
                        {"frontier", frontier},
                        {"warnings", report.warnings},
                        {"version", SCANOUT_VERSION}};
-    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
+    return json_text(json);
 }
 
 std::string frontier_csv(const FrontierReport& report) {

@@ -18,9 +18,11 @@ constexpr unsigned kList = static_cast<unsigned>(Command::list);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
 constexpr unsigned kFrontier = static_cast<unsigned>(Command::frontier);
 constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
+constexpr unsigned kInfo = static_cast<unsigned>(Command::info);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
 constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
-constexpr unsigned kAll = kLoad | kCompare | kList;
+constexpr unsigned kRead = kLoad | kInfo;   // what takes a model
+constexpr unsigned kAll = kRead | kCompare | kList;
 
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> found;
@@ -241,7 +243,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
-    {"json", 0, "FILE", "", "", 0, 0, Group::output, kLoad | kCompare | kList, Parsed(read_json),
+    {"json", 0, "FILE", "", "", 0, 0, Group::output, kRead | kCompare | kList, Parsed(read_json),
      "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
      "only techniques",
      true},
@@ -341,14 +343,14 @@ constexpr std::array kOptions = std::to_array<Option>({
          s.up_given = true;
      }),
      "the model's axis that points up; default: z in STL, else y"},
-    {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kLoad, Parsed(read_model_format),
+    {"model-format", 0, "NAME", "", "", 0, 0, Group::model, kRead, Parsed(read_model_format),
      "the model's format (obj stl ply off), instead of the one that its content tells; a model "
      "named - is read from standard input"},
 
-    {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kLoad,
+    {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kRead,
      Integer([](Settings& s) -> int& { return s.max_memory_mb; }),
      "refuse a model that takes more to load; default: what is available"},
-    {"allow-outside", 0, "", "", "", 0, 0, Group::model, kLoad,
+    {"allow-outside", 0, "", "", "", 0, 0, Group::model, kRead,
      Switch([](Settings& s) -> bool& { return s.allow_outside; }),
      "read libraries and textures outside of the model's folder, too"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
@@ -405,7 +407,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
-    {"threads", 't', "N", "", "0", 0, 256, Group::times, kLoad,
+    {"threads", 't', "N", "", "0", 0, 256, Group::times, kRead,
      Integer([](Settings& s) -> int& { return s.threads; }),
      "threads that draw; 0 is one for each core; the picture is the same"},
     {"target", 0, "NAME", "", "auto", 0, 0, Group::times, kLoad, Parsed(read_target),
@@ -561,8 +563,8 @@ std::string options_markdown() {
     constexpr std::array kCommands = {
         std::pair{Command::view, "view"},       std::pair{Command::render, "render"},
         std::pair{Command::explain, "explain"}, std::pair{Command::frontier, "frontier"},
-        std::pair{Command::doctor, "doctor"},   std::pair{Command::compare, "compare"},
-        std::pair{Command::list, "list"}};
+        std::pair{Command::doctor, "doctor"},   std::pair{Command::info, "info"},
+        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
     for (const Option& option : kOptions) {
         std::string commands;
         for (const auto& [command, name] : kCommands)

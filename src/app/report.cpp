@@ -1,5 +1,6 @@
 #include "app/report.h"
 
+#include "app/json_text.h"
 #include "base/memory.h"
 #include "base/write_file.h"
 #include "frame/catalogue.h"
@@ -15,12 +16,6 @@ namespace scanout::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character. Whatever is not
-// printable ASCII is written as \u: a terminal may be the reader.
-std::string dumped(const Json& json) {
-    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
-}
 
 double rounded(double ms) {
     return std::round(ms * 1000) / 1000;
@@ -130,25 +125,26 @@ std::string to_json(const RunReport& report) {
     const frame::FrameStats drawn =
         report.frames.empty() ? frame::FrameStats{} : report.frames.front().stats;
     const scene::ModelCounts& counts = report.counts;
-    return dumped({{"model",
-                    {{"path", report.model_path},
-                     {"vertices", counts.vertices},
-                     {"faces", counts.faces},
-                     {"triangles", counts.triangles},
-                     {"lines", counts.lines},
-                     {"points", counts.points},
-                     {"skipped", counts.skipped},
-                     {"bytes", counts.bytes}}},
-                   {"frames", frames},
-                   {"ms", times(report)},
-                   {"triangles",
-                    {{"submitted", drawn.triangles_submitted}, {"drawn", drawn.triangles_drawn}}},
-                   {"warnings", report.warnings},
-                   {"rss_start_bytes", report.start_bytes},
-                   {"peak_rss_bytes", peak_resident_bytes()},
-                   {"threads", report.threads},
-                   {"target", simd::chosen_target()},
-                   {"version", SCANOUT_VERSION}});
+    return json_text(
+        {{"model",
+          {{"path", report.model_path},
+           {"vertices", counts.vertices},
+           {"faces", counts.faces},
+           {"triangles", counts.triangles},
+           {"lines", counts.lines},
+           {"points", counts.points},
+           {"skipped", counts.skipped},
+           {"bytes", counts.bytes}}},
+         {"frames", frames},
+         {"ms", times(report)},
+         {"triangles",
+          {{"submitted", drawn.triangles_submitted}, {"drawn", drawn.triangles_drawn}}},
+         {"warnings", report.warnings},
+         {"rss_start_bytes", report.start_bytes},
+         {"peak_rss_bytes", peak_resident_bytes()},
+         {"threads", report.threads},
+         {"target", simd::chosen_target()},
+         {"version", SCANOUT_VERSION}});
 }
 
 std::string to_json(const Comparison& compared, const Settings& settings,
@@ -162,20 +158,20 @@ std::string to_json(const Comparison& compared, const Settings& settings,
     if (settings.metric != Metric::none)
         tolerance = {{"metric", text_of(settings.metric)},
                      {"limit", settings.limit ? Json(*settings.limit) : Json()}};
-    return dumped({{"same", compared.same(settings)},
-                   {"same_size", d.same_size},
-                   {"max_difference", d.max_difference},
-                   {"differing_pixels", d.differing_pixels},
-                   {"over_tolerance", d.over_tolerance},
-                   {"mean_flip", figure(compared.figure(Metric::flip))},
-                   {"rmse", figure(compared.figure(Metric::rmse))},
-                   {"rmse_codes", figure(compared.figure(Metric::rmse_codes))},
-                   {"psnr", figure(compared.figure(Metric::psnr))},
-                   {"ssim", figure(compared.figure(Metric::ssim))},
-                   {"share_off_by_more_than_one", figure(compared.metrics.share_off)},
-                   {"tolerance", tolerance},
-                   {"written", written},
-                   {"version", SCANOUT_VERSION}});
+    return json_text({{"same", compared.same(settings)},
+                      {"same_size", d.same_size},
+                      {"max_difference", d.max_difference},
+                      {"differing_pixels", d.differing_pixels},
+                      {"over_tolerance", d.over_tolerance},
+                      {"mean_flip", figure(compared.figure(Metric::flip))},
+                      {"rmse", figure(compared.figure(Metric::rmse))},
+                      {"rmse_codes", figure(compared.figure(Metric::rmse_codes))},
+                      {"psnr", figure(compared.figure(Metric::psnr))},
+                      {"ssim", figure(compared.figure(Metric::ssim))},
+                      {"share_off_by_more_than_one", figure(compared.metrics.share_off)},
+                      {"tolerance", tolerance},
+                      {"written", written},
+                      {"version", SCANOUT_VERSION}});
 }
 
 std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
@@ -199,7 +195,7 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
         json["cpu_ms"] = rounded(e.cost->cpu_ms);
         json["instructions"] = e.cost->instructions ? Json(*e.cost->instructions) : Json(nullptr);
     }
-    return dumped(json);
+    return json_text(json);
 }
 
 std::string techniques_json() {
@@ -220,7 +216,7 @@ std::string techniques_json() {
                          {"source", t->source},
                          {"reads", names}});
     }
-    return dumped(cards);
+    return json_text(cards);
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

@@ -26,6 +26,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_frontier(settings);
     case Command::doctor:
         return run_doctor(settings);
+    case Command::info:
+        return run_info(settings);
     case Command::compare:
         return run_compare(settings);
     case Command::list:

@@ -20,7 +20,8 @@ enum class Command : unsigned {
     list = 8,
     explain = 16,
     frontier = 32,
-    doctor = 64
+    doctor = 64,
+    info = 128
 };
 
 // How a picture is written.

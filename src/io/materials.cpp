@@ -382,9 +382,10 @@ void MaterialLoader::name_what_is_not_drawn() {
 
 void MaterialLoader::load_map(scene::TextureMap& map, std::string_view keyword,
                               const std::string& library_path) {
-    if (map.given())
-        map.texture = texture(map.path, fmt::format("{}:{}: {}", library_path, map.line, keyword),
-                              library_path);
+    if (!map.given()) return;
+    map.texture = texture(map.path, fmt::format("{}:{}: {}", library_path, map.line, keyword),
+                          library_path);
+    map.missing = map.texture < 0;
 }
 
 // where: file:line: keyword.

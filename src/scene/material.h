@@ -4,9 +4,11 @@
 #include "image/image.h"
 #include "math/vec.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scanout::scene {
@@ -14,7 +16,8 @@ namespace scanout::scene {
 // A texture map of a material: a texture of the scene and the options that the file gives it
 // (MTL: -blendu -blendv -boost -mm -o -s -t -texres -clamp -bm -imfchan -type).
 struct TextureMap {
-    std::int32_t texture = -1; // index into Scene::textures; -1: the file could not be read
+    std::int32_t texture = -1; // index into Scene::textures; -1: none was read
+    bool missing = false;      // it was wanted, but could not be read
     std::string path;          // as the file names it
     std::size_t line = 0;      // where it does
     bool blend_u = true, blend_v = true, clamp = false, colour_correction = false;
@@ -42,6 +45,26 @@ struct Material {
     TextureMap map_roughness, map_metalness; // map_Pr, map_Pm
     TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
+
+// By the name in the file; those that are not drawn are read for reports alone.
+struct NamedMap {
+    std::string_view name;
+    TextureMap Material::*map;
+    bool drawn = true;
+};
+inline constexpr std::array kTextureMaps = {NamedMap{"map_Kd", &Material::map_diffuse},
+                                            NamedMap{"map_Ka", &Material::map_ambient, false},
+                                            NamedMap{"map_Ks", &Material::map_specular},
+                                            NamedMap{"map_Ns", &Material::map_shininess},
+                                            NamedMap{"map_d", &Material::map_opacity},
+                                            NamedMap{"map_Ke", &Material::map_emission},
+                                            NamedMap{"map_Pr", &Material::map_roughness},
+                                            NamedMap{"map_Pm", &Material::map_metalness},
+                                            NamedMap{"map_bump", &Material::map_bump},
+                                            NamedMap{"norm", &Material::map_normal},
+                                            NamedMap{"disp", &Material::map_displacement, false},
+                                            NamedMap{"decal", &Material::map_decal, false},
+                                            NamedMap{"refl", &Material::map_reflection, false}};
 
 // Ns 0, or no Ns, would put a highlight everywhere. Exporters that write it beside a bright Ks
 // (MeshLab does) mean no highlight. Between 0 and 1 it fades (shade/reflection/highlight-inl.h).

@@ -72,7 +72,7 @@ TEST(Options, ThePlaneOfProjectedShadowsIsTheGroundOrFourNumbers) {
 TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
     for (const Command command :
          {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-          Command::compare, Command::list}) {
+          Command::info, Command::compare, Command::list}) {
         std::set<std::string_view> names;
         std::set<char> letters = {'h'};
         for (const Option& row : options()) {
@@ -98,7 +98,7 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
         EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << name;
         for (const Command command :
              {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-              Command::compare, Command::list})
+              Command::info, Command::compare, Command::list})
             EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
                           help_for(command).find(name + "[") != std::string::npos ||
                           help_for(command).find(name + "\n") != std::string::npos,
@@ -156,7 +156,7 @@ TEST(Options, BehindTwoDashesEveryWordIsAFile) {
 TEST(Options, TheHelpOfEachCommandNamesTheTwoDashes) {
     for (const Command command :
          {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-          Command::compare, Command::list})
+          Command::info, Command::compare, Command::list})
         EXPECT_NE(help_for(command).find(" --  "), std::string::npos);
 }
 

@@ -32,7 +32,7 @@ def as_run_here(command):
     if words[0] != "./run" or len(words) == 1:
         return None
     rest = command[len("./run "):]
-    if words[1] not in ("render", "explain", "frontier", "doctor", "compare", "list") and "--backend" not in words:
+    if words[1] not in ("render", "explain", "frontier", "doctor", "info", "compare", "list") and "--backend" not in words:
         rest += " --backend headless --replay quit.actions"
     return f"'{SCANOUT}' {rest}"
 

@@ -1,0 +1,153 @@
+#include "app/info_report.h"
+
+#include "app/actions.h"
+#include "app/json_text.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace scanout::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const io::Format& row_of(io::ModelFormat format) {
+    return *std::find_if(io::formats().begin(), io::formats().end(),
+                         [&](const io::Format& row) { return row.format == format; });
+}
+
+std::string upper(std::string_view word) {
+    std::string letters(word);
+    for (char& letter : letters)
+        letter = static_cast<char>(letter >= 'a' && letter <= 'z' ? letter - 'a' + 'A' : letter);
+    return letters;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many = "") {
+    if (count == 1) return fmt::format("1 {}", one);
+    return many.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, many);
+}
+
+std::string numbers(const DVec3& v, std::string_view between) {
+    return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", v.x, between, v.y, between, v.z);
+}
+
+std::string line(std::string_view title, std::string_view text) {
+    return fmt::format("  {:<10} {}", title, text);
+}
+
+std::string elements(const scene::ModelCounts& c) {
+    std::vector<std::string> parts = {counted(c.vertices, "vertex", "vertices"),
+                                      counted(c.faces, "face"), counted(c.triangles, "triangle")};
+    if (c.lines > 0) parts.push_back(counted(c.lines, "line"));
+    if (c.points > 0) parts.push_back(counted(c.points, "point"));
+    if (c.skipped > 0) parts.push_back(fmt::format("{} skipped", c.skipped));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string attributes(const ModelInfo& info) {
+    std::vector<std::string> parts;
+    if (info.normals) parts.emplace_back("normals");
+    if (info.uvs) parts.emplace_back("texture coordinates");
+    if (info.colours) parts.emplace_back("colours of vertices");
+    if (parts.empty()) parts.emplace_back("places alone");
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string surface(const ModelInfo& info) {
+    std::vector<std::string> parts;
+    if (info.closed)
+        parts.emplace_back(info.outwards ? "closed, wound outwards" : "closed, in part inside out");
+    else
+        parts.push_back(info.open_edges > 0
+                            ? fmt::format("open: {}", counted(info.open_edges, "open edge"))
+                            : "open");
+    parts.push_back(info.non_manifold_edges > 0
+                        ? counted(info.non_manifold_edges, "non-manifold edge")
+                        : "manifold");
+    parts.push_back(fmt::format("area {:.6g}", info.area));
+    if (info.closed) parts.push_back(fmt::format("volume {:.6g}", info.volume));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string map_text(const MapInfo& map) {
+    const std::string_view state = !map.drawn          ? "not drawn"
+                                   : map.missing       ? "missing"
+                                   : map.found.empty() ? "not needed"
+                                                       : "";
+    return fmt::format(
+        "{}: {} {} ({})", map.material.empty() ? "(no name)" : map.material, map.kind, map.path,
+        state.empty() ? fmt::format("{} x {}", map.width, map.height) : std::string(state));
+}
+
+} // namespace
+
+std::vector<std::string> info_lines(const ModelInfo& info) {
+    const DVec3 size = info.box_max - info.box_min;
+    std::vector<std::string> lines = {
+        fmt::format("{}: {}, {} is up, read in {:.0f} ms", info.path,
+                    upper(row_of(info.format).name), name_of(info.up), info.load_ms),
+        line("elements", elements(info.counts)), line("gives", attributes(info)),
+        line("size", fmt::format("{}, from {} to {}", numbers(size, " x "),
+                                 numbers(info.box_min, ","), numbers(info.box_max, ",")))};
+    if (info.counts.triangles > 0) lines.push_back(line("surface", surface(info)));
+    if (!info.materials.empty())
+        lines.push_back(line("materials", fmt::format("{}: {}", info.materials.size(),
+                                                      fmt::join(info.materials, ", "))));
+    for (const MapInfo& map : info.maps)
+        lines.push_back(line("texture", map_text(map)));
+    return lines;
+}
+
+std::string info_json(const ModelInfo& info) {
+    const auto vector = [](const DVec3& v) { return Json{v.x, v.y, v.z}; };
+    Json maps = Json::array();
+    for (const MapInfo& map : info.maps) {
+        Json json = {{"material", map.material}, {"map", map.kind},    {"path", map.path},
+                     {"line", map.line},         {"drawn", map.drawn}, {"missing", map.missing}};
+        json["found"] = map.found.empty() ? Json(nullptr) : Json(map.found);
+        if (!map.found.empty()) {
+            json["width"] = map.width;
+            json["height"] = map.height;
+        }
+        maps.push_back(std::move(json));
+    }
+    Json surface(nullptr);
+    if (info.counts.triangles > 0) {
+        surface = {{"closed", info.closed},
+                   {"outwards", info.outwards},
+                   {"manifold", info.non_manifold_edges == 0},
+                   {"open_edges", info.open_edges},
+                   {"non_manifold_edges", info.non_manifold_edges},
+                   {"area", info.area}};
+        surface["volume"] = info.closed ? Json(info.volume) : Json(nullptr);
+    }
+    const scene::ModelCounts& c = info.counts;
+    return json_text({{"model", info.path},
+                      {"format", row_of(info.format).name},
+                      {"up", name_of(info.up)},
+                      {"vertices", c.vertices},
+                      {"faces", c.faces},
+                      {"triangles", c.triangles},
+                      {"lines", c.lines},
+                      {"points", c.points},
+                      {"skipped", c.skipped},
+                      {"normals", info.normals},
+                      {"texture_coordinates", info.uvs},
+                      {"colours", info.colours},
+                      {"box",
+                       {{"min", vector(info.box_min)},
+                        {"max", vector(info.box_max)},
+                        {"size", vector(info.box_max - info.box_min)}}},
+                      {"surface", std::move(surface)},
+                      {"materials", info.materials},
+                      {"textures", std::move(maps)},
+                      {"warnings", info.warnings},
+                      {"version", SCANOUT_VERSION}});
+}
+
+} // namespace scanout::app

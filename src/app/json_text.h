@@ -1,0 +1,13 @@
+// JSON as every command writes it.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace scanout::app {
+
+// Paths are bytes; JSON is UTF-8: what is not becomes the replacement character. Whatever is not
+// printable ASCII is written as \u: a terminal may be the reader.
+std::string json_text(const nlohmann::ordered_json& json);
+
+} // namespace scanout::app

@@ -1,0 +1,41 @@
+// What there is to know about a model's file before it is drawn.
+#pragma once
+
+#include "app/model_file.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace scanout::app {
+
+// A texture map of a material, as the file names it.
+struct MapInfo {
+    std::string material, kind, path; // kind: map_Kd ...
+    std::size_t line = 0;             // of the material library
+    bool drawn = false;               // a map that scanout draws; of others nothing more is known
+    bool missing = false;             // it would be drawn, but could not be read
+    std::string found;                // the file that was read; empty: none, nothing would show it
+    int width = 0, height = 0;        // texels
+};
+
+struct ModelInfo {
+    std::string path;
+    io::ModelFormat format{};
+    scene::UpAxis up{};
+    scene::ModelCounts counts;
+    bool normals = false, uvs = false, colours = false; // the file has them
+    DVec3 box_min{0}, box_max{0};                       // file units
+    // Of the triangles; nothing where there are none.
+    bool closed = false, outwards = false;
+    std::size_t open_edges = 0, non_manifold_edges = 0;
+    double area = 0, volume = 0; // file units squared and cubed; volume of a closed surface alone
+    std::vector<std::string> materials;
+    std::vector<MapInfo> maps;
+    std::vector<std::string> warnings;
+    double load_ms = 0;
+};
+
+ModelInfo model_info(const LoadedModel& model, const io::ModelSource& source, Jobs& jobs);
+
+} // namespace scanout::app

@@ -1,0 +1,115 @@
+// `scanout info` as a user meets it.
+#include "support/temporary_folder.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+namespace scanout::app {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class Info : public ::testing::Test {
+protected:
+    int run(const std::string& words) {
+        const std::string command = "cd '" + folder.file("") + "'; '" SCANOUT_BINARY "' info " +
+                                    words + " >stdout 2>stderr </dev/null";
+        const int status = std::system(command.c_str());
+        out = folder.read("stdout");
+        err = folder.read("stderr");
+        return WEXITSTATUS(status);
+    }
+    nlohmann::json json_of(const std::string& words) {
+        EXPECT_EQ(run(words + " --json"), 0) << err;
+        return nlohmann::json::parse(out);
+    }
+    test::TemporaryFolder folder;
+    std::string out, err;
+};
+
+// A tetrahedron with corners at 0 and on the axes at 2, 3, 4: its volume is 4.
+constexpr const char* kClosed = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\n"
+                                "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+TEST_F(Info, TellsElementsSizeAndSurface) {
+    folder.write("a.obj", kClosed);
+    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("a.obj: OBJ, y is up"));
+    EXPECT_THAT(out, HasSubstr("  elements   4 vertices, 4 faces, 4 triangles\n"));
+    EXPECT_THAT(out, HasSubstr("  size       2 x 3 x 4, from 0,0,0 to 2,3,4\n"));
+    EXPECT_THAT(out, HasSubstr("closed, wound outwards, manifold, area 20.8102, volume 4\n"));
+    EXPECT_EQ(err, "");
+}
+
+TEST_F(Info, SaysTheSameAsJson) {
+    folder.write("a.obj", kClosed);
+    const nlohmann::json info = json_of("a.obj");
+    EXPECT_EQ(info["format"], "obj");
+    EXPECT_EQ(info["triangles"], 4);
+    EXPECT_EQ(info["box"]["size"], (std::vector<double>{2, 3, 4}));
+    EXPECT_EQ(info["surface"]["closed"], true);
+    EXPECT_NEAR(info["surface"]["volume"].get<double>(), 4, 1e-6);
+    EXPECT_EQ(info["surface"]["open_edges"], 0);
+}
+
+TEST_F(Info, AnOpenSurfaceHasEdgesButNoVolume) {
+    folder.write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 1 4\n");
+    const nlohmann::json info = json_of("a.obj");
+    EXPECT_EQ(info["surface"]["closed"], false);
+    EXPECT_EQ(info["surface"]["manifold"], false);
+    EXPECT_TRUE(info["surface"]["volume"].is_null());
+    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("open"));
+    EXPECT_THAT(out, HasSubstr("1 non-manifold edge, area 1.5"));
+    EXPECT_THAT(out, Not(HasSubstr("volume")));
+}
+
+TEST_F(Info, TellsWhichTexturesWereFound) {
+    folder.write("a.mtl", "newmtl wood\nmap_Kd here.ppm\nmap_Ke gone.png\n"
+                          "map_Ks dull.png\nrefl sky.png\n");
+    folder.write("here.ppm", "P6 2 1 255\nabcdef");
+    folder.write("a.obj", std::string("mtllib a.mtl\nvt 0 0\nusemtl wood\n") + kClosed);
+    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("  materials  1: wood\n"));
+    EXPECT_THAT(out, HasSubstr("wood: map_Kd here.ppm (2 x 1)\n"));
+    EXPECT_THAT(out, HasSubstr("wood: map_Ke gone.png (missing)\n"));
+    EXPECT_THAT(out, HasSubstr("wood: map_Ks dull.png (not needed)\n"));
+    EXPECT_THAT(out, HasSubstr("wood: refl sky.png (not drawn)\n"));
+    EXPECT_THAT(err, HasSubstr("gone.png"));
+    const nlohmann::json info = json_of("a.obj");
+    ASSERT_EQ(info["textures"].size(), 4U);
+    EXPECT_EQ(info["textures"][0]["width"], 2);
+    EXPECT_EQ(info["textures"][1]["map"], "map_Ks");
+    EXPECT_EQ(info["textures"][1]["missing"], false);
+    EXPECT_EQ(info["textures"][2]["map"], "map_Ke");
+    EXPECT_EQ(info["textures"][2]["missing"], true);
+    EXPECT_TRUE(info["textures"][2]["found"].is_null());
+    EXPECT_FALSE(info["warnings"].empty());
+}
+
+TEST_F(Info, OfPointsTellsNoSurface) {
+    folder.write("a.ply", "ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\n"
+                          "property float y\nproperty float z\nend_header\n0 0 0\n1 2 3\n");
+    const nlohmann::json info = json_of("a.ply");
+    EXPECT_EQ(info["points"], 2);
+    EXPECT_TRUE(info["surface"].is_null());
+    EXPECT_EQ(run("a.ply"), 0);
+    EXPECT_THAT(out, HasSubstr("2 points"));
+}
+
+TEST_F(Info, RefusesWhatItCannotDescribe) {
+    EXPECT_EQ(run(""), 2);
+    EXPECT_THAT(err, HasSubstr("name a model to describe"));
+    EXPECT_EQ(run("a.obj b.obj"), 2);
+    EXPECT_EQ(run("gone.obj"), 3);
+    EXPECT_THAT(err, HasSubstr("gone.obj"));
+    folder.write("a.obj", kClosed);
+    EXPECT_EQ(run("a.obj --json=a.obj"), 2);
+    EXPECT_EQ(folder.read("a.obj"), kClosed);
+}
+
+} // namespace
+} // namespace scanout::app
