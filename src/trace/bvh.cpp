@@ -126,9 +126,15 @@ void stand_in_the_way(const RTCOccludedFunctionNArguments* arguments) {
         reinterpret_cast<RTCRay*>(arguments->ray)->tfar = -INFINITY;
 }
 
+// Embree asks now and then whether to go on.
+bool is_wanted(void* cancelled, double /*share*/) {
+    return !*static_cast<const std::atomic<bool>*>(cancelled);
+}
+
 } // namespace
 
-Result<Bvh> Bvh::create(std::vector<Corners> triangles, const char* embree) {
+Result<Bvh> Bvh::create(std::vector<Corners> triangles, const char* embree,
+                        const std::atomic<bool>* cancelled) {
     auto state = std::make_unique<State>();
     State& s = *state;
     s.triangles = std::move(triangles);
@@ -156,7 +162,11 @@ Result<Bvh> Bvh::create(std::vector<Corners> triangles, const char* embree) {
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(s.scene, geometry);
     rtcReleaseGeometry(geometry);
+    if (cancelled != nullptr)
+        rtcSetSceneProgressMonitorFunction(s.scene, is_wanted,
+                                           const_cast<std::atomic<bool>*>(cancelled));
     rtcCommitScene(s.scene);
+    if (cancelled != nullptr && *cancelled) return fail(Exit::usage, "the reference was cancelled");
     if (rtcGetDeviceError(s.device) != RTC_ERROR_NONE)
         return fail(Exit::unreadable,
                     "the reference does not fit into memory: it takes about {} bytes for {} "

@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "trace/triangle.h"
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -15,9 +16,10 @@ namespace scanout::trace {
 
 class Bvh {
 public:
-    // Fails (Exit::unreadable) where memory does not suffice. embree: its configuration, as
-    // "isa=sse2".
-    static Result<Bvh> create(std::vector<Corners> triangles, const char* embree = nullptr);
+    // Fails (Exit::unreadable) where memory does not suffice, and (Exit::usage) soon after
+    // `cancelled`, which another thread sets. embree: its configuration, as "isa=sse2".
+    static Result<Bvh> create(std::vector<Corners> triangles, const char* embree = nullptr,
+                              const std::atomic<bool>* cancelled = nullptr);
     ~Bvh();
     Bvh(Bvh&&) noexcept;
     Bvh& operator=(Bvh&&) noexcept;

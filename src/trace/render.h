@@ -32,11 +32,15 @@ struct Reference {
 };
 
 inline constexpr std::uint32_t kFewestSamples = 16, kMostSamples = 4096; // a pixel
-inline constexpr double kErrorWanted = 0.25;                             // codes
+inline constexpr std::uint32_t kSamplesOnceMore = 1024; // of a pixel that has a hard neighbour
+inline constexpr double kErrorWanted = 0.25;            // codes
 
 // How much is spent on a pixel that is hard. Fewer samples leave more noise, which the errors say.
 struct Effort {
     std::uint32_t most_samples = kMostSamples; // a power of two from kFewestSamples to kMostSamples
+    // An estimate of every pixel before the hard ones are settled, for those who watch: it costs
+    // kFewestSamples samples more of each of these.
+    bool estimate_first = false;
 };
 
 // progress(fraction) is called by the calling thread alone. Fails where the look names what there

@@ -22,14 +22,15 @@ T mixed(const std::array<T, 3>& of, const Hit& hit) {
 
 } // namespace
 
-Result<World> World::create(const scene::Scene& scene, const scene::View& view, const Look& look) {
+Result<World> World::create(const scene::Scene& scene, const scene::View& view, const Look& look,
+                            const std::atomic<bool>* cancelled) {
     const geom::Mesh& mesh = scene.mesh;
     std::vector<Corners> triangles(mesh.triangles());
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t k = 0; k < 3; ++k)
             triangles[i][k] =
                 view.linear * DVec3(mesh.position[mesh.index[3 * i + k]]) + view.translation;
-    TRY(Bvh bvh, Bvh::create(std::move(triangles)));
+    TRY(Bvh bvh, Bvh::create(std::move(triangles), nullptr, cancelled));
     return World(scene, view, look, std::move(bvh));
 }
 

@@ -9,15 +9,16 @@
 #include "trace/look.h"
 #include "trace/reflection.h"
 
+#include <atomic>
 #include <vector>
 
 namespace scanout::trace {
 
 class World {
 public:
-    // Scene and look outlive it.
+    // Scene, view and look outlive it. Fails like Bvh::create.
     static Result<World> create(const scene::Scene& scene, const scene::View& view,
-                                const Look& look);
+                                const Look& look, const std::atomic<bool>* cancelled = nullptr);
     // From the eye through a place of the picture, in pixels from its upper left corner; a hit's t
     // is its distance from the eye's plane, but for a constant where the view is orthographic.
     Ray ray(double x, double y) const;

@@ -1,0 +1,160 @@
+#include "trace/progressive.h"
+
+#include "trace/lights.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace scanout::trace {
+namespace {
+
+// Rows in an order whose beginnings are spread evenly over the picture: what is known early stands
+// for the whole. The bits of their numbers are read backwards, as van der Corput's sequence does.
+std::vector<int> spread_rows(int height) {
+    std::vector<int> rows;
+    int size = 1;
+    while (size < height)
+        size *= 2;
+    for (int i = 0; i < size; ++i) {
+        int row = 0;
+        for (int bit = 1, weight = size / 2; bit < size; bit *= 2, weight /= 2)
+            row += (i & bit) != 0 ? weight : 0;
+        if (row < height) rows.push_back(row);
+    }
+    return rows;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Progressive>> Progressive::create(const scene::Scene& scene,
+                                                         const scene::View& view, const Look& look,
+                                                         const Effort& effort,
+                                                         const std::atomic<bool>* cancelled) {
+    const Tone tone = find_tone(look.tone);
+    if (tone == nullptr) return fail(Exit::usage, "the reference has no tone curve {}", look.tone);
+    for (const std::string& name : look.reflection)
+        if (find_reflection(name) == nullptr)
+            return fail(Exit::usage, "the reference has no reflection model {}", name);
+    std::unique_ptr<Progressive> made(new Progressive(view, look, effort));
+    TRY(World world, World::create(scene, made->view_, made->look_, cancelled));
+    made->world_ = std::make_unique<World>(std::move(world));
+    made->tracer_ = std::make_unique<Tracer>(*made->world_, made->look_,
+                                             placed(look.lights, view, scene.mesh), tone);
+    made->begin(effort.estimate_first ? Stage::estimate : Stage::settle);
+    return made;
+}
+
+Progressive::Progressive(const scene::View& view, const Look& look, const Effort& effort)
+    : view_(view), look_(look), most_samples_(effort.most_samples) {
+    made_.image = image::Image(look.width, look.height);
+    const std::size_t pixels = made_.image.pixels().size();
+    made_.light.resize(pixels);
+    made_.error.resize(pixels);
+    samples_.resize(pixels);
+    known_.resize(pixels);
+}
+
+std::vector<int> Progressive::all_pixels() const {
+    std::vector<int> all;
+    all.reserve(known_.size());
+    for (const int row : spread_rows(look_.height))
+        for (int x = 0; x < look_.width; ++x)
+            if (const int pixel = row * look_.width + x; known(pixel) != Known::final)
+                all.push_back(pixel);
+    return all;
+}
+
+std::vector<int> Progressive::beside_hard_ones() const {
+    const int width = look_.width, height = look_.height;
+    const auto at = [width](int x, int y) { return static_cast<std::size_t>(y * width + x); };
+    std::vector<std::uint32_t> most(samples_); // of a pixel and those to its left and right
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            most[at(x, y)] = std::max({samples_[at(std::max(x - 1, 0), y)], samples_[at(x, y)],
+                                       samples_[at(std::min(x + 1, width - 1), y)]});
+    std::vector<int> found;
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x)
+            if (std::max({most[at(x, std::max(y - 1, 0))], most[at(x, y)],
+                          most[at(x, std::min(y + 1, height - 1))]}) >= 8 * samples_[at(x, y)])
+                found.push_back(static_cast<int>(at(x, y)));
+    return found;
+}
+
+void Progressive::begin(Stage stage) {
+    stage_ = stage;
+    pixels_.clear();
+    if (stage == Stage::beside_hard_ones)
+        pixels_ = beside_hard_ones();
+    else if (stage != Stage::finished)
+        pixels_ = all_pixels();
+    next_ = 0;
+    if (stage != Stage::finished) return;
+    made_.samples = std::accumulate(samples_.begin(), samples_.end(), std::uint64_t{0});
+}
+
+void Progressive::step(Jobs& jobs, Time until) {
+    begun_.resize(
+        static_cast<std::size_t>(std::max(jobs.threads(), static_cast<int>(begun_.size()))));
+    while (!finished()) {
+        const std::uint32_t most = stage_ == Stage::estimate ? kFewestSamples : most_samples_;
+        const std::uint32_t fewest = stage_ == Stage::beside_hard_ones
+                                         ? std::min(kSamplesOnceMore, most_samples_)
+                                         : kFewestSamples;
+        const int count = static_cast<int>(pixels_.size());
+        std::atomic<bool> late = false;
+        jobs.for_each(static_cast<int>(begun_.size()), [&](int job, int) {
+            std::optional<PixelSamples>& pixel = begun_[static_cast<std::size_t>(job)];
+            for (;;) {
+                if (!pixel) {
+                    if (next_.load(std::memory_order_relaxed) >= count) return;
+                    const int place = next_.fetch_add(1, std::memory_order_relaxed);
+                    if (place >= count) return;
+                    const int number = pixels_[static_cast<std::size_t>(place)];
+                    pixel.emplace();
+                    pixel->x = number % look_.width;
+                    pixel->y = number / look_.width;
+                    pixel->wanted = fewest;
+                }
+                if (!tracer_->advance(*pixel, most, until)) {
+                    late = true;
+                    return;
+                }
+                put(*pixel);
+                pixel.reset();
+            }
+        });
+        if (late) return;
+        begin(static_cast<Stage>(static_cast<int>(stage_) + 1));
+    }
+}
+
+void Progressive::put(const PixelSamples& samples) {
+    const TracedPixel traced = tracer_->pixel(samples);
+    const auto i = static_cast<std::size_t>(samples.y * look_.width + samples.x);
+    made_.image.pixels()[i] = traced.code;
+    made_.light[i] = Vec3(traced.light);
+    made_.error[i] = static_cast<float>(traced.error);
+    samples_[i] = traced.samples;
+    const bool is_final =
+        stage_ != Stage::estimate || traced.error < kErrorWanted || most_samples_ <= kFewestSamples;
+    if (is_final && known_[i] != Known::final) final_.fetch_add(1, std::memory_order_relaxed);
+    known_[i] = is_final ? Known::final : std::max(known_[i], Known::estimate);
+}
+
+double Progressive::share() const {
+    constexpr double kOnceMore = 0.1; // of the work, about: the last stage
+    if (finished()) return 1;
+    const auto of = [](double part, std::size_t all) {
+        return part / static_cast<double>(std::max<std::size_t>(all, 1));
+    };
+    const double first = of(final_, known_.size());
+    const double last =
+        stage_ == Stage::beside_hard_ones
+            ? of(std::min(next_.load(), static_cast<int>(pixels_.size())), pixels_.size())
+            : 0;
+    return (1 - kOnceMore) * first + kOnceMore * last;
+}
+
+} // namespace scanout::trace

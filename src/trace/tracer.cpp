@@ -1,0 +1,192 @@
+#include "trace/tracer.h"
+
+#include "math/srgb.h"
+#include "math/transcendental.h"
+#include "trace/render.h"
+#include "trace/sampler.h"
+
+#include <algorithm>
+#include <span>
+#include <utility>
+
+namespace scanout::trace {
+
+Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone)
+    : world_(world), look_(look), lights_(std::move(lights)), tone_(tone),
+      least_(world.bvh().radius() * 0x1p-34),
+      background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
+                  srgb_decode(look.background.b)) {}
+
+bool Tracer::in_shadow(const Ray& ray, double end, std::uint32_t triangle) const {
+    const double least = least_ / scanout::sqrt(dot3(ray.way, ray.way));
+    if (!world_.has_holes())
+        return world_.bvh().blocked(ray, least, end, triangle, world_.casters());
+    for (Hit hit{least, kNothing, {}};;) {
+        hit = world_.bvh().next(ray, hit);
+        if (!hit.any() || hit.t >= end) return false;
+        if (hit.triangle != triangle && world_.casters()[hit.triangle] != 0 &&
+            !world_.lets_through(hit))
+            return true;
+    }
+}
+
+// Of a light with a size, by several points of it: what reaches a place is summed before the tone
+// curve bends it. Points below the face's plane are not asked: the reflection model, which takes
+// the light's middle, has counted already that they do not shine here. facing: the face's own
+// normal, on the side that is seen.
+double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& place,
+                         const DVec3& facing, std::uint32_t triangle, std::uint32_t index,
+                         std::uint32_t seed) const {
+    if (!light.has_size())
+        return in_shadow(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
+    constexpr std::uint32_t kPoints = 16;
+    int above = 0, lit = 0;
+    for (std::uint32_t i = 0; i < kPoints; ++i) {
+        const Ray ray = light.towards(place, stratified(index * kPoints + i, number + 1, seed));
+        if (dot3(ray.way, facing) <= 0) continue;
+        ++above;
+        lit += in_shadow(ray, light.end(), triangle) ? 0 : 1;
+    }
+    return above > 0 ? static_cast<double>(lit) / above : 0;
+}
+
+// What a surface shows to the eye, after the tone curve.
+DVec3 Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const {
+    const DVec3 place = ray.from + ray.way * hit.t, eye = unit_of(-ray.way);
+    const Surface surface = world_.surface(hit, ray);
+    const DVec3 facing = world_.facing(hit, ray);
+    std::array<Arrival, scene::kMaxLights> arrivals;
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < lights_.others.size(); ++k) {
+        const PlacedLight& light = lights_.others[k];
+        Arrival arrival = light.at(place);
+        if (arrival.colour == DVec3(0)) continue;
+        if (look_.shadows && light.casts()) {
+            const double share =
+                lit_share(light, static_cast<int>(k), place, facing, hit.triangle, index, seed);
+            if (share == 0) continue;
+            arrival.colour = arrival.colour * share;
+        }
+        arrivals[count++] = arrival;
+    }
+    const DVec3 light =
+        (world_.reflection(hit)(surface, eye, lights_.ambient, std::span(arrivals).first(count)) +
+         world_.emission(hit)) *
+        look_.exposure;
+    DVec3 toned;
+    for (int c = 0; c < 3; ++c)
+        toned[c] = tone_(light[c], look_.white);
+    return toned;
+}
+
+// Surfaces in the order in which they are met, until one hides the rest: Porter and Duff 1984.
+Sample Tracer::trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) const {
+    Sample seen;
+    for (Hit hit{world_.nearest(), kNothing, {}}; seen.transmittance > 0;) {
+        hit = world_.bvh().next(ray, hit);
+        if (!hit.any()) break;
+        if (world_.is_left_out(hit.triangle)) continue;
+        const double alpha = world_.alpha(hit);
+        if (alpha <= 0) continue;
+        seen.light = seen.light + shown(hit, ray, index, seed) * (seen.transmittance * alpha);
+        seen.transmittance *= 1 - alpha;
+    }
+    return seen;
+}
+
+// Over the background. Light is that of what covers the pixel, where the background is clear.
+Tracer::Mean Tracer::mean(const SampleSum& sum) const {
+    const double back = sum.sum.transmittance / sum.weight, back_alpha = look_.background.a / 255.0;
+    const double alpha = 1 - back * (1 - back_alpha);
+    const DVec3 light = sum.sum.light / sum.weight + background_ * (back * back_alpha);
+    return {alpha > 0 ? light / alpha : DVec3(0), alpha};
+}
+
+// The greatest standard deviation of a channel among the parts' means, codes.
+double Tracer::deviation(const Parts& parts) const {
+    double worst = 0;
+    for (int c = 0; c < 3; ++c) {
+        std::array<double, PixelSamples::kParts> code;
+        double middle = 0;
+        for (std::size_t p = 0; p < parts.size(); ++p) {
+            code[p] = parts[p].weight > 0 ? code_of(mean(parts[p]).light[c]) : 0;
+            middle += code[p] / static_cast<double>(parts.size());
+        }
+        double square = 0;
+        for (const double value : code)
+            square += (value - middle) * (value - middle) / static_cast<double>(parts.size() - 1);
+        worst = std::max(worst, scanout::sqrt(square));
+    }
+    return worst;
+}
+
+// Parts may agree by chance, as stratified sets do that an edge divides: an edge through the pixel
+// leaves them about 0.3 N^-3/4 of what differs there, codes.
+double Tracer::least_error(const Parts& parts, const DVec3& range, std::uint32_t count) const {
+    SampleSum all;
+    for (const SampleSum& part : parts)
+        all.add(part);
+    const DVec3 light = mean(all).light;
+    const double root = scanout::sqrt(static_cast<double>(count));
+    const double share = 0.3 / (root * scanout::sqrt(root));
+    double worst = 0;
+    for (int c = 0; c < 3; ++c)
+        worst = std::max(worst, code_of(light[c] + range[c] * share) - code_of(light[c]));
+    return worst;
+}
+
+// The next sample of the pixel, into the part that its number belongs to: into a quarter of the
+// first set, or, of a later set, which is as large as all before it, into half of it.
+void Tracer::take(PixelSamples& p) const {
+    const std::uint32_t seed = seed_of_pixel(p.x, p.y), index = p.taken++;
+    DVec2 at = stratified(index, 0, seed);
+    double weight = 1;
+    if (look_.filter) { // three pixels wide
+        at = at * 3.0 - DVec2(1);
+        weight = look_.filter(std::abs(at.x - 0.5)) * look_.filter(std::abs(at.y - 0.5));
+    }
+    const Sample sample = trace(world_.ray(p.x + at.x, p.y + at.y), index, seed);
+    const DVec3 whole = sample.light + background_ * sample.transmittance;
+    p.low = glm::min(p.low, whole);
+    p.high = glm::max(p.high, whole);
+    const std::uint32_t part = p.halved == 0 ? index / (p.wanted / PixelSamples::kParts)
+                                             : 2 + (index - p.halved) / (p.halved / 2);
+    p.parts[part].add(sample, weight);
+}
+
+bool Tracer::advance(PixelSamples& p, std::uint32_t most, Time until) const {
+    constexpr std::uint32_t kSamplesALook = 4; // at the clock
+    for (;;) {
+        while (p.taken < p.wanted) {
+            take(p);
+            if (p.taken % kSamplesALook == 0 && std::chrono::steady_clock::now() >= until)
+                return false;
+        }
+        p.error =
+            std::max(0.75 * deviation(p.parts), least_error(p.parts, p.high - p.low, p.wanted));
+        if (p.error < kErrorWanted || p.wanted >= most) return true;
+        // Twice as many: the parts that there are become two.
+        p.parts[0].add(p.parts[1]);
+        p.parts[1] = p.parts[2];
+        p.parts[1].add(p.parts[3]);
+        p.parts[2] = p.parts[3] = SampleSum();
+        p.halved = p.wanted;
+        p.wanted *= 2;
+    }
+}
+
+TracedPixel Tracer::pixel(const PixelSamples& done) const {
+    SampleSum all;
+    for (const SampleSum& part : done.parts)
+        all.add(part);
+    const Mean whole = mean(all);
+    const auto code = [&](int c) {
+        return static_cast<std::uint8_t>(code_of(whole.light[c]) + 0.5);
+    };
+    return {whole.light,
+            {code(0), code(1), code(2), static_cast<std::uint8_t>(255 * whole.alpha)},
+            done.error,
+            done.wanted};
+}
+
+} // namespace scanout::trace
