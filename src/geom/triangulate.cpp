@@ -1,6 +1,6 @@
 #include "geom/triangulate.h"
 
-#include "geom/point_grid.h"
+#include "geom/point_tree.h"
 #include "math/predicates.h"
 
 #include <algorithm>
@@ -100,13 +100,13 @@ std::vector<std::uint32_t> clip_spikes(std::span<const DVec2> p, std::vector<std
 
 // Ear clipping over a ring of the corners that are left. A corner b between a and c is an ear when
 // a, b, c turn left and nothing of the outline reaches into the triangle. Only corners that do not
-// turn left can be the first to reach in, so only those are tested; a grid finds them by place.
+// turn left can be the first to reach in, so only those are tested; a tree finds them by place.
 class EarClipper {
 public:
     EarClipper(std::span<const DVec2> points, std::vector<std::uint32_t>& out)
         : p_(points), out_(out), left_(static_cast<std::uint32_t>(points.size())),
           next_(points.size()), previous_(points.size()), clipped_(points.size()),
-          waiting_(points.size()), reflex_(points.size()), grid_(points, link()) {}
+          waiting_(points.size()), reflex_(points.size()), tree_(points, link()) {}
 
     void run() {
         // Ears whose cut-off edge passes through a corner come later than all others, so that
@@ -185,12 +185,12 @@ private:
         const DVec2 &pa = p_[previous_[b]], &pb = p_[b], &pc = p_[next_[b]];
         const DVec2 lo(std::min({pa.x, pb.x, pc.x}), std::min({pa.y, pb.y, pc.y}));
         const DVec2 hi(std::max({pa.x, pb.x, pc.x}), std::max({pa.y, pb.y, pc.y}));
-        return grid_.visit(pa, pb, pc, work_, [&](std::uint32_t v) {
-            if (!reflex_[v]) return PointGrid::Visit::forget; // clipped, or turns left by now
+        return tree_.visit(pa, pb, pc, work_, [&](std::uint32_t v) {
+            if (!reflex_[v]) return PointTree::Visit::forget; // clipped, or turns left by now
             const DVec2& q = p_[v];
             const bool outside = q.x < lo.x || q.x > hi.x || q.y < lo.y || q.y > hi.y;
-            return outside || !reaches_in(b, v, stage) ? PointGrid::Visit::go_on
-                                                       : PointGrid::Visit::stop;
+            return outside || !reaches_in(b, v, stage) ? PointTree::Visit::go_on
+                                                       : PointTree::Visit::stop;
         });
     }
 
@@ -233,7 +233,7 @@ private:
     std::vector<std::uint32_t> queue_, next_queue_;
     std::uint32_t hub_ = 0; // some corner of the ring
     std::uint64_t work_ = 0;
-    PointGrid grid_; // of the reflex corners; last, since it is made from the others
+    PointTree tree_; // of the reflex corners; last, since it is made from the others
 };
 
 // Of a polygon of the plane; counter-clockwise.

@@ -352,6 +352,18 @@ RC_GTEST_PROP(Triangulate, NewellsNormalIsTwiceTheAreaVectorWhereverThePolygonIs
     RC_ASSERT(newell_normal(polygon) == DVec3(static_cast<double>(area2(p)), 0, 0));
 }
 
+// As many as a saw blade or a heat sink has, at any angle: the feet of all teeth lie on one line.
+TEST(Triangulate, CombsOfAHundredThousandCornersAreCovered) {
+    Outline p{{0, 0}, {60'000, 0}};
+    for (std::int64_t i = 30'000; i > 0; --i)
+        p.insert(p.end(), {{2 * i, 1}, {2 * i, 50}, {2 * i - 1, 50}, {2 * i - 1, 1}});
+    p.push_back({0, 1});
+    EXPECT_EQ(fault_of(p), "");
+    for (Point& q : p)
+        q = {4 * q.x - 3 * q.y, 3 * q.x + 4 * q.y};
+    EXPECT_EQ(fault_of(p), "");
+}
+
 TEST(Triangulate, AFanWouldFlipTrianglesOfTheseOutlines) {
     EXPECT_GT(flipped_in_fan(star(1, 60, 1000)), 0);
     EXPECT_GT(flipped_in_fan(comb(1, 20)), 0);

@@ -53,6 +53,16 @@ def one_face(n, write):
           " ".join(str(i + 1) for i in range(n)) + "\n")
 
 
+def comb(n, write):
+    """One face again: all teeth stand on one line, which follows no axis."""
+    corners = [(0, 0), (n // 2, 0)]
+    for i in range(n // 4, 0, -1):
+        corners += [(2 * i, 1), (2 * i, 50), (2 * i - 1, 50), (2 * i - 1, 1)]
+    corners.append((0, 1))
+    write("model.obj", "".join(f"v {4 * x - 3 * y} {3 * x + 4 * y} 0\n" for x, y in corners) + "f " +
+          " ".join(str(i + 1) for i in range(len(corners))) + "\n")
+
+
 def one_line(n, write):
     write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# " + "x" * (40 * n) + "\n")
 
@@ -95,7 +105,7 @@ def stl_facets_at_one_edge(n, write):
 
 INPUTS = {  # maker: n
     faces_at_one_edge: 100_000, smoothed_fan: 100_000, materials: 25_000, unknown_materials: 100_000,
-    textures_that_are_not_there: 25_000, bad_lines: 100_000, one_face: 16_384, one_line: 1_000_000,
+    textures_that_are_not_there: 25_000, bad_lines: 100_000, one_face: 16_384, comb: 65_536, one_line: 1_000_000,
     layers_over_a_pixel: 100_000, clear_layers_over_a_pixel: 50_000, points: 250_000, lines: 250_000, one_polyline: 250_000,
     ply_facets: 250_000, stl_facets_at_one_edge: 100_000}
 
