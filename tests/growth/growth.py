@@ -77,6 +77,13 @@ def clear_layers_over_a_pixel(n, write):
           "".join(f"v 0 0 {i / n}\nv 0.01 0 {i / n}\nv 0 0.01 {i / n}\nf -3 -2 -1\n" for i in range(n)))
 
 
+def clear_layers_over_a_tile(n, write):
+    """Each over some 3000 pixels, so that a tile's list of fragments overflows many times."""
+    write("glass.mtl", "newmtl glass\nKd 0.5 0.7 0.9\nd 0.01\n")
+    write("model.obj", "mtllib glass.mtl\nusemtl glass\nv -1 -1 0\nv 1 1 0\np 1 2\n" +
+          "".join(f"v 0 0 {i / n}\nv 0.6 0 {i / n}\nv 0 0.6 {i / n}\nf -3 -2 -1\n" for i in range(n)))
+
+
 def points(n, write):
     write("model.obj", "".join(f"v {i % 1009} {i % 997} {i % 13}\np -1\n" for i in range(n)))
 
@@ -106,7 +113,8 @@ def stl_facets_at_one_edge(n, write):
 INPUTS = {  # maker: n
     faces_at_one_edge: 100_000, smoothed_fan: 100_000, materials: 25_000, unknown_materials: 100_000,
     textures_that_are_not_there: 25_000, bad_lines: 100_000, one_face: 16_384, comb: 65_536, one_line: 1_000_000,
-    layers_over_a_pixel: 100_000, clear_layers_over_a_pixel: 50_000, points: 250_000, lines: 250_000, one_polyline: 250_000,
+    layers_over_a_pixel: 100_000, clear_layers_over_a_pixel: 50_000,
+    clear_layers_over_a_tile: 2000, points: 250_000, lines: 250_000, one_polyline: 250_000,
     ply_facets: 250_000, stl_facets_at_one_edge: 100_000}
 
 

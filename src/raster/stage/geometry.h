@@ -64,6 +64,8 @@ public:
     void of_mode(int tile, AlphaMode mode, std::vector<std::uint32_t>& out) const;
     // Draws one triangle; returns the pixels that it may have changed, none if it is not visible.
     image::Rect draw_one(std::uint32_t triangle, VisibilityTile& out) const;
+    // The pixels of an area of the picture that may hold a sample of the triangle.
+    image::Rect pixels_of(std::uint32_t triangle, const image::Rect& area) const;
     // Adds the opaque triangles.
     void draw(int tile, AreaTile& out) const;
     // Draws what is opaque, one primitive after the other, lines and points without support; calls

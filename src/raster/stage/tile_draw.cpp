@@ -171,24 +171,45 @@ void Geometry::of_mode(int tile, AlphaMode mode, std::vector<std::uint32_t>& out
     out.erase(std::unique(out.begin(), out.end()), out.end()); // two clipped triangles of one
 }
 
+// Widens a box by the part of another one that lies in the area.
+static void include(image::Rect& box, const image::Rect& other, const image::Rect& area) {
+    box = {std::min(box.x0, std::max(other.x0, area.x0)),
+           std::min(box.y0, std::max(other.y0, area.y0)),
+           std::max(box.x1, std::min(other.x1, area.x1)),
+           std::max(box.y1, std::min(other.y1, area.y1))};
+}
+
+static image::Rect nothing_of(const image::Rect& area) {
+    return {area.x1, area.y1, area.x0, area.y0};
+}
+
 image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
     const image::Rect& area = out.area();
-    image::Rect drawn{area.x1, area.y1, area.x0, area.y0};
-    const auto add = [&](const image::Rect& r) {
-        drawn = {std::min(drawn.x0, std::max(r.x0, area.x0)),
-                 std::min(drawn.y0, std::max(r.y0, area.y0)), std::max(drawn.x1, r.x1),
-                 std::max(drawn.y1, r.y1)};
-    };
+    image::Rect drawn = nothing_of(area);
     const std::array<ScreenVertex, 3> vertex = vertices_of(triangle);
     if (vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen()) {
         const std::optional<SetUp> t = set_up(vertex, triangle);
         if (t && out.draw(t->triangle))
-            add(pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent));
+            include(drawn, pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent), area);
         return drawn;
     }
     for (const ClippedTriangle& clipped : clipped_of(triangle))
-        if (out.draw_clipped(clipped)) add(pixel_bounds(clipped, area.x1, area.y1, cull_.extent));
+        if (out.draw_clipped(clipped))
+            include(drawn, pixel_bounds(clipped, area.x1, area.y1, cull_.extent), area);
     return drawn;
+}
+
+image::Rect Geometry::pixels_of(std::uint32_t triangle, const image::Rect& area) const {
+    image::Rect box = nothing_of(area);
+    const std::array<ScreenVertex, 3> vertex = vertices_of(triangle);
+    if (vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen()) {
+        if (const std::optional<SetUp> t = set_up(vertex, triangle))
+            include(box, pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent), area);
+        return box;
+    }
+    for (const ClippedTriangle& clipped : clipped_of(triangle))
+        include(box, pixel_bounds(clipped, area.x1, area.y1, cull_.extent), area);
+    return box;
 }
 
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {

@@ -12,11 +12,12 @@ namespace scanout::raster {
 
 class Probe {
 public:
-    // Tests against the present contents of the tile, which must outlive the probe's use.
-    void reset(const VisibilityTile& front);
+    // Tests against the present contents of the tile, which must outlive the probe's use, in the
+    // blocks of 8 x 8 pixels around a region of it.
+    void reset(const VisibilityTile& front, const image::Rect& region);
 
     // The pixels of the picture that may hold a visible sample of the triangle; empty when it has
-    // none. Valid until the next call.
+    // none in those blocks. Valid until the next call.
     image::Rect draw(const Geometry& geometry, std::uint32_t triangle);
     bool covers(int x, int y, int sample) const { return copy_.id(x, y, sample) == id_; }
     std::size_t bytes() const { return copy_.bytes(); }

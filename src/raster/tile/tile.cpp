@@ -124,12 +124,12 @@ void VisibilityTile::take(const VisibilityTile& from, const image::Rect& pixels)
     others_ = true;
     for (int sample = 0; sample < samples_; ++sample) {
         for (int y = r.y0; y < r.y1; ++y) {
-            const auto begin = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));
+            const auto to = static_cast<std::ptrdiff_t>(offset(r.x0, y, sample));
+            const auto begin = static_cast<std::ptrdiff_t>(from.offset(r.x0, y, sample));
             const auto end = begin + r.width();
             if (has_ids())
-                std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + begin);
-            std::copy(from.depth_.begin() + begin, from.depth_.begin() + end,
-                      depth_.begin() + begin);
+                std::copy(from.id_.begin() + begin, from.id_.begin() + end, id_.begin() + to);
+            std::copy(from.depth_.begin() + begin, from.depth_.begin() + end, depth_.begin() + to);
         }
     }
 }

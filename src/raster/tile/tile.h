@@ -60,7 +60,7 @@ public:
     void draw_sample(int x, int y, int sample, float depth, std::uint32_t id) {
         write(offset(x, y, sample), depth, id);
     }
-    // Copies the samples of these pixels from a tile with the same area.
+    // Copies the samples of these pixels from a tile whose area holds this one's.
     void take(const VisibilityTile& from, const image::Rect& pixels);
 
     const image::Rect& area() const { return area_; }

@@ -19,6 +19,9 @@ struct TransparencyPass::Task {
 
 namespace {
 
+constexpr int kBlockSide = 8;          // pixels; parts of a tile are made of such blocks
+constexpr std::size_t kBlockLists = 4; // a block may fill so many times the length of a list
+
 image::Rect common(const image::Rect& a, const image::Rect& b) {
     return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
 }
@@ -39,7 +42,7 @@ std::size_t TransparencyPass::bytes() const {
         return list.capacity() * sizeof(decltype(*list.data()));
     };
     return sizeof *this + probe_.bytes() + opaque_base_.bytes() + of(alpha_) + of(triangles_) +
-           of(candidates_) + of(pixels_.list.fragments) + of(pixels_.list.depth) +
+           of(boxes_) + of(candidates_) + of(pixels_.list.fragments) + of(pixels_.list.depth) +
            of(pixels_.of_pixel) + of(pixels_.start) + of(pixels_.transmittance) + of(pixels_.slot) +
            of(at_sample_) + (colour_blend_ != nullptr ? colour_blend_->bytes() : 0);
 }
@@ -53,7 +56,7 @@ void TransparencyPass::cut_out(const raster::Geometry& geometry, int tile, const
     const MipChains none;
     GatherInput in = input;
     in.mips = &none;
-    probe_.reset(visibility);
+    probe_.reset(visibility, visibility.area());
     candidates_.clear();
     alpha_evaluator_.begin(in, AlphaEvaluator::At::sample, alpha_);
     constexpr std::size_t kMaxCandidates = 1 << 15;
@@ -109,38 +112,73 @@ std::uint64_t TransparencyPass::shade(const raster::Geometry& geometry, int tile
     if (triangles_.empty()) return visibility.empty() ? 0 : gatherer.shade(visibility, in, sink);
     if (in.transparency->blended->sort_triangles != nullptr)
         in.transparency->blended->sort_triangles(triangles_, in);
-    probe_.reset(visibility);
+    boxes_.clear();
     if (in.transparency->blend->compose != nullptr && colour_blend_ == nullptr)
         colour_blend_ = std::make_unique<ColourBlend>();
     pixels_.colour_blend = colour_blend_.get();
-    return shade_region({geometry, in, visibility, gatherer, sink}, visibility.area());
+    return shade_region({geometry, in, visibility, gatherer, sink},
+                        {visibility.area(), 0, triangles_.size()});
 }
 
 // A list that is full is drawn in parts of half the pixels; a single pixel may have as many
-// fragments as there are triangles.
-std::uint64_t TransparencyPass::shade_region(const Task& task, const image::Rect& region) {
+// fragments as there are triangles. Each part looks at its own triangles alone, so that the work
+// grows with the fragments.
+std::uint64_t TransparencyPass::shade_region(const Task& task, const Region& region) {
     if (find(task, region))
         return task.gatherer.shade(task.visibility, task.in, task.sink, &pixels_);
-    image::Rect first = region, second = region;
-    if (region.height() > 1)
-        first.y1 = second.y0 = region.y0 + region.height() / 2;
+    for (std::size_t i = boxes_.size(); i < region.end; ++i) // the whole tile's, the first time
+        boxes_.push_back(task.geometry.pixels_of(triangles_[i], region.pixels));
+    const auto half = [](int size) {
+        return size > kBlockSide ? (size / 2 + kBlockSide - 1) / kBlockSide * kBlockSide : size / 2;
+    };
+    image::Rect first = region.pixels, second = region.pixels;
+    if (first.height() >= first.width())
+        first.y1 = second.y0 = first.y0 + half(first.height());
     else
-        first.x1 = second.x0 = region.x0 + region.width() / 2;
-    return shade_region(task, first) + shade_region(task, second);
+        first.x1 = second.x0 = first.x0 + half(first.width());
+    return shade_part(task, region, first) + shade_part(task, region, second);
+}
+
+std::uint64_t TransparencyPass::shade_part(const Task& task, const Region& of,
+                                           const image::Rect& pixels) {
+    const auto touches = [&](std::size_t i) { return !common(boxes_[i], pixels).empty(); };
+    std::size_t count = 0;
+    for (std::size_t i = of.begin; i < of.end; ++i)
+        count += touches(i) ? 1 : 0;
+    if (count > (of.end - of.begin) / 2) // so that all lists together are no longer than the first
+        return shade_region(task, {pixels, of.begin, of.end});
+    const std::size_t begin = triangles_.size();
+    for (std::size_t i = of.begin; i < of.end; ++i) {
+        if (!touches(i)) continue;
+        triangles_.push_back(triangles_[i]);
+        boxes_.push_back(boxes_[i]);
+    }
+    const std::uint64_t items = shade_region(task, {pixels, begin, triangles_.size()});
+    triangles_.resize(begin);
+    boxes_.resize(begin);
+    return items;
 }
 
 // False when there are too many.
-bool TransparencyPass::find(const Task& task, const image::Rect& region) {
-    pixels_.region = region;
+bool TransparencyPass::find(const Task& task, const Region& region) {
+    const image::Rect& pixels = region.pixels;
+    pixels_.region = pixels;
     pixels_.samples = task.visibility.samples();
+    probe_.reset(task.visibility, pixels);
+    // Parts of a block would set every triangle up again for a few pixels each.
+    std::size_t most = task.in.transparency->max_fragments;
+    if (std::max(pixels.width(), pixels.height()) <= kBlockSide) most *= kBlockLists;
     BlendList& list = pixels_.list;
     list.fragments.clear();
     list.depth.clear();
     alpha_evaluator_.begin(task.in, AlphaEvaluator::At::centre, alpha_);
-    for (const std::uint32_t triangle : triangles_) {
-        const image::Rect box = common(probe_.draw(task.geometry, triangle), region);
-        if (!box.empty() && !find(task, box, triangle) && region.width() * region.height() > 1)
-            return false;
+    for (std::size_t i = region.begin; i < region.end; ++i) {
+        if (i < boxes_.size() && common(boxes_[i], pixels).empty()) continue;
+        const std::uint32_t triangle = triangles_[i];
+        const image::Rect box = common(probe_.draw(task.geometry, triangle), pixels);
+        if (box.empty()) continue;
+        find(task, box, triangle);
+        if (list.fragments.size() > most && pixels.width() * pixels.height() > 1) return false;
     }
     alpha_evaluator_.finish();
     found_ += list.fragments.size();
@@ -173,7 +211,7 @@ void TransparencyPass::note_list() {
                                     (colour_blend_ != nullptr ? colour_blend_->list_bytes() : 0));
 }
 
-bool TransparencyPass::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {
+void TransparencyPass::find(const Task& task, const image::Rect& box, std::uint32_t triangle) {
     BlendList& list = pixels_.list;
     for (int y = box.y0; y < box.y1; ++y) {
         for (int x = box.x0; x < box.x1; ++x) {
@@ -192,7 +230,6 @@ bool TransparencyPass::find(const Task& task, const image::Rect& box, std::uint3
                 task.visibility.pattern()[static_cast<std::size_t>(std::countr_zero(mask))]);
         }
     }
-    return list.fragments.size() <= task.in.transparency->max_fragments;
 }
 
 // A counting sort: the fragments of a pixel keep their order.

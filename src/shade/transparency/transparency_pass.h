@@ -78,9 +78,14 @@ private:
         std::uint8_t sample;
     };
     void draw_candidates(const GatherInput& input, raster::VisibilityTile& visibility);
-    std::uint64_t shade_region(const Task& task, const image::Rect& region);
-    bool find(const Task& task, const image::Rect& region);
-    bool find(const Task& task, const image::Rect& region, std::uint32_t triangle);
+    struct Region { // of the tile, with the triangles that may touch it
+        image::Rect pixels;
+        std::size_t begin, end; // of triangles_
+    };
+    std::uint64_t shade_region(const Task& task, const Region& region);
+    std::uint64_t shade_part(const Task& task, const Region& of, const image::Rect& pixels);
+    bool find(const Task& task, const Region& region);
+    void find(const Task& task, const image::Rect& box, std::uint32_t triangle);
     void sort_by_pixel();
     void weigh(const Task& task, int pixel);
     void arrange(const Task& task, int pixel);
@@ -90,7 +95,8 @@ private:
     raster::VisibilityTile opaque_base_;
     AlphaEvaluator alpha_evaluator_;
     std::vector<float> alpha_;
-    std::vector<std::uint32_t> triangles_;
+    std::vector<std::uint32_t> triangles_; // of the tile, then of parts that are being drawn
+    std::vector<image::Rect> boxes_;       // of those, while a tile is drawn in parts
     std::vector<Candidate> candidates_;
     BlendedPixels pixels_;
     std::unique_ptr<ColourBlend> colour_blend_; // while a blend mode wants it
