@@ -77,6 +77,9 @@ def page(scanout, card, axis):
              f"- Axis: {card['axis']}, number {place + 1} of {len(axis)}: "
              + " · ".join(f"**{c['name']}**" if c is card else link(c) for c in axis),
              f"- Kind: {KINDS[card['kind']]}", f"- Source: {card['source']}"]
+    if card["may_err_more_than"]:
+        others = ", ".join(link(c) for c in axis if c["name"] in card["may_err_more_than"].split())
+        lines.append(f"- May err more than {others}, which are cheaper: {card['because']}")
     if card["reads"]:
         lines.append(f"- Reads of each pixel: {', '.join(card['reads'])}")
     for step, word in ((-1, "before"), (1, "after")):

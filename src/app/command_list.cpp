@@ -65,11 +65,17 @@ Result<void> list_techniques_as_json(const Settings& settings) {
     return write_report(settings, techniques_json());
 }
 
+std::string exception_of(const Technique& t) {
+    if (t.may_err_more.than.empty()) return "";
+    return fmt::format("; may err more than {}: {}", t.may_err_more.than, t.may_err_more.reason);
+}
+
 void list_techniques(const Settings&) {
     constexpr std::array<std::string_view, 3> kKinds = {"rung", "effect", "model"};
     for (const Technique* t : frame::techniques())
-        fmt::print("{:<12} {:<14} {:<7} {} ({})\n", t->axis, t->name,
-                   kKinds[static_cast<std::size_t>(t->kind)], t->blurb, t->source);
+        fmt::print("{:<12} {:<14} {:<7} {} ({}){}\n", t->axis, t->name,
+                   kKinds[static_cast<std::size_t>(t->kind)], t->blurb, t->source,
+                   exception_of(*t));
 }
 
 std::string_view describe(std::string_view target) {

@@ -214,7 +214,9 @@ std::string techniques_json() {
                          {"kind", kKinds[static_cast<std::size_t>(t->kind)]},
                          {"blurb", t->blurb},
                          {"source", t->source},
-                         {"reads", names}});
+                         {"reads", names},
+                         {"may_err_more_than", t->may_err_more.than},
+                         {"because", t->may_err_more.reason}});
     }
     return json_text(cards);
 }

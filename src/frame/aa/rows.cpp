@@ -8,8 +8,9 @@ namespace scanout::frame::aa {
 
 namespace {
 
-constexpr Technique card(std::string_view name, std::string_view blurb, std::string_view source) {
-    return {"aa", name, blurb, source, Kind::rung};
+constexpr Technique card(std::string_view name, std::string_view blurb, std::string_view source,
+                         LadderException may_err_more = {}) {
+    return {"aa", name, blurb, source, Kind::rung, false, may_err_more};
 }
 
 } // namespace
@@ -45,7 +46,10 @@ constinit const AntiAliasing samples_16{.card = card("samples_16",
 // it, and averages each square: textures and highlights are smoothed, too.
 constinit const AntiAliasing supersampling_2{
     .card = card("supersampling_2", "2 x 2 shaded pixels for one: 0.086 RMSE, and smooth insides",
-                 "Crow 1981"),
+                 "Crow 1981",
+                 {"samples_4 samples_8 samples_16",
+                  "of an edge it has 4 samples, in 2 rows and 2 columns; it is the better one "
+                  "where insides are not smooth"}),
     .scale = 2};
 
 constinit const AntiAliasing supersampling_4{
@@ -56,7 +60,10 @@ constinit const AntiAliasing supersampling_4{
 // Unweighted area sampling: a primitive counts by the exact area that it shows in the pixel's box
 // (raster/tile/area.h). It is shaded once a pixel.
 constinit const AntiAliasing area{
-    .card = card("area", "exact areas in the pixel's box: no error of coverage", "Catmull 1978"),
+    .card = card("area", "exact areas in the pixel's box: no error of coverage", "Catmull 1978",
+                 {"supersampling_2 supersampling_4",
+                  "it shades a primitive once a pixel: textures, highlights and edges of shadows "
+                  "stay as rough as with one sample"}),
     .exact = true};
 
 } // namespace scanout::frame::aa

@@ -35,7 +35,9 @@ constinit const Encoding power_2_2{
      .name = "power_2_2",
      .blurb = "light to the power 1/2.2, up to 9 codes beside sRGB",
      .source = "Poynton 1993",
-     .kind = Kind::rung},
+     .kind = Kind::rung,
+     .may_err_more = {"square_root", "in the dark: it rises from black more steeply than the "
+                                     "root, and sRGB is a line there"}},
     [](std::uint8_t code) { return static_cast<float>(pow(code / 255.0, 2.2)); },
     [](const Light& light, int count, std::uint32_t* out) {
         SIMD_CALL(power_2_2_rows, light, count, out);

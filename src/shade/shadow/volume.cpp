@@ -15,7 +15,9 @@ constinit const ShadowStage volume{
       .blurb = "the space behind each caster, counted at every sample: "
                "exact and hard",
       .source = "Crow 1977, Everitt and Kilgard 2002",
-      .kind = Kind::rung},
+      .kind = Kind::rung,
+      .may_err_more = {"map_soft", "its shadows are those of a point of light: where a light has "
+                                   "a size, they lack the penumbra"}},
      Pass::shadow,
      {.primitive = true, .facing = true}, // positions come with lights that have one
      shadow_by_counts},

@@ -43,7 +43,11 @@ constinit const Filter mipmap{
      .name = "mipmap",
      .blurb = "bilinear in the level of detail that is nearest to the pixel's size",
      .source = "Williams 1983",
-     .kind = Kind::rung},
+     .kind = Kind::rung,
+     .may_err_more =
+         {"nearest bilinear",
+          "it blurs over two pixels, and along slanted surfaces over more: where a texture is "
+          "flat but for sharp edges, one point of it is right more often"}},
     {.uv = true, .footprint = true},
     [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         SIMD_CALL(mipmap_sample, block, map, kind);

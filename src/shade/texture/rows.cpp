@@ -8,14 +8,17 @@ namespace scanout::shade::texture {
 
 namespace {
 
-constexpr Technique card(std::string_view name, std::string_view blurb) {
-    return {"texture", name, blurb, "Heckbert 1989, McCormack et al. 1999", Kind::rung};
+constexpr Technique card(std::string_view name, std::string_view blurb,
+                         LadderException may_err_more = {}) {
+    return {"texture",  name,  blurb,       "Heckbert 1989, McCormack et al. 1999",
+            Kind::rung, false, may_err_more};
 }
 
 } // namespace
 
 constinit const Filter anisotropic_2{
-    card("anisotropic_2", "up to 2 trilinear probes along a slanted pixel's footprint"),
+    card("anisotropic_2", "up to 2 trilinear probes along a slanted pixel's footprint",
+         {"bilinear", "it blurs as trilinear does, half as far along slanted surfaces"}),
     {.uv = true, .footprint = true},
     [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         sample_anisotropic(block, map, kind, 2);

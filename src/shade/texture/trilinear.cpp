@@ -111,7 +111,11 @@ constinit const Filter trilinear{
      .name = "trilinear",
      .blurb = "bilinear in the two nearest levels of detail, linear between them",
      .source = "Williams 1983",
-     .kind = Kind::rung},
+     .kind = Kind::rung,
+     .may_err_more =
+         {"nearest bilinear",
+          "it blurs over two pixels, and along slanted surfaces over more: where a texture is "
+          "flat but for sharp edges, one point of it is right more often"}},
     {.uv = true, .footprint = true},
     [](ShadingBlock& block, const BoundMap& map, TexelKind kind) {
         SIMD_CALL(trilinear_sample, block, map, kind);

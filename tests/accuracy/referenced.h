@@ -1,0 +1,44 @@
+// A picture that tests ask for, with the reference of it.
+#pragma once
+
+#include "app/reference.h"
+#include "frame/facts/facts.h"
+#include "io/load.h"
+#include "measure/ladder.h"
+#include "support/shot.h"
+#include "trace/render.h"
+
+#include <string>
+#include <utility>
+
+namespace scanout::test {
+
+inline scene::View view_of(const Shot& s) {
+    return *scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                             s.options.height);
+}
+
+// A model of models/, by its path in there.
+inline Shot shipped(const std::string& path, int width, int height) {
+    Shot s = shot(path, width, height);
+    Warnings warnings;
+    auto scene = io::load(SCANOUT_SOURCE_DIR "/models/" + path, {}, warnings);
+    if (!scene) ADD_FAILURE() << scene.error().what;
+    if (scene) s.scene = std::move(*scene);
+    return s;
+}
+
+// Of what is asked for, but for rungs.
+inline trace::Reference reference_of(const Shot& s, std::uint32_t most_samples) {
+    const auto plan =
+        frame::plan(measure::without_rungs(s.options), frame::facts(s.scene), view_of(s));
+    if (!plan) ADD_FAILURE() << s.name << ": " << plan.error().what;
+    if (!plan) return {};
+    const auto look = app::look_of(*plan);
+    if (!look) ADD_FAILURE() << s.name << ": " << look.error().what;
+    if (!look) return {};
+    Jobs jobs(2);
+    return *trace::render(s.scene, view_of(s), *look, jobs, {}, {most_samples});
+}
+
+} // namespace scanout::test
