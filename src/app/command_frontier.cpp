@@ -100,14 +100,15 @@ public:
         std::optional<ProgressBar> bar(std::in_place, "measuring " + model_.scene.path,
                                        settings_.quiet);
         measure::FrontierOptions how;
-        how.axes = settings_.axes;
+        if (!settings_.axes.empty()) how.axes = settings_.axes;
         how.times = !settings_.no_times;
         if (settings_.seconds > 0)
             how.seconds = settings_.seconds;
         else if (how.times) // errors alone do not depend on the clock: there all are measured
             how.seconds = settings_.quick ? kQuickSeconds : kSeconds;
         how.seconds_a_point = how.seconds / 240;
-        how.flip_of_all = !settings_.quick && !settings_.no_times;
+        if (settings_.quick || settings_.no_times)
+            how.flip = measure::FrontierOptions::Flip::of_frontier;
         how.progress = [&](double fraction) { bar->show(fraction); };
         how.stop = Interrupt::asked;
         TRY(report.found, measure::frontier(model_.scene, facts_, view_, settings_.frame, jobs_,

@@ -53,11 +53,13 @@ struct Frontier {
 };
 
 struct FrontierOptions {
-    std::vector<std::string> axes; // of ladder_axes(); empty: all
-    bool times = true;             // without: ladders alone, errors alone
+    enum class Flip { none, of_frontier, of_all };
+    std::optional<std::vector<std::string>> axes; // of ladder_axes(); nothing: all
+    bool times = true;                            // without: ladders alone, errors alone
     double seconds = 1e9;          // of measuring; what is not measured by then is left out
     double seconds_a_point = 0.25; // of its frames; 2 kLeastPairs frames in any case
-    bool flip_of_all = true;       // else of the frontier alone
+    bool effects = true;           // their prices
+    Flip flip = Flip::of_all;
     std::function<void(double fraction)> progress;
     std::function<bool()> stop; // asked often: true ends the measurement, and what there is counts
 };

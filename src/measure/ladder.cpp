@@ -42,23 +42,23 @@ frame::FrameOptions without_rungs(const frame::FrameOptions& options) {
     return plain;
 }
 
-Ladder ladder(Points& points, std::string_view axis, const std::function<bool()>& stop) {
+Ladder ladder_of(const Points& points, std::string_view axis) {
     Ladder made{axis, {}, {}};
     const std::string asked = frame::asked_for(points.options(), axis);
     if (!frame::is_auto(asked) && !is_rung(axis, asked)) {
         made.left_out = fmt::format("{} is a choice, and no rung draws its picture", asked);
         return made;
     }
-    for (const std::string_view technique : rungs_on(axis)) {
-        if (stop()) break;
-        LadderRung rung{technique, {}, {}};
-        if (const auto point = points.at({{axis, technique}}))
-            rung.point = *point;
-        else
-            rung.refusal = point.error().what;
-        made.rungs.push_back(std::move(rung));
-    }
+    for (const std::string_view technique : rungs_on(axis))
+        made.rungs.push_back({technique, {}, {}});
     return made;
+}
+
+void draw(Points& points, std::string_view axis, LadderRung& rung) {
+    if (const auto point = points.at({{axis, rung.technique}}))
+        rung.point = *point;
+    else
+        rung.refusal = point.error().what;
 }
 
 } // namespace scanout::measure

@@ -5,7 +5,6 @@
 
 #include "measure/points.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,6 +16,7 @@ struct LadderRung {
     std::string_view technique;
     std::optional<std::size_t> point; // of Points; nothing where the plan refuses it
     std::string refusal;
+    bool is_drawn() const { return point.has_value() || !refusal.empty(); }
 };
 
 struct Ladder {
@@ -34,7 +34,9 @@ std::vector<std::string_view> ladder_axes();
 // itself. Models and filters stay, for the reference knows them.
 frame::FrameOptions without_rungs(const frame::FrameOptions& options);
 
-// Draws and compares every rung. Ends early where `stop` says so: then rungs are missing.
-Ladder ladder(Points& points, std::string_view axis, const std::function<bool()>& stop);
+// The rungs of an axis, none of them drawn.
+Ladder ladder_of(const Points& points, std::string_view axis);
+// Draws the picture of a rung and compares it.
+void draw(Points& points, std::string_view axis, LadderRung& rung);
 
 } // namespace scanout::measure

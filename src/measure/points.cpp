@@ -12,7 +12,7 @@
 
 namespace scanout::measure {
 
-std::string Point::options() const {
+std::string options_of(const std::vector<Rung>& rungs) {
     std::string text;
     for (const Rung& rung : rungs)
         text += fmt::format("{}--{} {}", text.empty() ? "" : " ", frame::option_of(rung.axis),
@@ -61,20 +61,25 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
     return points_.size() - 1;
 }
 
-Price Points::price_of(const frame::FramePlan& plan, double seconds) {
-    PairedTimer timer = renderers_.timer(points_.front().plan, plan, seconds);
-    while (!timer.finished())
-        timer.step();
+Price Points::taken(const PairedTimer& timer) {
     const std::vector<Cost>& own = timer.costs_of_a();
     own_costs_.insert(own_costs_.end(), own.begin(), own.end());
     return -timer.price();
 }
 
-void Points::time(std::size_t point, double seconds) {
+bool Points::time_more(std::size_t point, double seconds) {
     Point& p = points_[point];
-    if (p.price && !own_costs_.empty()) return;
-    const Price price = price_of(p.plan, seconds);
+    if (p.price && !own_costs_.empty()) return true;
+    if (!timer_ || timed_ != point) {
+        timer_.emplace(renderers_.timer(points_.front().plan, p.plan, seconds));
+        timed_ = point;
+    }
+    timer_->step();
+    if (!timer_->finished()) return false;
+    const Price price = taken(*timer_);
+    timer_.reset();
     if (!p.price) p.price = price; // that of the first point is known before its cost
+    return true;
 }
 
 Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {
@@ -82,7 +87,10 @@ Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {
     const image::Difference d =
         image::compare(renderers_.a().render(scene_, view_, points_.front().plan),
                        renderers_.b().render(scene_, view_, without));
-    return {-price_of(without, seconds), d.differing_pixels};
+    PairedTimer timer = renderers_.timer(points_.front().plan, without, seconds);
+    while (!timer.finished())
+        timer.step();
+    return {-taken(timer), d.differing_pixels};
 }
 
 image::Image Points::drawn(std::size_t point) {

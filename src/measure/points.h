@@ -13,6 +13,7 @@
 #include "scene/view.h"
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,9 @@ struct Rung {
     friend bool operator==(const Rung&, const Rung&) = default;
 };
 
+// "--aa samples_4 --texture trilinear": what to add to the command line; "" for nothing.
+std::string options_of(const std::vector<Rung>& rungs);
+
 struct Point {
     std::vector<Rung> rungs; // that differ from what is asked for; empty: as asked for
     frame::FramePlan plan;
@@ -34,8 +38,7 @@ struct Point {
     image::Metrics error;
     std::optional<float> mean_flip;
     std::optional<Price> price; // over the point as asked for
-    // "--aa samples_4 --texture trilinear": what to add to the command line; "" for nothing.
-    std::string options() const;
+    std::string options() const { return options_of(rungs); }
 };
 
 class Points {
@@ -47,12 +50,12 @@ public:
                                                   const frame::FrameOptions& options, Jobs& jobs,
                                                   const image::Image& reference);
 
-    const std::vector<Point>& all() const { return points_; }
+    const std::deque<Point>& all() const { return points_; }
     const Point& operator[](std::size_t point) const { return points_[point]; }
     // Draws and compares, unless a point draws alike already. Fails like frame::plan.
     Result<std::size_t> at(const std::vector<Rung>& rungs);
-    // Frames of the point and of the first one in turn; nothing happens where both are timed.
-    void time(std::size_t point, double seconds);
+    // Two frames of the point and two of the first one, in turn, until both are timed; true then.
+    bool time_more(std::size_t point, double seconds);
     // What another plan takes less than the first point, and the pixels in which they differ.
     struct Saving {
         Price price;
@@ -71,7 +74,7 @@ public:
 private:
     Points(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
            const frame::FrameOptions& options, Jobs& jobs, const image::Image& reference);
-    Price price_of(const frame::FramePlan& plan, double seconds); // over the first point
+    Price taken(const PairedTimer& timer); // what its b costs over the first point
 
     const scene::Scene& scene_;
     frame::SceneFacts facts_;
@@ -79,9 +82,11 @@ private:
     frame::FrameOptions options_;
     Jobs& jobs_;
     const image::Image& reference_;
-    RendererPair renderers_; // of the first point, and of the others
-    std::vector<Point> points_;
+    RendererPair renderers_;   // of the first point, and of the others
+    std::deque<Point> points_; // stay where they are: timer_ names them
     std::vector<Cost> own_costs_;
+    std::size_t timed_ = 0;            // the point that timer_ times
+    std::optional<PairedTimer> timer_; // until it is finished
 };
 
 } // namespace scanout::measure

@@ -46,13 +46,14 @@ struct Measured {
 
 FrontierOptions errors_alone() {
     FrontierOptions how;
-    how.times = how.flip_of_all = false;
+    how.times = false;
+    how.flip = FrontierOptions::Flip::of_frontier;
     return how;
 }
 
 FrontierOptions quick() {
     FrontierOptions how;
-    how.axes = {"aa", "texture", "shading"};
+    how.axes = {{"aa", "texture", "shading"}};
     how.seconds_a_point = 0.001;
     return how;
 }
@@ -223,7 +224,7 @@ TEST(Frontier, PricesNoLight) {
 TEST(Frontier, LeavesSlowRungsOut) {
     FrontierOptions how = quick();
     bool timing = false;
-    int left = 6;
+    int left = 60;                                                        // steps: four frames each
     how.progress = [&](double done) { timing = timing || done >= 0.15; }; // effects are done
     how.stop = [&] { return timing && --left < 0; };
     const Measured m(test::textured_cube("cube", "auto"), how);

@@ -1,0 +1,181 @@
+// The search for the frontier: whole configurations, from the cheapest one upwards, and which of
+// all that was measured are on the frontier.
+#include "measure/frontier_search.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace scanout::measure {
+namespace {
+
+bool overlap(const Difference& a, const Difference& b) {
+    return a.low <= b.high && b.low <= a.high;
+}
+
+} // namespace
+
+// Of two points: the first errs no more than the other by a tenth of a code, where errors add
+// up as squares. Less is not worth a word.
+bool FrontierSearch::as_accurate(std::size_t a, std::size_t b) const {
+    constexpr double kTold = 0.1; // codes
+    return found_.error(a) * found_.error(a) <= found_.error(b) * found_.error(b) + kTold * kTold;
+}
+// Of whole pictures: enough to be worth a step, a fiftieth at least.
+bool FrontierSearch::buys(std::size_t from, std::size_t to) const {
+    return !as_accurate(from, to) && found_.error(to) < 0.98 * found_.error(from);
+}
+// And the time of s may be as short as that of r.
+bool FrontierSearch::as_good(const Step& s, const Step& r) const {
+    return (*found_.points)[s.point].price->cpu_ratio.low <=
+               (*found_.points)[r.point].price->cpu_ratio.high &&
+           as_accurate(s.point, r.point);
+}
+// Of two that are as good as each other: what is asked for, else the higher rung.
+bool FrontierSearch::replaces(const Step& s, const Step& r) const {
+    return as_good(s, r) && (!as_good(r, s) || s.point == 0 || (r.point != 0 && &s > &r));
+}
+
+// The rungs of an axis that no other one can stand for, quickest first.
+FrontierSearch::Way FrontierSearch::way_up(const Ladder& ladder) const {
+    std::vector<Step> steps;
+    for (const LadderRung& rung : ladder.rungs)
+        if (rung.point && (*found_.points)[*rung.point].price)
+            steps.push_back({rung.technique, *rung.point});
+    Way way{ladder.axis, {}, 0};
+    std::copy_if(steps.begin(), steps.end(), std::back_inserter(way.steps), [&](const Step& r) {
+        return std::none_of(steps.begin(), steps.end(),
+                            [&](const Step& s) { return &s != &r && replaces(s, r); });
+    });
+    std::stable_sort(way.steps.begin(), way.steps.end(), [&](const Step& a, const Step& b) {
+        return found_.cpu_ms(a.point) < found_.cpu_ms(b.point);
+    });
+    return way;
+}
+
+// Leaves out what is asked for anyway, or changes nothing.
+std::vector<Rung> FrontierSearch::shortest(std::vector<Rung> rungs) const {
+    const auto plan_of = [&](const std::vector<Rung>& some) {
+        frame::FrameOptions options = found_.points->options();
+        for (const Rung& rung : some)
+            frame::ask(options, rung.axis, rung.technique);
+        return found_.points->plan(options);
+    };
+    const auto whole = plan_of(rungs);
+    for (std::size_t i = 0; whole && i < rungs.size();) {
+        std::vector<Rung> fewer = rungs;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto plan = plan_of(fewer);
+        if (plan && frame::draws_alike(*plan, *whole))
+            rungs = std::move(fewer);
+        else
+            ++i;
+    }
+    return rungs;
+}
+
+std::optional<std::size_t> FrontierSearch::measured(const std::vector<Way>& ways) {
+    std::vector<Rung> rungs;
+    for (const Way& way : ways)
+        rungs.push_back({way.axis, way.steps[way.at].technique});
+    const auto point = found_.points->at(shortest(std::move(rungs)));
+    return point ? std::optional(*point) : std::nullopt;
+}
+
+// From the cheapest rungs of all axes upwards.
+void FrontierSearch::begin_climb() {
+    for (const Ladder& ladder : found_.ladders) {
+        if (ladder.is_flat()) continue;
+        Way way = way_up(ladder);
+        if (way.steps.empty()) continue;
+        all_steps_ += way.steps.size();
+        ways_.push_back(std::move(way));
+    }
+    const std::optional<std::size_t> cheapest = measured(ways_);
+    phase_ = cheapest ? Phase::climb : Phase::end;
+    if (!cheapest) return;
+    timed_ = now_ = *cheapest;
+    list_steps_up();
+}
+
+void FrontierSearch::list_steps_up() {
+    untried_.clear();
+    tried_.clear();
+    for (std::size_t w = ways_.size(); w-- > 0;)
+        for (std::size_t at = ways_[w].steps.size(); --at > ways_[w].at;)
+            untried_.push_back({w, at, 0});
+}
+
+// The next step is that rung of any axis which, as part of the whole, lowers the error most for its
+// time.
+void FrontierSearch::try_step_up() {
+    if (is_late(1)) {
+        phase_ = Phase::end;
+        return;
+    }
+    if (untried_.empty()) return take_best_step();
+    Candidate candidate = untried_.back();
+    untried_.pop_back();
+    std::vector<Way> ways = ways_;
+    ways[candidate.way].at = candidate.at;
+    const std::optional<std::size_t> point = measured(ways);
+    if (!point || !buys(now_, *point)) return;
+    candidate.point = *point;
+    timed_ = *point;
+    tried_.push_back(candidate);
+}
+
+void FrontierSearch::take_best_step() {
+    const Candidate* best = nullptr;
+    for (const Candidate& candidate : tried_)
+        if (gain_of(now_, candidate.point) > (best != nullptr ? gain_of(now_, best->point) : 0))
+            best = &candidate;
+    if (best == nullptr) {
+        phase_ = Phase::end;
+        return;
+    }
+    ways_[best->way].at = best->at;
+    now_ = best->point;
+    ++steps_taken_;
+    fraction_ = 0.6 + 0.3 * static_cast<double>(steps_taken_) / static_cast<double>(all_steps_);
+    list_steps_up();
+}
+
+// Codes for a millisecond; what costs nothing comes first.
+double FrontierSearch::gain_of(std::size_t from, std::size_t to) const {
+    const double least = 0.001 * found_.cpu_ms(from);
+    return (found_.error(from) - found_.error(to)) /
+           std::max(found_.cpu_ms(to) - found_.cpu_ms(from), least);
+}
+
+// Neither its time nor its error can be told from what is asked for anyway, which stands for
+// it.
+bool FrontierSearch::is_as_asked(std::size_t i) const {
+    const Difference& ratio = (*found_.points)[i].price->cpu_ratio;
+    return i != 0 && ratio.low <= 1 && ratio.high >= 1 && as_accurate(0, i);
+}
+
+void FrontierSearch::draw_frontier() {
+    if (!found_.points->cost()) return;
+    std::vector<std::size_t> timed;
+    std::vector<TimedError> at;
+    for (std::size_t i = 0; i < found_.points->all().size(); ++i) {
+        if (!(*found_.points)[i].price || is_as_asked(i)) continue;
+        timed.push_back(i);
+        at.push_back({found_.cpu_ms(i), found_.error(i)});
+    }
+    const auto time_of = [&](std::size_t point) {
+        return (*found_.points)[point].price->cpu_ratio;
+    };
+    for (const std::size_t i : pareto_set(at)) {
+        const std::size_t point = timed[i];
+        if (!found_.frontier.empty()) {
+            FrontierPoint& last = found_.frontier.back();
+            if (!buys(last.point, point)) continue;
+            last.ties_with_next = overlap(time_of(last.point), time_of(point));
+        }
+        found_.frontier.push_back({point, false});
+    }
+}
+
+} // namespace scanout::measure
