@@ -1,13 +1,28 @@
 #include "image/hash.h"
 
-#include "base/check.h"
-
 #include <array>
-#include <memory>
 
+#define XXH_STATIC_LINKING_ONLY // the state stands in ours
 #include <xxhash.h>
 
 namespace scanout::image {
+
+struct Hasher::State {
+    XXH64_state_t xxh;
+};
+
+Hasher::Hasher() : state_(std::make_unique<State>()) {
+    XXH64_reset(&state_->xxh, 0);
+}
+Hasher::~Hasher() = default;
+
+void Hasher::add(std::span<const std::byte> bytes) {
+    if (!bytes.empty()) XXH64_update(&state_->xxh, bytes.data(), bytes.size());
+}
+
+std::uint64_t Hasher::hash() const {
+    return XXH64_digest(&state_->xxh);
+}
 
 std::uint64_t frame_hash(const Image& image) {
     std::array<std::uint8_t, 8> size{};
@@ -16,16 +31,10 @@ std::uint64_t frame_hash(const Image& image) {
         size[4 + i] =
             static_cast<std::uint8_t>(static_cast<std::uint32_t>(image.height()) >> (8 * i));
     }
-    const std::unique_ptr<XXH64_state_t, XXH_errorcode (*)(XXH64_state_t*)> state(
-        XXH64_createState(), XXH64_freeState);
-    CHECK(state != nullptr);
-    XXH64_reset(state.get(), 0);
-    XXH64_update(state.get(), size.data(), size.size());
-    // The rows stand one after the other without padding, as r, g, b, a bytes: one update hashes
-    // all.
-    if (!image.empty())
-        XXH64_update(state.get(), image.pixels().data(), image.pixels().size_bytes());
-    return XXH64_digest(state.get());
+    Hasher hasher;
+    hasher.add(std::as_bytes(std::span(size)));
+    hasher.add(std::as_bytes(image.pixels())); // rows without padding, r, g, b, a
+    return hasher.hash();
 }
 
 std::string hash_text(std::uint64_t hash) {
