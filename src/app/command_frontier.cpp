@@ -4,6 +4,7 @@
 #include "app/frontier_chart.h"
 #include "app/frontier_files.h"
 #include "app/interrupt.h"
+#include "app/machine.h"
 #include "app/message.h"
 #include "app/model_file.h"
 #include "app/picture.h"
@@ -18,8 +19,6 @@
 #include "trace/render.h"
 
 #include <algorithm>
-#include <ctime>
-#include <fstream>
 #include <optional>
 #include <utility>
 
@@ -54,21 +53,6 @@ Result<void> check_frontier(const Settings& s) {
     const std::vector<std::string> outputs = outputs_of(s);
     TRY_VOID(check_standard_output(outputs));
     return check_outputs(s.arguments, outputs);
-}
-
-std::string machine_name() {
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);)
-        if (line.starts_with("model name"))
-            return line.substr(std::min(line.find(": ") + 2, line.size()));
-    return "unknown processor";
-}
-
-std::string today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    ::gmtime_r(&now, &utc);
-    return fmt::format("{:04}-{:02}-{:02}", utc.tm_year + 1900, utc.tm_mon + 1, utc.tm_mday);
 }
 
 bool of_one_colour(const image::Image& picture) {
