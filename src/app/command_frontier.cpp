@@ -9,6 +9,7 @@
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
+#include "app/quick.h"
 #include "app/reference.h"
 #include "app/report.h"
 #include "base/check.h"
@@ -25,9 +26,9 @@
 namespace scanout::app {
 namespace {
 
-// What is spent where the user does not say.
-constexpr double kSeconds = 40, kQuickSeconds = 10;
-constexpr std::uint32_t kSamples = 1024, kQuickSamples = 128; // of the reference, at most
+// What is spent where the user does not say, and it need not be quick.
+constexpr double kSeconds = 40;
+constexpr std::uint32_t kSamples = 1024; // of the reference, at most
 
 std::vector<std::string> outputs_of(const Settings& s) {
     return {s.json.value_or(""), s.csv, s.chart_svg, s.chart_png, s.report_html};
@@ -53,12 +54,6 @@ Result<void> check_frontier(const Settings& s) {
     const std::vector<std::string> outputs = outputs_of(s);
     TRY_VOID(check_standard_output(outputs));
     return check_outputs(s.arguments, outputs);
-}
-
-bool of_one_colour(const image::Image& picture) {
-    const auto pixels = picture.pixels();
-    return std::all_of(pixels.begin(), pixels.end(),
-                       [&](const image::Rgba8& p) { return p == pixels[0]; });
 }
 
 class FrontierRun {
@@ -111,33 +106,19 @@ public:
 private:
     // Of what is asked for, but for rungs.
     Result<void> draw_reference(FrontierReport& report) {
-        if (model_.scene.mesh.triangles() == 0)
-            return fail(Exit::usage,
-                        "{}: nothing to gain: it has no triangles, and lines and points have no "
-                        "reference; name another model",
-                        model_.scene.path);
-        TRY(const frame::FramePlan plan,
-            frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
-        TRY(const trace::Look look, look_of(plan));
-        TRY_VOID(check_reference_fits(model_.scene));
-        warn(left_out_of_reference(model_.scene), report);
         const Stopwatch watch;
         trace::Effort effort{settings_.quick ? kQuickSamples : kSamples};
         if (settings_.reference_samples > 0)
             effort.most_samples = static_cast<std::uint32_t>(settings_.reference_samples);
         ProgressBar bar("tracing " + model_.scene.path, settings_.quiet);
-        TRY(trace::Reference made, trace::render(
-                                       model_.scene, view_, look, jobs_,
-                                       [&](double fraction) { bar.show(fraction); }, effort));
+        TRY(trace::Reference made,
+            reference_of_rungs(model_.scene, facts_, view_, settings_.frame, jobs_, effort,
+                               [&](double fraction) { bar.show(fraction); }));
+        warn(left_out_of_reference(model_.scene), report);
         report.reference_ms = watch.milliseconds();
         report.reference_samples = made.samples;
         report.noise = made.mean_error();
         report.reference = std::move(made.image);
-        if (of_one_colour(report.reference))
-            return fail(Exit::usage,
-                        "{}: nothing to gain: every pixel of the picture has one colour, however "
-                        "it is drawn; turn the camera to the model, or name another one",
-                        model_.scene.path);
         return {};
     }
 

@@ -1,4 +1,5 @@
 // scanout render: a model, drawn to files without a display.
+#include "app/budget.h"
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/message.h"
@@ -192,9 +193,31 @@ private:
     bool told_blank_ = false;
 };
 
+// Rungs that meet --budget and --max-error, by the first picture.
+Result<Chosen> choose_for(const Settings& s, const LoadedModel& model, Jobs& jobs) {
+    const frame::SceneFacts facts = frame::facts(model.scene, s.frame.shadow_plane);
+    TRY(const scene::View view, scene::make_view(model.scene.mesh, s.model, {}, camera_of(s, model),
+                                                 {}, s.frame.width, s.frame.height));
+    std::string bar_of;
+    std::optional<ProgressBar> bar;
+    const auto progress = [&](std::string_view doing, double fraction) {
+        if (bar_of != doing) bar.emplace(fmt::format("{} {}", doing, model.scene.path), s.quiet);
+        bar_of = doing;
+        bar->show(fraction);
+    };
+    TRY(Chosen chosen,
+        choose_rungs({model.scene, facts, view, s.frame, free_axes(s), jobs, progress}, s.limits));
+    bar.reset();
+    print_warnings(chosen.notes, s);
+    if (!chosen.choice.met()) return fail(Exit::usage, "{}", chosen.instead);
+    if (!s.quiet) say(to_text(chosen));
+    return chosen;
+}
+
 } // namespace
 
-Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
+Result<Exit> run_render(const Settings& asked, std::uint64_t start_bytes) {
+    Settings settings = asked;
     TRY(const PictureFormat format, check_render(settings));
     TRY_VOID(check_files(settings));
     Jobs jobs(settings.threads);
@@ -209,6 +232,10 @@ Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
     report.warnings = model.warnings;
     report.start_bytes = start_bytes;
     report.threads = jobs.threads();
+    if (settings.limits.any()) {
+        TRY(report.chosen, choose_for(settings, model, jobs));
+        settings.frame = measure::with(std::move(settings.frame), report.chosen->point.rungs);
+    }
     RenderRun run(settings, format, model, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));

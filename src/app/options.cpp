@@ -161,6 +161,20 @@ Result<void> read_axis(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_budget(Settings& s, std::string_view text) {
+    s.limits.wall_ms.reset();
+    if (text == "none") return {};
+    TRY(s.limits.wall_ms, parse_time(text));
+    return {};
+}
+
+Result<void> read_max_error(Settings& s, std::string_view text) {
+    TRY(const double codes, parse_real(text));
+    if (codes < 0 || codes > 255) return fail(Exit::usage, "must be 0 to 255, not {}", text);
+    s.limits.error = codes;
+    return {};
+}
+
 Result<void> read_limit(Settings& s, std::string_view text) {
     TRY(s.limit, parse_real(text));
     return {};
@@ -404,6 +418,13 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"quick", 0, "", "", "", 0, 0, Group::times, kFrontier,
      Switch([](Settings& s) -> bool& { return s.quick; }),
      "10 seconds, a noisier reference, FLIP of the frontier alone"},
+    {"budget", 0, "TIME", "", "none", 0, 0, Group::times, kView | kRender, Parsed(read_budget),
+     "draw with the most accurate rungs whose frames take no longer on this machine (16ms, 0.5s; a "
+     "number is milliseconds); axes that the command line names stay as named; measured once, then "
+     "remembered"},
+    {"max-error", 0, "CODES", "", "", 0, 0, Group::times, kView | kRender, Parsed(read_max_error),
+     "draw with the quickest rungs that err no more against the reference: root mean square of "
+     "sRGB codes, 0 to 255; with --budget: within that time"},
     {"frames", 0, "N", "", "1", 1, 100000, Group::times, kRender,
      Integer([](Settings& s) -> int& { return s.frames; }),
      "draw each picture N times, for times in --json"},
@@ -509,6 +530,15 @@ struct Applier {
     Result<void> operator()(Parsed slot) const { return slot(settings, text); }
 };
 
+// The axis whose technique the option names; "": none.
+std::string_view axis_of(const Option& option) {
+    if (option.name == "samples") return "aa";
+    const auto* const found =
+        std::find_if(std::begin(kAxes), std::end(kAxes),
+                     [&](const AxisOption& axis) { return is_option_of(option.name, axis.axis); });
+    return found != std::end(kAxes) ? found->axis : "";
+}
+
 std::string range_text(const Option& option) {
     return option.max > option.min ? fmt::format("{} to {}", option.min, option.max)
                                    : std::string();
@@ -537,6 +567,8 @@ std::string value_text(const Option& option) {
 Result<void> apply(const Option& option, std::string_view text, Settings& settings) {
     const Result<void> applied = std::visit(Applier{option, text, settings}, option.slot);
     if (!applied) return fail(applied.error().exit, "--{} {}", option.name, applied.error().what);
+    if (const std::string_view axis = axis_of(option); !axis.empty())
+        settings.named_axes.emplace(axis);
     return {};
 }
 
@@ -553,6 +585,15 @@ Result<void> check_together(const Settings& s) {
     if (s.metric != Metric::none && (s.max_difference != 0 || s.max_pixels != 0))
         return fail(Exit::usage, "--metric has the tolerance --limit; leave --max-diff and "
                                  "--max-pixels out");
+    if (s.reference && s.limits.any())
+        return fail(Exit::usage, "--reference has no rungs to choose; leave {} out",
+                    s.limits.wall_ms ? "--budget" : "--max-error");
+    if (s.limits.any() && (s.no_times || !s.record.empty() || !s.replay.empty()))
+        return fail(Exit::usage, "{} chooses by the clock, which {} leaves out; give one of them",
+                    s.limits.wall_ms ? "--budget" : "--max-error",
+                    s.no_times         ? "--no-times"
+                    : s.replay.empty() ? "--record"
+                                       : "--replay");
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};
 }

@@ -1,6 +1,7 @@
 #include "app/reference.h"
 
 #include "base/available_memory.h"
+#include "measure/ladder.h"
 #include "rows.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
@@ -108,6 +109,30 @@ Result<void> check_reference_fits(const scene::Scene& scene) {
     return fail(Exit::unreadable,
                 "{}: the reference takes about {} MiB for {} triangles, and {} MiB are left",
                 scene.path, wanted >> 20, scene.mesh.triangles(), available >> 20);
+}
+
+Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
+                                            const frame::SceneFacts& facts, const scene::View& view,
+                                            const frame::FrameOptions& options, Jobs& jobs,
+                                            const trace::Effort& effort,
+                                            const std::function<void(double)>& progress) {
+    if (scene.mesh.triangles() == 0)
+        return fail(Exit::usage,
+                    "{}: nothing to gain: it has no triangles, and lines and points have no "
+                    "reference; name another model",
+                    scene.path);
+    TRY(const frame::FramePlan plan, frame::plan(measure::without_rungs(options), facts, view));
+    TRY(const trace::Look look, look_of(plan));
+    TRY_VOID(check_reference_fits(scene));
+    TRY(trace::Reference made, trace::render(scene, view, look, jobs, progress, effort));
+    const auto pixels = made.image.pixels();
+    if (std::all_of(pixels.begin(), pixels.end(),
+                    [&](const image::Rgba8& p) { return p == pixels[0]; }))
+        return fail(Exit::usage,
+                    "{}: nothing to gain: every pixel of the picture has one colour, however it is "
+                    "drawn; turn the camera to the model, or name another one",
+                    scene.path);
+    return made;
 }
 
 std::vector<std::string> left_out_of_reference(const scene::Scene& scene) {

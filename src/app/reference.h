@@ -1,11 +1,14 @@
 // The reference (src/trace) of what a plan draws: its choices without its rungs.
 #pragma once
 
+#include "base/jobs.h"
 #include "base/result.h"
 #include "frame/plan/plan.h"
 #include "scene/scene.h"
 #include "trace/look.h"
+#include "trace/render.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +20,14 @@ Result<trace::Look> look_of(const frame::FramePlan& plan);
 
 // Fails (Exit::unreadable) where the model does not fit into memory a second time.
 Result<void> check_reference_fits(const scene::Scene& scene);
+
+// The reference of what is asked for, but for rungs: what these are measured against. Fails as
+// above, and (Exit::usage) where there is nothing to gain: no triangle, or a picture of one colour.
+Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
+                                            const frame::SceneFacts& facts, const scene::View& view,
+                                            const frame::FrameOptions& options, Jobs& jobs,
+                                            const trace::Effort& effort,
+                                            const std::function<void(double)>& progress);
 
 // What of the scene is not in the reference, a line each.
 std::vector<std::string> left_out_of_reference(const scene::Scene& scene);

@@ -74,6 +74,20 @@ Json price_json(const measure::Price& price) {
     return json;
 }
 
+Json chosen_json(const Chosen& chosen) {
+    const auto limit = [](const std::optional<double>& value) {
+        return value ? Json(*value) : Json(nullptr);
+    };
+    return {{"options", chosen.point.options()},
+            {"ms", rounded(chosen.point.wall_ms)},
+            {"rmse_codes", std::round(chosen.point.error * 1e4) / 1e4},
+            {"budget_ms", limit(chosen.limits.wall_ms)},
+            {"max_error", limit(chosen.limits.error)},
+            {"met", chosen.choice.met()},
+            {"measured", chosen.date},
+            {"cached", chosen.cached}};
+}
+
 Json effect_json(const measure::EffectRow& row) {
     const frame::Decision& d = row.decision;
     Json json = {{"effect", d.effect}, {"on", d.on()},       {"technique", d.technique},
@@ -125,26 +139,27 @@ std::string to_json(const RunReport& report) {
     const frame::FrameStats drawn =
         report.frames.empty() ? frame::FrameStats{} : report.frames.front().stats;
     const scene::ModelCounts& counts = report.counts;
-    return json_text(
-        {{"model",
-          {{"path", report.model_path},
-           {"vertices", counts.vertices},
-           {"faces", counts.faces},
-           {"triangles", counts.triangles},
-           {"lines", counts.lines},
-           {"points", counts.points},
-           {"skipped", counts.skipped},
-           {"bytes", counts.bytes}}},
-         {"frames", frames},
-         {"ms", times(report)},
-         {"triangles",
-          {{"submitted", drawn.triangles_submitted}, {"drawn", drawn.triangles_drawn}}},
-         {"warnings", report.warnings},
-         {"rss_start_bytes", report.start_bytes},
-         {"peak_rss_bytes", peak_resident_bytes()},
-         {"threads", report.threads},
-         {"target", simd::chosen_target()},
-         {"version", SCANOUT_VERSION}});
+    Json json = {
+        {"model",
+         {{"path", report.model_path},
+          {"vertices", counts.vertices},
+          {"faces", counts.faces},
+          {"triangles", counts.triangles},
+          {"lines", counts.lines},
+          {"points", counts.points},
+          {"skipped", counts.skipped},
+          {"bytes", counts.bytes}}},
+        {"frames", frames},
+        {"ms", times(report)},
+        {"triangles", {{"submitted", drawn.triangles_submitted}, {"drawn", drawn.triangles_drawn}}},
+        {"warnings", report.warnings},
+        {"rss_start_bytes", report.start_bytes},
+        {"peak_rss_bytes", peak_resident_bytes()},
+        {"threads", report.threads},
+        {"target", simd::chosen_target()},
+        {"version", SCANOUT_VERSION}};
+    if (report.chosen) json["chosen"] = chosen_json(*report.chosen);
+    return json_text(json);
 }
 
 std::string to_json(const Comparison& compared, const Settings& settings,

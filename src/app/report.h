@@ -1,6 +1,7 @@
 // What a run reports as JSON: one object a run (README, "JSON").
 #pragma once
 
+#include "app/budget.h"
 #include "app/comparison.h"
 #include "app/model_file.h"
 #include "app/settings.h"
@@ -11,6 +12,7 @@
 #include "scene/scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,7 +39,8 @@ struct RunReport {
     std::vector<ReferenceRecord> references; // of the same pictures, where they are references
     double load_ms = 0;
     io::LoadTimes load_times;
-    double encode_ms = 0; // of the first picture
+    double encode_ms = 0;         // of the first picture
+    std::optional<Chosen> chosen; // by --budget or --max-error
     std::vector<std::string> warnings;
     std::uint64_t start_bytes = 0;
     int threads = 1;

@@ -4,10 +4,13 @@
 #include "frame/options.h"
 #include "image/pixel_format.h"
 #include "io/formats.h"
+#include "measure/known_frontier.h"
 #include "scene/view.h"
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -35,6 +38,8 @@ struct Settings {
     std::vector<std::string> arguments; // models, pictures, or what to list
 
     frame::FrameOptions frame;
+    std::set<std::string, std::less<>> named_axes; // of techniques, that the command line names
+    measure::Limits limits; // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
     std::optional<io::ModelFormat> model_format; // --model-format
     int max_memory_mb = 0;      // that a model may take while it is loaded; 0: what is available

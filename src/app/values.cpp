@@ -61,6 +61,18 @@ Result<double> parse_real(std::string_view text) {
     return fail(Exit::usage, "wants a number, not '{}'", text);
 }
 
+Result<double> parse_time(std::string_view text) {
+    const bool ms = text.ends_with("ms"), s = !ms && text.ends_with("s");
+    const auto value = whole_number<double>(text.substr(0, text.size() - (ms ? 2 : s ? 1 : 0)));
+    if (!value || !std::isfinite(*value))
+        return fail(Exit::usage, "wants a time such as 16ms or 0.5s, not '{}'", text);
+    const double milliseconds = s ? *value * 1000 : *value;
+    if (milliseconds <= 0 || milliseconds > kLongestTime)
+        return fail(Exit::usage, "must be more than 0 and at most {} s, not {}",
+                    kLongestTime / 1000, text);
+    return milliseconds;
+}
+
 Result<std::vector<double>> parse_list(std::string_view text, std::size_t least, std::size_t most) {
     std::vector<double> values;
     std::size_t count = 1;

@@ -15,6 +15,9 @@ namespace scanout::app {
 
 Result<std::int64_t> parse_integer(std::string_view text);
 Result<double> parse_real(std::string_view text); // finite
+// "16ms", "0.02s", "16": milliseconds, above 0 and at most kLongestTime.
+Result<double> parse_time(std::string_view text);
+inline constexpr double kLongestTime = 3'600'000;
 // Between `least` and `most` numbers with commas between them: "30,20".
 Result<std::vector<double>> parse_list(std::string_view text, std::size_t least, std::size_t most);
 Result<DVec3> parse_vector(std::string_view text); // X,Y,Z

@@ -280,7 +280,7 @@ Result<void> ViewSession::outcome() const {
 Result<void> ViewSession::load(bool again) {
     const Time start = std::chrono::steady_clock::now();
     Result<LoadedModel> model = load_model(path(), settings_, parts_.jobs, [&](double share) {
-        return report_progress(share, start);
+        return report_progress("reading", share, start);
     });
     if (quit_) return {};
     explain_.stop(); // the model that it explains is going
@@ -294,7 +294,9 @@ Result<void> ViewSession::load(bool again) {
     }
     if (!settings_.up_given) viewer_.take_up_of_file(model->up);
     slot_.put(*std::move(model), settings_.frame);
-    return report_plan();
+    chosen_.reset();
+    TRY_VOID(report_plan());
+    return settings_.limits.any() ? choose_rungs() : Result<void>();
 }
 
 // Options that no technique answers to, and cameras that see nothing, are faults of the command.
@@ -310,8 +312,34 @@ Result<void> ViewSession::report_plan() {
     return {};
 }
 
-// While a file is read: a notice on the display once that takes long, and a look at the keys.
-bool ViewSession::report_progress(double share, Time start) {
+// By the view that opens. What cannot be met is no fault: the nearest is shown.
+Result<void> ViewSession::choose_rungs() {
+    const Time start = std::chrono::steady_clock::now();
+    TRY(const scene::View view, viewer_.view(*slot_.mesh()));
+    set_frame_options();
+    const frame::FrameOptions options = frame_options_;
+    const auto progress = [&](std::string_view doing, double share) {
+        report_progress(std::string(doing), share, start);
+    };
+    Result<Chosen> chosen =
+        app::choose_rungs({slot_.model()->scene, slot_.facts(), view, options, free_axes(settings_),
+                           parts_.jobs, progress, [&] { return quit_; }},
+                          settings_.limits);
+    if (quit_) return {};
+    if (!chosen) {
+        print_warnings({"no rungs are chosen: " + chosen.error().what}, settings_);
+        return {};
+    }
+    print_warnings(chosen->notes, settings_);
+    if (!chosen->choice.met()) print_warnings({chosen->instead}, settings_);
+    if (!settings_.quiet) say(to_text(*chosen));
+    chosen_ = *std::move(chosen);
+    return {};
+}
+
+// While a file is read, or rungs are measured: a notice on the display once that takes long, and a
+// look at the keys.
+bool ViewSession::report_progress(const std::string& doing, double share, Time start) {
     if (parts_.instant) return true;
     constexpr std::chrono::milliseconds kPatience{300};
     const Time now = std::chrono::steady_clock::now();
@@ -320,7 +348,7 @@ bool ViewSession::report_progress(double share, Time start) {
     lost_ = parts_.display.lost();
     if (lost_ || !parts_.display.ready() || !parts_.display.dispatch()) return true;
     Overlay notice;
-    notice.notice = {fmt::format("reading {}  {} %", path(), static_cast<int>(share * 100))};
+    notice.notice = {fmt::format("{} {}  {} %", doing, path(), static_cast<int>(share * 100))};
     composer_.set_picture(picture_ != nullptr ? *picture_ : background_,
                           [&](image::Image& picture) { draw_overlay(picture, notice); });
     repaint_ = true;
@@ -416,6 +444,7 @@ Overlay ViewSession::overlay() {
 
 void ViewSession::set_frame_options() {
     frame_options_ = settings_.frame;
+    if (chosen_) frame_options_ = measure::with(std::move(frame_options_), chosen_->point.rungs);
     frame_options_.width = background_.width();
     frame_options_.height = background_.height();
     frame_options_.bits = image::min_bits(parts_.display.info().format);
@@ -513,6 +542,7 @@ RunReport ViewSession::report(std::uint64_t start_bytes) {
         report.load_times = model->load_times;
     }
     report.frames = log_.take_records();
+    report.chosen = chosen_;
     report.start_bytes = start_bytes;
     report.threads = parts_.jobs.threads();
     return report;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "app/bindings.h"
+#include "app/budget.h"
 #include "app/composer.h"
 #include "app/event_loop.h"
 #include "app/explain_report.h"
@@ -64,9 +65,10 @@ private:
     const std::string& path() const; // of the model on show
     Result<void> load(bool again);
     Result<void> report_plan();
+    Result<void> choose_rungs(); // where --budget or --max-error asks for them
     // A session in which no model could be read has failed.
     Result<void> outcome() const;
-    bool report_progress(double share, Time start);
+    bool report_progress(const std::string& doing, double share, Time start);
     bool wants_to_leave();
     Result<void> write_screenshot();
     std::string command() const; // that shows the same; empty: none does
@@ -136,6 +138,7 @@ private:
     std::string input_described_;
     std::vector<std::string> noted_commands_;
     std::optional<std::string> frame_file_; // where a script wants the next frame
+    std::optional<Chosen> chosen_;          // by --budget or --max-error
     frame::FrameOptions frame_options_;     // of the picture, in the room of the last
     Shown shown_;
     image::Image background_;

@@ -442,5 +442,54 @@ TEST(Report, PercentilesAreTheNearestRank) {
     EXPECT_EQ(percentile({4, 1, 2, 3}, 0.95), 4);
 }
 
+// Rungs by --budget and --max-error: measured by the first run, remembered by the next ones.
+TEST_F(Program, ABudgetIsMeasuredOnce) {
+    ::setenv("XDG_CACHE_HOME", folder.file("caches").c_str(), 1);
+    const auto chosen = [&](const std::string& words) {
+        const Outcome outcome = run("render $m --size 64x48 --hash --json=$d/j " + words);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return std::pair(outcome, nlohmann::json::parse(folder.read("j")));
+    };
+    const auto [first, report] = chosen("--budget 2s --texture bilinear");
+    EXPECT_TRUE(first.err.starts_with("chosen for 2000 ms: ")) << first.err;
+    EXPECT_EQ(first.err.find(", cached"), std::string::npos) << first.err;
+    EXPECT_FALSE(report["chosen"]["cached"]);
+    EXPECT_TRUE(report["chosen"]["met"]);
+    EXPECT_EQ(report["chosen"]["budget_ms"], 2000);
+    // Unless a busy machine makes other times, which are measured anew.
+    bool cached = false;
+    for (int i = 0; i < 10 && !cached; ++i)
+        cached = chosen("--budget 2000 --texture bilinear").first.err.find(", cached") !=
+                 std::string::npos;
+    EXPECT_TRUE(cached);
+    // It is drawn with what is named, and axes that the command line names are not.
+    const std::string options = report["chosen"]["options"];
+    EXPECT_EQ(options.find("--texture"), std::string::npos) << options;
+    EXPECT_EQ(run("render $m --size 64x48 --hash --texture bilinear " + options).out, first.out);
+    const auto [loose, cheapest] = chosen("--max-error 255 --texture bilinear");
+    EXPECT_GE(cheapest["chosen"]["rmse_codes"], report["chosen"]["rmse_codes"]);
+    const Outcome unmet = run("render $m --size 64x48 --hash --budget 0.001ms --texture bilinear");
+    EXPECT_EQ(unmet.code, 2);
+    EXPECT_NE(unmet.err.find("the fastest take "), std::string::npos) << unmet.err;
+    EXPECT_EQ(unmet.out, "");
+    EXPECT_EQ(chosen("--budget none").second.count("chosen"), 0U);
+    // A viewer goes on with the nearest that there is.
+    run("view $m --backend headless --size 64x48 --budget 0.001ms >$d/o 2>$d/e & "
+        "for i in $(seq 600); do sleep 0.1; grep -q '^chosen' $d/e && break; done; kill $!; wait");
+    EXPECT_NE(folder.read("e").find("the fastest take "), std::string::npos) << folder.read("e");
+    EXPECT_NE(folder.read("e").find("chosen for 0.001 ms: "), std::string::npos);
+    ::unsetenv("XDG_CACHE_HOME");
+}
+
+TEST_F(Program, BudgetsThatAreNoneAreRefused) {
+    for (const char* words :
+         {"--budget 0", "--budget -1ms", "--budget 16m", "--budget ms", "--budget nan",
+          "--budget 1e9s", "--max-error -1", "--max-error 256", "--max-error x",
+          "--budget 9 --reference", "--budget 9 --convolution low_pass"})
+        EXPECT_EQ(refused(std::string("render $m --size 9x9 --hash ") + words), 2) << words;
+    EXPECT_EQ(refused("view $m --backend headless --budget 9 --no-times"), 2);
+    EXPECT_EQ(refused("frontier $m --budget 9"), 2);
+}
+
 } // namespace
 } // namespace scanout::app

@@ -81,7 +81,8 @@ def check_stages(page):
 
 def run(command, here, folder):
     """Runs a command of a page; every picture that it names must be there afterwards."""
-    done = subprocess.run(["bash", "-c", here], cwd=folder, capture_output=True, timeout=60)
+    here_alone = {**os.environ, "XDG_CACHE_HOME": os.path.join(folder, "caches")}
+    done = subprocess.run(["bash", "-c", here], cwd=folder, capture_output=True, timeout=60, env=here_alone)
     if done.returncode != 0:
         fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
     for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
