@@ -101,7 +101,9 @@ std::vector<RungError> errors_of(const std::vector<Shot>& shots,
         s.options.aa = smooth_edges(axis);
         const auto points = *Points::create(s.scene, frame::facts(s.scene), test::view_of(s),
                                             s.options, jobs, references[i]);
-        const Ladder made = ladder(*points, axis, [] { return false; });
+        Ladder made = ladder_of(*points, axis);
+        for (LadderRung& rung : made.rungs)
+            draw(*points, axis, rung);
         if (made.is_flat()) return {};
         errors.resize(made.rungs.size());
         for (std::size_t k = 0; k < errors.size(); ++k) {
