@@ -60,7 +60,7 @@ Result<KnownFrontier> measured(const BudgetTask& task, std::vector<std::string>&
     };
     TRY(const trace::Reference reference,
         reference_of_rungs(task.scene, task.facts, task.view, task.options, task.jobs,
-                           {kQuickSamples}, progress("tracing")));
+                           {.most_samples = kQuickSamples}, progress("tracing"), task.stop));
     const std::vector<std::string> missing = left_out_of_reference(task.scene);
     notes.insert(notes.end(), missing.begin(), missing.end());
     measure::FrontierOptions how;

@@ -31,7 +31,7 @@ struct BudgetTask {
     std::vector<std::string> axes; // free_axes()
     Jobs& jobs;
     std::function<void(std::string_view doing, double fraction)> progress = {};
-    std::function<bool()> stop = {}; // asked often while rungs are measured; true gives up
+    std::function<bool()> stop = {}; // asked often while all is measured; true gives up
     // What a frame takes now, of CPU time, ms; empty: it is timed.
     std::function<double(const frame::FramePlan&)> time_now = {};
 };

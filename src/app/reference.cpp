@@ -6,8 +6,10 @@
 #include "shade/stage.h"
 #include "shade/transparency.h"
 #include "trace/bvh.h"
+#include "trace/progressive.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace scanout::app {
 namespace {
@@ -115,7 +117,9 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                                             const frame::SceneFacts& facts, const scene::View& view,
                                             const frame::FrameOptions& options, Jobs& jobs,
                                             const trace::Effort& effort,
-                                            const std::function<void(double)>& progress) {
+                                            const std::function<void(double)>& progress,
+                                            const std::function<bool()>& stop) {
+    constexpr std::chrono::milliseconds kStep{50};
     if (scene.mesh.triangles() == 0)
         return fail(Exit::usage,
                     "{}: nothing to gain: it has no triangles, and lines and points have no "
@@ -124,7 +128,14 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
     TRY(const frame::FramePlan plan, frame::plan(measure::without_rungs(options), facts, view));
     TRY(const trace::Look look, look_of(plan));
     TRY_VOID(check_reference_fits(scene));
-    TRY(trace::Reference made, trace::render(scene, view, look, jobs, progress, effort));
+    TRY(const std::unique_ptr<trace::Progressive> traced,
+        trace::Progressive::create(scene, view, look, effort));
+    while (!traced->finished()) {
+        if (progress) progress(traced->share());
+        if (stop && stop()) return fail(Exit::usage, "{}: the reference was stopped", scene.path);
+        traced->step(jobs, std::chrono::steady_clock::now() + kStep);
+    }
+    trace::Reference made = traced->take();
     const auto pixels = made.image.pixels();
     if (std::all_of(pixels.begin(), pixels.end(),
                     [&](const image::Rgba8& p) { return p == pixels[0]; }))

@@ -22,12 +22,14 @@ Result<trace::Look> look_of(const frame::FramePlan& plan);
 Result<void> check_reference_fits(const scene::Scene& scene);
 
 // The reference of what is asked for, but for rungs: what these are measured against. Fails as
-// above, and (Exit::usage) where there is nothing to gain: no triangle, or a picture of one colour.
+// above, and (Exit::usage) where there is nothing to gain: no triangle, or a picture of one colour;
+// and soon after `stop` says so.
 Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                                             const frame::SceneFacts& facts, const scene::View& view,
                                             const frame::FrameOptions& options, Jobs& jobs,
                                             const trace::Effort& effort,
-                                            const std::function<void(double)>& progress);
+                                            const std::function<void(double)>& progress,
+                                            const std::function<bool()>& stop = {});
 
 // What of the scene is not in the reference, a line each.
 std::vector<std::string> left_out_of_reference(const scene::Scene& scene);

@@ -151,6 +151,26 @@ TEST_F(Budget, APictureWithoutReferenceIsRefused) {
     EXPECT_EQ(chosen.error().exit, Exit::usage);
 }
 
+// Whoever stops it, in the reference or among the rungs, is not kept waiting; nothing is kept.
+TEST_F(Budget, StopsWhereItIsTold) {
+    for (const int steps : {0, 1, 20}) {
+        int asked = 0;
+        const auto chosen = choose_rungs({shot.scene,
+                                          facts,
+                                          view,
+                                          shot.options,
+                                          {"aa", "texture"},
+                                          jobs,
+                                          {},
+                                          [&] { return asked++ >= steps; }},
+                                         {1000, {}}, &cache);
+        ASSERT_FALSE(chosen) << steps;
+        EXPECT_EQ(chosen.error().exit, Exit::usage);
+        EXPECT_LE(asked, steps + 4);
+        EXPECT_FALSE(cache.find(key()));
+    }
+}
+
 TEST_F(Budget, AxesThatAreNamedAreNotFree) {
     Settings s;
     EXPECT_THAT(free_axes(s), testing::IsSupersetOf({"aa", "texture", "shading"}));
