@@ -32,6 +32,8 @@
     X(samples_2)                                                                                   \
     X(samples_4)                                                                                   \
     X(samples_8) X(samples_16) X(tent) X(gaussian) X(supersampling_2) X(supersampling_4) X(area)
+#define SCANOUT_RENDER_SCALE(X)                                                                    \
+    X(quarter) X(third) X(half) X(two_thirds) X(three_quarters) X(full)
 #define SCANOUT_EXPOSURE(X) X(none) X(stops)
 #define SCANOUT_TONE(X) X(clamp) X(shoulder) X(filmic)
 #define SCANOUT_BLEND_SPACE(X) X(encoded) X(linear)
@@ -83,6 +85,8 @@
       "alpha is only 0 or 1")                                                                      \
     X(frame, aa, SCANOUT_AA, AntiAliasing, asked,                                                  \
       "how edges are smoothed (`list techniques`); auto: what --samples says")                     \
+    X(frame, render_scale, SCANOUT_RENDER_SCALE, RenderScale, asked,                               \
+      "draw fewer pixels, and enlarge the picture to its size (`list techniques`); auto: full")    \
     X(shade, exposure, SCANOUT_EXPOSURE, Stage, planned, "")                                       \
     X(shade, tone, SCANOUT_TONE, ToneStage, asked,                                                 \
       "how light above 1 is shown (`list techniques`)")                                            \

@@ -73,7 +73,7 @@ ReportTable frontier_table(const FrontierReport& report) {
     const Frontier& found = report.found;
     ReportTable table{"The frontier (~: its time and the next one's cannot be told apart)",
                       {{"", "codes RMSE", "FLIP", "ms a frame", "CPU ms", "with"}},
-                      {"render scale is not among the axes: the program has none"}};
+                      {}};
     int number = 0;
     for (const auto& p : found.frontier) {
         const Point& point = (*found.points)[p.point];

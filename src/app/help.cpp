@@ -46,6 +46,7 @@ std::string_view introduction(Command command) {
                "  scanout models/spot/spot.obj                the first display that opens\n"
                "  scanout models/*/*.obj                      PgDn and PgUp go through them\n"
                "  scanout view spot.obj --view iso --up z     start from another side\n"
+               "  scanout view spot.obj --budget 16ms         as well as 16 ms a frame allow\n"
                "  scanout view spot.obj --backend headless --size 640x480 --replay actions.txt\n"
                "\n"
                "Arrows or left drag turn the model, Shift moves it, the wheel scales it, H shows "
@@ -57,6 +58,7 @@ std::string_view introduction(Command command) {
                "  scanout render spot.obj -o spot.png --size 1920x1080 --samples 8\n"
                "  scanout render spot.obj -o - --format ppm | display -\n"
                "  scanout render spot.obj -o turn-{n}.png --turntable 36 --view iso\n"
+               "  scanout render spot.obj -o spot.png --budget 16ms     as well as 16 ms allow\n"
                "  scanout render spot.obj --hash                        the picture's hash\n"
                "  scanout render spot.obj -o spot.png --json            times and counts\n";
     case Command::explain:

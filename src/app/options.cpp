@@ -279,6 +279,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
      "coverage samples a pixel: more make smoother edges; --aa samples_N says the same"},
     axis_option("aa"),
+    axis_option("render-scale"),
     {"background", 0, "COLOUR", "", "#303338", 0, 0, Group::picture, kDraw, Parsed(read_background),
      "#rrggbb or a name (black white grey slate red green blue sky transparent)"},
     axis_option("cull", kLoad),

@@ -78,8 +78,8 @@ Result<trace::Look> look_of(const frame::FramePlan& plan) {
     if (const char* const what = not_traced(plan))
         return fail(Exit::usage, "the reference does not know {}", what);
     trace::Look look;
-    look.width = plan.options.width;
-    look.height = plan.options.height;
+    look.width = plan.shown_width;
+    look.height = plan.shown_height;
     look.background = plan.options.background;
     look.left = plan.options.cull == frame::Cull::none   ? trace::Left::none
                 : plan.options.cull == frame::Cull::back ? trace::Left::backs

@@ -7,6 +7,7 @@
 #include "frame/pass/shading_input.h"
 #include "frame/pass/shadow_pass.h"
 #include "frame/pass/stencil_marks.h"
+#include "image/enlarge.h"
 #include "raster/stage/geometry.h"
 #include "rows.h"
 #include "shade/gather/gather.h"
@@ -108,12 +109,15 @@ struct Renderer::State {
     ClearedTiles cleared;             // of it
     shade::SplatPicture splats;       // of filters that reach into neighbours
     std::vector<image::Plane> planes; // of a convolution
+    image::Image enlarged;            // the back buffer at the picture's size, where that is larger
+    image::Enlarger enlarger;
 
     void draw_tile(const Frame& frame, int tile, TileWorker& worker);
     void draw_marked_tile(const Frame& frame, int tile, TileWorker& worker);
     void draw_frame(const FrameInput& input);
     void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
+    image::Image& shown(const FramePlan& plan);
     void prepare_workers(bool transparent, bool areas);
     void count_work();
     std::unique_ptr<ShadowPass> shadows;  // while a plan runs them
@@ -281,6 +285,18 @@ void Renderer::State::filter_tiles(const Frame& f) {
     });
 }
 
+// The picture, from the back buffer.
+image::Image& Renderer::State::shown(const FramePlan& plan) {
+    if (!plan.is_enlarged()) {
+        if (!enlarged.empty()) enlarged = {};
+        return back_buffer;
+    }
+    if (enlarged.width() != plan.shown_width || enlarged.height() != plan.shown_height)
+        enlarged = image::Image::unwritten(plan.shown_width, plan.shown_height);
+    enlarger.run(back_buffer, enlarged, jobs);
+    return enlarged;
+}
+
 void Renderer::State::draw_frame(const FrameInput& input) {
     const FramePlan& plan = input.plan;
     const AntiAliasing& aa = *plan.aa;
@@ -376,8 +392,9 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     else
         s.draw_frame(input);
     if (plan.stencil != nullptr) show_marks(s.jobs, *plan.stencil, *s.marks, s.back_buffer);
+    image::Image& picture = s.shown(plan);
     if (plan.convolution != nullptr)
-        plan.convolution->run(s.back_buffer, s.planes);
+        plan.convolution->run(picture, s.planes);
     else
         release(s.planes);
     if (plan.stencil != nullptr || plan.convolution != nullptr || aa.weight != nullptr)
@@ -396,7 +413,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
     s.stats.splat_bytes = s.splats.bytes();
-    return s.back_buffer;
+    return picture;
 }
 
 } // namespace scanout::frame

@@ -94,6 +94,7 @@ Result<void> Explainer::count_pixels() {
     frame::FrameOptions bare = options_;
     bare.samples = 1;
     bare.aa = "auto"; // then `samples` says it
+    bare.render_scale = "full";
     for (const auto& [effect, materials] : facts_.materials_of)
         if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
     TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));

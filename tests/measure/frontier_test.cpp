@@ -69,7 +69,7 @@ double rmse_by_hand(const image::Image& a, const image::Image& b) {
 
 TEST(Ladder, AxesAreThoseWithRungs) {
     EXPECT_THAT(ladder_axes(), testing::IsSupersetOf({"interpolate", "texture", "shadow", "shading",
-                                                      "depth", "transparency", "aa"}));
+                                                      "depth", "transparency", "aa", "render_scale"}));
     EXPECT_THAT(ladder_axes(), testing::Not(testing::Contains("reflection")));
     EXPECT_THAT(ladder_axes(), testing::Not(testing::Contains("tone")));
 }

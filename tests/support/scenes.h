@@ -289,6 +289,11 @@ inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
         shots.push_back(star("aa_" + name));
         shots.back().options.aa = name;
     }
+    for (const std::string& name : names_on("render_scale")) {
+        shots.push_back(solids("render_scale_" + name));
+        shots.back().camera.azimuth_degrees = 75;
+        shots.back().options.render_scale = name;
+    }
 }
 
 // A glossy sphere with one map of many small tiles.

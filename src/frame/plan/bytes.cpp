@@ -40,7 +40,7 @@ EffectBytes bytes_by_effect(const scene::Scene& scene, const FramePlan& plan) {
     if (plan.stencil != nullptr)
         add("stencil", StencilBuffer(plan.options.width, plan.options.height).bytes());
     if (plan.convolution != nullptr)
-        add("convolution", plan.convolution->bytes(plan.options.width, plan.options.height));
+        add("convolution", plan.convolution->bytes(plan.shown_width, plan.shown_height));
     return bytes;
 }
 

@@ -64,7 +64,11 @@ struct ShadowPlan {
 };
 
 struct FramePlan {
-    FrameOptions options;
+    FrameOptions options; // its size is what is drawn, which is enlarged where it is less:
+    int shown_width = 0, shown_height = 0; // of the picture
+    bool is_enlarged() const {
+        return shown_width != options.width || shown_height != options.height;
+    }
     // Every technique that runs, in the order in which it was decided; no other one does. The usual
     // culling, depth and depth test, and one-sided light are not named.
     std::vector<const Technique*> techniques;

@@ -3,6 +3,7 @@
 #include "base/check.h"
 #include "frame/facts/brightness.h"
 #include "frame/plan/planner.h"
+#include "frame/render_scale.h"
 #include "image/dither.h"
 #include "math/transcendental.h"
 #include "raster/culling/cull.h"
@@ -107,6 +108,25 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     return {};
 }
 
+Result<void> plan_size(Planner& planner, FramePlan& plan) {
+    FrameOptions& o = plan.options;
+    TRY(const RenderScale* const scale,
+        choose(render_scale::kRows, o.render_scale, render_scale::full));
+    plan.shown_width = o.width;
+    plan.shown_height = o.height;
+    o.width = scale->drawn(o.width);
+    o.height = scale->drawn(o.height);
+    planner.choice("render_scale", scale->card.name, o.render_scale,
+                   plan.is_enlarged()
+                       ? fmt::format("{}x{} pixels are drawn, {}x{} are shown", o.width, o.height,
+                                     plan.shown_width, plan.shown_height)
+                   : scale->is_full() ? "fewer pixels come only on request"
+                                      : "a pixel is the least",
+                   scale->is_full() || plan.is_enlarged());
+    if (!scale->is_full()) plan.techniques.push_back(&scale->card);
+    return {};
+}
+
 Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                         FramePlan& plan) {
     const bool by_number = is_auto(options.aa);
@@ -136,7 +156,7 @@ Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Pl
     }
     plan.aa = by;
     plan.options.samples = by->samples;
-    if (by->scale * std::max(options.width, options.height) > kMaxSide)
+    if (by->scale * std::max(plan.options.width, plan.options.height) > kMaxSide)
         return fail(Exit::usage, "--aa {}: a side of the picture may have {} pixels at most",
                     by->card.name, kMaxSide / by->scale);
     const bool mixes = mixes_samples(plan, facts);

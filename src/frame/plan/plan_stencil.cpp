@@ -28,15 +28,20 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
 void plan_counts(FramePlan& plan) {
     FramePlan counts;
     counts.options = plan.options;
+    counts.shown_width = plan.shown_width;
+    counts.shown_height = plan.shown_height;
     counts.aa = &aa::none;
     counts.stencil = plan.stencil;
     for (const Technique* card : plan.techniques)
-        if (card->axis == "cull" || card->axis == "stencil") counts.techniques.push_back(card);
+        if (card->axis == "cull" || card->axis == "stencil" || card->axis == "render_scale")
+            counts.techniques.push_back(card);
     counts.convolution = plan.convolution;
     if (plan.convolution != nullptr) counts.techniques.push_back(&plan.convolution->card);
     counts.decisions = std::move(plan.decisions);
     for (Decision& d : counts.decisions) {
-        if (d.effect == "stencil" || d.effect == "cull" || d.effect == "convolution") continue;
+        if (d.effect == "stencil" || d.effect == "cull" || d.effect == "convolution" ||
+            d.effect == "render_scale")
+            continue;
         d.technique = "off";
         d.because = "the picture shows counts, at pixels' centres: no colour is found";
         d.needed = false;

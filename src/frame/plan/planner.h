@@ -101,6 +101,8 @@ void plan_counts(FramePlan& plan);
 // them to burn out, and a curve would dim all else for their sake.
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                        FramePlan& plan);
+// How many pixels are drawn.
+Result<void> plan_size(Planner& planner, FramePlan& plan);
 // Anti-aliasing.
 Result<void> plan_edges(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
                         FramePlan& plan);
