@@ -4,7 +4,6 @@
 #include "math/transcendental.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 
 namespace scanout::image {
@@ -16,11 +15,21 @@ constexpr Rgba8 kMagma[] = {{0x00, 0x00, 0x04}, {0x1c, 0x10, 0x44}, {0x4f, 0x12,
                             {0xfb, 0x87, 0x61}, {0xfe, 0xc2, 0x87}, {0xfc, 0xfd, 0xbf}};
 constexpr int kSteps = std::size(kMagma) - 1;
 
-int largest_of(const Rgba8& p, const Rgba8& q) {
+} // namespace
+
+int largest_difference(const Rgba8& p, const Rgba8& q) {
     return std::max({std::abs(p.r - q.r), std::abs(p.g - q.g), std::abs(p.b - q.b)});
 }
 
-} // namespace
+const std::array<Rgba8, 256>& colours_of_differences() {
+    static const std::array<Rgba8, 256> colours = [] {
+        std::array<Rgba8, 256> made;
+        for (std::size_t code = 0; code < made.size(); ++code)
+            made[code] = heat_colour(log2(static_cast<double>(code + 1)) / 8);
+        return made;
+    }();
+    return colours;
+}
 
 Rgba8 heat_colour(double share) {
     const double place = std::clamp(share, 0.0, 1.0) * kSteps;
@@ -43,13 +52,11 @@ Image heat_map(int width, int height, std::span<const float> values) {
 
 Image heat_map(const Image& reference, const Image& test) {
     CHECK(reference.width() == test.width() && reference.height() == test.height());
-    std::array<Rgba8, 256> colour;
-    for (std::size_t code = 0; code < colour.size(); ++code)
-        colour[code] = heat_colour(log2(static_cast<double>(code + 1)) / 8);
+    const std::array<Rgba8, 256>& colour = colours_of_differences();
     Image map(reference.width(), reference.height());
     std::transform(reference.pixels().begin(), reference.pixels().end(), test.pixels().begin(),
                    map.pixels().begin(), [&](const Rgba8& p, const Rgba8& q) {
-                       return colour[static_cast<std::size_t>(largest_of(p, q))];
+                       return colour[static_cast<std::size_t>(largest_difference(p, q))];
                    });
     return map;
 }
