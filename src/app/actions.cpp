@@ -40,6 +40,12 @@ std::string turntable_text(State s) {
 std::string info_text(State s) {
     return on_off(s.info);
 }
+std::string error_map_text(State s) {
+    return on_off(s.error_map);
+}
+std::string split_text(State s) {
+    return on_off(s.split);
+}
 std::string explain_text(State s) {
     return on_off(s.explain > 0);
 }
@@ -61,8 +67,8 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::scale_down, "scale_down", "- KP-", "", "scale", 0, true},
     {Id::roll_left, "roll_left", "[", "[ ]", "roll", 0, true},
     {Id::roll_right, "roll_right", "]", "", "roll", 0, true},
-    {Id::reset, "reset", "Home R", "Home R", "back to the start"},
-    {Id::fit, "fit", "F", "F", "fit into the picture"},
+    {Id::reset, "reset", "Home R", "Home R F", "back to the start, fit"},
+    {Id::fit, "fit", "F", "", "fit into the picture"},
     {Id::toggle_drive, "toggle_drive", "O", "O", "drive model or camera", 0, false, drive_text, "keys drive"},
     {Id::view_front, "view_front", "1 KP1", "1 3 7 9", "front right top iso view", 0, false, view_text, "view"},
     {Id::view_back, "view_back", "Ctrl+1 Ctrl+KP1", "Ctrl+1 3 7 9", "the opposite views"},
@@ -78,6 +84,10 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
+    {Id::toggle_error_map, "toggle_error_map", "V", "V", "map of the errors", 0, false, error_map_text, "map of the errors"},
+    {Id::toggle_split, "toggle_split", "/", "/ < >", "split: now | reference", 0, false, split_text, "split view"},
+    {Id::split_left, "split_left", "<", "", "move the split line", 0, true},
+    {Id::split_right, "split_right", ">", "", "move the split line", 0, true},
     {Id::toggle_turntable, "toggle_turntable", "Space", "Space", "turntable", 0, false, turntable_text, "turntable"},
     {Id::undo, "undo", "U", "U", "undo"},
     {Id::reload, "reload", "F5", "F5", "read the file again"},

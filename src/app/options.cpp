@@ -400,6 +400,10 @@ constexpr std::array kOptions = std::to_array<Option>({
      "the DRM mode (`list modes`); default: the one that the monitor prefers"},
     {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
+    {"converge", 0, "", "auto on off", "auto", 0, 0, Group::display, kView,
+     Choice([](Settings& s, std::size_t i) { s.converge = static_cast<Converge>(i); }),
+     "when all is still, let the picture converge to what `render --reference` draws; auto: unless "
+     "you name a rung of an axis, which then stays; not with --no-times, --record and --replay"},
     {"no-times", 0, "", "", "", 0, 0, Group::times, kView | kExplain | kFrontier,
      Switch([](Settings& s) -> bool& { return s.no_times; }),
      "show nothing that depends on the clock, so that equal states are equal pictures and equal "

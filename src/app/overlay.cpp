@@ -1,7 +1,9 @@
 #include "app/overlay.h"
 
+#include "app/accuracy_overlay.h"
 #include "app/actions.h"
 #include "app/text.h"
+#include "app/text_block.h"
 
 #include <algorithm>
 
@@ -10,40 +12,8 @@
 namespace scanout::app {
 namespace {
 
-constexpr image::Rgba8 kText{235, 235, 235, 255};
-constexpr image::Rgba8 kPanel{0, 0, 0, 176};
-constexpr int kMargin = 6; // font pixels around a block of text
-
-// Letters grow with the picture: twice as large from 2560x1920 on.
-int text_scale(int width, int height) {
-    return std::max(1, std::min(width / 640, height / 480) / 2);
-}
-
-struct Block {
-    int width, height; // with its margin
-};
-
-Block size_of(const std::vector<std::string>& lines, int scale) {
-    int widest = 0;
-    for (const std::string& line : lines)
-        widest = std::max(widest, text_width(line, scale));
-    return {widest + 2 * kMargin * scale,
-            (static_cast<int>(lines.size()) * kGlyphHeight + 2 * kMargin) * scale};
-}
-
-void draw_block(image::Image& picture, const std::vector<std::string>& lines, int x, int y,
-                int scale) {
-    const Block block = size_of(lines, scale);
-    draw_panel(picture, {x, y, x + block.width, y + block.height}, kPanel);
-    int line_y = y + kMargin * scale;
-    for (const std::string& line : lines) {
-        draw_text(picture, x + kMargin * scale, line_y, line, kText, scale);
-        line_y += kGlyphHeight * scale;
-    }
-}
-
 void draw_in_the_middle(image::Image& picture, const std::vector<std::string>& lines, int scale) {
-    const Block block = size_of(lines, scale);
+    const TextBlock block = block_of(lines, scale);
     draw_block(picture, lines, std::max(0, (picture.width() - block.width) / 2),
                std::max(0, (picture.height() - block.height) / 2), scale);
 }
@@ -88,14 +58,14 @@ std::vector<std::string> broken_into_lines(const std::string& text, std::size_t 
 std::size_t letters_across(int width, int height) {
     const int scale = text_scale(width, height);
     return static_cast<std::size_t>(
-        std::max(1, (width - 2 * kMargin * scale) / (kGlyphWidth * scale)));
+        std::max(1, (width - 2 * kBlockMargin * scale) / (kGlyphWidth * scale)));
 }
 
 std::size_t lines_down(int width, int height) {
     const int scale = text_scale(width, height);
-    const int message = (kGlyphHeight + 2 * kMargin) * scale;
+    const int message = (kGlyphHeight + 2 * kBlockMargin) * scale;
     return static_cast<std::size_t>(
-        std::max(1, (height - message - 2 * kMargin * scale) / (kGlyphHeight * scale)));
+        std::max(1, (height - message - 2 * kBlockMargin * scale) / (kGlyphHeight * scale)));
 }
 
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
@@ -107,7 +77,12 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
     if (!overlay.message.empty()) {
         const std::vector<std::string> lines =
             message_lines(overlay.message, letters_across(picture.width(), picture.height()));
-        draw_block(picture, lines, 0, picture.height() - size_of(lines, scale).height, scale);
+        draw_block(picture, lines, 0, picture.height() - block_of(lines, scale).height, scale);
+    }
+    if (overlay.help.empty()) {
+        int end = block_of({""}, scale).height; // the message's
+        if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));
+        if (overlay.split) draw_split_line(picture, *overlay.split, end, scale);
     }
     if (!overlay.notice.empty()) draw_in_the_middle(picture, overlay.notice, scale);
     if (!overlay.help.empty()) draw_in_the_middle(picture, overlay.help, scale);

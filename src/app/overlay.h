@@ -5,10 +5,24 @@
 #include "app/viewer_state.h"
 #include "image/image.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace scanout::app {
+
+// What the colours of an error map mean, and what it says of a pixel.
+struct ErrorLegend {
+    std::string value; // of the pixel under the pointer, or how far the map has come
+    friend bool operator==(const ErrorLegend&, const ErrorLegend&) = default;
+};
+
+// The line of the split view, and the names of its sides.
+struct SplitLine {
+    int x = 0; // pixels from the left: the first column of the right side
+    std::string left, right;
+    friend bool operator==(const SplitLine&, const SplitLine&) = default;
+};
 
 struct Overlay {
     std::vector<std::string> help;    // the sheet's lines; empty: closed
@@ -16,6 +30,8 @@ struct Overlay {
     std::vector<std::string> explain; // lines under them
     std::string message;             // a line at the lower left; after \n more, as long as it takes
     std::vector<std::string> notice; // lines in the middle: loading, errors
+    std::optional<ErrorLegend> legend; // at the lower right
+    std::optional<SplitLine> split;
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 

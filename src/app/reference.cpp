@@ -104,13 +104,22 @@ Result<trace::Look> look_of(const frame::FramePlan& plan) {
     return look;
 }
 
-Result<void> check_reference_fits(const scene::Scene& scene) {
-    const std::uint64_t wanted = trace::Bvh::bytes(scene.mesh.triangles()),
+Result<void> check_reference_fits(const scene::Scene& scene, const frame::FramePlan& plan,
+                                  int max_memory_mb) {
+    constexpr std::uint64_t kMega = 1'000'000;
+    const std::uint64_t wanted = trace::Bvh::bytes(scene.mesh.triangles()) +
+                                 trace::Progressive::bytes(plan.options.width, plan.options.height);
+    const std::uint64_t allowed = kMega * static_cast<std::uint64_t>(max_memory_mb),
                         available = available_bytes();
-    if (wanted <= available) return {};
-    return fail(Exit::unreadable,
-                "{}: the reference takes about {} MiB for {} triangles, and {} MiB are left",
-                scene.path, wanted >> 20, scene.mesh.triangles(), available >> 20);
+    if (max_memory_mb > 0 && wanted > allowed)
+        return fail(Exit::unreadable,
+                    "{}: the reference takes about {} MB for {} triangles, and --max-memory is {}",
+                    scene.path, wanted / kMega, scene.mesh.triangles(), max_memory_mb);
+    if (wanted > available)
+        return fail(Exit::unreadable,
+                    "{}: the reference takes about {} MB for {} triangles, and {} MB are left",
+                    scene.path, wanted / kMega, scene.mesh.triangles(), available / kMega);
+    return {};
 }
 
 Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
@@ -127,7 +136,7 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                     scene.path);
     TRY(const frame::FramePlan plan, frame::plan(measure::without_rungs(options), facts, view));
     TRY(const trace::Look look, look_of(plan));
-    TRY_VOID(check_reference_fits(scene));
+    TRY_VOID(check_reference_fits(scene, plan));
     TRY(const std::unique_ptr<trace::Progressive> traced,
         trace::Progressive::create(scene, view, look, effort));
     while (!traced->finished()) {

@@ -18,8 +18,10 @@ namespace scanout::app {
 // or blend than the usual ones, computed textures, a stencil, a filter over the finished picture.
 Result<trace::Look> look_of(const frame::FramePlan& plan);
 
-// Fails (Exit::unreadable) where the model does not fit into memory a second time.
-Result<void> check_reference_fits(const scene::Scene& scene);
+// Fails (Exit::unreadable) where the model's hierarchy and the plan's pixels do not fit into what
+// memory is available, or into --max-memory (0: no such limit).
+Result<void> check_reference_fits(const scene::Scene& scene, const frame::FramePlan& plan,
+                                  int max_memory_mb = 0);
 
 // The reference of what is asked for, but for rungs: what these are measured against. Fails as
 // above, and (Exit::usage) where there is nothing to gain: no triangle, or a picture of one colour;

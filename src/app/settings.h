@@ -31,6 +31,9 @@ enum class Command : unsigned {
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
 // What compare measures: a figure of image/metrics.h, image/compare.h or image/flip.h.
 enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim };
+// Whether the viewer's picture converges to the reference when all is still; automatic: unless the
+// user named a rung, which is then what stays on show.
+enum class Converge : std::uint8_t { automatic, on, off };
 enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
 
 struct Settings {
@@ -67,6 +70,7 @@ struct Settings {
     std::string device, connector, mode;
     std::string record, replay;
     bool no_pointer = false, no_times = false;
+    Converge converge = Converge::automatic;
 
     std::vector<std::string> axes; // of frontier; empty: all
     double seconds = 0;            // of measuring or searching; 0: what the command takes

@@ -14,7 +14,6 @@
 namespace scanout::app {
 namespace {
 
-constexpr int kMessageSteps = 3 * kStepsPerSecond;
 constexpr int kHintSteps = 5 * kStepsPerSecond;
 constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will not come
 
@@ -30,10 +29,11 @@ Result<std::unique_ptr<ViewSession>> ViewSession::create(const Settings& setting
 ViewSession::ViewSession(const Settings& settings, SessionParts parts, EventLoop loop)
     : settings_(settings), parts_(std::move(parts)), loop_(std::move(loop)),
       steady_(settings.no_times || !settings.record.empty() || !settings.replay.empty()),
+      converges_(!steady_ && converges(settings)),
       viewer_(settings, parts_.display.info().width, parts_.display.info().height,
               static_cast<int>(settings.arguments.size())),
       binder_(viewer_.width(), viewer_.height(), !settings.no_pointer),
-      script_(std::move(parts_.script)), renderer_(parts_.jobs),
+      script_(std::move(parts_.script)), accuracy_(steady_), renderer_(parts_.jobs),
       composer_(viewer_.width(), viewer_.height()), pacer_(parts_.display.info().refresh_hz),
       log_(settings, parts_.display.info()),
       background_(viewer_.width(), viewer_.height(), settings.frame.background) {}
@@ -48,9 +48,16 @@ Result<void> ViewSession::run() {
         const Time now = std::chrono::steady_clock::now();
         TRY_VOID(advance(now));
         if (quit_) break;
+        if (!asked().any())
+            accuracy_.let_go();
+        else if (slot_.model() != nullptr)
+            accuracy_.follow(key(), now);
         TRY_VOID(draw_if_due(now));
         if (viewer_.state().explain == 0) explain_.stop();
-        if (wants_row()) TRY_VOID(measure_row());
+        if (wants_row())
+            TRY_VOID(measure_row());
+        else if (wants_trace() && accuracy_.due(now) <= now)
+            TRY_VOID(trace_step());
         TRY_VOID(wait());
     }
     return outcome();
@@ -62,6 +69,7 @@ Result<void> ViewSession::run_instantly() {
         TRY_VOID(play_script());
         while (!viewer_.moving() && lacks_rows() && viewer_.view(*slot_.mesh()))
             TRY_VOID(measure_row());
+        if (frame_file_ || !script_.next_step()) TRY_VOID(finish_reference());
         if (wants_frame()) TRY_VOID(draw(wanted()));
         if (quit_ || frame_file_) continue;
         TRY_VOID(take_input());
@@ -238,12 +246,16 @@ void ViewSession::tell(const std::string& text) {
 Result<void> ViewSession::write_screenshot() {
     if (slot_.model() == nullptr) return {};
     TRY_VOID(render());
+    // What has converged is written as it is seen.
+    const image::Image* const converged = accuracy_.finished_picture(key(), asked());
     std::string name = file_name_of(slot_.model()->scene.path);
     name = name.substr(0, name.rfind('.'));
     for (int number = 1; number < 1000; ++number) {
         const std::string file = fmt::format("scanout-{}-{:03}.png", name, number);
         if (::access(file.c_str(), F_OK) == 0) continue;
-        TRY(const image::Bytes bytes, image::encode_png(*picture_, command()));
+        TRY(const image::Bytes bytes,
+            image::encode_png(converged ? *converged : *picture_,
+                              command() + (converged ? " --reference" : "")));
         const Result<void> written = write_picture(file, bytes);
         tell(written ? "wrote " + file : written.error().what);
         return {};
@@ -284,7 +296,8 @@ Result<void> ViewSession::load(bool again) {
     });
     if (quit_) return {};
     explain_.stop(); // the model that it explains is going
-    clock_.stop();   // the time that loading took does not turn the model
+    accuracy_.stop();
+    clock_.stop(); // the time that loading took does not turn the model
     if (!model) {
         const bool hopeless = settings_.arguments.size() == 1 && !again;
         if (hopeless) return tl::unexpected(model.error());
@@ -429,16 +442,25 @@ Result<void> ViewSession::measure_row() {
 
 // ---- Frames -----------------------------------------------------------------------------------
 
-ViewSession::Shown ViewSession::wanted() {
-    Shown wanted{key(), overlay(), std::nullopt};
+std::optional<PixelPlace> ViewSession::pointer() const {
     const PointerState& pointer = viewer_.state().pointer;
-    if (pointer.visible && !settings_.no_pointer) wanted.pointer = PixelPlace{pointer.x, pointer.y};
-    return wanted;
+    if (!pointer.visible || settings_.no_pointer) return std::nullopt;
+    return PixelPlace{pointer.x, pointer.y};
+}
+
+ViewSession::Shown ViewSession::wanted() {
+    return {key(), overlay(), accuracy_.revision(), pointer()};
 }
 
 Overlay ViewSession::overlay() {
     Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text());
     if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
+    if (slot_.model() == nullptr) return overlay;
+    if (viewer_.state().error_map) overlay.legend = accuracy_.legend(picture_, key(), pointer());
+    if (viewer_.state().split) overlay.split = accuracy_.split_line(key(), asked());
+    if (const std::string line = accuracy_.line(key(), asked());
+        viewer_.state().info && !line.empty())
+        overlay.info.push_back(line);
     return overlay;
 }
 
@@ -473,14 +495,16 @@ Result<void> ViewSession::render() {
 void ViewSession::compose(const Overlay& overlay) {
     Overlay complete = overlay;
     add_frame_text(complete, {blank_, !steady_, pacer_.frames_per_second(), renderer_.stats()});
-    composer_.set_picture(*picture_,
+    composer_.set_picture(accuracy_.picture(*picture_, key(), asked()),
                           [&](image::Image& picture) { draw_overlay(picture, complete); });
 }
 
 Result<void> ViewSession::draw(const Shown& wanted) {
     const bool new_picture = picture_ == nullptr || !(wanted.picture == shown_.picture);
     if (new_picture) TRY_VOID(render());
-    if (new_picture || repaint_ || !(wanted.overlay == shown_.overlay)) compose(wanted.overlay);
+    if (new_picture || repaint_ || wanted.accuracy != shown_.accuracy ||
+        !(wanted.overlay == shown_.overlay))
+        compose(wanted.overlay);
     composer_.set_pointer(wanted.pointer);
     TRY_VOID(present());
     shown_ = wanted;
@@ -518,13 +542,14 @@ Result<void> ViewSession::draw_if_due(Time now) {
 // flip or a signal ends the sleep.
 Result<void> ViewSession::wait() {
     const bool ready = parts_.display.ready();
-    const bool row = wants_row();
-    if (ready && !lost_ && !wants_frame() && !row) log_.settled();
+    const bool row = wants_row(), trace = wants_trace();
+    if (ready && !lost_ && !wants_frame() && !row && !trace) log_.settled();
     std::optional<Time> wake;
     const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
         consider(clock_.running() ? clock_.time_of(*next) : std::chrono::steady_clock::now());
     if (ready && !lost_ && wants_frame()) consider(pacer_.due());
+    if (trace) consider(accuracy_.due(std::chrono::steady_clock::now()));
     const int patience = row ? 0 : ready || lost_ ? -1 : kFlipTimeoutMs;
     TRY(const bool input, loop_.sleep(wake, patience));
     if (input) TRY_VOID(take_input());

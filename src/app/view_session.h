@@ -3,6 +3,7 @@
 // differs from what was shown, at most once a refresh.
 #pragma once
 
+#include "app/accuracy_view.h"
 #include "app/bindings.h"
 #include "app/budget.h"
 #include "app/composer.h"
@@ -87,6 +88,7 @@ private:
     Result<void> follow_display();
     Result<void> let_go_of_all();
     Result<void> run_instantly();
+    static constexpr int kMessageSteps = 3 * kStepsPerSecond;
     // On the picture for a moment; not where the picture has to be the same in every run.
     void show_message(const std::string& text, int steps);
     void tell(const std::string& text); // the same, and a line on standard error
@@ -100,13 +102,24 @@ private:
     bool wants_row();
     Result<void> measure_row();
 
+    // Accuracy (view_session_accuracy.cpp).
+    static bool converges(const Settings& settings);
+    AccuracyView::Asked asked() const;
+    bool wants_trace();
+    Result<void> trace_step();
+    Result<void> begin_reference();
+    Result<void> finish_reference();
+    void refuse_reference(const std::string& why);
+
     // Frames.
     struct Shown {
         PictureKey picture;
         Overlay overlay;
+        int accuracy = 0; // the view's revision
         std::optional<PixelPlace> pointer;
         friend bool operator==(const Shown&, const Shown&) = default;
     };
+    std::optional<PixelPlace> pointer() const; // where it is seen
     Shown wanted();
     Overlay overlay();
     bool wants_frame() { return repaint_ || frame_file_ || !(wanted() == shown_); }
@@ -122,6 +135,7 @@ private:
     SessionParts parts_;
     EventLoop loop_;
     bool steady_; // nothing on the screen depends on clock or folder
+    bool converges_;
     Viewer viewer_;
     Binder binder_;
     VirtualClock clock_;
@@ -129,6 +143,8 @@ private:
     ModelSlot slot_;
     TimedMessage message_;
     LiveExplain explain_;
+    AccuracyView accuracy_;
+    int refusal_told_ = -1; // the generation of the model of which it was said
     frame::Renderer renderer_;
     Composer composer_;
     FramePacer pacer_;

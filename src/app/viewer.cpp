@@ -3,6 +3,7 @@
 #include "base/check.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace scanout::app {
@@ -12,6 +13,11 @@ constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
 constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
 constexpr int kZoomStep = 8; // levels: eight steps double the size
 constexpr std::size_t kHistory = 256;
+
+// The split line moves by this much, and is taken by a pointer no farther away than that.
+int split_step(int width) {
+    return std::max(1, width / 64);
+}
 
 scene::UpAxis next_axis(scene::UpAxis up) {
     using enum scene::UpAxis;
@@ -32,6 +38,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     state_.look = start_;
     state_.pointer.x = width / 2;
     state_.pointer.y = height / 2;
+    state_.split_x = width / 2;
 }
 
 void Viewer::take_up_of_file(scene::UpAxis up) {
@@ -75,6 +82,18 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     case ActionId::toggle_explain:
         state_.explain = state_.explain < explain_pages_ ? state_.explain + 1 : 0;
         return Effect::none;
+    case ActionId::toggle_error_map:
+        state_.error_map = !state_.error_map;
+        return Effect::none;
+    case ActionId::toggle_split:
+        state_.split = !state_.split;
+        return Effect::none;
+    case ActionId::split_left:
+        put_split(state_.split_x - split_step(width_));
+        return Effect::none;
+    case ActionId::split_right:
+        put_split(state_.split_x + split_step(width_));
+        return Effect::none;
     case ActionId::toggle_help:
         state_.help = !state_.help;
         return Effect::none;
@@ -88,6 +107,10 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
             state_.light = -1;
         else if (state_.explain > 0)
             state_.explain = 0;
+        else if (state_.split)
+            state_.split = false;
+        else if (state_.error_map)
+            state_.error_map = false;
         else if (state_.info)
             state_.info = false;
         else
@@ -131,6 +154,12 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     change_look(action, mesh);
     if (!action.repeated && !(state_.look == before)) remember(before);
     return Effect::none;
+}
+
+// Opens the split view where it is not.
+void Viewer::put_split(std::int64_t x) {
+    state_.split_x = static_cast<int>(std::clamp<std::int64_t>(x, 0, width_));
+    state_.split = true;
 }
 
 void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
@@ -272,11 +301,15 @@ std::int64_t Viewer::angle_of_pixels(int pixels) const {
 
 void Viewer::begin_drag(const geom::Mesh* mesh) {
     const Result<scene::View> now = mesh != nullptr ? view(*mesh) : fail(Exit::usage, "no model");
-    drag_ = Drag{state_.look, false, now ? scene::world_units_per_pixel(*now, height_) : 0};
+    const bool line =
+        state_.split && std::abs(state_.pointer.x - state_.split_x) <= split_step(width_);
+    drag_ = Drag{state_.look, false, line ? std::optional(state_.split_x) : std::nullopt,
+                 now ? scene::world_units_per_pixel(*now, height_) : 0};
 }
 
 void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
     if (!drag_) begin_drag(mesh);
+    if (drag_->split_x) return put_split(std::int64_t{*drag_->split_x} + action.numbers[0]);
     const Look& start = drag_->start;
     Look& look = state_.look;
     const auto [dx, dy, unused] = action.numbers;

@@ -55,6 +55,7 @@ public:
     // Steps of the virtual clock pass: the turntable turns, the pointer hides.
     void advance_to(std::int64_t step);
     // True when steps change something: the clock has to run. next_step(): the first that does.
+    bool turning() const { return state_.look.turntable && !drag_; } // the turntable
     bool moving() const { return turning() || state_.pointer.visible; }
     std::int64_t next_step() const;
 
@@ -68,12 +69,12 @@ public:
     std::string light_line(const geom::Mesh& mesh, std::size_t letters) const;
 
 private:
-    bool turning() const { return state_.look.turntable && !drag_; }
     Effect carry_out(const Action& action, const geom::Mesh* mesh);
     scene::CameraOptions camera() const;
     static std::int64_t moved(std::int64_t pan, double by_units);
     void remember(const Look& before);
     void undo();
+    void put_split(std::int64_t x);
     void change_look(const Action& action, const geom::Mesh* mesh);
     void begin_drag(const geom::Mesh* mesh);
     void drag(const Action& action, const geom::Mesh* mesh);
@@ -114,6 +115,7 @@ private:
     struct Drag {
         Look start;
         bool remembered = false;
+        std::optional<int> split_x; // the split line is what is dragged
         double units_per_pixel = 0;
     };
     std::optional<Drag> drag_;

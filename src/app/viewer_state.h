@@ -35,7 +35,10 @@ struct ViewerState {
     Look look;
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
     bool help = false, info = false;
-    int explain = 0; // the page of the plan that is open, from 1; 0: none
+    int explain = 0;        // the page of the plan that is open, from 1; 0: none
+    bool error_map = false; // in place of the picture, what it errs
+    bool split = false;     // the reference to the right of a line
+    int split_x = 0;        // of the line, pixels from the left
     int file = 0;
     int light = -1; // the one that keys and mouse move; -1: none, they move model or camera
     PointerState pointer;

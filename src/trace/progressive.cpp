@@ -55,6 +55,12 @@ Progressive::Progressive(const scene::View& view, const Look& look, const Effort
     known_.resize(pixels);
 }
 
+std::uint64_t Progressive::bytes(int width, int height) {
+    constexpr std::uint64_t kAPixel = sizeof(image::Rgba8) + sizeof(Vec3) + sizeof(float) +
+                                      sizeof(std::uint32_t) + sizeof(Known) + sizeof(int);
+    return kAPixel * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+}
+
 std::vector<int> Progressive::all_pixels() const {
     std::vector<int> all;
     all.reserve(known_.size());

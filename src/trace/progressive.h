@@ -34,6 +34,9 @@ public:
     create(const scene::Scene& scene, const scene::View& view, const Look& look,
            const Effort& effort = {}, const std::atomic<bool>* cancelled = nullptr);
 
+    // That its pictures take beside the hierarchy (Bvh::bytes), about.
+    static std::uint64_t bytes(int width, int height);
+
     // Traces until `until`, and little longer: four samples of a pixel.
     void step(Jobs& jobs, Time until);
     bool finished() const { return stage_ == Stage::finished; }

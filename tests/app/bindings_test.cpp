@@ -89,6 +89,10 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"C", "cull_next"},
                                                         {"I", "toggle_info"},
                                                         {"X", "toggle_explain"},
+                                                        {"V", "toggle_error_map"},
+                                                        {"/", "toggle_split"},
+                                                        {"<", "split_left"},
+                                                        {">", "split_right"},
                                                         {"Space", "toggle_turntable"},
                                                         {"U", "undo"},
                                                         {"F5", "reload"},
@@ -147,7 +151,7 @@ TEST(Bindings, TheHelpSheetNamesEveryKeyOfTheTable) {
         sheet += line + "\n";
     for (const char* keys :
          {"Arrows", "Shift+arrows", "PgUp PgDn", "+ -", "[ ]", "Home R", "1 3 7 9", "Ctrl+1 3 7 9",
-          "Space", "F5", "S F12", "H ?", "Esc", "Q Ctrl+C", "Wheel"})
+          "Space", "V", "/ < >", "F5", "S F12", "H ?", "Esc", "Q Ctrl+C", "Wheel"})
         EXPECT_NE(sheet.find(keys), std::string::npos) << keys;
     EXPECT_NE(sheet.find("perspective"), std::string::npos);
     // It fits the smallest display that it is meant for: 640x480 with 9x15 letters.

@@ -95,9 +95,20 @@ TEST(Reference, SaysWhatItDoesNotDraw) {
 TEST(Reference, NamesLinesAndPoints) {
     scene::Scene scene;
     EXPECT_TRUE(left_out_of_reference(scene).empty());
-    EXPECT_TRUE(check_reference_fits(scene));
     scene.mesh.point_index = {0};
     EXPECT_THAT(left_out_of_reference(scene), testing::ElementsAre(testing::HasSubstr("1 point")));
+}
+
+TEST(Reference, SaysWhatMemoryItTakesWhereThatIsTooMuch) {
+    Shot s = test::solids("solids");
+    s.options.width = s.options.height = 200; // 1.16 MB
+    const auto plan = frame::plan(s.options, frame::facts(s.scene), scene::View());
+    EXPECT_TRUE(check_reference_fits(s.scene, *plan, 0));
+    EXPECT_TRUE(check_reference_fits(s.scene, *plan, 1000));
+    const auto fits = check_reference_fits(s.scene, *plan, 1);
+    ASSERT_FALSE(fits);
+    EXPECT_EQ(fits.error().exit, Exit::unreadable);
+    EXPECT_THAT(fits.error().what, testing::HasSubstr("--max-memory is 1"));
 }
 
 } // namespace

@@ -266,6 +266,8 @@ TEST(Viewer, ASwitchAnswersWithItsNewState) {
              {Id::toggle_info, "information: on"},
              {Id::toggle_info, "information: off"},
              {Id::toggle_explain, "what runs, and why: on"},
+             {Id::toggle_error_map, "map of the errors: on"},
+             {Id::toggle_split, "split view: on"},
              {Id::rotate_left, ""}}) {
         bench.act(id);
         EXPECT_EQ(bench.viewer.answer(), answer);
@@ -385,8 +387,10 @@ TEST(Viewer, EscapeClosesWhatIsOpenBeforeItQuits) {
     Bench bench;
     bench.act(Id::toggle_info);
     bench.act(Id::toggle_explain);
+    bench.act(Id::toggle_error_map);
+    bench.act(Id::toggle_split);
     bench.act(Id::light_next);
-    for (int open = 0; open < 3; ++open)
+    for (int open = 0; open < 5; ++open)
         EXPECT_EQ(bench.act(Id::close), Effect::none);
     EXPECT_FALSE(bench.viewer.state().info);
     EXPECT_EQ(bench.act(Id::close), Effect::quit);
@@ -398,6 +402,42 @@ TEST(Viewer, EscapeClosesTheHelpAndElseQuits) {
     EXPECT_EQ(bench.act(Id::close), Effect::none);
     EXPECT_FALSE(bench.viewer.state().help);
     EXPECT_EQ(bench.act(Id::close), Effect::quit);
+}
+
+TEST(Viewer, ThePointerDragsTheSplitLineItStandsOnAndElseTheModel) {
+    Bench bench;
+    const auto drag_from = [&](int x, int by) {
+        bench.act(Id::pointer, {x, 100, 0});
+        bench.act(Id::drag_begin);
+        bench.act(Id::drag_rotate, {by / 2, 3, 0});
+        bench.act(Id::drag_rotate, {by, 7, 0});
+        bench.act(Id::drag_end);
+    };
+    drag_from(320, 50);
+    EXPECT_EQ(bench.viewer.state().split_x, 320) << "no split view is open";
+    EXPECT_NE(bench.look().pose.yaw, 0);
+    bench.act(Id::undo);
+    bench.act(Id::toggle_split);
+    const Look before = bench.look();
+    drag_from(324, -50);
+    EXPECT_EQ(bench.viewer.state().split_x, 270);
+    EXPECT_EQ(bench.look(), before);
+    drag_from(270, 2'000'000'000);
+    EXPECT_EQ(bench.viewer.state().split_x, 640) << "not beyond the picture";
+    drag_from(400, 50);
+    EXPECT_NE(bench.look(), before) << "beside the line";
+}
+
+TEST(Viewer, KeysMoveTheSplitLineAndOpenIt) {
+    Bench bench;
+    bench.act(Id::split_left);
+    EXPECT_TRUE(bench.viewer.state().split);
+    EXPECT_EQ(bench.viewer.state().split_x, 310);
+    for (int i = 0; i < 100; ++i)
+        bench.act(Id::split_right);
+    EXPECT_EQ(bench.viewer.state().split_x, 640);
+    bench.act(Id::split_left);
+    EXPECT_EQ(bench.viewer.state().split_x, 630);
 }
 
 RC_GTEST_PROP(Viewer, NoSequenceOfActionsMakesACameraThatSeesNothing, (bool no_mesh)) {

@@ -1,0 +1,76 @@
+#include "app/convergence.h"
+
+#include "base/check.h"
+#include "base/float_environment.h"
+
+#include <new>
+#include <system_error>
+#include <utility>
+
+namespace scanout::app {
+
+void Convergence::begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
+                        const PictureKey& key) {
+    CHECK(can_begin());
+    stop(); // waits for nothing
+    key_ = key;
+    cancelled_ = built_ = false;
+    const auto build = [this, &scene, view, look] {
+        const FloatEnvironment plain;
+        try {
+            trace::Effort effort;
+            effort.estimate_first = true;
+            result_ = trace::Progressive::create(scene, view, look, effort, &cancelled_);
+        } catch (const std::bad_alloc&) {
+            result_ = fail(Exit::unreadable, "the reference does not fit into memory");
+        }
+        built_ = true;
+        built_.notify_all();
+    };
+    try {
+        thread_ = std::thread(build);
+    } catch (const std::system_error&) {
+        refusal_ = "no thread can be made for the reference";
+    }
+}
+
+void Convergence::refuse(const PictureKey& key, std::string why) {
+    cancel();
+    key_ = key;
+    refusal_ = std::move(why);
+}
+
+void Convergence::cancel() {
+    cancelled_ = true;
+    key_.reset();
+    reference_.reset();
+    refusal_.clear();
+}
+
+void Convergence::stop() {
+    cancel();
+    if (thread_.joinable()) thread_.join();
+    result_ = nullptr;
+}
+
+void Convergence::take_built() {
+    if (!key_ || !thread_.joinable() || !built_) return;
+    thread_.join();
+    if (result_)
+        reference_ = std::move(*result_);
+    else
+        refusal_ = result_.error().what;
+    result_ = nullptr;
+}
+
+void Convergence::step(Jobs& jobs, Time until) {
+    take_built();
+    if (reference_ != nullptr) reference_->step(jobs, until);
+}
+
+void Convergence::finish(Jobs& jobs) {
+    if (building()) built_.wait(false);
+    step(jobs, Time::max());
+}
+
+} // namespace scanout::app

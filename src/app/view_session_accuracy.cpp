@@ -1,0 +1,80 @@
+// The session's part in what is shown of accuracy: when the reference is made, and of which
+// picture.
+#include "app/message.h"
+#include "app/reference.h"
+#include "app/view_session.h"
+#include "measure/ladder.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace scanout::app {
+
+// Where the user named a rung, it is what he wants to see.
+bool ViewSession::converges(const Settings& settings) {
+    if (settings.converge != Converge::automatic) return settings.converge == Converge::on;
+    const std::vector<std::string_view> axes = measure::ladder_axes();
+    return settings.frame.samples == frame::FrameOptions().samples &&
+           std::all_of(axes.begin(), axes.end(), [&](std::string_view axis) {
+               return frame::is_auto(frame::asked_for(settings.frame, axis));
+           });
+}
+
+AccuracyView::Asked ViewSession::asked() const {
+    const ViewerState& state = viewer_.state();
+    return {converges_, state.error_map, state.split, state.split_x};
+}
+
+// Nothing else is to be done, and the picture is such that there can be a reference.
+bool ViewSession::wants_trace() {
+    return accuracy_.lacks() && slot_.model() != nullptr && !blank_ && !lost_ &&
+           parts_.display.ready() && !viewer_.turning() && !wants_row() && !wants_frame();
+}
+
+// Short, so that keys are heard in between.
+Result<void> ViewSession::trace_step() {
+    constexpr std::chrono::milliseconds kStep{8};
+    if (!accuracy_.has_begun()) return begin_reference();
+    accuracy_.convergence().step(parts_.jobs, std::chrono::steady_clock::now() + kStep);
+    accuracy_.refresh(*picture_, std::chrono::steady_clock::now());
+    return {};
+}
+
+Result<void> ViewSession::begin_reference() {
+    const scene::Scene& scene = slot_.model()->scene;
+    TRY(const scene::View view, viewer_.view(*slot_.mesh()));
+    TRY(const frame::FramePlan* const now, plan());
+    const Result<trace::Look> look = look_of(*now);
+    if (!look) return refuse_reference(look.error().what), Result<void>();
+    if (scene.mesh.lines() + scene.mesh.points() != 0)
+        return refuse_reference("it draws no lines and points, which this model has"),
+               Result<void>();
+    if (const auto fits = check_reference_fits(scene, *now, settings_.max_memory_mb); !fits)
+        return refuse_reference(fits.error().what), Result<void>();
+    accuracy_.convergence().begin(scene, view, *look, key());
+    return {};
+}
+
+// Of a script: all at once, where a picture is kept.
+Result<void> ViewSession::finish_reference() {
+    const Time now = std::chrono::steady_clock::now();
+    if (!asked().any() || slot_.model() == nullptr || viewer_.turning()) return {};
+    accuracy_.follow(key(), now);
+    if (!accuracy_.lacks() || !viewer_.view(*slot_.mesh())) return {};
+    TRY_VOID(render());
+    if (blank_) return {};
+    TRY_VOID(begin_reference());
+    accuracy_.convergence().finish(parts_.jobs);
+    accuracy_.refresh(*picture_, now);
+    return {};
+}
+
+// Once for each model.
+void ViewSession::refuse_reference(const std::string& why) {
+    accuracy_.refuse(key(), why);
+    if (std::exchange(refusal_told_, slot_.generation()) == slot_.generation()) return;
+    if (!settings_.quiet) say("scanout: no reference: " + why);
+    show_message("no reference: " + why, kMessageSteps);
+}
+
+} // namespace scanout::app
