@@ -226,5 +226,79 @@ TEST_F(AccuracySession, VMakesTheReferenceAndTakesItsMapAwayAgain) {
     EXPECT_FALSE(input.timed_out);
 }
 
+// A display that says when it was given a frame.
+class ClockedDisplay final : public port::Display {
+public:
+    ClockedDisplay(int width, int height) {
+        info_.width = width;
+        info_.height = height;
+    }
+    const port::DisplayInfo& info() const override { return info_; }
+    bool ready() const override { return true; }
+    Result<void> present(const image::Image&, std::span<const image::Rect>) override {
+        if (waits) last = std::chrono::steady_clock::now();
+        waits = false;
+        ++frames;
+        return {};
+    }
+    bool paced() const override { return false; }
+    int event_fd() const override { return -1; }
+    Result<void> dispatch() override { return {}; }
+    bool lost() const override { return false; }
+    std::chrono::steady_clock::time_point last{};
+    int frames = 0;
+    bool waits = false;
+
+private:
+    port::DisplayInfo info_;
+};
+
+// Keys come 505, 510, 515 ... ms after the last one: while the hierarchy is built, and later.
+TEST_F(AccuracySession, AKeyIsHeardWhileTheReferenceIsMade) {
+    settings.arguments = {SCANOUT_SOURCE_DIR "/models/rabbit/rabbit.obj"};
+    width = 320;
+    height = 200;
+    ClockedDisplay display(width, height);
+    struct Keys final : port::Input {
+        explicit Keys(ClockedDisplay& d) : display(d), timer(::timerfd_create(CLOCK_MONOTONIC, 0)) {
+            arm();
+        }
+        int event_fd() const override { return timer.get(); }
+        Result<void> dispatch(std::vector<port::Event>& events) override {
+            std::uint64_t expirations = 0;
+            [[maybe_unused]] const auto n = ::read(timer.get(), &expirations, sizeof expirations);
+            if (pressed != decltype(pressed)()) latency.push_back(display.last - pressed);
+            pressed = due;
+            display.waits = true;
+            port::Event up = press(XKB_KEY_Left);
+            up.pressed = false;
+            events = {press(XKB_KEY_Left), up};
+            if (++count == 7) events.push_back(quit());
+            arm();
+            return {};
+        }
+        std::string description() const override { return "keys"; }
+        void arm() {
+            due = std::chrono::steady_clock::now() + 500ms + count * 10ms;
+            itimerspec spec{};
+            const auto ns = std::chrono::nanoseconds(due.time_since_epoch()).count();
+            spec.it_value.tv_sec = ns / 1'000'000'000;
+            spec.it_value.tv_nsec = ns % 1'000'000'000;
+            ::timerfd_settime(timer.get(), TFD_TIMER_ABSTIME, &spec, nullptr);
+        }
+        ClockedDisplay& display;
+        Fd timer;
+        int count = 0;
+        std::chrono::steady_clock::time_point due{}, pressed{};
+        std::vector<std::chrono::nanoseconds> latency;
+    } input(display);
+    run(display, input);
+    ASSERT_EQ(input.latency.size(), 6U);
+    for (const auto latency : input.latency) {
+        EXPECT_GT(latency, 0ns) << "a frame was shown";
+        EXPECT_LT(latency, 250ms) << "on a busy machine; else under 20 ms";
+    }
+}
+
 } // namespace
 } // namespace scanout::app
