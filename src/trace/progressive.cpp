@@ -39,8 +39,8 @@ Result<std::unique_ptr<Progressive>> Progressive::create(const scene::Scene& sce
     std::unique_ptr<Progressive> made(new Progressive(view, look, effort));
     TRY(World world, World::create(scene, made->view_, made->look_, cancelled));
     made->world_ = std::make_unique<World>(std::move(world));
-    made->tracer_ = std::make_unique<Tracer>(*made->world_, made->look_,
-                                             placed(look.lights, view, scene.mesh), tone);
+    made->tracer_ = std::make_unique<Tracer>(
+        *made->world_, made->look_, placed(look.lights, view, scene.mesh), tone, effort.seed);
     made->begin(effort.estimate_first ? Stage::estimate : Stage::settle);
     return made;
 }
@@ -52,6 +52,8 @@ Progressive::Progressive(const scene::View& view, const Look& look, const Effort
     made_.light.resize(pixels);
     made_.error.resize(pixels);
     samples_.resize(pixels);
+    contrast_.resize(pixels);
+    once_more_.resize(pixels);
     known_.resize(pixels);
 }
 
@@ -74,16 +76,19 @@ std::vector<int> Progressive::all_pixels() const {
 std::vector<int> Progressive::beside_hard_ones() const {
     const int width = look_.width, height = look_.height;
     const auto at = [width](int x, int y) { return static_cast<std::size_t>(y * width + x); };
-    std::vector<std::uint32_t> most(samples_); // of a pixel and those to its left and right
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            most[at(x, y)] = std::max({samples_[at(std::max(x - 1, 0), y)], samples_[at(x, y)],
-                                       samples_[at(std::min(x + 1, width - 1), y)]});
+    const auto is_beside_one = [&](int x, int y) {
+        const std::size_t own = at(x, y);
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
+                if (samples_[at(u, v)] >= 8 * samples_[own] &&
+                    contrast_[at(u, v)] > 2 * contrast_[own])
+                    return true;
+        return false;
+    };
     std::vector<int> found;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
-            if (std::max({most[at(x, std::max(y - 1, 0))], most[at(x, y)],
-                          most[at(x, std::min(y + 1, height - 1))]}) >= 8 * samples_[at(x, y)])
+            if (!once_more_[at(x, y)] && is_beside_one(x, y))
                 found.push_back(static_cast<int>(at(x, y)));
     return found;
 }
@@ -92,7 +97,8 @@ void Progressive::begin(Stage stage) {
     stage_ = stage;
     pixels_.clear();
     if (stage == Stage::beside_hard_ones)
-        pixels_ = beside_hard_ones();
+        for (const int pixel : pixels_ = beside_hard_ones())
+            once_more_[static_cast<std::size_t>(pixel)] = true;
     else if (stage != Stage::finished)
         pixels_ = all_pixels();
     next_ = 0;
@@ -132,7 +138,9 @@ void Progressive::step(Jobs& jobs, Time until) {
             }
         });
         if (late) return;
-        begin(static_cast<Stage>(static_cast<int>(stage_) + 1));
+        // What was traced once more may be hard, too.
+        const bool again = stage_ == Stage::beside_hard_ones && !pixels_.empty();
+        begin(again ? stage_ : static_cast<Stage>(static_cast<int>(stage_) + 1));
     }
 }
 
@@ -143,6 +151,7 @@ void Progressive::put(const PixelSamples& samples) {
     made_.light[i] = Vec3(traced.light);
     made_.error[i] = static_cast<float>(traced.error);
     samples_[i] = traced.samples;
+    contrast_[i] = static_cast<float>(traced.contrast);
     const bool is_final =
         stage_ != Stage::estimate || traced.error < kErrorWanted || most_samples_ <= kFewestSamples;
     if (is_final && known_[i] != Known::final) final_.fetch_add(1, std::memory_order_relaxed);

@@ -50,7 +50,8 @@ public:
 
 private:
     // In this order. Where few samples of a pixel may all have missed what a neighbour shows much
-    // of (the thin end of a penumbra, the tip of a triangle), it is traced once more with many.
+    // of (the thin end of a penumbra, the tip of a triangle, an edge that runs on beside it), it is
+    // traced once more with many; and so its own neighbours, until none is left.
     enum class Stage : std::uint8_t { estimate, settle, beside_hard_ones, finished };
 
     Progressive(const scene::View& view, const Look& look, const Effort& effort);
@@ -72,6 +73,8 @@ private:
     std::atomic<int> final_ = 0;                     // pixels
     Reference made_;
     std::vector<std::uint32_t> samples_; // of each pixel
+    std::vector<float> contrast_;        // of what its samples saw, codes
+    std::vector<bool> once_more_;        // traced
     std::vector<Known> known_;
 };
 

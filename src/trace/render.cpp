@@ -11,7 +11,7 @@ double Reference::mean_error() const {
     double sum = 0;
     for (const float e : error)
         sum += double{e} * double{e};
-    return error.empty() ? 0 : scanout::sqrt(sum / static_cast<double>(error.size()));
+    return error.empty() ? 0 : scanout::sqrt(sum / static_cast<double>(error.size())) / kMargin;
 }
 
 std::size_t Reference::unsure() const {

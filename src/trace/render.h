@@ -3,10 +3,10 @@
 // samples: a pixel gets 16 to 4096, stratified, until its estimated error is under a quarter of a
 // code. The same bits on every instruction set and number of threads.
 //
-// The error of a pixel is estimated from four parts of its samples, each a stratified set by
-// itself: three quarters of the standard deviation of their means, which few parts may put too low,
-// and no less than what such a set errs where an edge divides the range of light that its samples
-// found.
+// The error of a pixel is estimated from sixteen parts of its samples (noise.h), and is no less
+// than what may hide between two samples of the range of light that they found. A few samples may
+// miss an edge altogether: pixels that saw little beside some that saw much are traced once more,
+// of more samples, and so on along the edge.
 #pragma once
 
 #include "base/jobs.h"
@@ -24,16 +24,19 @@ namespace scanout::trace {
 
 struct Reference {
     image::Image image;
-    std::vector<Vec3> light;  // of each pixel: linear, mixed with the background
-    std::vector<float> error; // of each pixel: standard error, codes, of the worst channel
+    std::vector<Vec3> light; // of each pixel: linear, mixed with the background
+    // Of each pixel, codes, of the worst channel: kMargin standard errors, which bound the real
+    // error in nine pixels of ten.
+    std::vector<float> error;
     std::uint64_t samples = 0;
-    double mean_error() const;  // root of the mean square: the reference's own noise, codes
-    std::size_t unsure() const; // pixels whose estimate is a quarter of a code or more
+    double mean_error() const;  // root of the mean square standard error: its own noise, codes
+    std::size_t unsure() const; // pixels whose bound is a quarter of a code or more
 };
 
 inline constexpr std::uint32_t kFewestSamples = 16, kMostSamples = 4096; // a pixel
 inline constexpr std::uint32_t kSamplesOnceMore = 1024; // of a pixel that has a hard neighbour
 inline constexpr double kErrorWanted = 0.25;            // codes
+inline constexpr double kMargin = 1.5; // an estimate may be too low, and stops the sampling then
 
 // How much is spent on a pixel that is hard. Fewer samples leave more noise, which the errors say.
 struct Effort {
@@ -41,6 +44,8 @@ struct Effort {
     // An estimate of every pixel before the hard ones are settled, for those who watch: it costs
     // kFewestSamples samples more of each of these.
     bool estimate_first = false;
+    // Pictures of other seeds have other noise, of the same size: so it can be measured.
+    int seed = 0;
 };
 
 // progress(fraction) is called by the calling thread alone. Fails where the look names what there

@@ -11,8 +11,10 @@
 
 namespace scanout::trace {
 
-Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone)
-    : world_(world), look_(look), lights_(std::move(lights)), tone_(tone),
+constexpr std::uint32_t kLightPoints = 16; // of a light with a size, for each sample
+
+Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone, int seed)
+    : world_(world), look_(look), lights_(std::move(lights)), tone_(tone), seed_(seed),
       least_(world.bvh().radius() * 0x1p-34),
       background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
                   srgb_decode(look.background.b)) {}
@@ -39,10 +41,10 @@ double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& plac
                          std::uint32_t seed) const {
     if (!light.has_size())
         return in_shadow(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
-    constexpr std::uint32_t kPoints = 16;
     int above = 0, lit = 0;
-    for (std::uint32_t i = 0; i < kPoints; ++i) {
-        const Ray ray = light.towards(place, stratified(index * kPoints + i, number + 1, seed));
+    for (std::uint32_t i = 0; i < kLightPoints; ++i) {
+        const Ray ray =
+            light.towards(place, stratified(index * kLightPoints + i, number + 1, seed));
         if (dot3(ray.way, facing) <= 0) continue;
         ++above;
         lit += in_shadow(ray, light.end(), triangle) ? 0 : 1;
@@ -51,12 +53,15 @@ double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& plac
 }
 
 // What a surface shows to the eye, after the tone curve.
-DVec3 Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const {
+Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
+                     std::uint32_t seed) const {
+    Sample seen;
     const DVec3 place = ray.from + ray.way * hit.t, eye = unit_of(-ray.way);
     const Surface surface = world_.surface(hit, ray);
     const DVec3 facing = world_.facing(hit, ray);
     std::array<Arrival, scene::kMaxLights> arrivals;
     std::size_t count = 0;
+    const Reflection reflection = world_.reflection(hit);
     for (std::size_t k = 0; k < lights_.others.size(); ++k) {
         const PlacedLight& light = lights_.others[k];
         Arrival arrival = light.at(place);
@@ -65,18 +70,21 @@ DVec3 Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::ui
             const double share =
                 lit_share(light, static_cast<int>(k), place, facing, hit.triangle, index, seed);
             if (share == 0) continue;
+            if (share != 1)
+                seen.in_doubt =
+                    seen.in_doubt + reflection(surface, eye, DVec3(0), std::span(&arrival, 1)) *
+                                        (look_.exposure / kLightPoints);
             arrival.colour = arrival.colour * share;
         }
         arrivals[count++] = arrival;
     }
     const DVec3 light =
-        (world_.reflection(hit)(surface, eye, lights_.ambient, std::span(arrivals).first(count)) +
+        (reflection(surface, eye, lights_.ambient, std::span(arrivals).first(count)) +
          world_.emission(hit)) *
         look_.exposure;
-    DVec3 toned;
     for (int c = 0; c < 3; ++c)
-        toned[c] = tone_(light[c], look_.white);
-    return toned;
+        seen.light[c] = tone_(light[c], look_.white);
+    return seen;
 }
 
 // Surfaces in the order in which they are met, until one hides the rest: Porter and Duff 1984.
@@ -88,7 +96,9 @@ Sample Tracer::trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) co
         if (world_.is_left_out(hit.triangle)) continue;
         const double alpha = world_.alpha(hit);
         if (alpha <= 0) continue;
-        seen.light = seen.light + shown(hit, ray, index, seed) * (seen.transmittance * alpha);
+        const Sample here = shown(hit, ray, index, seed);
+        seen.light = seen.light + here.light * (seen.transmittance * alpha);
+        seen.in_doubt = seen.in_doubt + here.in_doubt * (seen.transmittance * alpha);
         seen.transmittance *= 1 - alpha;
     }
     return seen;
@@ -96,49 +106,46 @@ Sample Tracer::trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) co
 
 // Over the background. Light is that of what covers the pixel, where the background is clear.
 Tracer::Mean Tracer::mean(const SampleSum& sum) const {
-    const double back = sum.sum.transmittance / sum.weight, back_alpha = look_.background.a / 255.0;
+    const double back = sum.transmittance / sum.weight, back_alpha = look_.background.a / 255.0;
     const double alpha = 1 - back * (1 - back_alpha);
-    const DVec3 light = sum.sum.light / sum.weight + background_ * (back * back_alpha);
+    const DVec3 light = sum.light / sum.weight + background_ * (back * back_alpha);
     return {alpha > 0 ? light / alpha : DVec3(0), alpha};
 }
 
-// The greatest standard deviation of a channel among the parts' means, codes.
-double Tracer::deviation(const Parts& parts) const {
+// Of the worst channel, codes.
+double Tracer::error_of(const PixelSamples& pixel) const {
+    const double back_alpha = look_.background.a / 255.0;
+    SampleSum all;
+    for (const SampleSum& part : pixel.parts)
+        all.add(part);
+    const Mean whole = mean(all);
+    if (!(whole.alpha > 0)) return 0;
+    // Parts may agree by chance: what divides the range that the samples saw may lie between two of
+    // them, which a filter spreads over nine pixels; or between two points of a light.
+    const double hidden = (look_.filter ? 0.9 : 0.1) / pixel.wanted, of_light = 1.0 / pixel.wanted;
     double worst = 0;
     for (int c = 0; c < 3; ++c) {
-        std::array<double, PixelSamples::kParts> code;
-        double middle = 0;
-        for (std::size_t p = 0; p < parts.size(); ++p) {
-            code[p] = parts[p].weight > 0 ? code_of(mean(parts[p]).light[c]) : 0;
-            middle += code[p] / static_cast<double>(parts.size());
+        std::array<double, kParts> residual; // a pixel is a sum of light over one of alpha
+        for (std::size_t p = 0; p < kParts; ++p) {
+            const SampleSum& part = pixel.parts[p];
+            const double light = part.light[c] + background_[c] * part.transmittance * back_alpha,
+                         alpha = part.weight - part.transmittance * (1 - back_alpha);
+            residual[p] = (light - whole.light[c] * alpha) / (all.weight * whole.alpha / kParts);
         }
-        double square = 0;
-        for (const double value : code)
-            square += (value - middle) * (value - middle) / static_cast<double>(parts.size() - 1);
-        worst = std::max(worst, scanout::sqrt(square));
+        const double error =
+            std::max(standard_error(residual),
+                     hidden * (pixel.high[c] - pixel.low[c]) + of_light * pixel.in_doubt[c]);
+        const double low = std::max(whole.light[c] - error, 0.0), high = whole.light[c] + error;
+        worst = std::max(worst, (code_of(high) - code_of(low)) * (error / (high - low + 0x1p-100)));
     }
     return worst;
 }
 
-// Parts may agree by chance, as stratified sets do that an edge divides: an edge through the pixel
-// leaves them about 0.3 N^-3/4 of what differs there, codes.
-double Tracer::least_error(const Parts& parts, const DVec3& range, std::uint32_t count) const {
-    SampleSum all;
-    for (const SampleSum& part : parts)
-        all.add(part);
-    const DVec3 light = mean(all).light;
-    const double root = scanout::sqrt(static_cast<double>(count));
-    const double share = 0.3 / (root * scanout::sqrt(root));
-    double worst = 0;
-    for (int c = 0; c < 3; ++c)
-        worst = std::max(worst, code_of(light[c] + range[c] * share) - code_of(light[c]));
-    return worst;
-}
-
-// The next sample of the pixel, into the part that its number belongs to: into a quarter of the
-// first set, or, of a later set, which is as large as all before it, into half of it.
+// The next sample of the pixel, into the part that its number belongs to: into one of all parts of
+// the first set, or, of a later set, which is as large as all before it, into one of the second
+// half of them.
 void Tracer::take(PixelSamples& p) const {
-    const std::uint32_t seed = seed_of_pixel(p.x, p.y), index = p.taken++;
+    const std::uint32_t seed = seed_of_pixel(p.x + (seed_ << 16), p.y), index = p.taken++;
     DVec2 at = stratified(index, 0, seed);
     double weight = 1;
     if (look_.filter) { // three pixels wide
@@ -149,8 +156,10 @@ void Tracer::take(PixelSamples& p) const {
     const DVec3 whole = sample.light + background_ * sample.transmittance;
     p.low = glm::min(p.low, whole);
     p.high = glm::max(p.high, whole);
-    const std::uint32_t part = p.halved == 0 ? index / (p.wanted / PixelSamples::kParts)
-                                             : 2 + (index - p.halved) / (p.halved / 2);
+    p.in_doubt = glm::max(p.in_doubt, sample.in_doubt);
+    const std::size_t part = p.halved == 0
+                                 ? index / (p.wanted / kParts)
+                                 : kParts / 2 + (index - p.halved) / (p.halved / (kParts / 2));
     p.parts[part].add(sample, weight);
 }
 
@@ -162,14 +171,15 @@ bool Tracer::advance(PixelSamples& p, std::uint32_t most, Time until) const {
             if (p.taken % kSamplesALook == 0 && std::chrono::steady_clock::now() >= until)
                 return false;
         }
-        p.error =
-            std::max(0.75 * deviation(p.parts), least_error(p.parts, p.high - p.low, p.wanted));
+        p.error = kMargin * error_of(p);
         if (p.error < kErrorWanted || p.wanted >= most) return true;
-        // Twice as many: the parts that there are become two.
-        p.parts[0].add(p.parts[1]);
-        p.parts[1] = p.parts[2];
-        p.parts[1].add(p.parts[3]);
-        p.parts[2] = p.parts[3] = SampleSum();
+        // Twice as many: the parts that there are become half of them.
+        for (std::size_t i = 0; i < kParts / 2; ++i) {
+            SampleSum pair = p.parts[2 * i];
+            pair.add(p.parts[2 * i + 1]);
+            p.parts[i] = pair;
+        }
+        std::fill(p.parts.begin() + kParts / 2, p.parts.end(), SampleSum());
         p.halved = p.wanted;
         p.wanted *= 2;
     }
@@ -180,13 +190,17 @@ TracedPixel Tracer::pixel(const PixelSamples& done) const {
     for (const SampleSum& part : done.parts)
         all.add(part);
     const Mean whole = mean(all);
+    double contrast = 0;
+    for (int c = 0; c < 3; ++c)
+        contrast = std::max(contrast, code_of(done.high[c]) - code_of(done.low[c]));
     const auto code = [&](int c) {
         return static_cast<std::uint8_t>(code_of(whole.light[c]) + 0.5);
     };
     return {whole.light,
             {code(0), code(1), code(2), static_cast<std::uint8_t>(255 * whole.alpha)},
             done.error,
-            done.wanted};
+            done.wanted,
+            contrast};
 }
 
 } // namespace scanout::trace

@@ -8,6 +8,7 @@
 #include "trace/display.h"
 #include "trace/lights.h"
 #include "trace/look.h"
+#include "trace/noise.h"
 #include "trace/world.h"
 
 #include <array>
@@ -21,33 +22,33 @@ namespace scanout::trace {
 struct Sample {
     DVec3 light{0};
     double transmittance = 1;
+    DVec3 in_doubt{0}; // of one point among those that ask for a light which is seen in part
 };
 
 // Sums of samples, weighted by the filter.
 struct SampleSum {
-    Sample sum{DVec3(0), 0};
-    double weight = 0;
+    DVec3 light{0};
+    double transmittance = 0, weight = 0;
     void add(const Sample& s, double w) {
-        sum.light = sum.light + s.light * w;
-        sum.transmittance += s.transmittance * w;
+        light = light + s.light * w;
+        transmittance += s.transmittance * w;
         weight += w;
     }
     void add(const SampleSum& other) {
-        sum.light = sum.light + other.sum.light;
-        sum.transmittance += other.sum.transmittance;
+        light = light + other.light;
+        transmittance += other.transmittance;
         weight += other.weight;
     }
 };
 
-// A pixel on its way: its samples so far, in four parts, each a stratified set by itself.
+// A pixel on its way: its samples so far, in parts (noise.h).
 struct PixelSamples {
-    static constexpr std::size_t kParts = 4;
     int x = 0, y = 0;
     std::uint32_t taken = 0, wanted = 0; // samples, before the error is looked at
-    std::uint32_t halved = 0;            // of them in the first two parts; 0: the parts are equal
+    std::uint32_t halved = 0; // of them in the first half of the parts; 0: the parts are equal
     std::array<SampleSum, kParts> parts{};
-    DVec3 low{INFINITY}, high{-INFINITY}; // of the samples
-    double error = INFINITY;              // of their mean, codes
+    DVec3 low{INFINITY}, high{-INFINITY}, in_doubt{0}; // of the samples; the most of any
+    double error = INFINITY;                           // of their mean: its bound, codes
 };
 
 struct TracedPixel {
@@ -55,23 +56,23 @@ struct TracedPixel {
     image::Rgba8 code;
     double error; // codes
     std::uint32_t samples;
+    double contrast; // of what its samples saw, codes
 };
 
 class Tracer {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    // The world and the look outlive it.
-    Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone);
+    // The world and the look outlive it. seed: as Effort's.
+    Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone, int seed = 0);
 
-    // Takes samples, from `fewest` on twice as many each time, until the pixel's error is below
-    // kErrorWanted or there are `most`. True when it is; false where `until` comes before.
+    // Takes samples, from `fewest` on twice as many each time, until the bound of the pixel's error
+    // is below kErrorWanted or there are `most`. True when it is; false where `until` comes before.
     bool advance(PixelSamples& pixel, std::uint32_t most, Time until) const;
     // Of a pixel for which advance() was true.
     TracedPixel pixel(const PixelSamples& done) const;
 
 private:
-    using Parts = std::array<SampleSum, PixelSamples::kParts>;
     struct Mean {
         DVec3 light;
         double alpha; // 0 to 1
@@ -79,17 +80,17 @@ private:
     Mean mean(const SampleSum& sum) const;
     void take(PixelSamples& pixel) const;
     Sample trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
-    DVec3 shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
+    Sample shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
     double lit_share(const PlacedLight& light, int number, const DVec3& place, const DVec3& facing,
                      std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const;
     bool in_shadow(const Ray& ray, double end, std::uint32_t triangle) const;
-    double deviation(const Parts& parts) const;
-    double least_error(const Parts& parts, const DVec3& range, std::uint32_t count) const;
+    double error_of(const PixelSamples& pixel) const;
 
     const World& world_;
     const Look& look_;
     PlacedLights lights_;
     Tone tone_;
+    int seed_;
     double least_; // parameter of shadow rays: nearer is the surface itself
     DVec3 background_;
 };

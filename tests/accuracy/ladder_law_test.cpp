@@ -44,19 +44,6 @@ Shot spot() {
     return s;
 }
 
-Shot cornell_box(double light_size) {
-    Shot s = test::shipped("cornell_box/cornell_box.obj", 72, 72);
-    s.name += light_size == 0 ? " with a point of light" : " with a lamp";
-    s.camera.azimuth_degrees = 180;
-    s.options.cull = frame::Cull::back;
-    scene::Light lamp;
-    lamp.kind = scene::LightKind::point;
-    lamp.position = {278, 500, 280};
-    lamp.size = light_size;
-    s.options.lights = {lamp, test::light_of(scene::LightKind::ambient, 0.15)};
-    return s;
-}
-
 std::vector<Subject> subjects() {
     std::vector<Subject> all;
     for (const auto& [axis, shot] :
@@ -75,7 +62,7 @@ std::vector<Subject> subjects() {
     all.push_back(turned(spot(), ""));
     all.push_back(turned(test::shipped("suzanne/suzanne.obj", 80, 60), ""));
     for (const double light_size : {0.0, 60.0})
-        all.push_back(turned(cornell_box(light_size), ""));
+        all.push_back(turned(test::cornell_box(72, light_size), ""));
     return all;
 }
 
@@ -139,7 +126,7 @@ TEST(LadderLaw, ErrorsDoNotGrow) {
         std::vector<image::Image> references;
         double noise = 0; // mean square
         for (const Shot& s : subject.shots) {
-            trace::Reference made = test::reference_of(s, kSamples);
+            trace::Reference made = test::reference_of(s, {kSamples});
             noise +=
                 made.mean_error() * made.mean_error() / static_cast<double>(subject.shots.size());
             references.push_back(std::move(made.image));

@@ -28,8 +28,25 @@ inline Shot shipped(const std::string& path, int width, int height) {
     return s;
 }
 
+// In the light of a lamp under its ceiling, of a point where it has no size.
+inline Shot cornell_box(int side, double light_size) {
+    Shot s = shipped("cornell_box/cornell_box.obj", side, side);
+    s.name += light_size == 0 ? " with a point of light" : " with a lamp";
+    s.camera.azimuth_degrees = 180;
+    s.options.cull = frame::Cull::back;
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.position = {278, 500, 280};
+    lamp.size = light_size;
+    scene::Light ambient;
+    ambient.kind = scene::LightKind::ambient;
+    ambient.power = 0.15;
+    s.options.lights = {lamp, ambient};
+    return s;
+}
+
 // Of what is asked for, but for rungs.
-inline trace::Reference reference_of(const Shot& s, std::uint32_t most_samples) {
+inline trace::Reference reference_of(const Shot& s, const trace::Effort& effort) {
     const auto plan =
         frame::plan(measure::without_rungs(s.options), frame::facts(s.scene), view_of(s));
     if (!plan) ADD_FAILURE() << s.name << ": " << plan.error().what;
@@ -38,7 +55,7 @@ inline trace::Reference reference_of(const Shot& s, std::uint32_t most_samples) 
     if (!look) ADD_FAILURE() << s.name << ": " << look.error().what;
     if (!look) return {};
     Jobs jobs(2);
-    return *trace::render(s.scene, view_of(s), *look, jobs, {}, {most_samples});
+    return *trace::render(s.scene, view_of(s), *look, jobs, {}, effort);
 }
 
 } // namespace scanout::test
