@@ -52,7 +52,8 @@ std::vector<Subject> subjects() {
           std::pair{"shadow", test::shadowed("shadows", "auto")},
           std::pair{"shading", test::ball("a ball")},
           std::pair{"transparency", test::panes("panes", "auto")},
-          std::pair{"aa", test::star("a star")}, std::pair{"blend_space", test::star("a star")}})
+          std::pair{"render_scale", test::ball("a ball")}, std::pair{"aa", test::star("a star")},
+          std::pair{"blend_space", test::star("a star")}})
         all.push_back(turned(shot, axis));
     Shot dark = test::glossy("a dark ball", "auto");
     dark.options.exposure = -4;
