@@ -232,7 +232,8 @@ TEST(Overdraw, ShadesNothingAndStillKnowsWhatIsSeen) {
     EXPECT_EQ(plan->techniques[0]->name, "overdraw");
     EXPECT_EQ(plan->techniques[1]->name, "low_pass");
     for (const frame::Decision& d : plan->decisions)
-        EXPECT_EQ(d.on(), d.effect == "stencil" || d.effect == "cull" || d.effect == "convolution")
+        EXPECT_EQ(d.on(), d.effect == "stencil" || d.effect == "cull" ||
+                              d.effect == "convolution" || d.effect == "render_scale")
             << d.effect;
 }
 
