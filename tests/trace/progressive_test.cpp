@@ -109,6 +109,7 @@ TEST_F(Stepwise, EachEighthOfTheRowsIsSeenInTheFirstQuarterOfTheWork) {
     const std::vector<int> rows = rows_known();
     for (std::size_t i = 1; i < rows.size(); ++i)
         EXPECT_LE(rows[i] - rows[i - 1], 8);
+    EXPECT_GE(rows.back(), 64 - 8);
 }
 
 TEST_F(Stepwise, AStepEndsSoonAfterItsTime) {
