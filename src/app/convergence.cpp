@@ -10,16 +10,14 @@
 namespace scanout::app {
 
 void Convergence::begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
-                        const PictureKey& key) {
+                        const PictureKey& key, const trace::Effort& effort) {
     CHECK(can_begin());
     stop(); // waits for nothing
     key_ = key;
     cancelled_ = built_ = false;
-    const auto build = [this, &scene, view, look] {
+    const auto build = [this, &scene, view, look, effort] {
         const FloatEnvironment plain;
         try {
-            trace::Effort effort;
-            effort.estimate_first = true;
             result_ = trace::Progressive::create(scene, view, look, effort, &cancelled_);
         } catch (const std::bad_alloc&) {
             result_ = fail(Exit::unreadable, "the reference does not fit into memory");

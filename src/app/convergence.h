@@ -21,6 +21,9 @@ class Convergence {
 public:
     using Time = trace::Progressive::Time;
 
+    // All samples, but an estimate of each pixel first.
+    static constexpr trace::Effort kWatched{trace::kMostSamples, true};
+
     Convergence() = default;
     Convergence(const Convergence&) = delete;
     Convergence& operator=(const Convergence&) = delete;
@@ -29,7 +32,7 @@ public:
     // Begins to build for the picture that `key` names. The scene outlives the next stop(). Only
     // when can_begin().
     void begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
-               const PictureKey& key);
+               const PictureKey& key, const trace::Effort& effort = kWatched);
     // This picture has no reference, and why.
     void refuse(const PictureKey& key, std::string why);
     // Lets go of what there is, without waiting for a build to end.

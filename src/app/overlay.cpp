@@ -80,6 +80,14 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
         draw_block(picture, lines, 0, picture.height() - block_of(lines, scale).height, scale);
     }
     if (overlay.help.empty()) {
+        if (overlay.frontier) {
+            // Beside the information, or below it where there is no room.
+            const TextBlock info = block_of(overlay.info, scale);
+            const bool beside =
+                overlay.info.empty() ||
+                info.width + frontier_panel_width(*overlay.frontier, scale) <= picture.width();
+            draw_frontier_panel(picture, *overlay.frontier, beside ? 0 : info.height, scale);
+        }
         int end = block_of({""}, scale).height; // the message's
         if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));
         if (overlay.split) draw_split_line(picture, *overlay.split, end, scale);

@@ -2,6 +2,7 @@
 // in the middle. All is text in the bitmap font; it depends on the clock only where its text does.
 #pragma once
 
+#include "app/frontier_panel.h"
 #include "app/viewer_state.h"
 #include "image/image.h"
 
@@ -32,6 +33,7 @@ struct Overlay {
     std::vector<std::string> notice; // lines in the middle: loading, errors
     std::optional<ErrorLegend> legend; // at the lower right
     std::optional<SplitLine> split;
+    std::optional<FrontierPanel> frontier; // at the upper right
     friend bool operator==(const Overlay&, const Overlay&) = default;
 };
 

@@ -1,0 +1,77 @@
+#include "app/live_frontier.h"
+
+#include "app/machine.h"
+#include "app/quick.h"
+
+#include <utility>
+
+namespace scanout::app {
+namespace {
+
+constexpr double kReferenceShare = 0.3; // of the work, about
+
+measure::FrontierOptions quick(const std::vector<std::string>& axes) {
+    measure::FrontierOptions how;
+    how.axes = axes;
+    how.seconds = kQuickSeconds;
+    how.seconds_a_point = how.seconds / 240;
+    how.effects = false;
+    how.flip = measure::FrontierOptions::Flip::none;
+    return how;
+}
+
+} // namespace
+
+void LiveFrontier::begin(Task task) {
+    stop();
+    task_.emplace(std::move(task));
+    convergence_.begin(task_->scene, task_->view, task_->look, PictureKey(), {kQuickSamples});
+}
+
+void LiveFrontier::stop() {
+    search_.reset(); // it refers to the reference
+    convergence_.stop();
+    found_.reset();
+    task_.reset();
+}
+
+void LiveFrontier::step(Jobs& jobs, Time until) {
+    if (!task_ || found_) return;
+    if (search_ == nullptr) {
+        convergence_.step(jobs, until);
+        if (!convergence_.refusal().empty()) {
+            found_ = fail(Exit::unreadable, "{}", convergence_.refusal());
+        } else if (convergence_.finished()) {
+            auto made = measure::FrontierSearch::create(
+                task_->scene, task_->facts, task_->view, task_->options, jobs,
+                convergence_.reference()->image(), quick(task_->axes));
+            if (made)
+                search_ = *std::move(made);
+            else
+                found_ = tl::unexpected(made.error());
+        }
+        return;
+    }
+    do
+        search_->step();
+    while (!search_->finished() && std::chrono::steady_clock::now() < until);
+    if (!search_->finished()) return;
+    const measure::Frontier whole = search_->take();
+    found_ = measure::known(whole, today());
+    if ((*found_)->points.empty()) found_ = fail(Exit::usage, "nothing could be timed");
+}
+
+double LiveFrontier::fraction() const {
+    if (search_ != nullptr) return kReferenceShare + (1 - kReferenceShare) * search_->fraction();
+    const trace::Progressive* const reference = convergence_.reference();
+    return reference != nullptr ? kReferenceShare * reference->share() : 0;
+}
+
+std::optional<Result<measure::KnownFrontier>> LiveFrontier::take() {
+    if (!found_) return std::nullopt;
+    auto found = std::exchange(found_, std::nullopt);
+    stop();
+    return found;
+}
+
+} // namespace scanout::app
