@@ -85,6 +85,8 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
     {Id::toggle_error_map, "toggle_error_map", "V", "V", "map of the errors", 0, false, error_map_text, "map of the errors"},
+    {Id::rung_down, "rung_down", ",", ", .", "quicker, more accurate rungs", 0, true},
+    {Id::rung_up, "rung_up", ".", "", "more accurate rungs", 0, true},
     {Id::toggle_split, "toggle_split", "/", "/ < >", "split: now | reference", 0, false, split_text, "split view"},
     {Id::split_left, "split_left", "<", "", "move the split line", 0, true},
     {Id::split_right, "split_right", ">", "", "move the split line", 0, true},

@@ -163,7 +163,8 @@ Result<void> read_axis(Settings& s, std::string_view text) {
 
 Result<void> read_budget(Settings& s, std::string_view text) {
     s.limits.wall_ms.reset();
-    if (text == "none") return {};
+    s.holds_budget = text != "none";
+    if (!s.holds_budget) return {};
     TRY(s.limits.wall_ms, parse_time(text));
     return {};
 }
@@ -423,10 +424,11 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"quick", 0, "", "", "", 0, 0, Group::times, kFrontier,
      Switch([](Settings& s) -> bool& { return s.quick; }),
      "10 seconds, a noisier reference, FLIP of the frontier alone"},
-    {"budget", 0, "TIME", "", "none", 0, 0, Group::times, kView | kRender, Parsed(read_budget),
+    {"budget", 0, "TIME", "", "", 0, 0, Group::times, kView | kRender, Parsed(read_budget),
      "draw with the most accurate rungs whose frames take no longer on this machine (16ms, 0.5s; a "
      "number is milliseconds); axes that the command line names stay as named; measured once, then "
-     "remembered"},
+     "remembered. While something moves, view keeps to it by drawing fewer pixels; default: the "
+     "display's refresh interval; none: it does not"},
     {"max-error", 0, "CODES", "", "", 0, 0, Group::times, kView | kRender, Parsed(read_max_error),
      "draw with the quickest rungs that err no more against the reference: root mean square of "
      "sRGB codes, 0 to 255; with --budget: within that time"},

@@ -69,7 +69,8 @@ void add_frame_text(Overlay& overlay, const FrameFacts& frame) {
     if (!frame.times) return;
     if (!overlay.info.empty())
         overlay.info.push_back(
-            fmt::format("{:.1f} ms  {:.0f} fps", frame.stats.total_ms, frame.frames_per_second));
+            fmt::format("{:.1f} ms  {:.0f} fps{}{}", frame.stats.total_ms, frame.frames_per_second,
+                        frame.render_scale.empty() ? "" : "  render scale ", frame.render_scale));
     if (!overlay.explain.empty())
         overlay.explain.push_back(fmt::format("geometry {:.1f} ms  tiles {:.1f} ms",
                                               frame.stats.geometry_ms, frame.stats.tiles_ms));

@@ -10,6 +10,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace scanout::app {
 
@@ -24,6 +25,7 @@ struct FrameFacts {
     bool times = true;                 // print the times
     double frames_per_second = 0;
     frame::FrameStats stats;
+    std::string_view render_scale = {}; // at which it is drawn to hold the budget; empty: its own
 };
 void add_frame_text(Overlay& overlay, const FrameFacts& frame);
 

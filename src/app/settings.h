@@ -42,6 +42,7 @@ struct Settings {
 
     frame::FrameOptions frame;
     std::set<std::string, std::less<>> named_axes; // of techniques, that the command line names
+    bool holds_budget = true; // while the viewer's picture moves; false: --budget none
     measure::Limits limits; // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
     std::optional<io::ModelFormat> model_format; // --model-format

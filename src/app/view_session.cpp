@@ -4,6 +4,7 @@
 #include "app/overlay_text.h"
 #include "app/picture.h"
 #include "app/view_command.h"
+#include "base/stopwatch.h"
 #include "frame/plan/ignored_options.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace scanout::app {
 namespace {
 
 constexpr int kHintSteps = 5 * kStepsPerSecond;
-constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will not come
+constexpr std::chrono::milliseconds kSettle{150}; // of a picture that is drawn at its best then
+constexpr int kFlipTimeoutMs = 1100;              // a flip that has not come by then will not come
 
 } // namespace
 
@@ -48,6 +50,7 @@ Result<void> ViewSession::run() {
         const Time now = std::chrono::steady_clock::now();
         TRY_VOID(advance(now));
         if (quit_) break;
+        follow_motion(now);
         if (!asked().any())
             accuracy_.let_go();
         else if (slot_.model() != nullptr)
@@ -56,6 +59,8 @@ Result<void> ViewSession::run() {
         if (viewer_.state().explain == 0) explain_.stop();
         if (wants_row())
             TRY_VOID(measure_row());
+        else if (wants_frontier_step())
+            TRY_VOID(measure_frontier());
         else if (wants_trace() && accuracy_.due(now) <= now)
             TRY_VOID(trace_step());
         TRY_VOID(wait());
@@ -204,6 +209,12 @@ Result<void> ViewSession::take(const Action& action) {
         return load(true);
     case Effect::screenshot:
         return write_screenshot();
+    case Effect::rung_down:
+        step_rung(-1);
+        break;
+    case Effect::rung_up:
+        step_rung(1);
+        break;
     case Effect::print_view:
         note_command();
         break;
@@ -267,7 +278,10 @@ Result<void> ViewSession::write_screenshot() {
 std::string ViewSession::command() const {
     if (slot_.model() == nullptr) return {};
     const std::string options = view_options(viewer_, settings_, *slot_.mesh());
-    return options.empty() ? "" : view_command(path(), options);
+    const measure::KnownPoint* const point = rungs_.point();
+    const std::string rungs =
+        point != nullptr && !point->rungs.empty() ? " " + point->options() : "";
+    return options.empty() ? "" : view_command(path(), options + rungs);
 }
 
 void ViewSession::note_command() {
@@ -297,6 +311,8 @@ Result<void> ViewSession::load(bool again) {
     if (quit_) return {};
     explain_.stop(); // the model that it explains is going
     accuracy_.stop();
+    frontier_.stop();
+    rungs_.clear();
     clock_.stop(); // the time that loading took does not turn the model
     if (!model) {
         const bool hopeless = settings_.arguments.size() == 1 && !again;
@@ -309,7 +325,9 @@ Result<void> ViewSession::load(bool again) {
     slot_.put(*std::move(model), settings_.frame);
     chosen_.reset();
     TRY_VOID(report_plan());
-    return settings_.limits.any() ? choose_rungs() : Result<void>();
+    if (settings_.limits.any()) TRY_VOID(choose_rungs());
+    set_motion_levels();
+    return {};
 }
 
 // Options that no technique answers to, and cameras that see nothing, are faults of the command.
@@ -386,10 +404,10 @@ bool ViewSession::wants_to_leave() {
 // ---- The plan on the picture ------------------------------------------------------------------
 
 // Of the model on show, as it stands now.
-Result<const frame::FramePlan*> ViewSession::plan() {
+Result<const frame::FramePlan*> ViewSession::plan(int level) {
     // What the keys led to may be too near or too far away for any picture: a plan there is still.
     const Result<scene::View> view = viewer_.view(*slot_.mesh());
-    set_frame_options();
+    set_frame_options(level);
     return slot_.plan(frame_options_, view ? *view : scene::View());
 }
 
@@ -440,6 +458,33 @@ Result<void> ViewSession::measure_row() {
     return {};
 }
 
+// ---- Motion -----------------------------------------------------------------------------------
+
+void ViewSession::set_motion_levels() {
+    governor_.reset();
+    level_ = 0;
+    if (steady_ || !settings_.holds_budget) return;
+    set_frame_options();
+    levels_ = motion_levels(frame_options_, settings_.named_axes.count("render_scale") == 0);
+    std::vector<double> shares;
+    for (const MotionLevel& level : levels_)
+        shares.push_back(level.share);
+    governor_.emplace(std::move(shares), budget_ms());
+}
+
+// The level of the next frame: what the governor says until a picture has stood for a while.
+void ViewSession::follow_motion(Time now) {
+    if (!governor_) return;
+    if (const PictureKey asked_for = key(); !(asked_for == moved_to_)) {
+        moved_to_ = asked_for;
+        moved_ = now;
+    }
+    const bool moves = viewer_.turning() || now - moved_ < kSettle;
+    if (!moves && moving_) governor_->rest();
+    moving_ = moves;
+    level_ = moves ? governor_->level() : 0;
+}
+
 // ---- Frames -----------------------------------------------------------------------------------
 
 std::optional<PixelPlace> ViewSession::pointer() const {
@@ -449,7 +494,7 @@ std::optional<PixelPlace> ViewSession::pointer() const {
 }
 
 ViewSession::Shown ViewSession::wanted() {
-    return {key(), overlay(), accuracy_.revision(), pointer()};
+    return {key(), level_, overlay(), accuracy_.revision(), pointer()};
 }
 
 Overlay ViewSession::overlay() {
@@ -457,6 +502,7 @@ Overlay ViewSession::overlay() {
     if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
     if (slot_.model() == nullptr) return overlay;
     if (viewer_.state().error_map) overlay.legend = accuracy_.legend(picture_, key(), pointer());
+    if (viewer_.state().frontier) overlay.frontier = frontier_panel();
     if (viewer_.state().split) overlay.split = accuracy_.split_line(key(), asked());
     if (const std::string line = accuracy_.line(key(), asked());
         viewer_.state().info && !line.empty())
@@ -464,24 +510,33 @@ Overlay ViewSession::overlay() {
     return overlay;
 }
 
-void ViewSession::set_frame_options() {
-    frame_options_ = settings_.frame;
-    if (chosen_) frame_options_ = measure::with(std::move(frame_options_), chosen_->point.rungs);
-    frame_options_.width = background_.width();
-    frame_options_.height = background_.height();
-    frame_options_.bits = image::min_bits(parts_.display.info().format);
-    frame_options_.cull = viewer_.state().look.cull;
-    viewer_.place_lights(*slot_.mesh(), frame_options_.lights);
+void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
+    out = settings_.frame;
+    out.width = background_.width();
+    out.height = background_.height();
+    out.bits = image::min_bits(parts_.display.info().format);
+    out.cull = viewer_.state().look.cull;
+    viewer_.place_lights(*slot_.mesh(), out.lights);
 }
 
-Result<void> ViewSession::render() {
+void ViewSession::set_frame_options(int level) {
+    put_asked_frame_options(frame_options_);
+    if (rungs_.point() != nullptr)
+        frame_options_ = measure::with(std::move(frame_options_), rungs_.point()->rungs);
+    else if (chosen_)
+        frame_options_ = measure::with(std::move(frame_options_), chosen_->point.rungs);
+    if (level > 0)
+        frame_options_.render_scale = levels_[static_cast<std::size_t>(level)].render_scale;
+}
+
+Result<void> ViewSession::render(int level) {
     if (slot_.model() == nullptr) {
         blank_.reset();
         picture_ = &background_;
         return {};
     }
     const Result<scene::View> view = viewer_.view(*slot_.mesh());
-    TRY(const frame::FramePlan* const now, plan());
+    TRY(const frame::FramePlan* const now, plan(level));
     picture_ = view ? &renderer_.render(slot_.model()->scene, *view, *now) : &background_;
     if (!view)
         blank_ = frame::Blank::outside;
@@ -492,21 +547,28 @@ Result<void> ViewSession::render() {
     return {};
 }
 
-void ViewSession::compose(const Overlay& overlay) {
+void ViewSession::compose(const Overlay& overlay, int level) {
     Overlay complete = overlay;
-    add_frame_text(complete, {blank_, !steady_, pacer_.frames_per_second(), renderer_.stats()});
+    add_frame_text(complete,
+                   {blank_, !steady_, pacer_.frames_per_second(), renderer_.stats(),
+                    level > 0 ? levels_[static_cast<std::size_t>(level)].render_scale : ""});
     composer_.set_picture(accuracy_.picture(*picture_, key(), asked()),
                           [&](image::Image& picture) { draw_overlay(picture, complete); });
 }
 
 Result<void> ViewSession::draw(const Shown& wanted) {
-    const bool new_picture = picture_ == nullptr || !(wanted.picture == shown_.picture);
-    if (new_picture) TRY_VOID(render());
+    const bool new_picture =
+        picture_ == nullptr || !(wanted.picture == shown_.picture) || wanted.level != shown_.level;
+    const Stopwatch watch;
+    if (new_picture) TRY_VOID(render(wanted.level));
     if (new_picture || repaint_ || wanted.accuracy != shown_.accuracy ||
         !(wanted.overlay == shown_.overlay))
-        compose(wanted.overlay);
+        compose(wanted.overlay, wanted.level);
     composer_.set_pointer(wanted.pointer);
     TRY_VOID(present());
+    if (governor_ && new_picture && wanted.picture == moved_to_ &&
+        wanted.level == governor_->level())
+        governor_->took(watch.milliseconds());
     shown_ = wanted;
     repaint_ = false;
     if (const auto file = std::exchange(frame_file_, std::nullopt))
@@ -542,13 +604,17 @@ Result<void> ViewSession::draw_if_due(Time now) {
 // flip or a signal ends the sleep.
 Result<void> ViewSession::wait() {
     const bool ready = parts_.display.ready();
-    const bool row = wants_row(), trace = wants_trace();
-    if (ready && !lost_ && !wants_frame() && !row && !trace) log_.settled();
+    const bool row = wants_row(), rungs = wants_frontier_step(), trace = !rungs && wants_trace();
+    if (ready && !lost_ && !wants_frame() && !row && !rungs && !trace) log_.settled();
     std::optional<Time> wake;
     const auto consider = [&](Time time) { wake = wake ? std::min(*wake, time) : time; };
     if (const auto next = next_step(); next && !lost_ && !frame_file_)
         consider(clock_.running() ? clock_.time_of(*next) : std::chrono::steady_clock::now());
     if (ready && !lost_ && wants_frame()) consider(pacer_.due());
+    if (level_ > 0 && !viewer_.turning()) consider(moved_ + kSettle);
+    if (rungs) // at once, or when a thread may have ended
+        consider(std::chrono::steady_clock::now() +
+                 std::chrono::milliseconds(frontier_.building() ? 5 : 0));
     if (trace) consider(accuracy_.due(std::chrono::steady_clock::now()));
     const int patience = row ? 0 : ready || lost_ ? -1 : kFlipTimeoutMs;
     TRY(const bool input, loop_.sleep(wake, patience));

@@ -11,11 +11,15 @@
 #include "app/explain_report.h"
 #include "app/frame_log.h"
 #include "app/frame_pacer.h"
+#include "app/governor.h"
 #include "app/live_explain.h"
+#include "app/live_frontier.h"
 #include "app/model_slot.h"
+#include "app/motion_levels.h"
 #include "app/overlay.h"
 #include "app/picture_key.h"
 #include "app/recording.h"
+#include "app/rung_stepper.h"
 #include "app/script_player.h"
 #include "app/timed_message.h"
 #include "app/viewer.h"
@@ -54,6 +58,7 @@ public:
 
     RunReport report(std::uint64_t start_bytes);
     int frames_drawn() const { return log_.count(); }
+    int motion_level() const { return level_; } // of governor.h; 0 when all is still
     // What K noted, for standard output once the console is text again.
     const std::vector<std::string>& noted_commands() const { return noted_commands_; }
 
@@ -95,8 +100,8 @@ private:
     Result<void> wait();
 
     // The plan on the picture.
-    PictureKey key() const { return picture_key(viewer_.state().look, slot_.generation()); }
-    Result<const frame::FramePlan*> plan();
+    PictureKey key() const;
+    Result<const frame::FramePlan*> plan(int level = 0);
     ScreenPage explain_page();
     bool lacks_rows() const;
     bool wants_row();
@@ -109,11 +114,25 @@ private:
     Result<void> trace_step();
     Result<void> begin_reference();
     Result<void> finish_reference();
-    void refuse_reference(const std::string& why);
+    Result<void> refuse_reference(const std::string& why);
+
+    // Rungs (view_session_rungs.cpp).
+    void step_rung(int by);
+    bool wants_frontier_step();
+    Result<void> measure_frontier();
+    Result<void> begin_frontier();
+    void put_frontier(measure::KnownFrontier frontier);
+    FrontierPanel frontier_panel() const;
+    double budget_ms() const; // of a frame while something moves
+
+    // Motion.
+    void set_motion_levels();
+    void follow_motion(Time now);
 
     // Frames.
     struct Shown {
         PictureKey picture;
+        int level = 0; // of governor.h
         Overlay overlay;
         int accuracy = 0; // the view's revision
         std::optional<PixelPlace> pointer;
@@ -123,9 +142,11 @@ private:
     Shown wanted();
     Overlay overlay();
     bool wants_frame() { return repaint_ || frame_file_ || !(wanted() == shown_); }
-    void set_frame_options();
-    Result<void> render();
-    void compose(const Overlay& overlay);
+    // Without what rungs were chosen; in the room of what `out` holds.
+    void put_asked_frame_options(frame::FrameOptions& out) const;
+    void set_frame_options(int level = 0);
+    Result<void> render(int level = 0);
+    void compose(const Overlay& overlay, int level);
     Result<void> draw(const Shown& wanted);
     Result<void> draw_if_due(Time now);
     const image::Image& displayed();
@@ -144,10 +165,19 @@ private:
     TimedMessage message_;
     LiveExplain explain_;
     AccuracyView accuracy_;
-    int refusal_told_ = -1; // the generation of the model of which it was said
+    RungStepper rungs_;
+    LiveFrontier frontier_;
+    std::string frontier_key_; // of the one that is measured
+    int refusal_told_ = -1;    // the generation of the model of which it was said
     frame::Renderer renderer_;
     Composer composer_;
     FramePacer pacer_;
+    std::vector<MotionLevel> levels_;
+    std::optional<Governor> governor_; // none: no budget is held
+    PictureKey moved_to_;              // the picture that was asked for last,
+    Time moved_{};                     // and since when
+    bool moving_ = false;
+    int level_ = 0; // of the next frame
     FrameLog log_;
 
     std::vector<port::Event> events_;

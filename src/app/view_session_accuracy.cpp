@@ -15,19 +15,21 @@ bool ViewSession::converges(const Settings& settings) {
     if (settings.converge != Converge::automatic) return settings.converge == Converge::on;
     const std::vector<std::string_view> axes = measure::ladder_axes();
     return settings.frame.samples == frame::FrameOptions().samples &&
-           std::all_of(axes.begin(), axes.end(), [&](std::string_view axis) {
-               return frame::is_auto(frame::asked_for(settings.frame, axis));
+           std::none_of(axes.begin(), axes.end(), [&](std::string_view axis) {
+               return settings.named_axes.count(axis) != 0;
            });
 }
 
 AccuracyView::Asked ViewSession::asked() const {
     const ViewerState& state = viewer_.state();
-    return {converges_, state.error_map, state.split, state.split_x};
+    // The rungs that keys chose are what the user wants to see, as those of the command line are.
+    const bool chosen = settings_.converge == Converge::automatic && rungs_.point() != nullptr;
+    return {converges_ && !chosen, state.error_map, state.split, state.split_x};
 }
 
 // Nothing else is to be done, and the picture is such that there can be a reference.
 bool ViewSession::wants_trace() {
-    return accuracy_.lacks() && slot_.model() != nullptr && !blank_ && !lost_ &&
+    return level_ == 0 && accuracy_.lacks() && slot_.model() != nullptr && !blank_ && !lost_ &&
            parts_.display.ready() && !viewer_.turning() && !wants_row() && !wants_frame();
 }
 
@@ -45,12 +47,11 @@ Result<void> ViewSession::begin_reference() {
     TRY(const scene::View view, viewer_.view(*slot_.mesh()));
     TRY(const frame::FramePlan* const now, plan());
     const Result<trace::Look> look = look_of(*now);
-    if (!look) return refuse_reference(look.error().what), Result<void>();
+    if (!look) return refuse_reference(look.error().what);
     if (scene.mesh.lines() + scene.mesh.points() != 0)
-        return refuse_reference("it draws no lines and points, which this model has"),
-               Result<void>();
+        return refuse_reference("it draws no lines and points, which this model has");
     if (const auto fits = check_reference_fits(scene, *now, settings_.max_memory_mb); !fits)
-        return refuse_reference(fits.error().what), Result<void>();
+        return refuse_reference(fits.error().what);
     accuracy_.convergence().begin(scene, view, *look, key());
     return {};
 }
@@ -70,11 +71,12 @@ Result<void> ViewSession::finish_reference() {
 }
 
 // Once for each model.
-void ViewSession::refuse_reference(const std::string& why) {
+Result<void> ViewSession::refuse_reference(const std::string& why) {
     accuracy_.refuse(key(), why);
-    if (std::exchange(refusal_told_, slot_.generation()) == slot_.generation()) return;
+    if (std::exchange(refusal_told_, slot_.generation()) == slot_.generation()) return {};
     if (!settings_.quiet) say("scanout: no reference: " + why);
     show_message("no reference: " + why, kMessageSteps);
+    return {};
 }
 
 } // namespace scanout::app

@@ -85,6 +85,12 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     case ActionId::toggle_error_map:
         state_.error_map = !state_.error_map;
         return Effect::none;
+    case ActionId::rung_down:
+        state_.frontier = true;
+        return Effect::rung_down;
+    case ActionId::rung_up:
+        state_.frontier = true;
+        return Effect::rung_up;
     case ActionId::toggle_split:
         state_.split = !state_.split;
         return Effect::none;
@@ -107,6 +113,8 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
             state_.light = -1;
         else if (state_.explain > 0)
             state_.explain = 0;
+        else if (state_.frontier)
+            state_.frontier = false;
         else if (state_.split)
             state_.split = false;
         else if (state_.error_map)

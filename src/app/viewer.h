@@ -25,6 +25,8 @@ enum class Effect : std::uint8_t {
     reload,
     screenshot,
     print_view,
+    rung_down,
+    rung_up,
     frame,
     suspend,
     quit

@@ -38,6 +38,7 @@ struct ViewerState {
     int explain = 0;        // the page of the plan that is open, from 1; 0: none
     bool error_map = false; // in place of the picture, what it errs
     bool split = false;     // the reference to the right of a line
+    bool frontier = false;  // its panel
     int split_x = 0;        // of the line, pixels from the left
     int file = 0;
     int light = -1; // the one that keys and mouse move; -1: none, they move model or camera

@@ -131,6 +131,7 @@ TEST_F(AccuracySession, WhatTheUserNamedStays) {
     for (const bool off : {false, true}) {
         settings.converge = off ? Converge::off : Converge::automatic;
         settings.frame.aa = off ? "auto" : "samples_2";
+        settings.named_axes = {"aa"};
         EXPECT_EQ(last_frame({{2500ms, {quit()}}}), rendered({}));
     }
     settings.converge = Converge::on;
@@ -297,6 +298,62 @@ TEST_F(AccuracySession, AKeyIsHeardWhileTheReferenceIsMade) {
     for (const auto latency : input.latency) {
         EXPECT_GT(latency, 0ns) << "a frame was shown";
         EXPECT_LT(latency, 250ms) << "on a busy machine; else under 20 ms";
+    }
+}
+
+// A display that would have a frame each 10 us: none is in time, whatever the machine.
+class HurryingDisplay final : public port::Display {
+public:
+    HurryingDisplay(int width, int height) : shown(width, height) {
+        info_.width = width;
+        info_.height = height;
+        info_.refresh_hz = 100'000;
+    }
+    const port::DisplayInfo& info() const override { return info_; }
+    bool ready() const override { return true; }
+    Result<void> present(const image::Image& frame, std::span<const image::Rect>) override {
+        shown = frame;
+        return {};
+    }
+    bool paced() const override { return false; }
+    int event_fd() const override { return -1; }
+    Result<void> dispatch() override { return {}; }
+    bool lost() const override { return false; }
+    image::Image shown;
+
+private:
+    port::DisplayInfo info_;
+};
+
+TEST_F(AccuracySession, WhileItMovesFewerPixelsAreDrawnAndAllOfThemWhenItIsStill) {
+    settings.converge = Converge::off;
+    settings.arguments = {SCANOUT_SOURCE_DIR "/models/spot/spot.obj"};
+    width = 1280;
+    height = 960;
+    for (const bool holds : {true, false}) {
+        settings.holds_budget = holds;
+        HurryingDisplay display(width, height);
+        TimedInput timed(
+            {{100ms, {press(XKB_KEY_space)}}, {1000ms, {press(XKB_KEY_Home)}}, {1000ms, {quit()}}});
+        struct Looking final : port::Input {
+            explicit Looking(TimedInput& t) : timed(t) {}
+            int event_fd() const override { return timed.event_fd(); }
+            Result<void> dispatch(std::vector<port::Event>& events) override {
+                levels.push_back(session->motion_level());
+                return timed.dispatch(events);
+            }
+            std::string description() const override { return "looking"; }
+            TimedInput& timed;
+            ViewSession* session = nullptr;
+            std::vector<int> levels;
+        } input(timed);
+        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        input.session = session->get();
+        ASSERT_TRUE((*session)->run());
+        ASSERT_EQ(input.levels.size(), 3U);
+        EXPECT_EQ(input.levels[1] > 0, holds);
+        EXPECT_EQ(input.levels[2], 0);
+        EXPECT_EQ(display.shown, rendered({}));
     }
 }
 

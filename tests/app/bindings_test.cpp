@@ -90,6 +90,8 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"I", "toggle_info"},
                                                         {"X", "toggle_explain"},
                                                         {"V", "toggle_error_map"},
+                                                        {",", "rung_down"},
+                                                        {".", "rung_up"},
                                                         {"/", "toggle_split"},
                                                         {"<", "split_left"},
                                                         {">", "split_right"},

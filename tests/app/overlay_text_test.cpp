@@ -79,5 +79,14 @@ TEST(FileName, IsThePathsLastPart) {
     EXPECT_EQ(file_name_of("spot.obj"), "spot.obj");
 }
 
+TEST_F(Words, AFrameOfFewerPixelsSaysItsScale) {
+    Overlay open;
+    open.info = {"t.obj"};
+    FrameFacts frame;
+    frame.render_scale = "half";
+    add_frame_text(open, frame);
+    EXPECT_EQ(open.info.back(), "0.0 ms  0 fps  render scale half");
+}
+
 } // namespace
 } // namespace scanout::app

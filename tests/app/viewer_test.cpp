@@ -389,8 +389,11 @@ TEST(Viewer, EscapeClosesWhatIsOpenBeforeItQuits) {
     bench.act(Id::toggle_explain);
     bench.act(Id::toggle_error_map);
     bench.act(Id::toggle_split);
+    EXPECT_EQ(bench.act(Id::rung_down), Effect::rung_down);
+    EXPECT_EQ(bench.act(Id::rung_up), Effect::rung_up);
+    EXPECT_TRUE(bench.viewer.state().frontier);
     bench.act(Id::light_next);
-    for (int open = 0; open < 5; ++open)
+    for (int open = 0; open < 6; ++open)
         EXPECT_EQ(bench.act(Id::close), Effect::none);
     EXPECT_FALSE(bench.viewer.state().info);
     EXPECT_EQ(bench.act(Id::close), Effect::quit);

@@ -1,0 +1,104 @@
+// , and . step along the frontier of the model on show.
+#include "app/budget.h"
+#include "app/frontier_key.h"
+#include "app/session_fixture.h"
+#include "scene/content.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <xkbcommon/xkbcommon-keysyms.h>
+
+namespace scanout::app {
+namespace {
+
+class RungSession : public Session {
+protected:
+    RungSession() {
+        settings.converge = Converge::automatic;
+        ::setenv("XDG_CACHE_HOME", folder.file("cache").c_str(), 1);
+    }
+    ~RungSession() override { ::unsetenv("XDG_CACHE_HOME"); }
+    static measure::KnownFrontier known() {
+        measure::KnownFrontier f;
+        f.date = "2026-11-29";
+        f.points = {{{{"aa", "none"}}, 1, 1, 8},
+                    {{{"aa", "samples_2"}}, 2, 2, 4},
+                    {{}, 3, 3, 2},
+                    {{{"aa", "samples_16"}}, 9, 9, 1}};
+        return f;
+    }
+    void remember(const measure::KnownFrontier& frontier) {
+        const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
+        frame::FrameOptions options = settings.frame;
+        options.width = width;
+        options.height = height;
+        options.lights = Viewer(settings, width, height, 1).lights(model.scene.mesh);
+        const scene::View view = *scene::make_view(model.scene.mesh, settings.model, {},
+                                                   settings.camera, {}, width, height);
+        const std::string key = frontier_key(scene::content_hash(model.scene), view, options,
+                                             free_axes(settings), jobs.threads());
+        ASSERT_TRUE(FrontierCache::of_user()->keep(key, frontier));
+    }
+    image::Image rendered_with(const std::string& aa) {
+        settings.frame.aa = aa;
+        const image::Image picture = rendered({});
+        settings.frame.aa = "auto";
+        return picture;
+    }
+};
+
+// The lower left holds no panel.
+void expect_same_left(const image::Image& a, const image::Image& b) {
+    for (int y = 0; y < a.height() - 40; ++y)
+        for (int x = 0; x < a.width() / 2; ++x)
+            ASSERT_EQ(a.at(x, y), b.at(x, y)) << x << " " << y;
+}
+
+TEST_F(RungSession, KeysStepOnAKnownFrontierAndWhatTheyChoseStays) {
+    width = 640;
+    height = 300;
+    remember(known());
+    const port::Event down = press(XKB_KEY_comma), up = press(XKB_KEY_period);
+    const auto released = [](port::Event event) {
+        event.pressed = false;
+        return event;
+    };
+    expect_same_left(last_frame({{300ms, {down, released(down)}}, {2500ms, {quit()}}}),
+                     rendered_with("samples_2"));
+    expect_same_left(last_frame({{300ms, {up, released(up)}}, {1000ms, {quit()}}}),
+                     rendered_with("samples_16"));
+    expect_same_left(last_frame({{300ms, {down, released(down), down, released(down)}},
+                                 {500ms, {down, released(down)}},
+                                 {1000ms, {quit()}}}),
+                     rendered_with("none"));
+    EXPECT_NE(rendered_with("none"), rendered_with("samples_2"));
+}
+
+TEST_F(RungSession, AFrontierIsMeasuredWhereNoneIsKnownAndThenRemembered) {
+    width = 64;
+    height = 48;
+    port::Event down = press(XKB_KEY_comma), up = down;
+    up.pressed = false;
+    const std::string cache = folder.file("cache");
+    EXPECT_FALSE(std::filesystem::exists(cache));
+    last_frame({{300ms, {down, up}}, {14s, {quit()}}});
+    ASSERT_TRUE(std::filesystem::exists(cache));
+    int files = 0;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(cache))
+        files += entry.is_regular_file() ? 1 : 0;
+    EXPECT_EQ(files, 1);
+}
+
+TEST_F(RungSession, AReplayTakesNoStepByTheClock) {
+    width = 640;
+    height = 300;
+    remember(known());
+    const std::string file = folder.file("a.png");
+    port::HeadlessDisplay display = make_display();
+    ASSERT_TRUE(play("rung_down\n+10 close\nframe " + file + "\n", display));
+    EXPECT_EQ(*image::load(file), rendered({}));
+}
+
+} // namespace
+} // namespace scanout::app
