@@ -160,8 +160,8 @@ Result<scene::Scene> make_scene(const std::string& mesh, Kind kind) {
         map->path = "noise";
     }
     if (kind == Kind::with_holes) {
-        m.map_opacity.texture = 1;
-        m.map_opacity.path = "holes";
+        m.map_opacity->texture = 1;
+        m.map_opacity->path = "holes";
     }
     scene.materials.push_back(m);
     return scene;

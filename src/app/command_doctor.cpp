@@ -40,7 +40,7 @@ std::vector<bool> textured(const std::vector<scene::Material>& materials) {
     for (const scene::Material& m : materials) {
         with_map.push_back(std::any_of(
             scene::kTextureMaps.begin(), scene::kTextureMaps.end(),
-            [&](const scene::NamedMap& row) { return row.drawn && (m.*row.map).texture >= 0; }));
+            [&](const scene::NamedMap& row) { return row.drawn && (m.*row.map).texture() >= 0; }));
     }
     return with_map;
 }

@@ -106,11 +106,11 @@ public:
     Materials load(const std::vector<NameAtLine>& pictures) {
         for (const NameAtLine& picture : pictures) {
             scene::Material& material = out_.materials.emplace_back();
-            material.map_diffuse.path = picture.name;
-            material.map_diffuse.line = picture.line;
+            material.map_diffuse->path = picture.name;
+            material.map_diffuse->line = picture.line;
             material.diffuse = Vec3(1);
             load_map(material.map_diffuse, "TextureFile", model_path_);
-            if (material.map_diffuse.texture < 0) material = {};
+            if (material.map_diffuse.texture() < 0) material = {};
         }
         return std::move(out_);
     }
@@ -150,7 +150,7 @@ private:
     void name_what_is_not_drawn();
     void load_normal_maps(scene::Material& material, const std::string& library_path);
     bool is_normal_map(const scene::TextureMap& map);
-    void load_map(scene::TextureMap& map, std::string_view keyword,
+    void load_map(scene::MaterialMap& map, std::string_view keyword,
                   const std::string& library_path);
     std::int32_t texture(const std::string& name, const std::string& where,
                          const std::string& library_path);
@@ -285,19 +285,19 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
     scene::Material& material = out_.materials.emplace_back(m.material);
     // The other maps stay names until something draws them: what is not used costs nothing.
     load_map(material.map_opacity, "map_d", library.path);
-    if (material.map_opacity.texture >= 0 && material.map_opacity.channel == 0) {
+    if (material.map_opacity.texture() >= 0 && material.map_opacity->channel == 0) {
         // Its channel is not given: alpha, where the file has an alpha channel that says something.
-        const auto& t = out_.textures[static_cast<std::size_t>(material.map_opacity.texture)];
+        const auto& t = out_.textures[static_cast<std::size_t>(material.map_opacity->texture)];
         const auto pixels = t.image.pixels();
         const bool alpha = std::any_of(pixels.begin(), pixels.end(),
                                        [](const image::Rgba8& p) { return p.a != 255; });
-        material.map_opacity.channel = alpha ? 'm' : 'l';
+        material.map_opacity->channel = alpha ? 'm' : 'l';
     }
     load_map(material.map_diffuse, "map_Kd", library.path);
     // Kd 0 0 0 beside a map is an exporter's "see the map" (Maya's); without the map it would be a
     // hole.
     if (material.map_diffuse.given() && material.diffuse == Vec3(0)) {
-        const bool drawn = material.map_diffuse.texture >= 0;
+        const bool drawn = material.map_diffuse.texture() >= 0;
         material.diffuse = drawn ? Vec3(1) : scene::Material().diffuse;
         if (drawn)
             warnings_.add(
@@ -306,10 +306,10 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
                             library.path, m.line));
     }
     // The alpha of map_Kd says how opaque it is where no other map does.
-    if (material.map_diffuse.texture >= 0)
-        material.map_diffuse.texture = material.map_opacity.texture >= 0
-                                           ? opaque_texture(material.map_diffuse.texture)
-                                           : filled_texture(material.map_diffuse.texture);
+    if (material.map_diffuse.texture() >= 0)
+        material.map_diffuse->texture = material.map_opacity.texture() >= 0
+                                            ? opaque_texture(material.map_diffuse->texture)
+                                            : filled_texture(material.map_diffuse->texture);
     load_normal_maps(material, library.path);
     if (has_highlight(material)) {
         load_map(material.map_specular, "map_Ks", library.path);
@@ -321,10 +321,10 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
         if (metalness_of(material) > 0) load_map(material.map_metalness, "map_Pm", library.path);
     }
     // What only the map gives is gone with it.
-    if (m.roughness_by_map && material.map_roughness.texture < 0) material.roughness.reset();
-    if (m.metalness_by_map && material.map_metalness.texture < 0) material.metalness.reset();
-    if (m.specular_by_map && material.map_specular.texture < 0) material.specular = Vec3(0);
-    if (m.emission_by_map && material.map_emission.texture < 0) material.emission = Vec3(0);
+    if (m.roughness_by_map && material.map_roughness.texture() < 0) material.roughness.reset();
+    if (m.metalness_by_map && material.map_metalness.texture() < 0) material.metalness.reset();
+    if (m.specular_by_map && material.map_specular.texture() < 0) material.specular = Vec3(0);
+    if (m.emission_by_map && material.map_emission.texture() < 0) material.emission = Vec3(0);
 }
 
 // The texture without its alpha channel: itself where that says nothing.
@@ -355,9 +355,9 @@ std::int32_t MaterialLoader::filled_texture(std::int32_t texture) {
 
 void MaterialLoader::load_normal_maps(scene::Material& material, const std::string& library_path) {
     load_map(material.map_normal, "norm", library_path);
-    if (material.map_bump.bump_multiplier != 0)
+    if (material.map_bump.given() && material.map_bump->bump_multiplier != 0)
         load_map(material.map_bump, "map_bump", library_path);
-    if (material.map_bump.texture >= 0 && !material.map_normal.given() &&
+    if (material.map_bump.texture() >= 0 && !material.map_normal.given() &&
         is_normal_map(material.map_bump))
         std::swap(material.map_bump, material.map_normal);
 }
@@ -380,12 +380,12 @@ void MaterialLoader::name_what_is_not_drawn() {
                                       library.not_drawn.size() == 1 ? "is" : "are"));
 }
 
-void MaterialLoader::load_map(scene::TextureMap& map, std::string_view keyword,
+void MaterialLoader::load_map(scene::MaterialMap& map, std::string_view keyword,
                               const std::string& library_path) {
     if (!map.given()) return;
-    map.texture = texture(map.path, fmt::format("{}:{}: {}", library_path, map.line, keyword),
-                          library_path);
-    map.missing = map.texture < 0;
+    map->texture = texture(map->path, fmt::format("{}:{}: {}", library_path, map->line, keyword),
+                           library_path);
+    map->missing = map->texture < 0;
 }
 
 // where: file:line: keyword.

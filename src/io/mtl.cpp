@@ -18,7 +18,7 @@ using scene::TextureMap;
 
 struct MapKeyword {
     std::string_view keyword; // lower case
-    TextureMap Material::*map;
+    scene::MaterialMap Material::*map;
     std::string_view name; // as messages name it
     bool drawn = true;
 };

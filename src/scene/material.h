@@ -6,9 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace scanout::scene {
@@ -29,6 +31,35 @@ struct TextureMap {
     bool given() const { return !path.empty(); }
 };
 
+// A map that a material may have. Most have few of the thirteen, so only a given one takes memory.
+class MaterialMap {
+public:
+    MaterialMap() = default;
+    ~MaterialMap() = default;
+    MaterialMap(TextureMap map) : map_(std::make_unique<TextureMap>(std::move(map))) {}
+    MaterialMap(const MaterialMap& o)
+        : map_(o.map_ ? std::make_unique<TextureMap>(*o.map_) : nullptr) {}
+    MaterialMap(MaterialMap&&) noexcept = default;
+    MaterialMap& operator=(MaterialMap o) noexcept {
+        map_ = std::move(o.map_);
+        return *this;
+    }
+    bool given() const { return map_ != nullptr && map_->given(); }
+    std::int32_t texture() const { return map_ != nullptr ? map_->texture : -1; }
+    const TextureMap& operator*() const { return map_ != nullptr ? *map_ : kNone; }
+    const TextureMap* operator->() const { return &**this; }
+    operator const TextureMap&() const { return **this; }
+    TextureMap* operator->() { // makes one where there is none
+        if (map_ == nullptr) map_ = std::make_unique<TextureMap>();
+        return map_.get();
+    }
+
+private:
+    static const TextureMap kNone;
+    std::unique_ptr<TextureMap> map_;
+};
+inline const TextureMap MaterialMap::kNone;
+
 struct Material {
     std::string name;
     Vec3 diffuse{0.8f};                        // Kd
@@ -41,15 +72,15 @@ struct Material {
     float refraction = 1;                      // Ni
     int illumination = 2;                      // illum
     std::optional<float> roughness, metalness; // Pr, Pm: 0 to 1
-    TextureMap map_diffuse, map_ambient, map_specular, map_shininess, map_opacity, map_emission;
-    TextureMap map_roughness, map_metalness; // map_Pr, map_Pm
-    TextureMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
+    MaterialMap map_diffuse, map_ambient, map_specular, map_shininess, map_opacity, map_emission;
+    MaterialMap map_roughness, map_metalness; // map_Pr, map_Pm
+    MaterialMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
 // By the name in the file; those that are not drawn are read for reports alone.
 struct NamedMap {
     std::string_view name;
-    TextureMap Material::*map;
+    MaterialMap Material::*map;
     bool drawn = true;
 };
 inline constexpr std::array kTextureMaps = {NamedMap{"map_Kd", &Material::map_diffuse},

@@ -114,7 +114,7 @@ struct Run {
 
 // Where a material keeps each, and how its texels are read.
 struct MapSlot {
-    scene::TextureMap scene::Material::*map;
+    scene::MaterialMap scene::Material::*map;
     TexelKind kind;
 };
 const std::array<MapSlot, kMaps>& map_slots(); // [Map]

@@ -101,7 +101,7 @@ double World::mapped_alpha(const Hit& hit) const {
     const scene::Material& m = material(hit.triangle);
     double alpha = m.opacity;
     if (reads(look_->maps.opacity, m.map_opacity))
-        alpha *= std::clamp(scalar_of(sampled(hit, m.map_opacity, false), m.map_opacity.channel),
+        alpha *= std::clamp(scalar_of(sampled(hit, m.map_opacity, false), m.map_opacity->channel),
                             0.0, 1.0);
     if (reads(look_->maps.opacity, m.map_diffuse)) alpha *= sampled(hit, m.map_diffuse, true).w;
     return alpha;
@@ -226,8 +226,8 @@ void World::lean_by_maps(DVec3& normal, const Hit& hit, const scene::Material& m
     if (reads(look_->maps.normal, m.map_normal)) {
         const DVec4 t = sampled(hit, m.map_normal, false);
         constexpr double kMiddle = 128.0 / 255;
-        const DVec3 given((t.x - kMiddle) * (m.map_normal.scale.x < 0 ? -1 : 1),
-                          (t.y - kMiddle) * (m.map_normal.scale.y < 0 ? -1 : 1),
+        const DVec3 given((t.x - kMiddle) * (m.map_normal->scale.x < 0 ? -1 : 1),
+                          (t.y - kMiddle) * (m.map_normal->scale.y < 0 ? -1 : 1),
                           std::max(t.z - kMiddle, 0.0));
         lean(normal, hit, given);
     }

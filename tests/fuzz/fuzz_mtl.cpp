@@ -27,7 +27,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
               is_finite(m.material.emission));
         CHECK(m.material.opacity >= 0 && m.material.opacity <= 1);
         CHECK(std::isfinite(m.material.shininess) && m.material.shininess >= 0);
-        CHECK(is_finite(m.material.map_diffuse.offset) && is_finite(m.material.map_diffuse.scale));
+        CHECK(is_finite(m.material.map_diffuse->offset) &&
+              is_finite(m.material.map_diffuse->scale));
     }
     return 0;
 }

@@ -37,7 +37,7 @@ void expect_sound(const scene::Scene& scene) {
     for (const std::int32_t i : m.material)
         ASSERT_LT(i, static_cast<int>(scene.materials.size()));
     for (const scene::Material& material : scene.materials)
-        ASSERT_LT(material.map_diffuse.texture, static_cast<int>(scene.textures.size()));
+        ASSERT_LT(material.map_diffuse->texture, static_cast<int>(scene.textures.size()));
     EXPECT_GT(m.triangles() + m.lines() + m.points(), 0u);
     EXPECT_TRUE(std::isfinite(m.radius) && m.radius >= 0.5 && m.radius <= 1);
 }

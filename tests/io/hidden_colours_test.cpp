@@ -83,7 +83,7 @@ TEST(HiddenColours, AreFilledWhereAlphaHidesThemAlone) {
         return loaded.textures[static_cast<std::size_t>(map.texture)].image.at(3, 3);
     };
     EXPECT_EQ(at_corner(loaded.materials[0].map_diffuse), (Rgba8{40, 160, 40, 0}));
-    EXPECT_EQ(loaded.materials[1].map_diffuse.texture, loaded.materials[0].map_diffuse.texture);
+    EXPECT_EQ(loaded.materials[1].map_diffuse->texture, loaded.materials[0].map_diffuse->texture);
     EXPECT_EQ(at_corner(loaded.materials[2].map_diffuse), (Rgba8{255, 255, 255, 255}));
     EXPECT_EQ(at_corner(loaded.materials[3].map_specular), kHidden);
 }

@@ -46,7 +46,7 @@ TEST(Load, MakesASceneOfAModelItsMaterialsAndTextures) {
     EXPECT_THAT(scene->mesh.material, ElementsAre(-1, 0, 0));
     EXPECT_THAT(scene->mesh.line_material, ElementsAre(0, 0));
     ASSERT_EQ(scene->materials.size(), 1u);
-    EXPECT_EQ(scene->materials[0].map_diffuse.texture, 0);
+    EXPECT_EQ(scene->materials[0].map_diffuse->texture, 0);
     EXPECT_EQ(scene->textures[0].image.at(0, 0), (image::Rgba8{1, 2, 3, 255}));
     EXPECT_EQ(warnings.lines().size(), 2u) << all_lines(warnings);
 }
@@ -125,7 +125,7 @@ std::vector<float> numbers_of(const std::string& path) {
     for (const Vec3& p : scene->mesh.position)
         numbers.insert(numbers.end(), {p.x, p.y, p.z});
     for (const scene::Material& m : scene->materials)
-        numbers.insert(numbers.end(), {m.diffuse.x, m.shininess, m.map_diffuse.offset.x});
+        numbers.insert(numbers.end(), {m.diffuse.x, m.shininess, m.map_diffuse->offset.x});
     return numbers;
 }
 

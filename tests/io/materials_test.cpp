@@ -167,7 +167,7 @@ TEST(Textures, AFileThatSeveralMaterialsNameIsDecodedOnce) {
     EXPECT_EQ(l.materials.textures[0].image.width(), 3);
     EXPECT_EQ(l.materials.textures[0].image.at(2, 1), (image::Rgba8{10, 20, 30, 255}));
     for (const scene::Material& m : l.materials.materials)
-        EXPECT_EQ(m.map_diffuse.texture, 0);
+        EXPECT_EQ(m.map_diffuse->texture, 0);
     EXPECT_EQ(l.materials.bytes, std::filesystem::file_size(folder.path("m.mtl")) + 3 * 2 * 4);
 }
 
@@ -194,7 +194,7 @@ TEST(Textures, EachThatFailsIsOneLineAndItsMaterialIsPlain) {
     EXPECT_THAT(l.materials.textures, IsEmpty());
     ASSERT_EQ(l.materials.materials.size(), 5u);
     for (const scene::Material& m : l.materials.materials)
-        EXPECT_EQ(m.map_diffuse.texture, -1);
+        EXPECT_EQ(m.map_diffuse->texture, -1);
     EXPECT_EQ(l.warnings.lines().size(), 4u) << all_lines(l.warnings);
     EXPECT_TRUE(warned(l.warnings, {"m.mtl:2: map_Kd: 'gone.png' is not there"}));
     EXPECT_TRUE(warned(l.warnings, {"zero' lies outside of the model's folder"}));
@@ -221,12 +221,13 @@ TEST(Textures, OutsideOfTheModelsFolderAreReadWhereThatIsAllowed) {
             load_materials(*obj, folder.path("model/m.obj"), warnings, {.allow_outside = allowed});
         ASSERT_EQ(got.materials.size(), allowed ? 6U : 5U);
         for (const int material : {0, 1, 3})
-            EXPECT_EQ(got.materials[static_cast<std::size_t>(material)].map_diffuse.texture >= 0,
+            EXPECT_EQ(got.materials[static_cast<std::size_t>(material)].map_diffuse->texture >= 0,
                       allowed)
                 << material;
-        EXPECT_GE(got.materials[2].map_diffuse.texture, 0) << "leads back into the folder";
+        EXPECT_GE(got.materials[2].map_diffuse->texture, 0) << "leads back into the folder";
         EXPECT_EQ(warned(warnings, {"m.mtl:2: map_Kd: '../shared/a.png' lies outside"}), !allowed);
-        EXPECT_EQ(warned(warnings, {"material library '../shared/other.mtl' lies outside"}), !allowed);
+        EXPECT_EQ(warned(warnings, {"material library '../shared/other.mtl' lies outside"}),
+                  !allowed);
         EXPECT_EQ(warned(warnings, {"/dev/zero: is not a regular file"}), allowed);
     }
 }
@@ -257,7 +258,7 @@ TEST(Textures, TheAlphaOfTheDiffuseMapCountsOnlyWithoutAnOpacityMap) {
     const Loaded l = load(folder, "mtllib m.mtl\nusemtl both\nusemtl one\nusemtl gone\n");
     const auto texel = [&](std::size_t material) {
         const auto& map = l.materials.materials.at(material).map_diffuse;
-        return l.materials.textures.at(static_cast<std::size_t>(map.texture)).image.at(0, 0);
+        return l.materials.textures.at(static_cast<std::size_t>(map.texture())).image.at(0, 0);
     };
     EXPECT_EQ(texel(0), (image::Rgba8{10, 20, 30, 255}));
     EXPECT_EQ(texel(1), (image::Rgba8{10, 20, 30, 128}));
@@ -288,7 +289,7 @@ TEST(Textures, NamesAreFoundInOtherSpellings) {
     EXPECT_EQ(all_lines(l.warnings), "");
     ASSERT_EQ(l.materials.materials.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i)
-        EXPECT_EQ(l.materials.materials[i].map_diffuse.texture, i < 2 ? 0 : 1) << i;
+        EXPECT_EQ(l.materials.materials[i].map_diffuse->texture, i < 2 ? 0 : 1) << i;
 }
 
 TEST(Libraries, OneOfTheModelsOwnNameStandsInForOneThatIsMissing) {
@@ -324,10 +325,10 @@ TEST(Textures, AnOpacityMapIsReadByItsAlphaWhereThatSaysSomething) {
     const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\nusemtl d\n");
     const auto& m = l.materials.materials;
     ASSERT_EQ(m.size(), 4u);
-    EXPECT_EQ(m[0].map_opacity.channel, 'l');
-    EXPECT_EQ(m[1].map_opacity.channel, 'm');
-    EXPECT_EQ(m[2].map_opacity.channel, 'g');
-    EXPECT_EQ(m[3].map_opacity.texture, -1);
+    EXPECT_EQ(m[0].map_opacity->channel, 'l');
+    EXPECT_EQ(m[1].map_opacity->channel, 'm');
+    EXPECT_EQ(m[2].map_opacity->channel, 'g');
+    EXPECT_EQ(m[3].map_opacity->texture, -1);
     EXPECT_EQ(l.materials.textures.size(), 2u);
     EXPECT_TRUE(warned(l.warnings, {"m.mtl:8: map_d: 'gone.png' is not there"}));
 }
@@ -348,13 +349,13 @@ TEST(Textures, OfOtherMapsAreReadWhereTheyCanBeSeen) {
     for (const auto map :
          {&scene::Material::map_normal, &scene::Material::map_bump, &scene::Material::map_specular,
           &scene::Material::map_shininess, &scene::Material::map_emission})
-        EXPECT_GE((m[0].*map).texture, 0);
+        EXPECT_GE((m[0].*map)->texture, 0);
     EXPECT_EQ(l.materials.textures.size(), 5u);
-    EXPECT_GE(m[1].map_normal.texture, 0);
-    EXPECT_EQ(m[1].map_specular.texture, -1) << "black Ks: nothing to see";
-    EXPECT_EQ(m[1].map_shininess.texture, -1);
-    EXPECT_EQ(m[1].map_emission.texture, -1);
-    EXPECT_EQ(m[2].map_bump.texture, -1);
+    EXPECT_GE(m[1].map_normal->texture, 0);
+    EXPECT_EQ(m[1].map_specular->texture, -1) << "black Ks: nothing to see";
+    EXPECT_EQ(m[1].map_shininess->texture, -1);
+    EXPECT_EQ(m[1].map_emission->texture, -1);
+    EXPECT_EQ(m[2].map_bump->texture, -1);
     EXPECT_EQ(m[2].emission, Vec3(0)) << "a colour that only the map gives is gone with it";
     EXPECT_EQ(all_lines(l.warnings),
               folder.path("m.mtl") + ":20: map_Ke: 'gone.png' is not there; drawn plain\n")
@@ -371,11 +372,11 @@ TEST(Textures, AMapBumpOfNormalsIsANormalMap) {
     const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\n");
     const std::vector<scene::Material>& m = l.materials.materials;
     ASSERT_EQ(m.size(), 2u);
-    EXPECT_GE(m[0].map_normal.texture, 0);
-    EXPECT_TRUE(m[0].map_normal.clamp);
-    EXPECT_EQ(m[0].map_bump.texture, -1);
-    EXPECT_EQ(m[1].map_normal.texture, -1);
-    EXPECT_GE(m[1].map_bump.texture, 0);
+    EXPECT_GE(m[0].map_normal->texture, 0);
+    EXPECT_TRUE(m[0].map_normal->clamp);
+    EXPECT_EQ(m[0].map_bump->texture, -1);
+    EXPECT_EQ(m[1].map_normal->texture, -1);
+    EXPECT_GE(m[1].map_bump->texture, 0);
     EXPECT_EQ(all_lines(l.warnings), "");
 }
 
@@ -400,11 +401,11 @@ TEST(Textures, AMapBumpOfNormalsWhereFacesAreIsANormalMap) {
                         "f 1/1 2/2 3/5 4/6\nusemtl none\nf 1 2 3 4\n");
         const std::vector<scene::Material>& m = l.materials.materials;
         ASSERT_EQ(m.size(), 4u);
-        EXPECT_GE(m[0].map_normal.texture, 0);
-        EXPECT_EQ(m[1].map_normal.texture, -1) << "a face shows the background";
-        EXPECT_GE(m[1].map_bump.texture, 0);
-        EXPECT_GE(m[2].map_normal.texture, 0);
-        EXPECT_EQ(m[3].map_normal.texture, -1) << "nothing says where it is seen";
+        EXPECT_GE(m[0].map_normal->texture, 0);
+        EXPECT_EQ(m[1].map_normal->texture, -1) << "a face shows the background";
+        EXPECT_GE(m[1].map_bump->texture, 0);
+        EXPECT_GE(m[2].map_normal->texture, 0);
+        EXPECT_EQ(m[3].map_normal->texture, -1) << "nothing says where it is seen";
     }
 }
 

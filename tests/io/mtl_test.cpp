@@ -122,13 +122,13 @@ TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
     EXPECT_EQ(kd.gain, 0.3f);
     EXPECT_EQ(kd.boost, 2);
     EXPECT_EQ(kd.resolution, 512);
-    EXPECT_EQ(r.first().map_bump.path, "bump 2.jpg");
-    EXPECT_EQ(r.first().map_bump.bump_multiplier, 1.5f) << "an option behind the name";
-    EXPECT_EQ(r.first().map_bump.channel, 'r');
-    EXPECT_EQ(r.first().map_reflection.reflection_type, "sphere");
-    EXPECT_EQ(r.first().map_normal.path, "n.png");
-    EXPECT_EQ(r.first().map_normal.bump_multiplier, 3);
-    EXPECT_EQ(r.first().map_decal.path, "g.png");
+    EXPECT_EQ(r.first().map_bump->path, "bump 2.jpg");
+    EXPECT_EQ(r.first().map_bump->bump_multiplier, 1.5f) << "an option behind the name";
+    EXPECT_EQ(r.first().map_bump->channel, 'r');
+    EXPECT_EQ(r.first().map_reflection->reflection_type, "sphere");
+    EXPECT_EQ(r.first().map_normal->path, "n.png");
+    EXPECT_EQ(r.first().map_normal->bump_multiplier, 3);
+    EXPECT_EQ(r.first().map_decal->path, "g.png");
     EXPECT_THAT(r.materials[0].not_drawn,
                 ElementsAre("map_Ka", "disp", "decal", "refl", "map_Kd -t", "map_Kd -mm",
                             "map_Kd -boost", "map_Kd -cc", "map_Kd -blendu off",
@@ -137,7 +137,7 @@ TEST(Mtl, MapsKeepTheirOptionsAndTheirNames) {
 
 TEST(Mtl, AResolutionOfAnySizeIsOne) {
     const auto resolution = [](const std::string& texels) {
-        return read_one("map_Kd -texres " + texels + " a.png").first().map_diffuse.resolution;
+        return read_one("map_Kd -texres " + texels + " a.png").first().map_diffuse->resolution;
     };
     EXPECT_EQ(resolution("65536"), 65536);
     EXPECT_EQ(resolution("-7.5"), -7);
@@ -146,13 +146,13 @@ TEST(Mtl, AResolutionOfAnySizeIsOne) {
 }
 
 TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
-    EXPECT_EQ(read_one("map_Kd -s 1 1 1 01.png").first().map_diffuse.path, "01.png");
-    EXPECT_EQ(read_one("map_Kd a -b.png").first().map_diffuse.path, "a -b.png");
-    EXPECT_EQ(read_one("map_Kd a -s.png").first().map_diffuse.path, "a -s.png");
-    EXPECT_EQ(read_one("map_Kd -b.png").first().map_diffuse.path, "-b.png");
-    EXPECT_EQ(read_one("map_Kd -s.png 1 2").first().map_diffuse.path, "-s.png 1 2");
-    EXPECT_EQ(read_one("map_Kd \"a b.png\"").first().map_diffuse.path, "a b.png");
-    EXPECT_EQ(read_one("map_Kd .\\a.jpg").first().map_diffuse.path, ".\\a.jpg");
+    EXPECT_EQ(read_one("map_Kd -s 1 1 1 01.png").first().map_diffuse->path, "01.png");
+    EXPECT_EQ(read_one("map_Kd a -b.png").first().map_diffuse->path, "a -b.png");
+    EXPECT_EQ(read_one("map_Kd a -s.png").first().map_diffuse->path, "a -s.png");
+    EXPECT_EQ(read_one("map_Kd -b.png").first().map_diffuse->path, "-b.png");
+    EXPECT_EQ(read_one("map_Kd -s.png 1 2").first().map_diffuse->path, "-s.png 1 2");
+    EXPECT_EQ(read_one("map_Kd \"a b.png\"").first().map_diffuse->path, "a b.png");
+    EXPECT_EQ(read_one("map_Kd .\\a.jpg").first().map_diffuse->path, ".\\a.jpg");
     const MtlRead none = read_one("map_Kd\nmap_bump -bm 1");
     EXPECT_FALSE(none.first().map_diffuse.given());
     EXPECT_FALSE(none.first().map_bump.given());
@@ -162,10 +162,10 @@ TEST(Mtl, FileNamesThatLookLikeOptionsOrNumbersStayWhole) {
 TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
     const MtlRead r =
         read_one("map_Kd -s 2 -unknown 3 4 -clamp on -other a.png\nmap_Ks -new b.png");
-    EXPECT_EQ(r.first().map_diffuse.path, "a.png");
-    EXPECT_EQ(r.first().map_diffuse.scale.x, 2);
-    EXPECT_TRUE(r.first().map_diffuse.clamp);
-    EXPECT_EQ(r.first().map_specular.path, "b.png");
+    EXPECT_EQ(r.first().map_diffuse->path, "a.png");
+    EXPECT_EQ(r.first().map_diffuse->scale.x, 2);
+    EXPECT_TRUE(r.first().map_diffuse->clamp);
+    EXPECT_EQ(r.first().map_specular->path, "b.png");
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: an option of a map is not known", "2 more"}))
         << all_lines(r.warnings);
 }
@@ -173,8 +173,8 @@ TEST(Mtl, OptionsThatAreNotKnownAreLeftOutInOneLine) {
 TEST(Mtl, NumbersOfOptionsThatAreTooLargeAreLimitedInOneLineAName) {
     const MtlRead r =
         read_one("map_bump -bm 1e30 a.png\nmap_Kd -s 3 -1e9 b.png\nmap_Ks -o 5 c.png");
-    EXPECT_EQ(r.first().map_bump.bump_multiplier, 1e6F);
-    EXPECT_EQ(r.first().map_diffuse.scale, Vec3(3, -1e6F, 1));
+    EXPECT_EQ(r.first().map_bump->bump_multiplier, 1e6F);
+    EXPECT_EQ(r.first().map_diffuse->scale, Vec3(3, -1e6F, 1));
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:2: map_bump -bm is 1e+30", "1000000 is taken"}))
         << all_lines(r.warnings);
     EXPECT_TRUE(warned(r.warnings, {"x.mtl:3: map_Kd -s is -1000000000", "-1000000 is taken"}))
@@ -205,9 +205,9 @@ TEST(Mtl, NoMessageQuotesTheFile) {
 
 TEST(Mtl, AMapOfRoughnessOrMetalnessAloneMeansItsOwnNumbers) {
     const auto alone = read_one("map_Pr r.tex\nmap_Pm -imfchan b m.tex").materials[0];
-    EXPECT_EQ(alone.material.map_roughness.path, "r.tex");
-    EXPECT_EQ(alone.material.map_metalness.path, "m.tex");
-    EXPECT_EQ(alone.material.map_metalness.channel, 'b');
+    EXPECT_EQ(alone.material.map_roughness->path, "r.tex");
+    EXPECT_EQ(alone.material.map_metalness->path, "m.tex");
+    EXPECT_EQ(alone.material.map_metalness->channel, 'b');
     EXPECT_EQ(alone.material.roughness, 1.0F);
     EXPECT_EQ(alone.material.metalness, 1.0F);
     EXPECT_TRUE(alone.roughness_by_map && alone.metalness_by_map);

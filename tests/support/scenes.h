@@ -297,14 +297,14 @@ inline void add_anti_aliasing_shots(std::vector<Shot>& shots) {
 }
 
 // A glossy sphere with one map of many small tiles.
-inline Shot mapped_sphere(std::string name, scene::TextureMap scene::Material::*map,
+inline Shot mapped_sphere(std::string name, scene::MaterialMap scene::Material::*map,
                           scene::Texture texture) {
     Shot s = shot(std::move(name));
     scene::Material material = plain(Vec3(0.4F), Vec3(0.6F), 20);
-    (material.*map).texture = 0;
-    (material.*map).path = "made by the test";
-    (material.*map).scale = {8, 4, 1};
-    (material.*map).bump_multiplier = 3;
+    (material.*map)->texture = 0;
+    (material.*map)->path = "made by the test";
+    (material.*map)->scale = {8, 4, 1};
+    (material.*map)->bump_multiplier = 3;
     if (map == &scene::Material::map_emission) material.emission = {0.5F, 0.2F, 0};
     if (map == &scene::Material::map_roughness) material.roughness = material.metalness = 1.0F;
     if (map == &scene::Material::map_metalness) {

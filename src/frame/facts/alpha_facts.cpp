@@ -85,7 +85,7 @@ AlphaFacts alpha_facts(const scene::Scene& scene) {
         AlphaClass found = AlphaClass::unseen;
         if (m.opacity > 0) {
             const AlphaClass diffuse = textures.of(m.map_diffuse, 'm');
-            const AlphaClass opacity = textures.of(m.map_opacity, m.map_opacity.channel);
+            const AlphaClass opacity = textures.of(m.map_opacity, m.map_opacity->channel);
             found = m.opacity < 1 ? AlphaClass::blended : std::max(diffuse, opacity);
             facts.maps[i] = {diffuse != AlphaClass::opaque, opacity != AlphaClass::opaque};
         }

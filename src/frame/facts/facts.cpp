@@ -133,7 +133,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     for (std::size_t i = 0; i < shade::kMaps; ++i) {
         const auto map = static_cast<shade::Map>(i);
         if (census.count([&](const scene::Material& m) {
-                return (m.*shade::map_slots()[i].map).texture >= 0;
+                return (m.*shade::map_slots()[i].map).texture() >= 0;
             }) > 0)
             facts.readable_maps |= shade::bit_of(map);
         const auto matters = [&](const scene::Material& m) { return maps.matters(m, map); };

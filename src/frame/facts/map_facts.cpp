@@ -82,7 +82,7 @@ MapFacts::MapFacts(const scene::Scene& scene)
 }
 
 const MapFacts::Range* MapFacts::range(const scene::Material& m, shade::Map map) const {
-    const std::int32_t texture = (m.*shade::map_slots()[map].map).texture;
+    const std::int32_t texture = (m.*shade::map_slots()[map].map).texture();
     return texture < 0 ? nullptr : &ranges_[static_cast<std::size_t>(texture)];
 }
 
@@ -148,7 +148,7 @@ bool MapFacts::matters(const scene::Material& m, shade::Map map) const {
         return lit && !(texels->min[0] == 128 && texels->max[0] == 128 && texels->min[1] == 128 &&
                         texels->max[1] == 128);
     case shade::kBumpMap:
-        return lit && texels->min != texels->max && m.map_bump.bump_multiplier != 0;
+        return lit && texels->min != texels->max && m.map_bump->bump_multiplier != 0;
     case shade::kSpecularMap:
     case shade::kShininessMap:
         return surface == scene::Surface::glossy && matters_by_ks(m, map);

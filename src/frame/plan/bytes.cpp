@@ -8,13 +8,13 @@ namespace scanout::frame {
 namespace {
 
 // Texture files that triangles show through one of the maps; each counts once.
-std::uint64_t texture_bytes(const scene::Scene& scene, scene::TextureMap scene::Material::*map) {
+std::uint64_t texture_bytes(const scene::Scene& scene, scene::MaterialMap scene::Material::*map) {
     std::vector<bool> read(scene.textures.size(), false);
     std::uint64_t bytes = 0;
     for (const std::int32_t material : scene.mesh.material) {
         if (material < 0) continue;
         const std::int32_t texture =
-            (scene.materials[static_cast<std::size_t>(material)].*map).texture;
+            (scene.materials[static_cast<std::size_t>(material)].*map).texture();
         if (texture < 0 || read[static_cast<std::size_t>(texture)]) continue;
         read[static_cast<std::size_t>(texture)] = true;
         bytes += scene.textures[static_cast<std::size_t>(texture)].image.pixels().size_bytes();

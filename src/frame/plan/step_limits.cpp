@@ -22,10 +22,10 @@ double texels(const scene::Scene& scene) {
         side = std::max({side, texture.image.width(), texture.image.height()});
     double scale = 1;
     for (const scene::Material& m : scene.materials)
-        for (const scene::TextureMap* map :
+        for (const scene::MaterialMap* map :
              {&m.map_diffuse, &m.map_specular, &m.map_shininess, &m.map_opacity, &m.map_emission,
               &m.map_bump, &m.map_normal})
-            scale = std::max({scale, magnitude(map->scale.x), magnitude(map->scale.y)});
+            scale = std::max({scale, magnitude((*map)->scale.x), magnitude((*map)->scale.y)});
     return side * scale;
 }
 

@@ -22,7 +22,7 @@ static void bind_maps(ShadingBlock& b, const GatherInput& in) {
     for (std::size_t i = 0; i < kMaps; ++i) {
         const auto map = static_cast<Map>(i);
         const bool read = b.lit && (in.frame->attributes.maps & bit_of(map)) != 0 &&
-                          (b.material->*map_slots()[i].map).texture >= 0;
+                          (b.material->*map_slots()[i].map).texture() >= 0;
         b.map[i] = read ? bound_map(in, map, *b.material) : BoundMap();
     }
 }

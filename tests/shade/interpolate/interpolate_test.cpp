@@ -68,7 +68,7 @@ protected:
         }
         frame.attributes = {
             .normal = true, .uv = true, .colour = true, .maps = bit_of(kDiffuseMap)};
-        block->map[kDiffuseMap] = {&texture, &material.map_diffuse};
+        block->map[kDiffuseMap] = {&texture, material.map_diffuse.operator->()};
         stage("interpolate", "perspective").run(*block, frame);
     }
     scene::Material material = scanout::test::plain(Vec3(1));

@@ -20,7 +20,8 @@ struct Mapped {
         material.emission = {0.5F, 0.25F, 2};
         material.roughness = 0.6F;
         material.metalness = 0.8F;
-        block->map[map] = {&texture, &(material.*map_slots()[map].map), nullptr, Wrap::repeat};
+        block->map[map] = {&texture, (material.*map_slots()[map].map).operator->(), nullptr,
+                           Wrap::repeat};
         frame.filter = find_row(shade::texture::kRows, "bilinear");
         frame.orthographic = true;
         face(0, {0, 0, 1}, {0, 0, 1});
@@ -85,7 +86,7 @@ TEST(Maps, AScalarMapReadsTheChannelThatTheFileNames) {
     for (const auto& [channel, expected] :
          {std::pair{'r', 0.2F}, {'g', 0.4F}, {'b', 0.6F}, {'m', 0.8F}}) {
         Mapped gloss(kShininessMap, one_texel(51, 102, 153, 204));
-        gloss.material.map_shininess.channel = channel;
+        gloss.material.map_shininess->channel = channel;
         gloss.run("gloss");
         EXPECT_FLOAT_EQ(gloss.block->shininess[0], 40 * expected) << channel;
     }
@@ -111,8 +112,10 @@ TEST(Maps, EveryModelReflectsWhatTheMapsGive) {
             const scene::Material mapped = scanout::test::plain(Vec3(1), Vec3(1), 1234),
                                   plain = scanout::test::plain(Vec3(1), ks, ns);
             auto by_maps = new_block(mapped), by_material = new_block(plain);
-            by_maps->map[kSpecularMap] = {&any, &mapped.map_specular, nullptr, Wrap::repeat};
-            by_maps->map[kShininessMap] = {&any, &mapped.map_shininess, nullptr, Wrap::repeat};
+            by_maps->map[kSpecularMap] = {&any, mapped.map_specular.operator->(), nullptr,
+                                          Wrap::repeat};
+            by_maps->map[kShininessMap] = {&any, mapped.map_shininess.operator->(), nullptr,
+                                           Wrap::repeat};
             std::fill_n(by_maps->shininess, kPaddedBlock, ns);
             for (int c = 0; c < 3; ++c)
                 std::fill_n(by_maps->specular[c], kPaddedBlock, ks[c]);
@@ -150,7 +153,7 @@ TEST(Maps, RoughnessAndMetalnessMultiplyTheMaterialsOwn) {
         EXPECT_EQ(metal.block->metalness[5], 0.8F) << "white changes no bit";
     }
     Mapped blue(kMetalnessMap, one_texel(255, 255, 51));
-    blue.material.map_metalness.channel = 'b';
+    blue.material.map_metalness->channel = 'b';
     blue.run("metalness");
     EXPECT_FLOAT_EQ(blue.block->metalness[0], 0.16F);
 }
@@ -172,8 +175,10 @@ TEST(Maps, MirrorsAreAsRoughAndAsMetallicAsTheMapsSay) {
             plain.roughness = pr;
             plain.metalness = pm;
             auto by_maps = new_block(mapped), by_material = new_block(plain);
-            by_maps->map[kRoughnessMap] = {&any, &mapped.map_roughness, nullptr, Wrap::repeat};
-            by_maps->map[kMetalnessMap] = {&any, &mapped.map_metalness, nullptr, Wrap::repeat};
+            by_maps->map[kRoughnessMap] = {&any, mapped.map_roughness.operator->(), nullptr,
+                                           Wrap::repeat};
+            by_maps->map[kMetalnessMap] = {&any, mapped.map_metalness.operator->(), nullptr,
+                                           Wrap::repeat};
             std::fill_n(by_maps->roughness, kPaddedBlock, pr);
             std::fill_n(by_maps->metalness, kPaddedBlock, pm);
             FrameState frame = identity_frame();
@@ -273,7 +278,7 @@ TEST(NormalMap, RedLeansAlongUAndGreenAlongV) {
                 EXPECT_NEAR(m->normal(7)[k], expected[k], 1e-6);
         }
     }
-    red.material.map_normal.scale = {-1, 1, 1}; // the picture runs against u
+    red.material.map_normal->scale = {-1, 1, 1}; // the picture runs against u
     red.face(0, {0, 0, 1}, {0, 0, 1});
     red.slopes(0, 0.01F, 0, 0, -0.01F);
     red.run("normal");
@@ -429,7 +434,7 @@ TEST(BumpMap, ARampLeansTheNormalAgainstItsSlope) {
         const double slope = strength * 4 / 255.0, length = std::sqrt(1 + slope * slope);
         Mapped u(kBumpMap, along_u), v(kBumpMap, along_v);
         for (Mapped* m : {&u, &v}) {
-            m->material.map_bump.bump_multiplier = strength;
+            m->material.map_bump->bump_multiplier = strength;
             for (int i = 0; i < kBlockSize; ++i)
                 m->block->u[i] = m->block->v[i] = 0.3F + 0.003F * static_cast<float>(i % 100);
             m->run("bump");
