@@ -10,6 +10,7 @@
 #include "base/write_file.h"
 #include "geom/build.h"
 #include "geom/diagnose/diagnose.h"
+#include "geom/mend_seams.h"
 #include "io/write_obj.h"
 #include "simd/targets.h"
 

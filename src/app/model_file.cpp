@@ -21,6 +21,7 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     options.memory_bytes =
         std::uint64_t{1'000'000} * static_cast<std::uint64_t>(settings.max_memory_mb);
     options.allow_outside = settings.allow_outside;
+    options.split_t_vertices = settings.split_t_vertices && source == nullptr; // as the file has it
     options.clamps = settings.frame.wrap == "clamp";
     io::LoadTimes times;
     options.times = &times;

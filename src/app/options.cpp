@@ -369,6 +369,10 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"allow-outside", 0, "", "", "", 0, 0, Group::model, kRead,
      Switch([](Settings& s) -> bool& { return s.allow_outside; }),
      "read libraries and textures outside of the model's folder, too"},
+    {"t-vertices", 0, "", "split keep", "", 0, 0, Group::model, kLoad,
+     Choice([](Settings& s, std::size_t i) { s.split_t_vertices = i == 0; }),
+     "vertices that lie within other faces' edges: split makes them corners of those faces, keep "
+     "leaves the gaps (default split)"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
      "scale the model about its centre, first"},
     {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_rotate),

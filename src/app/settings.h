@@ -48,6 +48,7 @@ struct Settings {
     std::optional<io::ModelFormat> model_format; // --model-format
     int max_memory_mb = 0;      // that a model may take while it is loaded; 0: what is available
     bool allow_outside = false; // of the model's folder
+    bool split_t_vertices = true;
     scene::CameraOptions camera;
     std::string named_view; // --view; already in `camera`
     bool camera_given = false, light_given = false, up_given = false;

@@ -1,12 +1,11 @@
 #include "geom/mend.h"
 
 #include "geom/diagnose/same_faces.h"
-#include "geom/diagnose/seams.h"
 #include "geom/diagnose/surface.h"
+#include "geom/mend_seams.h"
 #include "geom/mend_winding.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace scanout::geom {
 namespace {
@@ -127,67 +126,7 @@ void remove_repeated(Jobs& jobs, PolygonMesh& m, Mended& report) {
     filter_faces(m, keep);
 }
 
-// A corner between two others of a face: texture coordinate and normal are interpolated.
-Corner corner_between(PolygonMesh& m, const Corner& a, const Corner& b, double along,
-                      std::uint32_t position) {
-    Corner corner;
-    corner.position = static_cast<std::int32_t>(position);
-    if (a.uv >= 0 && b.uv >= 0) {
-        const DVec2 from = m.uvs[static_cast<std::size_t>(a.uv)];
-        const DVec2 to = m.uvs[static_cast<std::size_t>(b.uv)];
-        corner.uv = static_cast<std::int32_t>(m.uvs.size());
-        m.uvs.push_back(from + along * (to - from));
-    }
-    if (a.normal >= 0 && b.normal >= 0) {
-        if (a.normal == b.normal) {
-            corner.normal = a.normal;
-            return corner;
-        }
-        const DVec3 from(m.normals[static_cast<std::size_t>(a.normal)]);
-        const DVec3 to(m.normals[static_cast<std::size_t>(b.normal)]);
-        const DVec3 between = from + along * (to - from);
-        const double length = std::sqrt(dot3(between, between));
-        corner.normal = static_cast<std::int32_t>(m.normals.size());
-        m.normals.push_back(Vec3(length > 0 ? between / length : between));
-    }
-    return corner;
-}
-
-std::size_t split_once(Jobs& jobs, PolygonMesh& m, double tolerance) {
-    const Surface surface(jobs, m);
-    const Seams seams = find_seams(surface, tolerance * surface.framing().radius);
-    if (seams.t_vertices.empty()) return 0;
-    std::vector<Corner> corners;
-    corners.reserve(m.corners.size() + seams.t_vertices.size());
-    std::vector<std::uint32_t> begins(m.face_begin.size());
-    auto next = seams.t_vertices.begin();
-    for (std::size_t f = 0; f < m.faces(); ++f) {
-        begins[f] = static_cast<std::uint32_t>(corners.size());
-        for (std::size_t c = m.face_begin[f]; c < m.face_end(f); ++c) {
-            corners.push_back(m.corners[c]);
-            for (; next != seams.t_vertices.end() && next->corner == c; ++next)
-                corners.push_back(corner_between(m, m.corners[c],
-                                                 m.corners[surface.next_corner(f, c)], next->along,
-                                                 surface.position_of(next->place)));
-        }
-    }
-    m.corners = std::move(corners);
-    m.face_begin = std::move(begins);
-    return seams.t_vertices.size();
-}
-
 } // namespace
-
-std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance) {
-    constexpr int kRounds = 8; // a new corner bends its edge a little, towards others
-    std::size_t split = 0;
-    for (int round = 0; round < kRounds; ++round) {
-        const std::size_t more = split_once(jobs, mesh, tolerance);
-        if (more == 0) break;
-        split += more;
-    }
-    return split;
-}
 
 Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance,
             const std::function<void(double share)>& progress) {
@@ -206,7 +145,7 @@ Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance,
     tell();
     remove_repeated(jobs, mesh, report);
     tell();
-    report.split = split_t_vertices(jobs, mesh, tolerance);
+    report.split = split_t_vertices(jobs, mesh, tolerance).corners;
     if (report.split > 0) { // of two faces, one may have had the other's T-vertices
         remove_degenerate(jobs, mesh, report);
         remove_repeated(jobs, mesh, report);

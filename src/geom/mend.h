@@ -30,7 +30,4 @@ struct Mended {
 Mended mend(Jobs& jobs, PolygonMesh& mesh, double tolerance,
             const std::function<void(double share)>& progress = {});
 
-// The one step that draws a different picture: T-vertices become corners.
-std::size_t split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance);
-
 } // namespace scanout::geom

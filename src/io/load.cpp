@@ -3,6 +3,8 @@
 #include "base/mapping.h"
 #include "base/stopwatch.h"
 #include "geom/build.h"
+#include "geom/diagnose/diagnose.h"
+#include "geom/mend_seams.h"
 #include "io/gzip.h"
 #include "io/materials.h"
 #include "io/memory_limit.h"
@@ -209,6 +211,31 @@ void light_vertex_colours_whole(ReadModel& model) {
     if (used) model.materials.materials.emplace_back().diffuse = Vec3(1);
 }
 
+// Rounding to a few decimals moves vertices off the edges that they lie in, and the background
+// shows between.
+void close_seams(geom::PolygonMesh& polygons, const std::string& path, Jobs* jobs,
+                 Warnings& warnings) {
+    std::optional<Jobs> alone;
+    if (jobs == nullptr) jobs = &alone.emplace(1);
+    const geom::SplitEdges split = geom::split_t_vertices(
+        *jobs, polygons, geom::DiagnoseOptions().tolerance, geom::TVertices::seams);
+    if (split.unsearched > 0)
+        warnings.add("open edges",
+                     fmt::format("{}: its {} open edges are too many to look for T-vertices while "
+                                 "it is loaded; scanout doctor tells whether there are any",
+                                 path, split.unsearched));
+    if (split.corners == 0) return;
+    const bool one = split.corners == 1;
+    warnings.add("T-vertices",
+                 fmt::format("{}: {} {} within {}, at most {:.3g} off: {}, so that no background "
+                             "shows between; --t-vertices keep leaves {}",
+                             path, split.corners, one ? "vertex lies" : "vertices lie",
+                             one ? "another face's edge" : "other faces' edges", split.farthest,
+                             one ? "it is made a corner of that face"
+                                 : "they are made corners of those faces",
+                             one ? "it" : "them"));
+}
+
 Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& options,
                                    Warnings& warnings) {
     TRY(ReadModel model, read(path, options, warnings));
@@ -216,6 +243,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
         *options.source = {model.polygons, std::move(model.materials.libraries)};
     light_vertex_colours_whole(model);
     const Stopwatch watch;
+    if (options.split_t_vertices) close_seams(model.polygons, path, options.jobs, warnings);
     geom::BuildOptions build{
         std::min(options.crease_degrees, model.crease_limit_degrees), options.jobs, {}, {}};
     build.uv_step = options.clamps ? std::vector(model.materials.materials.size(), DVec2(0))

@@ -42,6 +42,8 @@ struct LoadOptions {
     // Memory that a model may take while it is loaded; 0: what the machine has available. A model
     // that takes more is refused: else it would drive the machine into swapping.
     std::uint64_t memory_bytes = 0;
+    // Vertices within other faces' open edges become corners of those faces, said in a line.
+    bool split_t_vertices = true;
     bool allow_outside =
         false; // libraries and textures outside of the model's folder are read, too
     ModelFormat* format_read = nullptr; // filled when given

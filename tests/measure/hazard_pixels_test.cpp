@@ -3,7 +3,7 @@
 #include "geom/build.h"
 #include "geom/diagnose/diagnose.h"
 #include "geom/diagnose/meshes.h"
-#include "geom/mend.h"
+#include "geom/mend_seams.h"
 #include "measure/framed_views.h"
 #include "measure/hazard_pixels.h"
 

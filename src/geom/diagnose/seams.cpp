@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 namespace scanout::geom {
 namespace {
@@ -14,6 +15,13 @@ namespace {
 double distance_between(const DVec3& a, const DVec3& b) {
     const DVec3 d = b - a;
     return std::sqrt(dot3(d, d));
+}
+
+double distance_from_segment(const DVec3& p, const DVec3& from, const DVec3& to) {
+    const DVec3 direction = to - from;
+    const double squared = dot3(direction, direction);
+    const double along = squared > 0 ? dot3(p - from, direction) / squared : 0;
+    return distance_between(p, from + std::clamp(along, 0.0, 1.0) * direction);
 }
 
 // Does a segment, `reach` thick, meet the box? Parts of it are clipped by the box's slabs.
@@ -36,11 +44,12 @@ bool meets_segment(const Box& box, const DVec3& from, const DVec3& to, double re
 
 class SeamFinder {
 public:
-    SeamFinder(const Surface& surface, double tolerance)
+    SeamFinder(const Surface& surface, double tolerance, std::span<const std::uint8_t> may_be_open)
         : surface_(surface), tolerance_(tolerance), longest_(surface.places(), 0) {
         surface.for_each_edge([&](std::span<const Surface::EdgeUse> uses) {
-            if (uses.size() != 1) return;
-            open_.push_back(uses[0]);
+            if (!is_one_sheet(uses)) return;
+            if (!may_be_open.empty() && may_be_open[uses[0].corner] == 0) return;
+            open_.insert(open_.end(), uses.begin(), uses.end());
             const double length =
                 distance_between(surface.at(uses[0].low), surface.at(uses[0].high));
             for (const std::uint32_t place : {uses[0].low, uses[0].high})
@@ -48,6 +57,11 @@ public:
         });
         for (std::uint32_t place = 0; place < longest_.size(); ++place)
             if (longest_[place] > 0) points_.push_back(place);
+        for (const Surface::EdgeUse& edge : open_) {
+            ends_.push_back({edge.low, edge.high});
+            ends_.push_back({edge.high, edge.low});
+        }
+        std::sort(ends_.begin(), ends_.end());
     }
 
     Seams find() {
@@ -74,6 +88,16 @@ public:
     }
 
 private:
+    // One face, or one and its turned twin.
+    bool is_one_sheet(std::span<const Surface::EdgeUse> uses) const {
+        if (uses.size() != 2) return uses.size() == 1;
+        const std::vector<SameFace>& same = surface_.same_faces();
+        const auto twin =
+            std::lower_bound(same.begin(), same.end(), uses[1].face,
+                             [](const SameFace& s, std::uint32_t face) { return s.face < face; });
+        return twin != same.end() && twin->face == uses[1].face && twin->first == uses[0].face;
+    }
+
     double reach(double length) const { return std::min(tolerance_, kSeamShare * length); }
 
     // Open places near the edge: within it, or near its end at which the edge begins.
@@ -84,8 +108,13 @@ private:
         const double length = distance_between(from, to);
         const double near =
             std::max({reach(length), reach(longest_[edge.low]), reach(longest_[edge.high])});
+        const DVec3 reach(near * 1.001); // the rounding of the distances included
+        const Box around{glm::min(from, to) - reach, glm::max(from, to) + reach};
         tree.visit(
-            0, [&](const Box& box) { return meets_segment(box, from, to, near); },
+            0,
+            [&](const Box& box) {
+                return boxes_meet(box, around) && meets_segment(box, from, to, near);
+            },
             [&](std::size_t i) {
                 const std::uint32_t place = points_[tree.item_at(i)];
                 if (place == edge.low || place == edge.high) return;
@@ -104,8 +133,22 @@ private:
         if (!(along * length > most) || !((1 - along) * length > most)) return false;
         const double distance = distance_between(p, from + along * direction);
         if (distance > most || surface_.has_corner_at(edge.face, place)) return false;
-        out.t_vertices.push_back({edge.corner, edge.face, place, along, distance});
+        out.t_vertices.push_back(
+            {edge.corner, edge.face, place, along, distance, is_on_seam(place, from, to, most)});
         return true;
+    }
+
+    // Does an open edge at a place within the edge run along it, to its own end or to the edge's?
+    bool is_on_seam(std::uint32_t place, const DVec3& from, const DVec3& to, double most) const {
+        const auto first = std::lower_bound(ends_.begin(), ends_.end(), std::pair(place, 0U));
+        for (auto end = first; end != ends_.end() && end->first == place; ++end) {
+            const DVec3 p = surface_.at(place), q = surface_.at(end->second);
+            const DVec3& ahead = dot3(q - p, to - from) > 0 ? to : from;
+            if (distance_from_segment(q, p, ahead) <= most ||
+                distance_from_segment(ahead, p, q) <= most)
+                return true;
+        }
+        return false;
     }
 
     void add_crack(const Surface::EdgeUse& edge, std::uint32_t a, std::uint32_t b,
@@ -146,12 +189,14 @@ private:
     std::vector<Surface::EdgeUse> open_;
     std::vector<double> longest_; // open edge at each place
     std::vector<std::uint32_t> points_;
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> ends_; // both ways of the open edges
 };
 
 } // namespace
 
-Seams find_seams(const Surface& surface, double tolerance) {
-    return SeamFinder(surface, tolerance).find();
+Seams find_seams(const Surface& surface, double tolerance,
+                 std::span<const std::uint8_t> may_be_open) {
+    return SeamFinder(surface, tolerance, may_be_open).find();
 }
 
 void examine_seams(const Surface& surface, const DiagnoseOptions& how, Findings& findings) {

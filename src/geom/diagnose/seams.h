@@ -1,11 +1,12 @@
 // Seams that do not close: vertices within another face's open edge (T-vertices), and open vertices
 // close to each other (cracks). Only open edges count: where two faces share an edge, no
-// background can show between them.
+// background can show between them, unless the two are one sheet, back to back.
 #pragma once
 
 #include "geom/diagnose/surface.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace scanout::geom {
@@ -16,6 +17,9 @@ struct TVertex {
     std::uint32_t place;  // lies within the edge
     double along;         // 0 to 1
     double distance;      // from the edge, of at()
+    // An open edge at `place` runs along this one: two surfaces meet there. Else the vertex only
+    // touches the edge.
+    bool on_seam;
 };
 
 struct Crack {
@@ -29,7 +33,9 @@ struct Seams {
     std::vector<Crack> cracks;       // by place, other
 };
 
-// `tolerance`: a length of at(); see DiagnoseOptions.
-Seams find_seams(const Surface& surface, double tolerance);
+// `tolerance`: a length of at(); see DiagnoseOptions. `may_be_open`: by corner, whether the edge
+// that begins there may be open, where the surface is a part of a model; empty: each may.
+Seams find_seams(const Surface& surface, double tolerance,
+                 std::span<const std::uint8_t> may_be_open = {});
 
 } // namespace scanout::geom

@@ -36,17 +36,15 @@ struct PlaceRows {
 
 } // namespace
 
-// Floats, but near 0 no finer than near the model's border: there exporters leave rounding of
-// 1e-17, which no picture shows.
-static Vec3 as_drawn(const DVec3& normalised) {
+Vec3 place_as_drawn(const DVec3& normalised) {
     constexpr double kSteps = 0x1.8p52 * 0x1p-26; // x + kSteps - kSteps: a multiple of 2^-26
     return {(normalised.x + kSteps) - kSteps, (normalised.y + kSteps) - kSteps,
             (normalised.z + kSteps) - kSteps};
 }
 
-Surface::Surface(Jobs& jobs, const PolygonMesh& mesh)
+Surface::Surface(Jobs& jobs, const PolygonMesh& mesh, const Framing* framing)
     : jobs_(jobs), mesh_(mesh), usable_(jobs, mesh),
-      framing_(framing_of(jobs, mesh.positions, usable_.position)) {
+      framing_(framing != nullptr ? *framing : framing_of(jobs, mesh.positions, usable_.position)) {
     find_places();
     find_triangles();
     find_areas();
@@ -65,7 +63,7 @@ void Surface::find_places() {
     std::vector<Vec3> drawn(items.size());
     for_chunks(jobs_, items.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
         for (std::size_t i = begin; i < end; ++i)
-            drawn[i] = as_drawn(framing_.normalise(mesh_.positions[items[i]]));
+            drawn[i] = place_as_drawn(framing_.normalise(mesh_.positions[items[i]]));
     });
     JoinTable table(jobs_, items.size());
     const auto rows = table.join(items.size(), PlaceRows{drawn, position_});

@@ -19,6 +19,10 @@ namespace scanout::geom {
 
 inline constexpr std::uint32_t kNoPlace = 0xffffffff;
 
+// A position as floats, but near 0 no finer than near the model's border: there exporters leave
+// rounding of 1e-17, which no picture shows. Positions alike as drawn are one place.
+Vec3 place_as_drawn(const DVec3& normalised);
+
 class Surface {
 public:
     struct Triangle {
@@ -33,8 +37,9 @@ public:
         bool forward; // from low to high
     };
 
-    // Keeps a reference to the mesh, whose indices must lie within its arrays.
-    Surface(Jobs& jobs, const PolygonMesh& mesh);
+    // Keeps a reference to the mesh, whose indices must lie within its arrays. `framing`: of the
+    // model, where the mesh is a part of it.
+    Surface(Jobs& jobs, const PolygonMesh& mesh, const Framing* framing = nullptr);
 
     const PolygonMesh& mesh() const { return mesh_; }
     const Usable& usable() const { return usable_; }
