@@ -67,6 +67,8 @@ public:
         report_.height = settings_.frame.height;
         report_.radii_per_unit = scene::radii_per_unit(model_.scene.mesh);
         report_.warnings = model_.warnings;
+        report_.face_lines = source_.face_lines;
+        report_.position_lines = source_.position_lines;
         TRY_VOID(examine());
         const Result<void> fixed = settings_.fix.empty() ? Result<void>() : fix();
         TRY_VOID(tell()); // what was found, also where it cannot be mended

@@ -81,6 +81,7 @@ Json finding_json(const DoctorReport& report, const Finding& finding) {
                  {"count", finding.count},
                  {"searched", finding.searched},
                  {"worst", place_json(report, finding.worst)}};
+    if (const auto line = line_of(report, finding)) json["worst"]["line"] = *line;
     if (!card.measure.empty() && finding.count > 0) json["measure"] = finding.measure;
     if (const auto pixels = pixels_of(report, finding.hazard); pixels && finding.count > 0) {
         const bool small = finding.hazard == Hazard::small_triangles;
@@ -193,6 +194,8 @@ std::string doctor_sarif(const DoctorReport& report) {
         const geom::HazardCard& card = card_of(finding.hazard);
         Json location = {
             {"physicalLocation", {{"artifactLocation", {{"uri", uri_of(report.path)}}}}}};
+        if (const auto line = line_of(report, finding))
+            location["physicalLocation"]["region"] = {{"startLine", *line}};
         results.push_back(
             {{"ruleId", card.name},
              {"ruleIndex", static_cast<int>(finding.hazard)},

@@ -6,6 +6,7 @@
 #include "io/formats.h"
 #include "measure/hazard_pixels.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,8 @@ struct DoctorReport {
     std::vector<std::string> warnings; // of the reader
     std::string fixed_path;            // of --fix; empty: nothing was written
     geom::Mended mended;
-    std::vector<std::string> not_kept; // by --fix
+    std::vector<std::string> not_kept;                     // by --fix
+    std::vector<std::uint32_t> face_lines, position_lines; // of io::ModelSource
 };
 
 // The findings, small triangles of the views with them, in the order in which they are told:

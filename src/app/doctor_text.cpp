@@ -94,6 +94,15 @@ std::string place_text(const DoctorReport& report, const geom::Finding& finding)
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::optional<std::uint32_t> line_of(const DoctorReport& report, const geom::Finding& finding) {
+    const auto in = [](const std::vector<std::uint32_t>& lines, std::optional<std::uint32_t> i) {
+        return i && *i < lines.size() ? std::optional(lines[*i]) : std::nullopt;
+    };
+    if (finding.worst.face) return in(report.face_lines, finding.worst.face);
+    if (finding.hazard == Hazard::long_normals) return std::nullopt; // its position is a normal
+    return in(report.position_lines, finding.worst.position);
+}
+
 std::string measure_text(const geom::Finding& finding) {
     const geom::HazardCard& card = card_of(finding.hazard);
     if (card.measure.empty() || finding.count == 0) return "";

@@ -4,6 +4,7 @@
 #include "app/doctor_report.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace scanout::app {
@@ -20,6 +21,9 @@ std::optional<PixelsText> pixels_of(const DoctorReport& report, geom::Hazard haz
 std::string count_text(const geom::Finding& finding);
 // "face 3, vertex 7, at 0.5,1,0"; faces and vertices count as the file's format does.
 std::string place_text(const DoctorReport& report, const geom::Finding& finding);
+// The line of the file at which the worst one stands: of its face, else of its vertex; nothing
+// where the format has no lines.
+std::optional<std::uint32_t> line_of(const DoctorReport& report, const geom::Finding& finding);
 std::string measure_text(const geom::Finding& finding);
 std::string consequence_text(const DoctorReport& report, const geom::Finding& finding);
 // The number that the file's format gives it.

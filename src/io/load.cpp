@@ -54,6 +54,7 @@ struct ReadModel {
     LoadTimes times;
     double crease_limit_degrees = 180; // no crease angle above makes sense in this format
     double done = 0;                   // of all, when this is read
+    std::vector<std::uint32_t> face_lines, position_lines; // of ModelSource
 };
 
 using Reader = Result<ReadModel> (*)(std::string_view file, const std::string& path,
@@ -89,6 +90,8 @@ Result<ReadModel> read_obj_model(std::string_view file, const std::string& path,
     model.times.materials = watch.milliseconds();
     use_materials(obj.polygons, model.materials);
     count(model, std::move(obj.polygons), obj.skipped);
+    model.face_lines = std::move(obj.face_lines);
+    model.position_lines = std::move(obj.position_lines);
     return model;
 }
 
@@ -183,6 +186,7 @@ Result<ReadModel> read(const std::string& path, const LoadOptions& options, Warn
                (!options.progress || options.progress(fraction * reader.fraction));
     };
     Reading how{.jobs = options.jobs, .allow_outside = options.allow_outside};
+    how.lines = options.source != nullptr;
     how.texture_bytes = std::min(how.texture_bytes, memory.bytes());
     auto model = reader.read(file.text(), name, warnings, progress, how);
     if (memory.was_exceeded())
@@ -240,7 +244,8 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
                                    Warnings& warnings) {
     TRY(ReadModel model, read(path, options, warnings));
     if (options.source != nullptr)
-        *options.source = {model.polygons, std::move(model.materials.libraries)};
+        *options.source = {model.polygons, std::move(model.materials.libraries),
+                           std::move(model.face_lines), std::move(model.position_lines)};
     light_vertex_colours_whole(model);
     const Stopwatch watch;
     if (options.split_t_vertices) close_seams(model.polygons, path, options.jobs, warnings);

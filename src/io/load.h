@@ -28,6 +28,8 @@ struct LoadTimes {
 struct ModelSource {
     geom::PolygonMesh polygons;         // materials are indices of the scene's
     std::vector<std::string> libraries; // paths of the material libraries that were read
+    // Lines at which faces and positions stand; empty in formats where that is not known.
+    std::vector<std::uint32_t> face_lines, position_lines;
 };
 
 struct LoadOptions {

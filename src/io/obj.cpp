@@ -181,8 +181,10 @@ std::string ObjReader::word_here() const {
 }
 
 void ObjReader::position() {
+    const std::size_t line = at_.line; // a statement may go on in the next one
     const Numbers<7> n = numbers<7>();
     auto& positions = out_.polygons.positions;
+    note_line(out_.position_lines, line);
     constexpr std::size_t kMaxVertices = std::size_t{1} << 29; // as many as a frame can index
     if (positions.size() >= kMaxVertices) return stop("has more than 536870912 vertices");
     if (n.count < 3) {

@@ -10,6 +10,7 @@
 #include "io/text_parts.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -23,7 +24,9 @@ struct ObjFile {
     geom::PolygonMesh polygons;
     std::vector<NameAtLine> materials; // of usemtl statements, in the order of first use
     std::vector<NameAtLine>
-        libraries;           // the words behind each mtllib, not yet split into file names
+        libraries; // the words behind each mtllib, not yet split into file names
+    // Where faces and positions stand; empty unless Reading::lines is set.
+    std::vector<std::uint32_t> face_lines, position_lines;
     std::size_t skipped = 0; // statements that could not be used, free-form ones included
 };
 

@@ -123,6 +123,7 @@ void ObjReader::face() {
     if (doubtful_) doubtful_faces_.push_back({static_cast<std::uint32_t>(m.faces()), line});
     m.face_begin.push_back(static_cast<std::uint32_t>(begin));
     m.face_material.push_back(material_);
+    note_line(out_.face_lines, line);
     if (smoothing_ != geom::kSmoothingUnset) m.face_smoothing.push_back(smoothing_);
 }
 
@@ -248,6 +249,7 @@ void ObjReader::check_doubtful() {
     if (!faces.empty()) erase_runs(m.face_begin, m.corners, faces);
     erase_at(m.face_material, faces);
     erase_at(m.face_smoothing, faces);
+    erase_at(out_.face_lines, faces);
     if (!lines.empty()) erase_runs(m.line_begin, m.line_vertices, lines);
     erase_at(m.line_material, lines);
     erase_at(m.point_vertices, points);

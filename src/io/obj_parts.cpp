@@ -40,9 +40,11 @@ bool ObjReader::read_parts() {
     const std::string_view rest(at_.at, static_cast<std::size_t>(at_.end - at_.at));
     const std::vector<std::string_view> texts = parts_.next(rest, any_line);
     if (texts.empty()) return false;
+    Reading how;
+    how.lines = notes_lines_;
     while (part_readers_.size() < texts.size())
-        part_readers_.push_back(std::make_unique<ObjReader>(std::string_view(), path_, warnings_,
-                                                            progress_, Reading()));
+        part_readers_.push_back(
+            std::make_unique<ObjReader>(std::string_view(), path_, warnings_, progress_, how));
     parts_.jobs().for_each(static_cast<int>(texts.size()), [&](int i, int) {
         const auto at = static_cast<std::size_t>(i);
         part_readers_[at]->read_part(texts[at]);
@@ -79,6 +81,8 @@ void ObjReader::read_part(std::string_view text) {
     m.point_material.clear();
     out_.materials.clear();
     out_.libraries.clear();
+    out_.face_lines.clear();
+    out_.position_lines.clear();
     material_ids_.clear();
     polypaint_.clear();
     material_ = -1;
@@ -137,6 +141,8 @@ void ObjReader::take(const ObjReader& part) {
     take_elements(part); // first, since it depends on the state before the part
     take_vertices(part);
     append(polypaint_, part.polypaint_);
+    append_moved(out_.face_lines, part.out_.face_lines, at_.line - 1);
+    append_moved(out_.position_lines, part.out_.position_lines, at_.line - 1);
     at_.at = part.at_.at;
     at_.line += part.at_.line - 1;
 }

@@ -38,7 +38,7 @@ public:
     ObjReader(std::string_view file, const std::string& path, Warnings& warnings,
               const std::function<bool(double)>& progress, const Reading& how)
         : file_(file), path_(path), warnings_(warnings), progress_(progress), parts_(how),
-          at_(file) {}
+          notes_lines_(how.lines), at_(file) {}
 
     Result<ObjFile> read();
 
@@ -94,6 +94,9 @@ private:
     bool takes(const ObjReader& part) const; // what the part says holds behind what was read
     void take(const ObjReader& part);
     void take_vertices(const ObjReader& part);
+    void note_line(std::vector<std::uint32_t>& lines, std::size_t line) const {
+        if (notes_lines_) lines.push_back(static_cast<std::uint32_t>(line));
+    }
     void take_elements(const ObjReader& part);
     void take_smoothing(const ObjReader& part);
     std::int32_t resolve_in_part(std::int64_t index, std::size_t count, Named named);
@@ -132,6 +135,7 @@ private:
     Warnings& warnings_;
     const std::function<bool(double)>& progress_;
     TextParts parts_;
+    bool notes_lines_;                                     // Reading::lines
     std::vector<std::unique_ptr<ObjReader>> part_readers_; // kept for their room
 
     Cursor at_;

@@ -23,6 +23,7 @@ struct Reading {
     std::size_t* read_again = nullptr; // counts the parts that had to be, where given
     std::uint64_t texture_bytes = kTextureBytes;
     bool allow_outside = false; // files outside of the model's folder may be read
+    bool lines = false;         // note where elements stand, in formats of lines
 };
 
 class TextParts {

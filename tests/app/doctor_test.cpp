@@ -3,6 +3,7 @@
 #include "support/temporary_folder.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -218,6 +219,31 @@ TEST_F(Doctor, ReportsSarif) {
         EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
                   "a%20b.obj");
     }
+}
+
+// So that an editor or a review shows the hazard where it stands. STL is read without lines.
+TEST_F(Doctor, SarifNamesTheLineOfTheWorstFaceOrVertex) {
+    const auto lines = [&](const std::string& model) {
+        EXPECT_EQ(run("doctor " + model + " --size 64x48 --sarif out.sarif").code, 0);
+        std::map<std::string, int> found;
+        const auto sarif = nlohmann::json::parse(folder.read("out.sarif"));
+        for (const auto& result : sarif["runs"][0]["results"]) {
+            const auto& place = result["locations"][0]["physicalLocation"];
+            const std::string rule = result["ruleId"];
+            found[rule] = place.contains("region") ? place["region"]["startLine"].get<int>() : 0;
+        }
+        return found;
+    };
+    folder.write("ill.obj", std::string("# a line\n") + kIll);
+    const std::map<std::string, int> found = lines("ill.obj");
+    EXPECT_EQ(found.at("t-vertices"), 12) << "the face on whose edge it lies";
+    EXPECT_EQ(found.at("duplicate-faces"), 15);
+    EXPECT_EQ(found.at("zero-areas"), 16);
+    EXPECT_EQ(found.at("unreferenced"), 11);
+    folder.write("ill.stl", "solid a\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                            "vertex 0 1 0\nendloop\nendfacet\nendsolid a\n");
+    for (const auto& [rule, line] : lines("ill.stl"))
+        EXPECT_EQ(line, 0) << rule;
 }
 
 TEST_F(Doctor, WritesNothingElseWhereAReportGoesToStandardOutput) {
