@@ -16,6 +16,7 @@
 #include "base/stopwatch.h"
 #include "frame/facts/facts.h"
 #include "frame/plan/ignored_options.h"
+#include "measure/own_measure.h"
 #include "simd/targets.h"
 #include "trace/render.h"
 
@@ -93,6 +94,7 @@ public:
         TRY(report.found, measure::frontier(model_.scene, facts_, view_, settings_.frame, jobs_,
                                             report.reference, how));
         bar.reset();
+        TRY_VOID(measure_own(report));
         for (const std::string& chart : {settings_.chart_svg, settings_.chart_png})
             if (!chart.empty() && !report.timed())
                 warn({fmt::format("{}: not written: the measurement ended before anything was "
@@ -119,6 +121,18 @@ private:
         report.reference_samples = made.samples;
         report.noise = made.mean_error();
         report.reference = std::move(made.image);
+        return {};
+    }
+
+    // Each rung by the measure of its axis, against rays of the reference.
+    Result<void> measure_own(FrontierReport& report) {
+        TRY(const frame::FramePlan plan,
+            frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
+        TRY(const trace::Look look, look_of(plan));
+        TRY(const std::unique_ptr<measure::Oracle> oracle, oracle_of(model_.scene, view_, look));
+        measure::OwnMeasurer measurer(model_.scene, facts_, view_, jobs_, *oracle,
+                                      report.reference);
+        measure::measure_own(report.found.ladders, settings_.frame, measurer, Interrupt::asked);
         return {};
     }
 

@@ -2,6 +2,7 @@
 
 #include "app/json_text.h"
 #include "app/report.h"
+#include "measure/own_measure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -49,10 +50,13 @@ Json ladder_json(const measure::Ladder& ladder) {
         Json json = {{"rung", rung.technique}};
         json["point"] = rung.point ? Json(*rung.point) : Json();
         if (!rung.refusal.empty()) json["refused"] = rung.refusal;
+        if (rung.own) json["own"] = number(*rung.own);
         rungs.push_back(std::move(json));
     }
     Json json = {{"axis", ladder.axis}, {"rungs", rungs}};
     if (!ladder.left_out.empty()) json["left_out"] = ladder.left_out;
+    if (const measure::OwnMeasure* const own = measure::own_measure(ladder.axis))
+        json["own"] = {{"what", own->what}, {"unit", own->unit}};
     return json;
 }
 
@@ -70,6 +74,17 @@ std::string csv_field(const std::string& text) {
     for (const char c : text)
         quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
+}
+
+// "aa 0.091 pixels; texture 3.1 codes": of the rungs that draw this point.
+std::string own_text(const measure::Frontier& found, std::size_t point) {
+    std::string text;
+    for (const measure::Ladder& ladder : found.ladders)
+        for (const measure::LadderRung& rung : ladder.rungs)
+            if (rung.own && rung.point == point)
+                text += fmt::format("{}{} {:.6g} {}", text.empty() ? "" : "; ", ladder.axis,
+                                    *rung.own, measure::own_measure(ladder.axis)->unit);
+    return text;
 }
 
 std::string csv_number(double value) {
@@ -115,7 +130,7 @@ std::string to_json(const FrontierReport& report) {
 std::string frontier_csv(const FrontierReport& report) {
     const measure::Frontier& found = report.found;
     std::string text = "options,rmse_codes,rmse,psnr,max_codes,share_off_by_more_than_one,"
-                       "mean_flip,cpu_ms,cpu_ms_low,cpu_ms_high,wall_ms,on_frontier\r\n";
+                       "mean_flip,cpu_ms,cpu_ms_low,cpu_ms_high,wall_ms,on_frontier,own\r\n";
     const auto own = found.points->cost();
     for (std::size_t i = 0; i < found.points->all().size(); ++i) {
         const Point& p = (*found.points)[i];
@@ -136,6 +151,7 @@ std::string frontier_csv(const FrontierReport& report) {
         else
             fields.resize(fields.size() + 4);
         fields.emplace_back(on_it ? "1" : "0");
+        fields.push_back(csv_field(own_text(found, i)));
         text += fmt::format("{}\r\n", fmt::join(fields, ","));
     }
     return text;

@@ -1,6 +1,7 @@
 #include "app/frontier_report.h"
 
 #include "app/frontier_chart.h"
+#include "measure/own_measure.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& 
     const bool timed = report.timed();
     std::vector<std::string> row = {std::string(ladder.axis), std::string(rung.technique)};
     if (!rung.point) {
-        row.insert(row.end(), timed ? 7 : 5, "");
+        row.insert(row.end(), timed ? 8 : 6, "");
         row.back() = rung.refusal;
         return row;
     }
@@ -100,6 +101,7 @@ std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& 
     row.push_back(psnr_text(point.error.rmse));
     row.push_back(fmt::format("{}", point.error.max_codes));
     row.push_back(fmt::format("{:.2f}", point.error.share_off * 100));
+    row.push_back(rung.own ? fmt::format("{:.3g}", *rung.own) : "");
     if (timed) {
         row.push_back(wall_text(report.found, *rung.point));
         row.push_back(report.cpu_text(*rung.point));
@@ -108,10 +110,16 @@ std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& 
     return row;
 }
 
+bool has_own(const Ladder& ladder) {
+    return std::any_of(ladder.rungs.begin(), ladder.rungs.end(),
+                       [](const LadderRung& rung) { return rung.own.has_value(); });
+}
+
 ReportTable ladder_table(const FrontierReport& report) {
     ReportTable table{"The ladders: each rung, all else as asked for", {}, {}};
     table.rows.push_back(
         {"axis", "rung", "codes RMSE", "PSNR dB", "largest", "% off by over a code"});
+    table.rows.back().emplace_back("own");
     if (report.timed()) {
         table.rows.back().emplace_back("ms a frame");
         table.rows.back().emplace_back("CPU ms");
@@ -128,6 +136,10 @@ ReportTable ladder_table(const FrontierReport& report) {
         else
             for (const LadderRung& rung : ladder.rungs)
                 table.rows.push_back(ladder_row(report, ladder, rung));
+        const measure::OwnMeasure* const own = measure::own_measure(ladder.axis);
+        if (own != nullptr && has_own(ladder))
+            table.notes.push_back(
+                fmt::format("own: {}: {}, {}", ladder.axis, own->what, own->unit));
     }
     if (!flat.empty())
         table.notes.push_back(

@@ -6,6 +6,7 @@
 #include "shade/stage.h"
 #include "shade/transparency.h"
 #include "trace/bvh.h"
+#include "trace/probe.h"
 #include "trace/progressive.h"
 
 #include <algorithm>
@@ -72,7 +73,29 @@ const char* not_traced(const frame::FramePlan& plan) {
     return nullptr;
 }
 
+class ProbeOracle final : public measure::Oracle {
+public:
+    explicit ProbeOracle(trace::Probe probe) : probe_(std::move(probe)) {}
+    double covered(int x, int y) const override { return probe_.covered(x, y); }
+    bool is_inside(int x, int y) const override { return probe_.is_inside(x, y); }
+    bool is_seen_through(int x, int y) const override { return probe_.is_seen_through(x, y); }
+    std::optional<Place> on_triangle(std::uint32_t triangle, int x, int y) const override {
+        const auto place = probe_.on_triangle(triangle, x, y);
+        return place ? std::optional(Place{place->distance, place->uv}) : std::nullopt;
+    }
+    std::optional<bool> is_lit(int x, int y) const override { return probe_.is_lit(x, y); }
+
+private:
+    trace::Probe probe_;
+};
+
 } // namespace
+
+Result<std::unique_ptr<measure::Oracle>>
+oracle_of(const scene::Scene& scene, const scene::View& view, const trace::Look& look) {
+    TRY(trace::Probe probe, trace::Probe::create(scene, view, look));
+    return std::make_unique<ProbeOracle>(std::move(probe));
+}
 
 Result<trace::Look> look_of(const frame::FramePlan& plan) {
     if (const char* const what = not_traced(plan))

@@ -4,11 +4,13 @@
 #include "base/jobs.h"
 #include "base/result.h"
 #include "frame/plan/plan.h"
+#include "measure/oracle.h"
 #include "scene/scene.h"
 #include "trace/look.h"
 #include "trace/render.h"
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,11 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                                             const trace::Effort& effort,
                                             const std::function<void(double)>& progress,
                                             const std::function<bool()>& stop = {});
+
+// Rays of the reference as the oracle of the axes' own measures. What is named outlives it. Fails
+// like trace::Probe::create.
+Result<std::unique_ptr<measure::Oracle>>
+oracle_of(const scene::Scene& scene, const scene::View& view, const trace::Look& look);
 
 // What of the scene is not in the reference, a line each.
 std::vector<std::string> left_out_of_reference(const scene::Scene& scene);

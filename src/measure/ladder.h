@@ -16,6 +16,7 @@ struct LadderRung {
     std::string_view technique;
     std::optional<std::size_t> point; // of Points; nothing where the plan refuses it
     std::string refusal;
+    std::optional<double> own = {}; // what the axis's own measure says (own_measure.h)
     bool is_drawn() const { return point.has_value() || !refusal.empty(); }
 };
 

@@ -14,23 +14,9 @@ namespace scanout::trace {
 constexpr std::uint32_t kLightPoints = 16; // of a light with a size, for each sample
 
 Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone tone, int seed)
-    : world_(world), look_(look), lights_(std::move(lights)), tone_(tone), seed_(seed),
-      least_(world.bvh().radius() * 0x1p-34),
-      background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
-                  srgb_decode(look.background.b)) {}
-
-bool Tracer::in_shadow(const Ray& ray, double end, std::uint32_t triangle) const {
-    const double least = least_ / scanout::sqrt(dot3(ray.way, ray.way));
-    if (!world_.has_holes())
-        return world_.bvh().blocked(ray, least, end, triangle, world_.casters());
-    for (Hit hit{least, kNothing, {}};;) {
-        hit = world_.bvh().next(ray, hit);
-        if (!hit.any() || hit.t >= end) return false;
-        if (hit.triangle != triangle && world_.casters()[hit.triangle] != 0 &&
-            !world_.lets_through(hit))
-            return true;
-    }
-}
+    : world_(world), shadows_(world), look_(look), lights_(std::move(lights)), tone_(tone),
+      seed_(seed), background_(srgb_decode(look.background.r), srgb_decode(look.background.g),
+                               srgb_decode(look.background.b)) {}
 
 // Of a light with a size, by several points of it: what reaches a place is summed before the tone
 // curve bends it. Points below the face's plane are not asked: the reflection model, which takes
@@ -40,14 +26,14 @@ double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& plac
                          const DVec3& facing, std::uint32_t triangle, std::uint32_t index,
                          std::uint32_t seed) const {
     if (!light.has_size())
-        return in_shadow(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
+        return shadows_.blocked(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
     int above = 0, lit = 0;
     for (std::uint32_t i = 0; i < kLightPoints; ++i) {
         const Ray ray =
             light.towards(place, stratified(index * kLightPoints + i, number + 1, seed));
         if (dot3(ray.way, facing) <= 0) continue;
         ++above;
-        lit += in_shadow(ray, light.end(), triangle) ? 0 : 1;
+        lit += shadows_.blocked(ray, light.end(), triangle) ? 0 : 1;
     }
     return above > 0 ? static_cast<double>(lit) / above : 0;
 }

@@ -9,6 +9,7 @@
 #include "trace/lights.h"
 #include "trace/look.h"
 #include "trace/noise.h"
+#include "trace/shadow_rays.h"
 #include "trace/world.h"
 
 #include <array>
@@ -83,15 +84,14 @@ private:
     Sample shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
     double lit_share(const PlacedLight& light, int number, const DVec3& place, const DVec3& facing,
                      std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const;
-    bool in_shadow(const Ray& ray, double end, std::uint32_t triangle) const;
     double error_of(const PixelSamples& pixel) const;
 
     const World& world_;
+    ShadowRays shadows_;
     const Look& look_;
     PlacedLights lights_;
     Tone tone_;
     int seed_;
-    double least_; // parameter of shadow rays: nearer is the surface itself
     DVec3 background_;
 };
 

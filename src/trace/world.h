@@ -31,6 +31,7 @@ public:
     // Left out, by the way it is wound, or because it shows nothing.
     bool is_left_out(std::uint32_t triangle) const { return left_out_[triangle] != 0; }
     Surface surface(const Hit& hit, const Ray& ray) const;
+    DVec2 uv(const Hit& hit) const; // of a mesh that has them
     // The triangle's own normal, of any length, on the side that the ray meets.
     DVec3 facing(const Hit& hit, const Ray& ray) const;
     DVec3 emission(const Hit& hit) const;
@@ -46,7 +47,6 @@ private:
     void sort_out();
     const scene::Material& material(std::uint32_t triangle) const;
     std::size_t of_list(std::uint32_t triangle) const; // place in lists that begin with the default
-    DVec2 uv(const Hit& hit) const;
     bool reads(bool asked, const scene::TextureMap& map) const;
     DVec4 sampled(const Hit& hit, const scene::TextureMap& map, bool encoded) const;
     double mapped_alpha(const Hit& hit) const;

@@ -378,6 +378,8 @@ TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
     EXPECT_GT(json["ladders"][1]["rungs"].size(), 6U);
     EXPECT_GE(json["frontier"].size(), 2U);
     EXPECT_EQ(json["stopped"], false);
+    EXPECT_EQ(json["ladders"][1]["own"]["unit"], "pixels");
+    EXPECT_NEAR(double{json["ladders"][1]["rungs"][0]["own"]}, 0.25, 0.1); // of one sample
     double last = 1e9;
     for (const auto& p : json["frontier"]) {
         const double error = json["points"][std::size_t{p["point"]}]["rmse_codes"];
@@ -391,6 +393,7 @@ TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
     EXPECT_TRUE(html.ends_with("</html>\n"));
     EXPECT_NE(html.find("data:image/png;base64,"), std::string::npos);
     EXPECT_EQ(html.find("http", html.find("<body>")), html.find("http://www.w3.org/2000/svg"));
+    EXPECT_NE(csv.find(" pixels"), std::string::npos);
     EXPECT_TRUE(image::load(folder.file("f.png")));
 }
 
