@@ -3,6 +3,7 @@
 #include "app/files.h"
 #include "app/frontier_chart.h"
 #include "app/frontier_files.h"
+#include "app/frontier_pictures.h"
 #include "app/interrupt.h"
 #include "app/machine.h"
 #include "app/message.h"
@@ -32,7 +33,7 @@ constexpr double kSeconds = 40;
 constexpr std::uint32_t kSamples = 1024; // of the reference, at most
 
 std::vector<std::string> outputs_of(const Settings& s) {
-    return {s.json.value_or(""), s.csv, s.chart_svg, s.chart_png, s.report_html};
+    return {s.json.value_or(""), s.csv, s.chart_svg, s.chart_png, s.sheet_png, s.report_html};
 }
 
 Result<void> check_frontier(const Settings& s) {
@@ -49,9 +50,9 @@ Result<void> check_frontier(const Settings& s) {
                         fmt::join(axes, " "));
     if (s.no_times && !(s.chart_svg.empty() && s.chart_png.empty()))
         return fail(Exit::usage, "--svg and --png draw errors against times; leave --no-times out");
-    if (!s.chart_png.empty() && s.chart_png != "-" &&
-        format_of_name(s.chart_png) != PictureFormat::png)
-        return fail(Exit::usage, "{}: --png writes a PNG; name it so", s.chart_png);
+    for (const auto& [file, option] : {std::pair(s.chart_png, "--png"), {s.sheet_png, "--sheet"}})
+        if (!file.empty() && file != "-" && format_of_name(file) != PictureFormat::png)
+            return fail(Exit::usage, "{}: {} writes a PNG; name it so", file, option);
     const std::vector<std::string> outputs = outputs_of(s);
     TRY_VOID(check_standard_output(outputs));
     return check_outputs(s.arguments, outputs);
@@ -153,7 +154,13 @@ Result<void> write_text(const std::string& path, std::string_view text) {
     return write_picture(path, image::Bytes(text.begin(), text.end()));
 }
 
-// All of them are made before the first is written.
+Result<void> write_png(const std::string& path, const std::function<image::Image()>& draw) {
+    if (path.empty()) return {};
+    TRY(const image::Bytes png, image::encode_png(draw()));
+    return write_picture(path, png);
+}
+
+// The longest is made before the first is written.
 Result<void> write_files(const Settings& settings, const FrontierReport& report) {
     std::string html;
     if (!settings.report_html.empty()) {
@@ -164,11 +171,9 @@ Result<void> write_files(const Settings& settings, const FrontierReport& report)
     if (report.timed()) {
         const Chart chart = frontier_chart(report);
         TRY_VOID(write_text(settings.chart_svg, chart_svg(chart)));
-        if (!settings.chart_png.empty()) {
-            TRY(const image::Bytes png, image::encode_png(chart_picture(chart)));
-            TRY_VOID(write_picture(settings.chart_png, png));
-        }
+        TRY_VOID(write_png(settings.chart_png, [&] { return chart_picture(chart); }));
     }
+    TRY_VOID(write_png(settings.sheet_png, [&] { return contact_sheet(report); }));
     return write_report(settings, to_json(report));
 }
 

@@ -1,11 +1,8 @@
 #include "app/frontier_chart.h"
 #include "app/frontier_files.h"
+#include "app/frontier_pictures.h"
 #include "app/markup.h"
 #include "image/codec.h"
-#include "image/heat_map.h"
-
-#include <algorithm>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -31,38 +28,6 @@ constexpr std::string_view kHead =
     "@media print{{body{{max-width:none;font-size:11pt}}.wide{{overflow:visible}}}}\n"
     "</style></head><body>\n<h1>{0}</h1>\n";
 
-constexpr int kCrop = 64; // pixels a side
-
-// The part of the picture whose codes differ most, in squares.
-image::Rect worst_part(const image::Image& a, const image::Image& b) {
-    constexpr int kStep = 16;
-    const int width = std::min(kCrop, a.width()), height = std::min(kCrop, a.height());
-    image::Rect worst{0, 0, width, height};
-    std::int64_t most = -1;
-    for (int y = 0; y + height <= a.height(); y += kStep)
-        for (int x = 0; x + width <= a.width(); x += kStep) {
-            std::int64_t sum = 0;
-            for (int v = y; v < y + height; ++v)
-                for (int u = x; u < x + width; ++u) {
-                    const image::Rgba8 &p = a.at(u, v), &q = b.at(u, v);
-                    const int r = p.r - q.r, g = p.g - q.g, blue = p.b - q.b;
-                    sum += r * r + g * g + blue * blue;
-                }
-            if (sum <= most) continue;
-            most = sum;
-            worst = {x, y, x + width, y + height};
-        }
-    return worst;
-}
-
-image::Image part(const image::Image& picture, const image::Rect& area) {
-    image::Image out(area.width(), area.height());
-    for (int y = 0; y < area.height(); ++y)
-        for (int x = 0; x < area.width(); ++x)
-            out.at(x, y) = picture.at(area.x0 + x, area.y0 + y);
-    return out;
-}
-
 Result<std::string> embedded(const image::Image& picture, std::string_view what,
                              std::string_view style = "") {
     TRY(const image::Bytes png, image::encode_png(picture));
@@ -86,41 +51,19 @@ std::string table_html(const ReportTable& table) {
     return html;
 }
 
-// What is shown: the quickest, as asked for, the knee, the most accurate.
-std::vector<std::pair<std::string, std::size_t>> shown(const FrontierReport& report) {
-    if (!report.timed()) return {{"As asked for", 0}};
-    const measure::Frontier& found = report.found;
-    std::vector<std::pair<std::string, std::size_t>> all = {
-        {"The quickest", found.frontier.front().point},
-        {"As asked for", 0},
-        {"The knee", *found.knee()},
-        {"The most accurate", found.frontier.back().point}};
-    std::vector<std::pair<std::string, std::size_t>> each;
-    for (auto& [what, point] : all)
-        if (std::none_of(each.begin(), each.end(),
-                         [p = point](const auto& other) { return other.second == p; }))
-            each.emplace_back(what, point);
-    return each;
-}
-
-Result<std::string> figure(const FrontierReport& report, const std::string& what,
-                           std::size_t point) {
-    const image::Image picture = report.found.points->drawn(point);
-    const image::Rect worst = worst_part(report.reference, picture);
-    TRY(const std::string drawn, embedded(picture, "the picture"));
-    TRY(const std::string heat, embedded(image::heat_map(report.reference, picture),
-                                         "its error: black is none, each doubling a step lighter"));
-    TRY(const std::string crop,
-        embedded(part(picture, worst), "its worst part", " class=\"crop\""));
+Result<std::string> figure(const FrontierReport& report, const ShownPoint& shown) {
+    const PointPictures pictures = pictures_of(report, shown.point);
+    TRY(const std::string drawn, embedded(pictures.drawn, "the picture"));
+    TRY(const std::string heat,
+        embedded(pictures.heat, "its error: black is none, each doubling a step lighter"));
+    TRY(const std::string crop, embedded(pictures.crop, "its worst part", " class=\"crop\""));
     TRY(const std::string right,
-        embedded(part(report.reference, worst), "the same of the reference", " class=\"crop\""));
-    std::string caption = fmt::format("{} ({}): {:.3f} codes RMSE", what, report.name_of(point),
-                                      report.found.error(point));
-    if (report.timed()) caption += fmt::format(", {:.2f} ms", report.found.wall_ms(point));
+        embedded(pictures.right, "the same of the reference", " class=\"crop\""));
     return fmt::format("<figure><figcaption>{}. Picture, error, the worst {} x {} pixels and what "
                        "they should be.</figcaption>\n<div class=\"row\">{}\n{}\n{}\n{}\n"
                        "</div></figure>\n",
-                       as_markup(caption), worst.width(), worst.height(), drawn, heat, crop, right);
+                       as_markup(caption_of(report, shown)), pictures.crop.width(),
+                       pictures.crop.height(), drawn, heat, crop, right);
 }
 
 } // namespace
@@ -137,8 +80,8 @@ Result<std::string> frontier_html(const FrontierReport& report) {
     for (std::size_t i = 0; i + 1 < tables.size(); ++i)
         html += table_html(tables[i]);
     html += "<h2>Pictures</h2>\n";
-    for (const auto& [what, point] : shown(report)) {
-        TRY(const std::string one, figure(report, what, point));
+    for (const ShownPoint& shown : shown_points(report)) {
+        TRY(const std::string one, figure(report, shown));
         html += one;
     }
     TRY(const std::string reference, embedded(report.reference, "the reference"));

@@ -77,7 +77,7 @@ struct Settings {
     std::vector<std::string> axes; // of frontier; empty: all
     double seconds = 0;            // of measuring or searching; 0: what the command takes
     bool quick = false, strict = false;
-    std::string csv, chart_svg, chart_png, report_html, fix, sarif; // files
+    std::string csv, chart_svg, chart_png, sheet_png, report_html, fix, sarif; // files
 
     int max_difference = 0;
     std::int64_t max_pixels = 0;

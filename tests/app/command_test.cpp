@@ -367,7 +367,7 @@ TEST_F(Program, CompareMeasuresOneFigure) {
 TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
     const Outcome done = run("frontier $m --camera 30,20 --size 64x48 --quick --axis aa --axis "
                              "shading --json=$d/f.json --csv $d/f.csv --svg $d/f.svg --png "
-                             "$d/f.png --html $d/f.html");
+                             "$d/f.png --sheet $d/s.png --html $d/f.html");
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_TRUE(done.out.starts_with("Knee: ")) << done.out;
     for (const char* part : {"Dearest effect: ", "Free: ", "What a time buys", "16.7",
@@ -395,6 +395,11 @@ TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
     EXPECT_EQ(html.find("http", html.find("<body>")), html.find("http://www.w3.org/2000/svg"));
     EXPECT_NE(csv.find(" pixels"), std::string::npos);
     EXPECT_TRUE(image::load(folder.file("f.png")));
+    // Two pictures and two crops beside each other, a row for each of at least two points.
+    const auto sheet = image::load(folder.file("s.png"));
+    ASSERT_TRUE(sheet);
+    EXPECT_GE(sheet->width(), 2 * 64 + 2 * 48);
+    EXPECT_GE(sheet->height(), 2 * 48);
 }
 
 // Errors alone do not depend on the clock: the same text, with any number of threads.
@@ -423,6 +428,7 @@ TEST_F(Program, FrontierRefusesWhatItCannotMeasure) {
     EXPECT_EQ(refused("frontier $m --axis reflection"), 2); // models, no rungs
     EXPECT_EQ(refused("frontier $m --no-times --svg $d/f.svg"), 2);
     EXPECT_EQ(refused("frontier $m --png $d/f.jpg"), 2);
+    EXPECT_EQ(refused("frontier $m --sheet $d/f.jpg"), 2);
     EXPECT_EQ(refused("frontier $m --csv $d/x --svg $d/x"), 2);
     EXPECT_EQ(refused("frontier $m --csv - --json"), 2);
     EXPECT_EQ(refused("frontier $m --stencil outline --quick"), 2); // no formula for it

@@ -1,0 +1,95 @@
+// The contact sheet of a frontier: a row for each point that is worth a look.
+#include "app/frontier_pictures.h"
+#include "app/text.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace scanout::app {
+namespace {
+
+constexpr int kMargin = 12, kLine = kGlyphHeight + 6; // pixels
+constexpr image::Rgba8 kPaper{255, 255, 255, 255}, kInk{0x11, 0x11, 0x11, 255},
+    kPale{0x66, 0x66, 0x66, 255};
+
+// Each pixel as times x times; opaque.
+void put(image::Image& sheet, const image::Image& picture, int left, int top, int times = 1) {
+    for (int y = 0; y < picture.height() * times; ++y)
+        for (int x = 0; x < picture.width() * times; ++x) {
+            image::Rgba8 pixel = picture.at(x / times, y / times);
+            pixel.a = 255;
+            sheet.at(left + x, top + y) = pixel;
+        }
+}
+
+// How a text fits between the margins.
+std::vector<std::string> lines_of(std::string_view text, int width) {
+    const auto letters = static_cast<std::size_t>(std::max(width / kGlyphWidth, 1));
+    std::vector<std::string> lines;
+    while (text.size() > letters) {
+        const std::size_t space = text.rfind(' ', letters);
+        const std::size_t end = space == std::string_view::npos || space == 0 ? letters : space;
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + (text[end] == ' ' ? 1 : 0));
+    }
+    lines.emplace_back(text);
+    return lines;
+}
+
+} // namespace
+
+image::Image contact_sheet(const FrontierReport& report) {
+    struct Row {
+        std::vector<std::string> caption;
+        PointPictures pictures;
+    };
+    // Crops are as high as the picture, in whole pixels.
+    const image::Image& reference = report.reference;
+    const int crop_width = std::min(64, reference.width()),
+              crop_height = std::min(64, reference.height());
+    const int times = std::max(reference.height() / crop_height, 1);
+    const int width = 2 * reference.width() + 2 * crop_width * times + 5 * kMargin;
+    const auto fitted = [&](std::string_view text) { return lines_of(text, width - 2 * kMargin); };
+    std::vector<std::string> head = fitted(frontier_head(report));
+    for (const std::string& line :
+         fitted("Each row: the picture; its error (black is none, each doubling a step lighter); "
+                "its worst part, enlarged; the same of the reference."))
+        head.push_back(line);
+    std::vector<Row> rows;
+    int height = kMargin + kLine * static_cast<int>(head.size());
+    for (const ShownPoint& shown : shown_points(report)) {
+        rows.push_back({fitted(caption_of(report, shown)), pictures_of(report, shown.point)});
+        height +=
+            kLine * static_cast<int>(rows.back().caption.size()) + reference.height() + 2 * kMargin;
+    }
+    image::Image sheet(width, height);
+    draw_panel(sheet, {0, 0, width, height}, kPaper);
+    for (image::Rgba8& pixel : sheet.pixels())
+        pixel.a = 255;
+    int top = kMargin;
+    const auto write = [&](const std::vector<std::string>& lines, image::Rgba8 colour) {
+        for (const std::string& line : lines) {
+            draw_text(sheet, kMargin, top, line, colour);
+            top += kLine;
+        }
+    };
+    write(head, kPale);
+    for (const Row& row : rows) {
+        top += kMargin;
+        write(row.caption, kInk);
+        int left = kMargin;
+        for (const image::Image* picture : {&row.pictures.drawn, &row.pictures.heat}) {
+            put(sheet, *picture, left, top);
+            left += picture->width() + kMargin;
+        }
+        for (const image::Image* crop : {&row.pictures.crop, &row.pictures.right}) {
+            put(sheet, *crop, left, top, times);
+            left += crop->width() * times + kMargin;
+        }
+        top += reference.height() + kMargin;
+    }
+    return sheet;
+}
+
+} // namespace scanout::app
