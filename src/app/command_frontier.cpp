@@ -97,11 +97,16 @@ public:
         bar.reset();
         TRY_VOID(measure_own(report));
         for (const std::string& chart : {settings_.chart_svg, settings_.chart_png})
-            if (!chart.empty() && !report.timed())
-                warn({fmt::format("{}: not written: the measurement ended before anything was "
-                                  "timed",
-                                  chart)},
+            if (!chart.empty() && !report.has_frontier())
+                warn({fmt::format("{}: not written: {}", chart,
+                                  report.compared()
+                                      ? "the measurement ended before anything was timed"
+                                      : "without a reference there are no errors to draw")},
                      report);
+        if (!settings_.sheet_png.empty() && !report.compared())
+            warn({fmt::format("{}: not written: without a reference there are no errors to show",
+                              settings_.sheet_png)},
+                 report);
         warn(frame::ignored_options((*report.found.points)[0].plan), report);
         return report;
     }
@@ -109,6 +114,14 @@ public:
 private:
     // Of what is asked for, but for rungs.
     Result<void> draw_reference(FrontierReport& report) {
+        const frame::FrameOptions& frame = settings_.frame;
+        if (const auto fits = check_reference_fits(model_.scene, frame.width, frame.height,
+                                                   settings_.max_memory_mb);
+            !fits) {
+            if (settings_.no_times) return tl::unexpected(fits.error());
+            warn({fits.error().what + "; times alone are measured"}, report);
+            return {};
+        }
         const Stopwatch watch;
         trace::Effort effort{settings_.quick ? kQuickSamples : kSamples};
         if (settings_.reference_samples > 0)
@@ -127,6 +140,7 @@ private:
 
     // Each rung by the measure of its axis, against rays of the reference.
     Result<void> measure_own(FrontierReport& report) {
+        if (!report.compared()) return {};
         TRY(const frame::FramePlan plan,
             frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
         TRY(const trace::Look look, look_of(plan));
@@ -168,12 +182,13 @@ Result<void> write_files(const Settings& settings, const FrontierReport& report)
     }
     TRY_VOID(write_text(settings.csv, frontier_csv(report)));
     TRY_VOID(write_text(settings.report_html, html));
-    if (report.timed()) {
+    if (report.has_frontier()) {
         const Chart chart = frontier_chart(report);
         TRY_VOID(write_text(settings.chart_svg, chart_svg(chart)));
         TRY_VOID(write_png(settings.chart_png, [&] { return chart_picture(chart); }));
     }
-    TRY_VOID(write_png(settings.sheet_png, [&] { return contact_sheet(report); }));
+    if (report.compared())
+        TRY_VOID(write_png(settings.sheet_png, [&] { return contact_sheet(report); }));
     return write_report(settings, to_json(report));
 }
 

@@ -103,7 +103,7 @@ private:
     Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
                                 RunReport& report) {
         TRY(const trace::Look look, look_of(plan));
-        TRY_VOID(check_reference_fits(scene_, plan, settings_.max_memory_mb));
+        TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
         if (index == 0) {
             const std::vector<std::string> missing = left_out_of_reference(scene_);
             print_warnings(missing, settings_);

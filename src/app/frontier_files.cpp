@@ -27,13 +27,14 @@ Json interval(const measure::Difference& d, double unit = 1) {
 
 Json point_json(const FrontierReport& report, std::size_t index) {
     const Point& point = (*report.found.points)[index];
-    Json json = {{"options", point.options()},
-                 {"rmse_codes", number(point.error.rmse_codes)},
-                 {"rmse", number(point.error.rmse)},
-                 {"psnr", number(image::psnr(point.error.rmse))},
-                 {"max_codes", point.error.max_codes},
-                 {"share_off_by_more_than_one", number(point.error.share_off)},
-                 {"mean_flip", point.mean_flip ? number(double{*point.mean_flip}) : Json()}};
+    Json json = {{"options", point.options()}};
+    if (report.compared())
+        json.update({{"rmse_codes", number(point.error.rmse_codes)},
+                     {"rmse", number(point.error.rmse)},
+                     {"psnr", number(image::psnr(point.error.rmse))},
+                     {"max_codes", point.error.max_codes},
+                     {"share_off_by_more_than_one", number(point.error.share_off)},
+                     {"mean_flip", point.mean_flip ? number(double{*point.mean_flip}) : Json()}});
     const auto own = report.found.points->cost();
     if (own && point.price) {
         json["cpu_ms"] = interval(point.price->cpu_ratio, own->cpu_ms);
@@ -105,13 +106,15 @@ std::string to_json(const FrontierReport& report) {
         points.push_back(point_json(report, i));
     for (const measure::FrontierPoint& p : found.frontier)
         frontier.push_back({{"point", p.point}, {"ties_with_next", p.ties_with_next}});
+    Json reference;
+    if (report.compared())
+        reference = {{"samples", report.reference_samples},
+                     {"standard_error", number(report.noise)},
+                     {"ms", number(report.reference_ms)}};
     const Json json = {{"model", {{"path", report.model_path}, {"triangles", report.triangles}}},
                        {"width", report.width},
                        {"height", report.height},
-                       {"reference",
-                        {{"samples", report.reference_samples},
-                         {"standard_error", number(report.noise)},
-                         {"ms", number(report.reference_ms)}}},
+                       {"reference", reference},
                        {"machine", report.machine},
                        {"threads", report.threads},
                        {"target", report.target},
@@ -137,13 +140,16 @@ std::string frontier_csv(const FrontierReport& report) {
         const bool on_it =
             std::any_of(found.frontier.begin(), found.frontier.end(),
                         [i](const measure::FrontierPoint& f) { return f.point == i; });
-        std::vector<std::string> fields = {csv_field(report.name_of(i)),
-                                           csv_number(p.error.rmse_codes),
-                                           csv_number(p.error.rmse),
-                                           csv_number(image::psnr(p.error.rmse)),
-                                           fmt::format("{}", p.error.max_codes),
-                                           csv_number(p.error.share_off),
-                                           p.mean_flip ? csv_number(double{*p.mean_flip}) : ""};
+        std::vector<std::string> fields = {csv_field(report.name_of(i))};
+        if (report.compared())
+            for (const std::string& field :
+                 {csv_number(p.error.rmse_codes), csv_number(p.error.rmse),
+                  csv_number(image::psnr(p.error.rmse)), fmt::format("{}", p.error.max_codes),
+                  csv_number(p.error.share_off),
+                  p.mean_flip ? csv_number(double{*p.mean_flip}) : std::string()})
+                fields.push_back(field);
+        else
+            fields.resize(fields.size() + 6);
         if (own && p.price)
             for (const double value : {found.cpu_ms(i), own->cpu_ms * p.price->cpu_ratio.low,
                                        own->cpu_ms * p.price->cpu_ratio.high, found.wall_ms(i)})

@@ -66,6 +66,19 @@ Result<std::string> figure(const FrontierReport& report, const ShownPoint& shown
                        pictures.crop.height(), drawn, heat, crop, right);
 }
 
+Result<std::string> pictures_html(const FrontierReport& report) {
+    std::string html = "<h2>Pictures</h2>\n";
+    for (const ShownPoint& shown : shown_points(report)) {
+        TRY(const std::string one, figure(report, shown));
+        html += one;
+    }
+    TRY(const std::string reference, embedded(report.reference, "the reference"));
+    html += fmt::format("<figure><figcaption>The reference.</figcaption>\n<div class=\"row\">{}"
+                        "</div></figure>\n",
+                        reference);
+    return html;
+}
+
 } // namespace
 
 Result<std::string> frontier_html(const FrontierReport& report) {
@@ -75,19 +88,14 @@ Result<std::string> frontier_html(const FrontierReport& report) {
         html += fmt::format("<p>{}</p>\n", as_markup(sentence));
     if (report.found.stopped) html += fmt::format("<p>{}</p>\n", stopped_sentence());
     html += fmt::format("<p><small>{}</small></p>\n", as_markup(frontier_head(report)));
-    if (report.timed()) html += chart_svg(frontier_chart(report));
+    if (report.has_frontier()) html += chart_svg(frontier_chart(report));
     const std::vector<ReportTable> tables = frontier_tables(report);
     for (std::size_t i = 0; i + 1 < tables.size(); ++i)
         html += table_html(tables[i]);
-    html += "<h2>Pictures</h2>\n";
-    for (const ShownPoint& shown : shown_points(report)) {
-        TRY(const std::string one, figure(report, shown));
-        html += one;
+    if (report.compared()) {
+        TRY(const std::string pictures, pictures_html(report));
+        html += pictures;
     }
-    TRY(const std::string reference, embedded(report.reference, "the reference"));
-    html += fmt::format("<figure><figcaption>The reference.</figcaption>\n<div class=\"row\">{}"
-                        "</div></figure>\n",
-                        reference);
     return html + table_html(tables.back()) + "</body></html>\n";
 }
 

@@ -89,20 +89,21 @@ ReportTable frontier_table(const FrontierReport& report) {
 
 std::vector<std::string> ladder_row(const FrontierReport& report, const Ladder& ladder,
                                     const LadderRung& rung) {
-    const bool timed = report.timed();
     std::vector<std::string> row = {std::string(ladder.axis), std::string(rung.technique)};
     if (!rung.point) {
-        row.insert(row.end(), timed ? 8 : 6, "");
+        row.insert(row.end(), (report.compared() ? 5 : 0) + (report.timed() ? 2 : 0) + 1, "");
         row.back() = rung.refusal;
         return row;
     }
     const Point& point = (*report.found.points)[*rung.point];
-    row.push_back(codes(point.error.rmse_codes));
-    row.push_back(psnr_text(point.error.rmse));
-    row.push_back(fmt::format("{}", point.error.max_codes));
-    row.push_back(fmt::format("{:.2f}", point.error.share_off * 100));
-    row.push_back(rung.own ? fmt::format("{:.3g}", *rung.own) : "");
-    if (timed) {
+    if (report.compared()) {
+        row.push_back(codes(point.error.rmse_codes));
+        row.push_back(psnr_text(point.error.rmse));
+        row.push_back(fmt::format("{}", point.error.max_codes));
+        row.push_back(fmt::format("{:.2f}", point.error.share_off * 100));
+        row.push_back(rung.own ? fmt::format("{:.3g}", *rung.own) : "");
+    }
+    if (report.timed()) {
         row.push_back(wall_text(report.found, *rung.point));
         row.push_back(report.cpu_text(*rung.point));
     }
@@ -117,9 +118,11 @@ bool has_own(const Ladder& ladder) {
 
 ReportTable ladder_table(const FrontierReport& report) {
     ReportTable table{"The ladders: each rung, all else as asked for", {}, {}};
-    table.rows.push_back(
-        {"axis", "rung", "codes RMSE", "PSNR dB", "largest", "% off by over a code"});
-    table.rows.back().emplace_back("own");
+    table.rows.push_back({"axis", "rung"});
+    if (report.compared())
+        for (const char* const head :
+             {"codes RMSE", "PSNR dB", "largest", "% off by over a code", "own"})
+            table.rows.back().emplace_back(head);
     if (report.timed()) {
         table.rows.back().emplace_back("ms a frame");
         table.rows.back().emplace_back("CPU ms");
@@ -190,18 +193,21 @@ std::string FrontierReport::cpu_text(std::size_t point) const {
 }
 
 std::vector<ReportTable> frontier_tables(const FrontierReport& report) {
-    if (!report.timed()) return {ladder_table(report)};
+    if (!report.has_frontier()) return {ladder_table(report)};
     return {equal_time(report), equal_error(report), frontier_table(report), ladder_table(report)};
 }
 
 std::string frontier_head(const FrontierReport& report) {
-    std::string text = fmt::format("{}: {} triangle{}, {}x{}; reference of {:.1f} samples a pixel, "
-                                   "its own noise {:.3f} codes RMSE",
-                                   file_name(report.model_path), report.triangles,
-                                   report.triangles == 1 ? "" : "s", report.width, report.height,
-                                   static_cast<double>(report.reference_samples) /
-                                       (static_cast<double>(report.width) * report.height),
-                                   report.noise);
+    std::string text =
+        fmt::format("{}: {} triangle{}, {}x{}; ", file_name(report.model_path), report.triangles,
+                    report.triangles == 1 ? "" : "s", report.width, report.height);
+    text +=
+        report.compared()
+            ? fmt::format("reference of {:.1f} samples a pixel, its own noise {:.3f} codes RMSE",
+                          static_cast<double>(report.reference_samples) /
+                              (static_cast<double>(report.width) * report.height),
+                          report.noise)
+            : "no reference, so no errors";
     if (report.timed())
         text += fmt::format("; {}, {} thread{}, {}, {}", report.machine, report.threads,
                             report.threads == 1 ? "" : "s", report.target, report.date);
@@ -224,7 +230,7 @@ std::vector<std::string> frontier_text(const FrontierReport& report) {
         lines.insert(lines.end(), table.begin(), table.end());
         for (const std::string& note : tables[i].notes)
             lines.push_back("  " + note);
-        if (!report.timed() || i + 2 != tables.size()) continue;
+        if (!report.has_frontier() || i + 2 != tables.size()) continue;
         const std::vector<std::string> plot =
             text_plot(frontier_chart(report)); // under the frontier
         lines.insert(lines.end(), plot.begin(), plot.end());

@@ -24,7 +24,9 @@ struct FrontierReport {
     double reference_ms = 0;
     std::vector<std::string> warnings;
 
-    bool timed() const { return !found.frontier.empty(); }
+    bool compared() const { return !reference.pixels().empty(); } // else errors are not known
+    bool timed() const { return found.points->cost().has_value(); }
+    bool has_frontier() const { return !found.frontier.empty(); } // both are known
     // "--aa samples_4"; "as asked for" for nothing.
     std::string name_of(std::size_t point) const;
     // "1.24 ± 0.05", ms of a frame; the interval is that against what is asked for. "": not timed.

@@ -96,7 +96,8 @@ std::string free_sentence(const Frontier& found) {
 } // namespace
 
 std::vector<std::string> frontier_sentences(const FrontierReport& report) {
-    if (!report.timed()) return {};
+    if (report.timed() && !report.compared()) return {effect_sentence(report.found)};
+    if (!report.has_frontier()) return {};
     return {knee_sentence(report), effect_sentence(report.found), free_sentence(report.found)};
 }
 

@@ -368,7 +368,7 @@ constexpr std::array kOptions = std::to_array<Option>({
 
     {"max-memory", 0, "MB", "", "", 1, 100'000'000, Group::model, kRead,
      Integer([](Settings& s) -> int& { return s.max_memory_mb; }),
-     "refuse a model that takes more to load; default: what is available"},
+     "refuse a model that takes more to load, or whose reference does; default: what is available"},
     {"allow-outside", 0, "", "", "", 0, 0, Group::model, kRead,
      Switch([](Settings& s) -> bool& { return s.allow_outside; }),
      "read libraries and textures outside of the model's folder, too"},

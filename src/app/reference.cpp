@@ -127,11 +127,11 @@ Result<trace::Look> look_of(const frame::FramePlan& plan) {
     return look;
 }
 
-Result<void> check_reference_fits(const scene::Scene& scene, const frame::FramePlan& plan,
+Result<void> check_reference_fits(const scene::Scene& scene, int width, int height,
                                   int max_memory_mb) {
     constexpr std::uint64_t kMega = 1'000'000;
-    const std::uint64_t wanted = trace::Bvh::bytes(scene.mesh.triangles()) +
-                                 trace::Progressive::bytes(plan.options.width, plan.options.height);
+    const std::uint64_t wanted =
+        trace::Bvh::bytes(scene.mesh.triangles()) + trace::Progressive::bytes(width, height);
     const std::uint64_t allowed = kMega * static_cast<std::uint64_t>(max_memory_mb),
                         available = available_bytes();
     if (max_memory_mb > 0 && wanted > allowed)
@@ -159,7 +159,7 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                     scene.path);
     TRY(const frame::FramePlan plan, frame::plan(measure::without_rungs(options), facts, view));
     TRY(const trace::Look look, look_of(plan));
-    TRY_VOID(check_reference_fits(scene, plan));
+    TRY_VOID(check_reference_fits(scene, look.width, look.height));
     TRY(const std::unique_ptr<trace::Progressive> traced,
         trace::Progressive::create(scene, view, look, effort));
     while (!traced->finished()) {

@@ -20,9 +20,9 @@ namespace scanout::app {
 // or blend than the usual ones, computed textures, a stencil, a filter over the finished picture.
 Result<trace::Look> look_of(const frame::FramePlan& plan);
 
-// Fails (Exit::unreadable) where the model's hierarchy and the plan's pixels do not fit into what
-// memory is available, or into --max-memory (0: no such limit).
-Result<void> check_reference_fits(const scene::Scene& scene, const frame::FramePlan& plan,
+// Fails (Exit::unreadable) where the model's hierarchy and the pixels do not fit into what memory
+// is available, or into --max-memory (MB; 0: no such limit).
+Result<void> check_reference_fits(const scene::Scene& scene, int width, int height,
                                   int max_memory_mb = 0);
 
 // The reference of what is asked for, but for rungs: what these are measured against. Fails as

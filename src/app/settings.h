@@ -46,7 +46,7 @@ struct Settings {
     measure::Limits limits; // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
     std::optional<io::ModelFormat> model_format; // --model-format
-    int max_memory_mb = 0;      // that a model may take while it is loaded; 0: what is available
+    int max_memory_mb = 0; // that loading a model, or its reference, may take; 0: what is available
     bool allow_outside = false; // of the model's folder
     bool split_t_vertices = true;
     scene::CameraOptions camera;

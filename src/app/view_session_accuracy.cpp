@@ -50,7 +50,9 @@ Result<void> ViewSession::begin_reference() {
     if (!look) return refuse_reference(look.error().what);
     if (scene.mesh.lines() + scene.mesh.points() != 0)
         return refuse_reference("it draws no lines and points, which this model has");
-    if (const auto fits = check_reference_fits(scene, *now, settings_.max_memory_mb); !fits)
+    if (const auto fits =
+            check_reference_fits(scene, viewer_.width(), viewer_.height(), settings_.max_memory_mb);
+        !fits)
         return refuse_reference(fits.error().what);
     accuracy_.convergence().begin(scene, view, *look, key());
     return {};

@@ -75,7 +75,8 @@ Result<void> ViewSession::begin_frontier() {
     TRY(const frame::FramePlan plain,
         frame::plan(measure::without_rungs(options), slot_.facts(), view));
     const Result<trace::Look> look = look_of(plain);
-    const Result<void> fits = check_reference_fits(scene, plain, settings_.max_memory_mb);
+    const Result<void> fits =
+        check_reference_fits(scene, viewer_.width(), viewer_.height(), settings_.max_memory_mb);
     if (!look || !fits) {
         tell("no frontier: " + (look ? fits.error() : look.error()).what);
         rungs_.give_up();

@@ -35,7 +35,7 @@ struct Frontier {
     std::unique_ptr<Points> points;
     std::vector<Ladder> ladders;
     std::vector<EffectPrice> effects;    // those that are on
-    std::vector<FrontierPoint> frontier; // quickest first; none where nothing was timed
+    std::vector<FrontierPoint> frontier; // quickest first; none where times or errors are missing
     bool stopped = false;                // before all was measured, or slow rungs were left out
 
     // Of a frame: the median of the picture as asked for, times how often as much the point takes.
@@ -64,7 +64,7 @@ struct FrontierOptions {
     std::function<bool()> stop; // asked often: true ends the measurement, and what there is counts
 };
 
-// Fails like frame::plan.
+// Without a reference (an empty picture) times alone. Fails like frame::plan.
 Result<Frontier> frontier(const scene::Scene& scene, frame::SceneFacts facts,
                           const scene::View& view, const frame::FrameOptions& options, Jobs& jobs,
                           const image::Image& reference, const FrontierOptions& how);

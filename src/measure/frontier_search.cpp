@@ -134,14 +134,20 @@ void FrontierSearch::begin_rung_times() {
 }
 
 void FrontierSearch::time_rung() {
-    if (next_ == order_.size() || is_late(0.65)) return begin_climb();
+    if (next_ == order_.size() || is_late(0.65)) {
+        if (found_.points->has_errors()) return begin_climb();
+        phase_ = Phase::end; // there is no frontier
+        return;
+    }
     timed_ = order_[next_++];
     fraction_ = 0.15 + 0.45 * static_cast<double>(next_) / static_cast<double>(order_.size());
 }
 
 void FrontierSearch::end() {
-    if (how_.times) draw_frontier();
-    look();
+    if (found_.points->has_errors()) {
+        if (how_.times) draw_frontier();
+        look();
+    }
     fraction_ = 1;
     phase_ = Phase::finished;
 }

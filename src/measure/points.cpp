@@ -55,7 +55,7 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
     Point point;
     point.first_ms = watch.milliseconds();
     point.rungs = rungs;
-    point.error = image::metrics(reference_, picture);
+    if (has_errors()) point.error = image::metrics(reference_, picture);
     point.plan = std::move(planned);
     points_.push_back(std::move(point));
     return points_.size() - 1;

@@ -44,7 +44,8 @@ struct Point {
 class Points {
 public:
     // The first point is the picture as asked for. Everything that is named outlives it; the
-    // reference has the size that the options ask for. Fails like frame::plan.
+    // reference has the size that the options ask for, or is empty: then errors are not known, and
+    // stay 0. Fails like frame::plan.
     static Result<std::unique_ptr<Points>> create(const scene::Scene& scene,
                                                   frame::SceneFacts facts, const scene::View& view,
                                                   const frame::FrameOptions& options, Jobs& jobs,
@@ -68,6 +69,7 @@ public:
     image::Image drawn(std::size_t point); // once more
     Result<frame::FramePlan> plan(const frame::FrameOptions& options) const;
     const frame::FrameOptions& options() const { return options_; }
+    bool has_errors() const { return !reference_.pixels().empty(); }
     // Of the point as asked for: medians of all its timed frames; nothing before any.
     std::optional<Cost> cost() const;
 

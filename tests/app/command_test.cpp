@@ -402,6 +402,43 @@ TEST_F(Program, FrontierMeasuresAndWritesWhatItIsAsked) {
     EXPECT_GE(sheet->height(), 2 * 48);
 }
 
+// A model whose reference does not fit: the bytes are said, and times are measured all the same.
+TEST_F(Program, FrontierGoesOnWithoutAReferenceThatDoesNotFit) {
+    constexpr std::uint32_t kTriangles = 9500;
+    std::string stl(80, ' ');
+    const auto append = [&](auto value) {
+        stl.append(reinterpret_cast<const char*>(&value), sizeof value);
+    };
+    append(kTriangles);
+    for (std::uint32_t i = 0; i < kTriangles; ++i) {
+        const auto x = static_cast<float>(i % 100), y = static_cast<float>(i / 100);
+        for (const float f : {0.0F, 0.0F, 1.0F, x, y, 0.0F, x + 1, y, 0.0F, x, y + 1, 0.0F})
+            append(f);
+        append(std::uint16_t{0});
+    }
+    folder.write("many.stl", stl);
+    const std::string words = "--size 64x48 --max-memory 1 ";
+    const Outcome done = run("frontier $d/many.stl " + words +
+                             "--quick --axis aa --seconds 1 --json=$d/f.json --svg $d/f.svg "
+                             "--sheet $d/s.png --html $d/f.html --csv $d/f.csv");
+    EXPECT_EQ(done.code, 0) << done.err;
+    EXPECT_NE(done.err.find("the reference takes about"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("bytes for 9500 triangles"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("times alone"), std::string::npos) << done.err;
+    EXPECT_EQ(done.out.find("codes RMSE"), std::string::npos) << done.out;
+    EXPECT_NE(done.out.find("CPU ms"), std::string::npos) << done.out;
+    const auto json = nlohmann::json::parse(folder.read("f.json"));
+    EXPECT_TRUE(json["reference"].is_null());
+    EXPECT_FALSE(json["points"][0].contains("rmse_codes"));
+    EXPECT_GT(double{json["points"][0]["cpu_ms"]["median"]}, 0);
+    EXPECT_FALSE(image::load(folder.file("f.svg")));
+    EXPECT_FALSE(image::load(folder.file("s.png")));
+    EXPECT_TRUE(folder.read("f.html").ends_with("</html>\n"));
+    // Nothing is left to measure, or to draw.
+    EXPECT_EQ(refused("frontier $d/many.stl --no-times " + words), 3);
+    EXPECT_EQ(refused("render $d/many.stl --reference -o $d/r.png " + words), 3);
+}
+
 // Errors alone do not depend on the clock: the same text, with any number of threads.
 TEST_F(Program, FrontierWithoutTimesSaysTheSameEachTime) {
     const std::string words = "frontier $m --camera 30,20 --size 64x48 --quick --no-times ";

@@ -122,6 +122,7 @@ TEST(FrontierSentences, SayWhatWasNotMeasured) {
     measure::FrontierOptions how;
     how.seconds = 1e-9; // over after the first point
     FrontierReport report;
+    report.reference = reference;
     report.found =
         *measure::frontier(s.scene, frame::facts(s.scene), *view, s.options, jobs, reference, how);
     const std::vector<std::string> said = frontier_sentences(report);

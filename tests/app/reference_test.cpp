@@ -103,9 +103,9 @@ TEST(Reference, SaysWhatMemoryItTakesWhereThatIsTooMuch) {
     Shot s = test::solids("solids");
     s.options.width = s.options.height = 200; // 1.16 MB
     const auto plan = frame::plan(s.options, frame::facts(s.scene), scene::View());
-    EXPECT_TRUE(check_reference_fits(s.scene, *plan, 0));
-    EXPECT_TRUE(check_reference_fits(s.scene, *plan, 1000));
-    const auto fits = check_reference_fits(s.scene, *plan, 1);
+    EXPECT_TRUE(check_reference_fits(s.scene, plan->options.width, plan->options.height, 0));
+    EXPECT_TRUE(check_reference_fits(s.scene, plan->options.width, plan->options.height, 1000));
+    const auto fits = check_reference_fits(s.scene, plan->options.width, plan->options.height, 1);
     ASSERT_FALSE(fits);
     EXPECT_EQ(fits.error().exit, Exit::unreadable);
     EXPECT_THAT(fits.error().what, testing::HasSubstr("--max-memory is 1"));
