@@ -98,7 +98,7 @@ def run_all(path, folder):
         if here is None:
             continue
         run(command, here, folder)
-        if "-o spot.png --size" in command:
+        if "-o spot.png --size 960x540" in command:  # the picture that the page shows
             shutil.copy(os.path.join(folder, "spot.png"), os.path.join(folder, "picture.png"))
         ran += 1
     print(f"{ran} commands of {os.path.relpath(path, ROOT)} ran")
