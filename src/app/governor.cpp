@@ -3,12 +3,14 @@
 #include "base/check.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scanout::app {
 namespace {
 
 constexpr int kOver = 2;            // frames in a row over the budget
+constexpr int kVain = 10;           // the same, before a step down counts as one in vain
 constexpr int kHeld = 6;            // frames in a row within it
 constexpr int kPatience = 30;       // frames in a row that leave room: half a second at 60 Hz
 constexpr int kMostPatience = 1920; // half a minute
@@ -33,6 +35,7 @@ void Governor::go(int level, double ms) {
     step_ = Step{level_, ms};
     level_ = level;
     frames_ = over_ = within_ = roomy_ = 0;
+    quickest_ms_ = INFINITY;
 }
 
 // Solves ms / step.ms = (f + (1 - f) s) / (f + (1 - f) s') for the fixed share f.
@@ -47,7 +50,9 @@ void Governor::took(double ms) {
     if (budget_ms_ <= 0 || shares_.size() < 2) return;
     // The first frame of a level also makes room for it.
     if (++frames_ == 1 && step_) return;
-    if (frames_ == 2 && step_) learn(ms);
+    // Soon after a step, before the load is another one. The quickest frame is the least disturbed.
+    quickest_ms_ = std::min(quickest_ms_, ms);
+    if (step_ && frames_ <= kVain + 1) learn(quickest_ms_);
     const bool within = ms <= budget_ms_;
     least_over_ms_ = within ? 0 : over_ == 0 ? ms : std::min(least_over_ms_, ms);
     over_ = within ? 0 : over_ + 1;
@@ -57,13 +62,13 @@ void Governor::took(double ms) {
         held_ = true;
         patience_ = kPatience;
     }
+    const bool in_vain = step_ && step_->from < level_ && fixed_ > kNoGain;
     if (over_ >= kOver) {
-        const bool went_down = step_ && step_->from < level_;
-        if (went_down && fixed_ > kNoGain) {
+        if (in_vain && over_ >= kVain) {
             least_ = step_->from;
             go(least_, least_over_ms_);
             held_ = true; // it is as good as any
-        } else if (level_ < least_) {
+        } else if (!in_vain && level_ < least_) {
             if (!held_) patience_ = std::min(2 * patience_, kMostPatience);
             int to = level_ + 1;
             while (to < least_ && thought(least_over_ms_, to) > budget_ms_)

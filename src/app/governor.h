@@ -9,6 +9,7 @@
 // as long, so that levels do not alternate.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -46,7 +47,7 @@ private:
     bool held_ = true; // the present level has held the budget, or was not entered from below
     // Frames of the present level, all of them or those in a row at the end.
     int frames_ = 0, over_ = 0, within_ = 0, roomy_ = 0;
-    double least_over_ms_ = 0;
+    double quickest_ms_ = INFINITY, least_over_ms_ = 0; // of all; of those in a row over the budget
 };
 
 } // namespace scanout::app
