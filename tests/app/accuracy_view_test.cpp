@@ -105,7 +105,9 @@ TEST_F(Accuracy, WhereEveryRunMustShowTheSameTheReferenceIsShownWhole) {
     build(view);
     for (int i = 0; i < 10; ++i)
         view.convergence().step(jobs, Time::min());
+    const int revision = view.revision();
     view.refresh(drawn, start + 1s);
+    EXPECT_EQ(view.revision(), revision) << "no frame is drawn for it";
     EXPECT_EQ(&view.picture(drawn, key_of(1), asked), &drawn);
     EXPECT_EQ(view.line(key_of(1), asked), "");
     view.convergence().finish(jobs);
