@@ -29,6 +29,14 @@ std::vector<std::string> message_lines(const std::string& message, std::size_t l
     return lines;
 }
 
+// What keys open beside the information; nothing is made for what is closed.
+void draw_panels(image::Image& picture, const Overlay& overlay, int scale) {
+    if (!overlay.legend && !overlay.split) return;
+    int end = block_of({""}, scale).height; // of the picture, that the message has
+    if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));
+    if (overlay.split) draw_split_line(picture, *overlay.split, end, scale);
+}
+
 } // namespace
 
 std::vector<std::string> help_sheet(const ViewerState& state) {
@@ -79,19 +87,7 @@ void draw_overlay(image::Image& picture, const Overlay& overlay) {
             message_lines(overlay.message, letters_across(picture.width(), picture.height()));
         draw_block(picture, lines, 0, picture.height() - block_of(lines, scale).height, scale);
     }
-    if (overlay.help.empty()) {
-        if (overlay.frontier) {
-            // Beside the information, or below it where there is no room.
-            const TextBlock info = block_of(overlay.info, scale);
-            const bool beside =
-                overlay.info.empty() ||
-                info.width + frontier_panel_width(*overlay.frontier, scale) <= picture.width();
-            draw_frontier_panel(picture, *overlay.frontier, beside ? 0 : info.height, scale);
-        }
-        int end = block_of({""}, scale).height; // the message's
-        if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));
-        if (overlay.split) draw_split_line(picture, *overlay.split, end, scale);
-    }
+    if (overlay.help.empty()) draw_panels(picture, overlay, scale);
     if (!overlay.notice.empty()) draw_in_the_middle(picture, overlay.notice, scale);
     if (!overlay.help.empty()) draw_in_the_middle(picture, overlay.help, scale);
 }
