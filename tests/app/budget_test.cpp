@@ -155,18 +155,18 @@ TEST_F(Budget, APictureWithoutReferenceIsRefused) {
 TEST_F(Budget, StopsWhereItIsTold) {
     for (const int steps : {0, 1, 20}) {
         int asked = 0;
-        const auto chosen = choose_rungs({shot.scene,
-                                          facts,
-                                          view,
-                                          shot.options,
-                                          {"aa", "texture"},
-                                          jobs,
-                                          {},
-                                          [&] { return asked++ >= steps; }},
-                                         {1000, {}}, &cache);
+        bool traced_whole = false;
+        const auto progress = [&](std::string_view doing, double) {
+            traced_whole = traced_whole || doing == "measuring";
+        };
+        const auto stop = [&] { return asked++ >= steps; };
+        const auto chosen = choose_rungs(
+            {shot.scene, facts, view, shot.options, {"aa", "texture"}, jobs, progress, stop},
+            {1000, {}}, &cache);
         ASSERT_FALSE(chosen) << steps;
         EXPECT_EQ(chosen.error().exit, Exit::usage);
         EXPECT_LE(asked, steps + 4);
+        EXPECT_FALSE(steps == 0 && traced_whole);
         EXPECT_FALSE(cache.find(key()));
     }
 }
