@@ -24,9 +24,9 @@ TEST(RungStepper, StepsWaitUntilThereIsAFrontier) {
     EXPECT_TRUE(rungs.step(-1));
     EXPECT_TRUE(rungs.step(1));
     EXPECT_TRUE(rungs.wants_frontier());
-    rungs.put(frontier(true), 16);
+    rungs.put(frontier(true), 1);
     EXPECT_FALSE(rungs.wants_frontier());
-    EXPECT_EQ(rungs.at(), 1U) << "one quicker than what is asked for";
+    EXPECT_EQ(rungs.at(), 1U) << "one quicker than what is asked for, whatever the budget";
     EXPECT_EQ(rungs.point()->rungs[0].technique, "samples_2");
 }
 
