@@ -40,6 +40,9 @@ std::string turntable_text(State s) {
 std::string info_text(State s) {
     return on_off(s.info);
 }
+std::string doctor_text(State s) {
+    return on_off(s.doctor > 0);
+}
 std::string error_map_text(State s) {
     return on_off(s.error_map);
 }
@@ -84,6 +87,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
+    {Id::toggle_doctor, "toggle_doctor", "D", "D", "hazards of the file, and where", 0, false, doctor_text},
     {Id::toggle_error_map, "toggle_error_map", "V", "V", "map of the errors", 0, false, error_map_text, "map of the errors"},
     {Id::rung_down, "rung_down", ",", ", .", "quicker, more accurate rungs", 0, true},
     {Id::rung_up, "rung_up", ".", "", "more accurate rungs", 0, true},

@@ -36,16 +36,6 @@ Result<void> check_doctor(const Settings& s) {
     return check_outputs(s.arguments, outputs);
 }
 
-std::vector<bool> textured(const std::vector<scene::Material>& materials) {
-    std::vector<bool> with_map;
-    for (const scene::Material& m : materials) {
-        with_map.push_back(std::any_of(
-            scene::kTextureMaps.begin(), scene::kTextureMaps.end(),
-            [&](const scene::NamedMap& row) { return row.drawn && (m.*row.map).texture() >= 0; }));
-    }
-    return with_map;
-}
-
 // The scene of a mesh whose materials show nothing but where it is.
 scene::Scene plain_scene(geom::Mesh mesh, std::size_t materials) {
     scene::Scene scene;

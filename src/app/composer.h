@@ -2,6 +2,7 @@
 // buffer, and finds the rectangles in which it differs from the frame shown last.
 #pragma once
 
+#include "app/pixel_place.h"
 #include "image/image.h"
 
 #include <functional>
@@ -9,11 +10,6 @@
 #include <vector>
 
 namespace scanout::app {
-
-struct PixelPlace {
-    int x = 0, y = 0;
-    friend bool operator==(const PixelPlace&, const PixelPlace&) = default;
-};
 
 // The smallest rectangle outside of which two pictures of one size are the same.
 image::Rect difference_area(const image::Image& before, const image::Image& after);

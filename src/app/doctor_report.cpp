@@ -108,6 +108,16 @@ std::string uri_of(std::string_view path) {
 
 } // namespace
 
+std::vector<bool> textured(const std::vector<scene::Material>& materials) {
+    std::vector<bool> with_map;
+    for (const scene::Material& m : materials) {
+        with_map.push_back(std::any_of(
+            scene::kTextureMaps.begin(), scene::kTextureMaps.end(),
+            [&](const scene::NamedMap& row) { return row.drawn && (m.*row.map).texture() >= 0; }));
+    }
+    return with_map;
+}
+
 std::vector<Finding> told_findings(const DoctorReport& report) {
     std::vector<Finding> findings = report.diagnosis.findings;
     if (const auto small = *pixels_of(report, Hazard::small_triangles); small.worst > 0)

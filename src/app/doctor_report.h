@@ -5,6 +5,7 @@
 #include "geom/mend.h"
 #include "io/formats.h"
 #include "measure/hazard_pixels.h"
+#include "scene/material.h"
 
 #include <cstdint>
 #include <optional>
@@ -27,6 +28,9 @@ struct DoctorReport {
     std::vector<std::string> not_kept;                     // by --fix
     std::vector<std::uint32_t> face_lines, position_lines; // of io::ModelSource
 };
+
+// By material: whether it has a map, so that its faces need texture coordinates.
+std::vector<bool> textured(const std::vector<scene::Material>& materials);
 
 // The findings, small triangles of the views with them, in the order in which they are told:
 // warnings first.

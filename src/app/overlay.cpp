@@ -2,6 +2,7 @@
 
 #include "app/accuracy_overlay.h"
 #include "app/actions.h"
+#include "app/mark.h"
 #include "app/text.h"
 #include "app/text_block.h"
 
@@ -78,9 +79,11 @@ std::size_t lines_down(int width, int height) {
 
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
+    if (overlay.mark) draw_mark(picture, *overlay.mark, scale);
     // The help sheet shows all states, and takes the room of the other lines.
     std::vector<std::string> left = overlay.info;
     left.insert(left.end(), overlay.explain.begin(), overlay.explain.end());
+    left.insert(left.end(), overlay.doctor.begin(), overlay.doctor.end());
     if (!left.empty() && overlay.help.empty()) draw_block(picture, left, 0, 0, scale);
     if (!overlay.message.empty()) {
         const std::vector<std::string> lines =

@@ -197,6 +197,7 @@ Result<void> ViewSession::take(const Action& action) {
     if (action.id != ActionId::pointer) message_.hide();
     if (action.id == ActionId::toggle_explain)
         viewer_.set_explain_pages(static_cast<int>(explain_page().pages));
+    if (action.id == ActionId::toggle_doctor) examine();
     if (action.id == ActionId::cull_next && !steady_) return change_culling(action);
     const Effect effect = viewer_.apply(action, slot_.mesh());
     if (!viewer_.answer().empty()) show_message(viewer_.answer(), kMessageSteps);
@@ -387,6 +388,16 @@ bool ViewSession::report_progress(const std::string& doing, double share, Time s
     return present().has_value();
 }
 
+// Once a model.
+void ViewSession::examine() {
+    if (slot_.model() == nullptr || doctor_.knows(slot_.generation())) return;
+    const Time start = std::chrono::steady_clock::now();
+    doctor_.examine(path(), settings_, parts_.jobs, slot_.generation(), steady_,
+                    [&](double share) { return report_progress("examining", share, start); });
+    clock_.stop(); // the time that it took does not turn the model
+    viewer_.set_hazards(doctor_.places());
+}
+
 bool ViewSession::wants_to_leave() {
     events_.clear();
     if (!parts_.input.dispatch(events_)) return true;
@@ -411,13 +422,17 @@ Result<const frame::FramePlan*> ViewSession::plan(int level) {
     return slot_.plan(frame_options_, view ? *view : scene::View());
 }
 
+std::size_t ViewSession::panel_lines() const {
+    const std::size_t others = viewer_.state().info ? 5 : 1;
+    const std::size_t all = lines_down(viewer_.width(), viewer_.height());
+    return all > others ? all - others : 1;
+}
+
 // The page of the plan that is open, or the first.
 ScreenPage ViewSession::explain_page() {
     const ViewerState& state = viewer_.state();
     const std::size_t letters = letters_across(viewer_.width(), viewer_.height());
-    const std::size_t others = state.info ? 5 : 1; // lines
-    const std::size_t all = lines_down(viewer_.width(), viewer_.height());
-    const std::size_t lines = all > others ? all - others : 1;
+    const std::size_t lines = panel_lines();
     const auto page = static_cast<std::size_t>(state.explain);
     // How far it has come at a moment is a matter of the clock.
     const bool has_figures =
@@ -501,6 +516,12 @@ Overlay ViewSession::overlay() {
     Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text());
     if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
     if (slot_.model() == nullptr) return overlay;
+    if (const int hazard = viewer_.state().doctor; hazard > 0) {
+        overlay.doctor =
+            doctor_.lines(letters_across(viewer_.width(), viewer_.height()), panel_lines(), hazard);
+        if (const std::optional<DVec3> place = viewer_.hazard_place())
+            overlay.mark = viewer_.pixel_of(*place, *slot_.mesh());
+    }
     if (viewer_.state().error_map) overlay.legend = accuracy_.legend(picture_, key(), pointer());
     if (viewer_.state().frontier) overlay.frontier = frontier_panel();
     if (viewer_.state().split) overlay.split = accuracy_.split_line(key(), asked());

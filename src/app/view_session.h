@@ -12,6 +12,7 @@
 #include "app/frame_log.h"
 #include "app/frame_pacer.h"
 #include "app/governor.h"
+#include "app/live_doctor.h"
 #include "app/live_explain.h"
 #include "app/live_frontier.h"
 #include "app/model_slot.h"
@@ -75,6 +76,7 @@ private:
     // A session in which no model could be read has failed.
     Result<void> outcome() const;
     bool report_progress(const std::string& doing, double share, Time start);
+    void examine(); // for the panel of hazards
     bool wants_to_leave();
     Result<void> write_screenshot();
     std::string command() const; // that shows the same; empty: none does
@@ -103,6 +105,7 @@ private:
     PictureKey key() const;
     Result<const frame::FramePlan*> plan(int level = 0);
     ScreenPage explain_page();
+    std::size_t panel_lines() const; // that fit under the information
     bool lacks_rows() const;
     bool wants_row();
     Result<void> measure_row();
@@ -164,6 +167,7 @@ private:
     ModelSlot slot_;
     TimedMessage message_;
     LiveExplain explain_;
+    LiveDoctor doctor_;
     AccuracyView accuracy_;
     RungStepper rungs_;
     LiveFrontier frontier_;

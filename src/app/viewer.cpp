@@ -81,6 +81,10 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         return Effect::none;
     case ActionId::toggle_explain:
         state_.explain = state_.explain < explain_pages_ ? state_.explain + 1 : 0;
+        state_.doctor = 0;
+        return Effect::none;
+    case ActionId::toggle_doctor:
+        next_hazard(mesh);
         return Effect::none;
     case ActionId::toggle_error_map:
         state_.error_map = !state_.error_map;
@@ -115,6 +119,8 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
             state_.explain = 0;
         else if (state_.frontier)
             state_.frontier = false;
+        else if (state_.doctor > 0)
+            state_.doctor = 0;
         else if (state_.split)
             state_.split = false;
         else if (state_.error_map)
@@ -144,6 +150,7 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
         drag_.reset();
         return Effect::none;
     case ActionId::reload:
+        state_.doctor = 0;
         return Effect::reload;
     case ActionId::screenshot:
         return Effect::screenshot;
@@ -383,6 +390,7 @@ Effect Viewer::change_file(int by) {
         return Effect::none;
     }
     state_.file = (state_.file + by + files_) % files_;
+    state_.doctor = 0;
     return Effect::load_file;
 }
 

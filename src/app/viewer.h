@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/actions.h"
+#include "app/pixel_place.h"
 #include "app/settings.h"
 #include "geom/mesh.h"
 
@@ -32,6 +33,11 @@ enum class Effect : std::uint8_t {
     quit
 };
 
+// A place to look at, and the normal of the surface there; file coordinates.
+struct HazardSpot {
+    DVec3 at{0}, normal{0}; // normal: of any length; 0 where there is none
+};
+
 class Viewer {
 public:
     // The picture's size, the command line's camera and model, the number of files.
@@ -53,6 +59,12 @@ public:
 
     // How many pages the plan on the display has, one at least: X goes through them.
     void set_explain_pages(int pages) { explain_pages_ = pages; }
+
+    // Where the hazards of the model are, in the order of the panel: D goes through them.
+    void set_hazards(std::vector<std::optional<HazardSpot>> places);
+    // The place of the hazard that is selected, and its pixel; nothing where there is none.
+    std::optional<DVec3> hazard_place() const;
+    std::optional<PixelPlace> pixel_of(const DVec3& place, const geom::Mesh& mesh) const;
 
     // Steps of the virtual clock pass: the turntable turns, the pointer hides.
     void advance_to(std::int64_t step);
@@ -91,6 +103,8 @@ private:
     void brighten(int levels);
     void next_light();
     void look_from(int view);
+    void next_hazard(const geom::Mesh* mesh);
+    void fly_to(const HazardSpot& spot, const geom::Mesh& mesh);
     void fit(const geom::Mesh* mesh);
     bool fit_once(const geom::Mesh& mesh);
     bool fits(const geom::Mesh& mesh) const;
@@ -104,6 +118,7 @@ private:
     std::vector<scene::Light> lights_;
     int width_, height_, files_;
     int explain_pages_ = 1;
+    std::vector<std::optional<HazardSpot>> hazards_;
     Look start_; // what the command line asks for; reset comes back to it
     ViewerState state_;
     std::int64_t step_ = 0;
