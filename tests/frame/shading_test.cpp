@@ -99,6 +99,34 @@ TEST(Shading, OfAFlatMattFaceInParallelLightIsTheSameOnEveryRung) {
     }
 }
 
+// A lamp over any corner of an equilateral triangle lights its flat face alike, as its light is
+// that of the middle; over the middle it is brighter. Bouknight 1970.
+TEST(Shading, OfAFlatFaceIsThatOfItsMiddle) {
+    Shot s = shot("triangle", 65, 65);
+    s.scene.materials = {plain(Vec3(0.5F), Vec3(0), 0)};
+    std::vector<DVec3> places = {{0, 0, 0.6}};
+    for (int i = 0; i < 3; ++i) {
+        const double angle = i * 120 * kDegree;
+        places.push_back({0.9 * std::cos(angle), 0.9 * std::sin(angle), 0.6});
+        add_vertex(s.scene.mesh, Vec3(places.back().x, places.back().y, 0), {0, 0, 1});
+    }
+    add_triangle(s.scene.mesh, 0, 1, 2, 0);
+    s.options.shading = "flat";
+    std::vector<double> seen;
+    for (const DVec3& place : places) {
+        scene::Light lamp = light_of(scene::LightKind::point, 1);
+        lamp.position = place;
+        s.options.lights = {lamp};
+        shade::LinearPicture linear;
+        draw(s, {.linear = &linear});
+        seen.push_back(double{linear.at(32, 32)[0]});
+    }
+    EXPECT_GT(seen[1], 0.01);
+    EXPECT_NEAR(seen[2], seen[1], 1e-5);
+    EXPECT_NEAR(seen[3], seen[1], 1e-5);
+    EXPECT_GT(seen[0], seen[1] * 1.5);
+}
+
 TEST(Shading, OfWhatTheNearPlaneCutsIsTheSameToo) {
     Shot s = near_clip("floor"); // vertices behind the eye
     shade::LinearPicture wanted, got;

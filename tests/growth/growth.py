@@ -63,6 +63,13 @@ def comb(n, write):
           " ".join(str(i + 1) for i in range(len(corners))) + "\n")
 
 
+def t_vertices(n, write):
+    """All lie in one edge of one face, with three decimals."""
+    write("model.obj", "v -1 0 0\nv -1 1 0\n" +
+          "".join(f"v {i % 3 / 1e4:.4f} {i / n:.9f} 0\nv 1 {i / n:.9f} 0\n" for i in range(n + 1)) +
+          f"f 1 3 {3 + 2 * n} 2\n" + "".join(f"f {3 + 2 * i} {4 + 2 * i} {6 + 2 * i} {5 + 2 * i}\n" for i in range(n)))
+
+
 def one_line(n, write):
     write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n# " + "x" * (40 * n) + "\n")
 
@@ -112,7 +119,8 @@ def stl_facets_at_one_edge(n, write):
 
 INPUTS = {  # maker: n
     faces_at_one_edge: 100_000, smoothed_fan: 100_000, materials: 25_000, unknown_materials: 100_000,
-    textures_that_are_not_there: 25_000, bad_lines: 100_000, one_face: 16_384, comb: 65_536, one_line: 1_000_000,
+    textures_that_are_not_there: 25_000, bad_lines: 100_000, one_face: 16_384, comb: 65_536,
+    t_vertices: 20_000, one_line: 1_000_000,
     layers_over_a_pixel: 100_000, clear_layers_over_a_pixel: 50_000,
     clear_layers_over_a_tile: 2000, points: 250_000, lines: 250_000, one_polyline: 250_000,
     ply_facets: 250_000, stl_facets_at_one_edge: 100_000}
