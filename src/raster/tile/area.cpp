@@ -72,7 +72,7 @@ void AreaTile::draw(std::int32_t source) {
                 touched = touched && e.at + (std::max(right, 0.0) + std::max(down, 0.0)) > 0;
                 whole = whole && e.at + (std::min(right, 0.0) + std::min(down, 0.0)) >= 0;
             }
-            if (touched) insert(pixel(x, y), source, x, y, edge, whole);
+            if (touched) insert(pixel(x, y), {source, depth_of(s, edge), edge, whole});
         }
 }
 
@@ -90,9 +90,8 @@ void AreaTile::fill(int x, int y, std::uint32_t id) {
     filled_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))] = id;
 }
 
-AreaTile::Linear AreaTile::depth_in(const Source& s, int x, int y) const {
+AreaTile::Linear AreaTile::depth_of(const Source& s, const std::array<Linear, 3>& edge) {
     Linear depth{0, 0, 0};
-    const std::array<Linear, 3> edge = edges_in(s, x, y);
     for (std::size_t k = 0; k < 3; ++k) {
         depth.at += edge[k].at * s.depth_factor[k];
         depth.x += edge[k].x * s.depth_factor[k];
@@ -111,10 +110,43 @@ double AreaTile::area_of(const Cell& p) {
     return 0.5 * (twice_area < 0 ? -twice_area : twice_area);
 }
 
+// Where all of the cell clearly lies: what is cut from it lies there, too, for all rounding.
+AreaTile::Side AreaTile::side_of(const Cell& cell, const Linear& line) {
+    const auto size = [](double x) { return x < 0 ? -x : x; };
+    const double margin = 0x1p-30 * (size(line.at) + kSubpixel * (size(line.x) + size(line.y)));
+    bool inside = true, outside = true;
+    for (int i = 0; i < cell.vertices; ++i) {
+        const double at = line(cell.vertex[static_cast<std::size_t>(i)]);
+        inside = inside && at > margin;
+        outside = outside && at < -margin;
+    }
+    return inside ? Side::inside : outside ? Side::outside : Side::unclear;
+}
+
+// Is everything `ahead` of the owner at most this fraction of the owner's depth?
+bool AreaTile::is_behind(const Cell& cell, const Linear& ahead, const Linear& owner, double same) {
+    bool behind = true;
+    for (int i = 0; i < cell.vertices; ++i) {
+        const CellVertex& c = cell.vertex[static_cast<std::size_t>(i)];
+        behind = behind && ahead(c) <= same * owner(c);
+    }
+    return behind;
+}
+
+bool AreaTile::is_before(const Cell& cell, const Linear& ahead, const Linear& owner) {
+    bool before = true;
+    for (int i = 0; i < cell.vertices; ++i) {
+        const CellVertex& c = cell.vertex[static_cast<std::size_t>(i)];
+        before = before && ahead(c) >= -kSameDepth * owner(c);
+    }
+    return before;
+}
+
 // Along line = 0. Too many vertices: the cell goes whole to the side where most of them are.
 void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& outside) {
     inside.vertices = outside.vertices = 0;
     inside.source = outside.source = cell.source;
+    inside.depth = outside.depth = cell.depth;
     const auto add = [](Cell& to, const CellVertex& c) {
         if (to.vertices < kMaxVertices) to.vertex[static_cast<std::size_t>(to.vertices)] = c;
         ++to.vertices;
@@ -141,8 +173,7 @@ void AreaTile::split(const Cell& cell, const Linear& line, Cell& inside, Cell& o
     }
 }
 
-void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
-                      const std::array<Linear, 3>& edge, bool whole) {
+void AreaTile::insert(PixelCells& cells, const Incoming& incoming) {
     if (cells.empty()) {
         constexpr double kSide = kSubpixel;
         Cell box;
@@ -155,41 +186,53 @@ void AreaTile::insert(PixelCells& cells, std::int32_t source, int x, int y,
     }
     const std::size_t before = cells.size();
     for (std::size_t i = 0; i < before; ++i)
-        take(cells, i, source, x, y, edge, whole ? 0 : 3);
+        take(cells, i, incoming);
     // Cells of a pixel that one triangle covers whole become one cell again.
-    const bool all = whole && std::all_of(cells.begin(), cells.end(),
-                                          [&](const Cell& p) { return p.source == source; });
+    const bool all = incoming.whole && std::all_of(cells.begin(), cells.end(), [&](const Cell& p) {
+                         return p.source == incoming.source;
+                     });
     if (all && cells.size() > 1) {
         cells.clear();
-        insert(cells, source, x, y, edge, true);
+        insert(cells, incoming);
     }
 }
 
 // The visible part of the source in one cell becomes its own; the rest is appended.
-void AreaTile::take(PixelCells& cells, std::size_t index, std::int32_t source, int x, int y,
-                    const std::array<Linear, 3>& edge, int edges) {
-    Cell inside = cells[index], rest;
+void AreaTile::take(PixelCells& cells, std::size_t index, const Incoming& incoming) {
+    const std::size_t edges = incoming.whole ? 0 : 3;
+    const auto& edge = incoming.edge;
+    // Most cells of a pixel with many are far from the edges: nothing is cut, nor copied.
+    Cell& cell = cells[index];
+    std::array<Side, 3> side{};
+    bool is_cut = false;
+    for (std::size_t k = 0; k < edges; ++k) {
+        side[k] = side_of(cell, edge[k]);
+        if (side[k] == Side::outside) return;
+        is_cut = is_cut || side[k] == Side::unclear;
+    }
+    const bool owned = cell.source >= 0;
+    const Linear owner = cell.depth, mine = incoming.depth;
+    const Linear ahead{mine.at - owner.at, mine.x - owner.x, mine.y - owner.y};
+    if (owned && is_behind(cell, ahead, owner, kSameDepth / 2)) return; // and so is each part
+    if (!is_cut &&
+        (!owned || (!is_behind(cell, ahead, owner, kSameDepth) && is_before(cell, ahead, owner)))) {
+        cell.source = incoming.source;
+        cell.depth = incoming.depth;
+        return;
+    }
+    Cell inside = cell, rest;
     std::array<Cell, 4> left; // beyond each edge, and behind the old owner
     std::size_t lefts = 0;
-    for (int k = 0; k < edges; ++k) {
+    for (std::size_t k = 0; k < edges; ++k) {
+        if (side[k] == Side::inside) continue;
         const Cell whole = inside;
-        split(whole, edge[static_cast<std::size_t>(k)], inside, rest);
+        split(whole, edge[k], inside, rest);
         if (area_of(inside) <= kNothing) return;
         if (area_of(rest) > kNothing) left[lefts++] = rest;
     }
-    if (inside.source >= 0) {
-        const Linear mine = depth_in(sources_[static_cast<std::size_t>(source)], x, y);
-        const Linear owner = depth_in(sources_[static_cast<std::size_t>(inside.source)], x, y);
-        const Linear ahead{mine.at - owner.at, mine.x - owner.x, mine.y - owner.y};
-        bool behind = true, before = true;
-        for (int i = 0; i < inside.vertices; ++i) {
-            const CellVertex& c = inside.vertex[static_cast<std::size_t>(i)];
-            const double tolerance = kSameDepth * owner(c), by = ahead(c);
-            behind = behind && by <= tolerance;
-            before = before && by >= -tolerance;
-        }
-        if (behind) return;
-        if (!before) { // the planes cross here
+    if (owned) {
+        if (is_behind(inside, ahead, owner, kSameDepth)) return;
+        if (!is_before(inside, ahead, owner)) { // the planes cross here
             const Cell whole = inside;
             split(whole, ahead, inside, rest);
             if (area_of(inside) <= kNothing) return;
@@ -197,8 +240,9 @@ void AreaTile::take(PixelCells& cells, std::size_t index, std::int32_t source, i
         }
     }
     if (lefts > 0 && cells.size() + lefts > kMaxCells) return;
-    inside.source = source;
-    cells[index] = inside;
+    inside.source = incoming.source;
+    inside.depth = incoming.depth;
+    cell = inside;
     cells.insert(cells.end(), left.begin(), left.begin() + static_cast<std::ptrdiff_t>(lefts));
 }
 

@@ -62,15 +62,16 @@ private:
     struct CellVertex {
         double x, y;
     };
-    struct Cell {
-        std::array<CellVertex, kMaxVertices> vertex;
-        int vertices = 0;
-        std::int32_t source = -1; // index; -1: nothing
-    };
     // A linear function in a pixel: at its corner, and what a unit of x and y adds.
     struct Linear {
         double at, x, y;
         double operator()(const CellVertex& c) const { return (at + x * c.x) + y * c.y; }
+    };
+    struct Cell {
+        std::array<CellVertex, kMaxVertices> vertex;
+        int vertices = 0;
+        std::int32_t source = -1; // index; -1: nothing
+        Linear depth{0, 0, 0};    // of the source
     };
     using PixelCells = std::vector<Cell>;
     // The sum over a primitive's cells in a pixel.
@@ -83,12 +84,21 @@ private:
         return pixels_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))];
     }
     void draw(std::int32_t source);
+    static Linear depth_of(const Source& source, const std::array<Linear, 3>& edge);
     std::array<Linear, 3> edges_in(const Source& source, int x, int y) const;
-    void insert(PixelCells& cells, std::int32_t source, int x, int y,
-                const std::array<Linear, 3>& edge, bool whole);
-    void take(PixelCells& cells, std::size_t index, std::int32_t source, int x, int y,
-              const std::array<Linear, 3>& edge, int edges);
-    Linear depth_in(const Source& source, int x, int y) const;
+    // A source in a pixel.
+    struct Incoming {
+        std::int32_t source;
+        Linear depth;
+        std::array<Linear, 3> edge;
+        bool whole; // it covers all of the pixel
+    };
+    static void insert(PixelCells& cells, const Incoming& incoming);
+    static void take(PixelCells& cells, std::size_t index, const Incoming& incoming);
+    enum class Side : std::uint8_t { inside, outside, unclear };
+    static Side side_of(const Cell& cell, const Linear& line);
+    static bool is_behind(const Cell& cell, const Linear& ahead, const Linear& owner, double same);
+    static bool is_before(const Cell& cell, const Linear& ahead, const Linear& owner);
     static double area_of(const Cell& cell);
     static void split(const Cell& cell, const Linear& line, Cell& inside, Cell& outside);
 
