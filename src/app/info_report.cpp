@@ -4,6 +4,7 @@
 #include "app/json_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
@@ -32,8 +33,20 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
     return many.empty() ? fmt::format("{} {}s", count, one) : fmt::format("{} {}", count, many);
 }
 
-std::string numbers(const DVec3& v, std::string_view between) {
-    return fmt::format("{:.6g}{}{:.6g}{}{:.6g}", v.x, between, v.y, between, v.z);
+// Six digits of the model's size, however far from the origin it stands.
+int digits_of_places(const ModelInfo& info) {
+    double size = 0, farthest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        size = std::max(size, info.box_max[axis] - info.box_min[axis]);
+        farthest = std::max({farthest, std::abs(info.box_min[axis]), std::abs(info.box_max[axis])});
+    }
+    if (!(size > 0) || !(farthest > size)) return 6;
+    return std::min(6 + static_cast<int>(std::ceil(std::log10(farthest / size))), 17);
+}
+
+std::string numbers(const DVec3& v, std::string_view between, int digits = 6) {
+    return fmt::format("{:.{}g}{}{:.{}g}{}{:.{}g}", v.x, digits, between, v.y, digits, between, v.z,
+                       digits);
 }
 
 std::string line(std::string_view title, std::string_view text) {
@@ -54,23 +67,30 @@ std::string attributes(const ModelInfo& info) {
     if (info.normals) parts.emplace_back("normals");
     if (info.uvs) parts.emplace_back("texture coordinates");
     if (info.colours) parts.emplace_back("colours of vertices");
-    if (parts.empty()) parts.emplace_back("places alone");
+    if (info.face_colours) parts.emplace_back("colours of faces");
+    if (parts.empty()) parts.emplace_back("positions only");
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string winding(const ModelInfo& info) {
+    if (info.mixed_winding > 0)
+        return fmt::format("wound inconsistently along {}", counted(info.mixed_winding, "edge"));
+    if (info.inside_out == 0) return "wound outwards";
+    return info.inside_out == info.counts.triangles ? "wound inwards" : "in part inside out";
+}
+
 std::string surface(const ModelInfo& info) {
+    if (!(info.area > 0)) return "no area";
     std::vector<std::string> parts;
     if (info.closed)
-        parts.emplace_back(info.outwards ? "closed, wound outwards" : "closed, in part inside out");
+        parts.push_back("closed, " + winding(info));
     else
-        parts.push_back(info.open_edges > 0
-                            ? fmt::format("open: {}", counted(info.open_edges, "open edge"))
-                            : "open");
+        parts.push_back(fmt::format("open: {}", counted(info.open_edges, "open edge")));
     parts.push_back(info.non_manifold_edges > 0
                         ? counted(info.non_manifold_edges, "non-manifold edge")
                         : "manifold");
     parts.push_back(fmt::format("area {:.6g}", info.area));
-    if (info.closed) parts.push_back(fmt::format("volume {:.6g}", info.volume));
+    if (info.volume) parts.push_back(fmt::format("volume {:.6g}", *info.volume));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -88,12 +108,14 @@ std::string map_text(const MapInfo& map) {
 
 std::vector<std::string> info_lines(const ModelInfo& info) {
     const DVec3 size = info.box_max - info.box_min;
+    const int digits = digits_of_places(info);
     std::vector<std::string> lines = {
         fmt::format("{}: {}, {} is up, read in {:.0f} ms", info.path,
                     upper(row_of(info.format).name), name_of(info.up), info.load_ms),
         line("elements", elements(info.counts)), line("gives", attributes(info)),
-        line("size", fmt::format("{}, from {} to {}", numbers(size, " x "),
-                                 numbers(info.box_min, ","), numbers(info.box_max, ",")))};
+        line("size",
+             fmt::format("{}, from {} to {}", numbers(size, " x "),
+                         numbers(info.box_min, ",", digits), numbers(info.box_max, ",", digits)))};
     if (info.counts.triangles > 0) lines.push_back(line("surface", surface(info)));
     if (!info.materials.empty())
         lines.push_back(line("materials", fmt::format("{}: {}", info.materials.size(),
@@ -119,12 +141,13 @@ std::string info_json(const ModelInfo& info) {
     Json surface(nullptr);
     if (info.counts.triangles > 0) {
         surface = {{"closed", info.closed},
-                   {"outwards", info.outwards},
+                   {"inside_out_triangles", info.inside_out},
+                   {"edges_of_mixed_winding", info.mixed_winding},
                    {"manifold", info.non_manifold_edges == 0},
                    {"open_edges", info.open_edges},
                    {"non_manifold_edges", info.non_manifold_edges},
                    {"area", info.area}};
-        surface["volume"] = info.closed ? Json(info.volume) : Json(nullptr);
+        surface["volume"] = info.volume ? Json(*info.volume) : Json(nullptr);
     }
     const scene::ModelCounts& c = info.counts;
     return json_text({{"model", info.path},
@@ -139,6 +162,7 @@ std::string info_json(const ModelInfo& info) {
                       {"normals", info.normals},
                       {"texture_coordinates", info.uvs},
                       {"colours", info.colours},
+                      {"face_colours", info.face_colours},
                       {"box",
                        {{"min", vector(info.box_min)},
                         {"max", vector(info.box_max)},

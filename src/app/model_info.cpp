@@ -47,8 +47,9 @@ ModelInfo model_info(const LoadedModel& model, const io::ModelSource& source, Jo
     info.colours = !source.polygons.colours.empty();
     info.box_min = scene.mesh.box_min;
     info.box_max = scene.mesh.box_max;
-    for (const scene::Material& material : scene.materials)
-        info.materials.push_back(material.name);
+    for (const scene::Material& material : scene.materials) // a nameless one is a face's colour
+        if (!material.name.empty()) info.materials.push_back(material.name);
+    info.face_colours = info.materials.size() < scene.materials.size() && !info.colours;
     info.maps = maps_of(scene);
     info.warnings = model.warnings;
     info.load_ms = model.load_ms;
@@ -58,11 +59,12 @@ ModelInfo model_info(const LoadedModel& model, const io::ModelSource& source, Jo
     const geom::Diagnosis diagnosis = geom::diagnose(jobs, source.polygons, how);
     info.open_edges = diagnosis.count(geom::Hazard::open_edges);
     info.non_manifold_edges = diagnosis.count(geom::Hazard::non_manifold_edges);
-    const geom::MeshTopology topology = geom::topology(scene.mesh);
-    info.closed = topology.closed;
-    info.outwards = topology.closed && topology.inside_out == 0;
+    info.mixed_winding = diagnosis.count(geom::Hazard::mixed_winding);
     info.area = geom::surface_area(scene.mesh);
-    if (topology.closed) info.volume = geom::enclosed_volume(scene.mesh);
+    const geom::MeshTopology topology = geom::topology(scene.mesh);
+    info.closed = info.area > 0 && (topology.closed || info.open_edges == 0);
+    info.inside_out = topology.inside_out;
+    if (info.closed && topology.closed) info.volume = geom::enclosed_volume(scene.mesh);
     return info;
 }
 

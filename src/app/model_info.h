@@ -4,6 +4,7 @@
 #include "app/model_file.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,17 @@ struct ModelInfo {
     io::ModelFormat format{};
     scene::UpAxis up{};
     scene::ModelCounts counts;
-    bool normals = false, uvs = false, colours = false; // the file has them
-    DVec3 box_min{0}, box_max{0};                       // file units
-    // Of the triangles; nothing where there are none.
-    bool closed = false, outwards = false;
+    bool normals = false, uvs = false, colours = false; // the file has them, one a vertex
+    bool face_colours = false;
+    DVec3 box_min{0}, box_max{0}; // file units
+    // Of the triangles; nothing where there are none, or where they have no area.
+    bool closed = false;           // no edge is open
+    std::size_t inside_out = 0;    // triangles of closed components that enclose less than nothing
+    std::size_t mixed_winding = 0; // edges whose faces wind against each other
     std::size_t open_edges = 0, non_manifold_edges = 0;
-    double area = 0, volume = 0; // file units squared and cubed; volume of a closed surface alone
-    std::vector<std::string> materials;
+    double area = 0;                    // file units squared
+    std::optional<double> volume;       // cubed; of a closed surface that is wound consistently
+    std::vector<std::string> materials; // that have a name
     std::vector<MapInfo> maps;
     std::vector<std::string> warnings;
     double load_ms = 0;

@@ -259,7 +259,7 @@ constexpr std::array kOptions = std::to_array<Option>({
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
     {"json", 0, "FILE", "", "", 0, 0, Group::output, kRead | kCompare | kList, Parsed(read_json),
-     "report counts, times and hashes as JSON, on standard output or to --json=FILE; of the lists, "
+     "report as JSON, on standard output or to --json=FILE; of the lists, "
      "only techniques",
      true},
     {"csv", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,

@@ -67,6 +67,38 @@ TEST_F(Info, AnOpenSurfaceHasEdgesButNoVolume) {
     EXPECT_THAT(out, Not(HasSubstr("volume")));
 }
 
+// One face the other way round, all of them, and a face without an area.
+TEST_F(Info, TellsHowAClosedSurfaceIsWound) {
+    const std::string corners = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\n";
+    folder.write("mixed.obj", corners + "f 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+    EXPECT_EQ(run("mixed.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("closed, wound inconsistently along 3 edges, manifold, area"));
+    EXPECT_THAT(out, Not(HasSubstr("volume")));
+    folder.write("in.obj", corners + "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n");
+    EXPECT_EQ(run("in.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("closed, wound inwards, manifold, area 20.8102, volume -4\n"));
+    folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+    EXPECT_EQ(run("flat.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("surface    no area\n"));
+}
+
+TEST_F(Info, PlacesFarFromTheOriginHaveTheDigitsOfTheSize) {
+    folder.write("far.obj", "v 449999.125 5400000.5 0\nv 450001.375 5400000.5 0\n"
+                            "v 449999.125 5400002.75 0\nf 1 2 3\n");
+    EXPECT_EQ(run("far.obj"), 0);
+    EXPECT_THAT(out, HasSubstr("2.25 x 2.25 x 0, from 449999.125,5400000.5,0 to "
+                               "450001.375,5400002.75,0\n"));
+}
+
+TEST_F(Info, ColoursOfFacesAreNoMaterials) {
+    folder.write("a.off",
+                 "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2 255 0 0\n3 0 1 3 0 255 0\n");
+    EXPECT_EQ(run("a.off"), 0);
+    EXPECT_THAT(out, HasSubstr("gives      colours of faces\n"));
+    EXPECT_THAT(out, Not(HasSubstr("materials")));
+    EXPECT_EQ(json_of("a.off")["materials"].size(), 0U);
+}
+
 TEST_F(Info, TellsWhichTexturesWereFound) {
     folder.write("a.mtl", "newmtl wood\nmap_Kd here.ppm\nmap_Ke gone.png\n"
                           "map_Ks dull.png\nrefl sky.png\n");
