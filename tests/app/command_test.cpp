@@ -423,7 +423,7 @@ TEST_F(Program, FrontierGoesOnWithoutAReferenceThatDoesNotFit) {
                              "--sheet $d/s.png --html $d/f.html --csv $d/f.csv");
     EXPECT_EQ(done.code, 0) << done.err;
     EXPECT_NE(done.err.find("the reference takes about"), std::string::npos) << done.err;
-    EXPECT_NE(done.err.find("bytes for 9500 triangles"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("MB for 9500 triangles"), std::string::npos) << done.err;
     EXPECT_NE(done.err.find("times alone"), std::string::npos) << done.err;
     EXPECT_EQ(done.out.find("codes RMSE"), std::string::npos) << done.out;
     EXPECT_NE(done.out.find("CPU ms"), std::string::npos) << done.out;

@@ -137,7 +137,7 @@ def called_for(path):
 
 def planned(path):
     """effect -> (runs, triangles that its reason counts, or None, and of how many)"""
-    done = subprocess.run([SCANOUT, "explain", path, "--no-times", "--size", "64x48", "--json=-"], capture_output=True,
+    done = subprocess.run([SCANOUT, "explain", path, "--no-times", "--t-vertices", "keep", "--size", "64x48", "--json=-"], capture_output=True,
                           text=True)
     if done.returncode != 0:
         sys.exit(f"{path}: explain ended with {done.returncode}\n{done.stderr}")
