@@ -53,6 +53,13 @@ double similarity(double mean_a, double mean_b, double variance_a, double varian
            ((mean_a * mean_a + mean_b * mean_b + kC1) * (variance_a + variance_b + kC2));
 }
 
+// The code of a channel over a background of light 0 or 1.
+std::uint8_t shown(std::uint8_t code, std::uint8_t alpha, float background) {
+    if (alpha == 255) return code;
+    const float opacity = static_cast<float>(alpha) / 255;
+    return srgb_encode(srgb_decode(code) * opacity + background * (1 - opacity));
+}
+
 void check_sizes(const Image& a, const Image& b) {
     CHECK(a.width() == b.width() && a.height() == b.height());
 }
@@ -68,7 +75,15 @@ Metrics metrics(const Image& reference, const Image& test) {
         const Rgba8 &p = reference.pixels()[i], &q = test.pixels()[i];
         if (p == q) continue;
         int largest = 0;
-        const auto add = [&](std::uint8_t a, std::uint8_t b) {
+        const auto add = [&](std::uint8_t of_p, std::uint8_t of_q) {
+            std::uint8_t a = shown(of_p, p.a, 0), b = shown(of_q, q.a, 0);
+            if (p.a != 255 || q.a != 255) {
+                const std::uint8_t white_a = shown(of_p, p.a, 1), white_b = shown(of_q, q.a, 1);
+                if (std::abs(white_a - white_b) > std::abs(a - b)) {
+                    a = white_a;
+                    b = white_b;
+                }
+            }
             const int difference = std::abs(a - b);
             const double of_light = double{srgb_decode(a)} - double{srgb_decode(b)};
             largest = std::max(largest, difference);

@@ -1,13 +1,14 @@
 // How far two pictures are from each other, in figures: of codes, of light, and of what is seen.
 // In double, summed in the order of the pixels: the same bits everywhere. Both pictures have the
-// same size; alpha is not looked at, but compare.h looks at it.
+// same size.
 #pragma once
 
 #include "image/image.h"
 
 namespace scanout::image {
 
-// Of red, green and blue of all pixels; all 0 for equal and for empty pictures.
+// Of red, green and blue of all pixels; all 0 for equal and for empty pictures. What is transparent
+// counts as it shows: over black or over white, whichever makes a channel differ more.
 struct Metrics {
     double rmse_codes = 0; // root of the mean square difference of sRGB codes, 0 to 255
     double rmse = 0;       // the same of linear light, 0 to 1
@@ -20,7 +21,8 @@ Metrics metrics(const Image& reference, const Image& test);
 double psnr(double rmse);
 
 // Structural similarity, 1 for equal pictures: Wang et al. 2004, with the paper's constants and its
-// Gaussian window of 11 x 11 pixels, on the luma of codes (0.299 R + 0.587 G + 0.114 B). The mean
+// Gaussian window of 11 x 11 pixels, on the luma of codes (0.299 R + 0.587 G + 0.114 B); alpha is
+// not looked at. The mean
 // over all windows that lie whole in the picture; where a side is shorter than a window, the edge
 // repeats outwards.
 double ssim(const Image& reference, const Image& test);

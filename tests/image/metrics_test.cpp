@@ -22,7 +22,7 @@ double linear_by_formula(int code) {
 // Two pixels, all by hand.
 TEST(Metrics, AreTheFormulas) {
     Image a(2, 1, {100, 50, 200, 255}), b = a;
-    b.at(1, 0) = {101, 52, 190, 0};
+    b.at(1, 0) = {101, 52, 190, 255};
     const Metrics m = metrics(a, b);
     EXPECT_NEAR(m.rmse_codes, std::sqrt((1 + 4 + 100) / 6.0), 1e-12);
     const double r = linear_by_formula(101) - linear_by_formula(100),
@@ -36,6 +36,21 @@ TEST(Metrics, AreTheFormulas) {
     b.at(1, 0) = {101, 49, 201, 255}; // no more than a code
     EXPECT_EQ(metrics(a, b).share_off, 0);
     EXPECT_EQ(metrics(a, b).max_codes, 1);
+}
+
+// A colour that alpha hides is no error; one that it shows in half is half of the light.
+TEST(Metrics, CountWhatTransparentPixelsShow) {
+    Image a(1, 1), b(1, 1);
+    a.at(0, 0) = {255, 0, 0, 0};
+    b.at(0, 0) = {0, 200, 90, 0};
+    EXPECT_EQ(metrics(a, b).max_codes, 0);
+    EXPECT_EQ(metrics(a, b).rmse_codes, 0);
+    b.at(0, 0) = {255, 0, 0, 255}; // red over white differs in green and blue, over black in red
+    EXPECT_EQ(metrics(a, b).max_codes, 255);
+    EXPECT_NEAR(metrics(a, b).rmse, 1, 1e-7);
+    a.at(0, 0) = {255, 255, 255, 51};
+    b.at(0, 0) = {255, 255, 255, 102}; // light 0.2 and 0.4 over black
+    EXPECT_NEAR(metrics(a, b).rmse, 0.2, 0.004);
 }
 
 RC_GTEST_PROP(Metrics, AreNothingForEqualPicturesAndSymmetric, ()) {
