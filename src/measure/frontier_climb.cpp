@@ -38,20 +38,29 @@ bool FrontierSearch::replaces(const Step& s, const Step& r) const {
     return as_good(s, r) && (!as_good(r, s) || s.point == 0 || (r.point != 0 && &s > &r));
 }
 
-// The rungs of an axis that no other one can stand for, quickest first.
+// The rungs of an axis that no other one can stand for, quickest first. What is asked for and the
+// top rung stay in any case, the top one last: beside a large error of another axis a poor rung may
+// err less than an exact one by chance, and once that axis is exact, too, only this one is left to
+// gain from.
 FrontierSearch::Way FrontierSearch::way_up(const Ladder& ladder) const {
     std::vector<Step> steps;
-    for (const LadderRung& rung : ladder.rungs)
-        if (rung.point && (*found_.points)[*rung.point].price)
-            steps.push_back({rung.technique, *rung.point});
+    for (const LadderRung& rung : ladder.rungs) {
+        if (!rung.point || !(*found_.points)[*rung.point].price) continue;
+        std::erase_if(steps, [&](const Step& s) { return s.point == *rung.point; });
+        steps.push_back({rung.technique, *rung.point});
+    }
     Way way{ladder.axis, {}, 0};
-    std::copy_if(steps.begin(), steps.end(), std::back_inserter(way.steps), [&](const Step& r) {
-        return std::none_of(steps.begin(), steps.end(),
-                            [&](const Step& s) { return &s != &r && replaces(s, r); });
+    if (steps.empty()) return way;
+    const Step& top = steps.back();
+    std::copy_if(steps.begin(), steps.end() - 1, std::back_inserter(way.steps), [&](const Step& r) {
+        return r.point == 0 || std::none_of(steps.begin(), steps.end(), [&](const Step& s) {
+                   return &s != &r && replaces(s, r);
+               });
     });
     std::stable_sort(way.steps.begin(), way.steps.end(), [&](const Step& a, const Step& b) {
         return found_.cpu_ms(a.point) < found_.cpu_ms(b.point);
     });
+    way.steps.push_back(top);
     return way;
 }
 
