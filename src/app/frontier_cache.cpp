@@ -144,7 +144,13 @@ Result<void> FrontierCache::keep(const std::string& key,
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
     if (error) return fail(Exit::unreadable, "{}: cannot be made: {}", folder_, error.message());
-    return write_file(file_of(key), to_text(key, known));
+    // Anything else would be written into; a pipe without a reader blocks whoever opens it.
+    const std::string file = file_of(key);
+    const std::filesystem::file_status there = std::filesystem::status(file, error);
+    if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+        return fail(Exit::unreadable, "{}: stands in the cache and is no regular file; remove it",
+                    file);
+    return write_file(file, to_text(key, known));
 }
 
 } // namespace scanout::app

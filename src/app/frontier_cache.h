@@ -19,7 +19,8 @@ public:
     static Result<FrontierCache> of_user();
 
     std::optional<measure::KnownFrontier> find(const std::string& key) const;
-    // Makes the folder where it is missing. Exit::unreadable where the file cannot be written.
+    // Makes the folder where it is missing. Exit::unreadable where the file cannot be written, and
+    // where anything but a regular file stands in its place.
     Result<void> keep(const std::string& key, const measure::KnownFrontier& known) const;
     std::string file_of(const std::string& key) const;
 

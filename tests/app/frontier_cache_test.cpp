@@ -94,8 +94,22 @@ TEST(FrontierCache, WhatCannotBeWrittenIsAnErrorThatNamesIt) {
     EXPECT_NE(kept.error().what.find(file), std::string::npos) << kept.error().what;
     const FrontierCache cache(folder.file("")); // a folder stands where the file should
     ASSERT_EQ(::mkdir(cache.file_of(kKey).c_str(), 0700), 0);
-    EXPECT_FALSE(cache.keep(kKey, frontier()));
+    EXPECT_EQ(cache.keep(kKey, frontier()).error().what,
+              cache.file_of(kKey) + ": stands in the cache and is no regular file; remove it");
     EXPECT_FALSE(cache.find(kKey));
+}
+
+// Nobody reads from it: whoever opens it to write waits.
+TEST(FrontierCache, APipeInPlaceOfTheFileIsRefusedAtOnce) {
+    const test::TemporaryFolder folder;
+    const FrontierCache cache(folder.file(""));
+    ASSERT_EQ(::mkfifo(cache.file_of(kKey).c_str(), 0600), 0);
+    ::alarm(10);
+    const Result<void> kept = cache.keep(kKey, frontier());
+    EXPECT_FALSE(cache.find(kKey));
+    ::alarm(0);
+    ASSERT_FALSE(kept);
+    EXPECT_NE(kept.error().what.find("no regular file"), std::string::npos) << kept.error().what;
 }
 
 TEST(FrontierCache, StandsWhereTheUsersCachesAre) {
