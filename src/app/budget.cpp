@@ -9,6 +9,7 @@
 #include "scene/content.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -26,12 +27,28 @@ std::string milliseconds(double ms) {
 std::string codes_rmse(double error) {
     return fmt::format("{:.2f} codes RMSE", error);
 }
+// Of advice: what is asked for as it is printed must not be less than what there is.
+double rounded_up(double value, int digits) {
+    const double scale = std::pow(10.0, digits);
+    const double whole = std::ceil(value * scale);
+    return (whole / scale < value ? whole + 1 : whole) / scale;
+}
+std::string milliseconds_at_most(double ms) {
+    return milliseconds(rounded_up(ms, ms < 10 ? 2 : 1));
+}
+std::string codes_at_most(double error) {
+    return codes_rmse(rounded_up(error, 2));
+}
+// As it was asked for: "0.001 ms", "1e-297 ms".
+std::string asked_time(double ms) {
+    return fmt::format("{:.9g} ms", ms);
+}
 std::string name_of(const KnownPoint& point) {
     return point.rungs.empty() ? "as asked for" : point.options();
 }
 std::string text_of(const Limits& limits) {
     std::string text;
-    if (limits.wall_ms) text = fmt::format("{} ms", *limits.wall_ms);
+    if (limits.wall_ms) text = asked_time(*limits.wall_ms);
     if (limits.error)
         text += fmt::format("{}{} codes RMSE", text.empty() ? "" : " and ", *limits.error);
     return text;
@@ -89,19 +106,19 @@ std::string advice(const KnownFrontier& known, const Limits& limits) {
     if (limits.wall_ms && quickest.wall_ms > *limits.wall_ms)
         return fmt::format("--budget {}: no rungs are that fast; the fastest take {} ({}, {}); ask "
                            "for as much, or draw a smaller --size",
-                           milliseconds(*limits.wall_ms), milliseconds(quickest.wall_ms),
-                           name_of(quickest), codes_rmse(quickest.error));
+                           asked_time(*limits.wall_ms), milliseconds_at_most(quickest.wall_ms),
+                           name_of(quickest), codes_at_most(quickest.error));
     if (limits.error && best.error > *limits.error)
         return fmt::format("--max-error {}: no rungs err that little; the most accurate err {} "
                            "({}, {}); ask for as much",
-                           *limits.error, codes_rmse(best.error), name_of(best),
-                           milliseconds(best.wall_ms));
+                           *limits.error, codes_at_most(best.error), name_of(best),
+                           milliseconds_at_most(best.wall_ms));
     const KnownPoint& accurate =
         known.points[measure::choose(known.points, {{}, limits.error}).point];
     return fmt::format("--max-error {} takes {} ({}), more than --budget {}; ask for more time, or "
                        "allow more error",
-                       *limits.error, milliseconds(accurate.wall_ms), name_of(accurate),
-                       milliseconds(*limits.wall_ms));
+                       *limits.error, milliseconds_at_most(accurate.wall_ms), name_of(accurate),
+                       asked_time(*limits.wall_ms));
 }
 
 } // namespace

@@ -144,6 +144,34 @@ TEST_F(Budget, SaysWhatThereIsWhereNothingMeetsIt) {
     EXPECT_THAT(both->instead, HasSubstr(", more than --budget "));
 }
 
+double number_behind(const std::string& text, const std::string& words) {
+    const std::size_t at = text.find(words);
+    EXPECT_NE(at, std::string::npos) << words << ": " << text;
+    return at == std::string::npos ? 0 : std::stod(text.substr(at + words.size()));
+}
+
+// Asking for as much as the message says meets it, whatever it rounds.
+TEST_F(Budget, AdviceHoldsWhereItIsFollowed) {
+    for (const double odd : {0.001, 0.0949, 0.9948, 3.141, 9.996, 12.34, 1234.56}) {
+        ASSERT_TRUE(cache.keep(key(), {"2026-11-29",
+                                       {{{{"aa", "none"}}, odd, odd, 20 + odd},
+                                        {{{"aa", "samples_4"}}, 2 * odd, 2 * odd, odd}}}));
+        const std::string fast = choose({odd / 2, {}})->instead;
+        EXPECT_TRUE(choose({number_behind(fast, "the fastest take "), {}})->choice.met()) << fast;
+        const std::string fine = choose({{}, odd / 2})->instead;
+        EXPECT_TRUE(choose({{}, number_behind(fine, "most accurate err ")})->choice.met()) << fine;
+        const std::string both = choose({1.5 * odd, odd})->instead;
+        const double takes = number_behind(both, " takes ");
+        EXPECT_TRUE(choose({takes, odd})->choice.met()) << both;
+    }
+}
+
+TEST_F(Budget, SaysWhatWasAskedForAsItWas) {
+    ASSERT_TRUE(choose({1000, {}}));
+    EXPECT_THAT(choose({0.001, {}})->instead, testing::StartsWith("--budget 0.001 ms: "));
+    EXPECT_THAT(choose({1e-300 * 1000, {}})->instead, testing::StartsWith("--budget 1e-297 ms: "));
+}
+
 TEST_F(Budget, APictureWithoutReferenceIsRefused) {
     shot.options.convolution = "low_pass";
     const auto chosen = choose({1000, {}});
