@@ -164,6 +164,11 @@ Result<Chosen> choose_rungs(const BudgetTask& task, const Limits& limits) {
     return chosen;
 }
 
+std::string none_chosen(const Limits& limits, const Error& why) {
+    return fmt::format("{}: no rungs are chosen: {}", limits.wall_ms ? "--budget" : "--max-error",
+                       why.what);
+}
+
 std::string to_text(const Chosen& c) {
     return fmt::format("chosen for {}: {}: {}, {}; measured {}{}", text_of(c.limits),
                        name_of(c.point), milliseconds(c.point.wall_ms), codes_rmse(c.point.error),

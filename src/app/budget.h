@@ -58,6 +58,10 @@ Result<Chosen> choose_rungs(const BudgetTask& task, const measure::Limits& limit
 // The user's own cache; a note where it cannot be used.
 Result<Chosen> choose_rungs(const BudgetTask& task, const measure::Limits& limits);
 
+// The warning where nothing could be chosen: "--budget: no rungs are chosen: ", and why. What is
+// asked for is drawn then.
+std::string none_chosen(const measure::Limits& limits, const Error& why);
+
 // "chosen for 16 ms: --aa samples_4: 12.1 ms, 0.8 codes RMSE; measured 2026-11-29, cached"
 std::string to_text(const Chosen& chosen);
 

@@ -193,8 +193,10 @@ private:
     bool told_blank_ = false;
 };
 
-// Rungs that meet --budget and --max-error, by the first picture.
-Result<Chosen> choose_for(const Settings& s, const LoadedModel& model, Jobs& jobs) {
+// Rungs that meet --budget and --max-error, by the first picture. Where there is nothing to choose
+// by, a warning, and the picture is drawn as it is asked for; limits that are missed are an error.
+Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& model, Jobs& jobs,
+                                         std::vector<std::string>& warnings) {
     const frame::SceneFacts facts = frame::facts(model.scene, s.frame.shadow_plane);
     TRY(const scene::View view, scene::make_view(model.scene.mesh, s.model, {}, camera_of(s, model),
                                                  {}, s.frame.width, s.frame.height));
@@ -205,13 +207,19 @@ Result<Chosen> choose_for(const Settings& s, const LoadedModel& model, Jobs& job
         bar_of = doing;
         bar->show(fraction);
     };
-    TRY(Chosen chosen,
-        choose_rungs({model.scene, facts, view, s.frame, free_axes(s), jobs, progress}, s.limits));
+    Result<Chosen> chosen =
+        choose_rungs({model.scene, facts, view, s.frame, free_axes(s), jobs, progress}, s.limits);
     bar.reset();
-    print_warnings(chosen.notes, s);
-    if (!chosen.choice.met()) return fail(Exit::usage, "{}", chosen.instead);
-    if (!s.quiet) say(to_text(chosen));
-    return chosen;
+    if (!chosen) {
+        const std::vector<std::string> lines = {none_chosen(s.limits, chosen.error())};
+        print_warnings(lines, s);
+        warnings.insert(warnings.end(), lines.begin(), lines.end());
+        return std::nullopt;
+    }
+    print_warnings(chosen->notes, s);
+    if (!chosen->choice.met()) return fail(Exit::usage, "{}", chosen->instead);
+    if (!s.quiet) say(to_text(*chosen));
+    return std::optional(*std::move(chosen));
 }
 
 } // namespace
@@ -233,8 +241,9 @@ Result<Exit> run_render(const Settings& asked, std::uint64_t start_bytes) {
     report.start_bytes = start_bytes;
     report.threads = jobs.threads();
     if (settings.limits.any()) {
-        TRY(report.chosen, choose_for(settings, model, jobs));
-        settings.frame = measure::with(std::move(settings.frame), report.chosen->point.rungs);
+        TRY(report.chosen, choose_for(settings, model, jobs, report.warnings));
+        if (report.chosen)
+            settings.frame = measure::with(std::move(settings.frame), report.chosen->point.rungs);
     }
     RenderRun run(settings, format, model, jobs);
     for (int index = 0; index < pictures(settings); ++index)

@@ -359,7 +359,7 @@ Result<void> ViewSession::choose_rungs() {
                           settings_.limits);
     if (quit_) return {};
     if (!chosen) {
-        print_warnings({"no rungs are chosen: " + chosen.error().what}, settings_);
+        print_warnings({none_chosen(settings_.limits, chosen.error())}, settings_);
         return {};
     }
     print_warnings(chosen->notes, settings_);

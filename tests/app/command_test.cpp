@@ -527,11 +527,30 @@ TEST_F(Program, ABudgetIsMeasuredOnce) {
     ::unsetenv("XDG_CACHE_HOME");
 }
 
+// Whoever draws one model after the other gets a picture of each: where nothing can be chosen, the
+// one that is asked for, and a line that says why.
+TEST_F(Program, WhereNothingCanBeChosenIsDrawnAsAskedFor) {
+    folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
+    for (const std::string words :
+         {"$d/lines.obj", "$m --translate 100,0,0", "$m --convolution low_pass",
+          "$m --stencil outline", "$m --depth-test less"})
+        for (const std::string limit : {"--budget", "--max-error"}) {
+            const std::string render = "render " + words + " --size 64x48 --hash --json=$d/j ";
+            const Outcome plain = run(render), limited = run(render + limit + " 16");
+            EXPECT_EQ(limited.code, 0) << words << limited.err;
+            EXPECT_EQ(limited.out, plain.out) << words;
+            EXPECT_NE(limited.err.find(limit + ": no rungs are chosen: "), std::string::npos)
+                << words << limited.err;
+            const nlohmann::json report = nlohmann::json::parse(folder.read("j"));
+            EXPECT_EQ(report.count("chosen"), 0U) << words;
+            EXPECT_NE(report["warnings"].dump().find(limit + ": no rungs"), std::string::npos);
+        }
+}
+
 TEST_F(Program, BudgetsThatAreNoneAreRefused) {
-    for (const char* words :
-         {"--budget 0", "--budget -1ms", "--budget 16m", "--budget ms", "--budget nan",
-          "--budget 1e9s", "--max-error -1", "--max-error 256", "--max-error x",
-          "--budget 9 --reference", "--budget 9 --convolution low_pass"})
+    for (const char* words : {"--budget 0", "--budget -1ms", "--budget 16m", "--budget ms",
+                              "--budget nan", "--budget 1e9s", "--max-error -1", "--max-error 256",
+                              "--max-error x", "--budget 9 --reference"})
         EXPECT_EQ(refused(std::string("render $m --size 9x9 --hash ") + words), 2) << words;
     EXPECT_EQ(refused("view $m --backend headless --budget 9 --no-times"), 2);
     EXPECT_EQ(refused("frontier $m --budget 9"), 2);
