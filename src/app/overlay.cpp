@@ -32,6 +32,14 @@ std::vector<std::string> message_lines(const std::string& message, std::size_t l
 
 // What keys open beside the information; nothing is made for what is closed.
 void draw_panels(image::Image& picture, const Overlay& overlay, int scale) {
+    if (overlay.frontier) {
+        // Beside the information, or below it where there is no room.
+        const TextBlock info = block_of(overlay.info, scale);
+        const bool beside =
+            overlay.info.empty() ||
+            info.width + frontier_panel_width(*overlay.frontier, scale) <= picture.width();
+        draw_frontier_panel(picture, *overlay.frontier, beside ? 0 : info.height, scale);
+    }
     if (!overlay.legend && !overlay.split) return;
     int end = block_of({""}, scale).height; // of the picture, that the message has
     if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));

@@ -1,5 +1,8 @@
 #include "app/frontier_panel.h"
+#include "app/overlay.h"
 #include "app/text_block.h"
+
+#include <algorithm>
 
 #include <gtest/gtest.h>
 
@@ -41,6 +44,18 @@ TEST(FrontierPanel, TheDotGoesRightAndDownToSlowerAndMoreAccurate) {
     EXPECT_NEAR(middle.y, (first.y + last.y) / 2, 1);
     EXPECT_LT(first.x + 100, last.x);
     EXPECT_LT(first.y + 50, last.y);
+}
+
+TEST(FrontierPanel, TheOverlayDrawsItAndTheHelpSheetTakesItsRoom) {
+    Overlay overlay;
+    overlay.frontier = FrontierPanel{{"2.00 ms  8.00 codes RMSE"}, {{2, 8}, {4, 2}}, 0};
+    image::Image picture(640, 480, image::Rgba8{40, 40, 40, 255}), panel = picture;
+    draw_frontier_panel(panel, *overlay.frontier, 0, 1);
+    draw_overlay(picture, overlay);
+    EXPECT_EQ(picture, panel);
+    overlay.help = {"help"};
+    draw_overlay(picture = image::Image(640, 480), overlay);
+    EXPECT_EQ(std::count(picture.pixels().begin(), picture.pixels().end(), kHere), 0);
 }
 
 TEST(FrontierPanel, WithoutPointsOrWithOneItIsTextAlone) {
