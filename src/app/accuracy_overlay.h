@@ -6,11 +6,13 @@
 
 namespace scanout::app {
 
-// At the lower right: what is known of a pixel, a bar of the map's colours, and their codes.
-// Returns its height.
-int draw_error_legend(image::Image& picture, const ErrorLegend& legend, int scale);
+// At the right, with its lower end at `bottom`: the lines, and where there is a map, a bar of its
+// colours and their codes. What is wider than the picture is broken. Returns its height.
+int draw_error_legend(image::Image& picture, const ErrorLegend& legend, int bottom, int scale);
 
-// The line, and at its lower end, but `above_end` pixels above it, the names of its sides.
-void draw_split_line(image::Image& picture, const SplitLine& split, int above_end, int scale);
+// From edge to edge: panels lie over it.
+void draw_split_line(image::Image& picture, int x, int scale);
+// The names of the line's sides, with their lower ends at `bottom`, broken where a side is narrow.
+void draw_split_names(image::Image& picture, const SplitLine& split, int bottom, int scale);
 
 } // namespace scanout::app

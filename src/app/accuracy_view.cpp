@@ -115,16 +115,18 @@ std::string AccuracyView::line(const PictureKey& key, const Asked& asked) const 
 ErrorLegend AccuracyView::legend(const image::Image* drawn, const PictureKey& key,
                                  const std::optional<PixelPlace>& pointer) const {
     const trace::Progressive* const reference = shown(key);
-    if (reference == nullptr || drawn == nullptr || !pointer)
-        return {"errors, codes; " + state(key)};
-    const int pixel = pointer->y * drawn->width() + pointer->x;
+    if (reference == nullptr || drawn == nullptr) return {{state(key)}, false};
+    const std::string title = "error against the reference, codes";
+    const std::string progress = finished_ ? "" : state(key);
+    if (!pointer) return {{title, progress, ""}, true};
     const std::string place = fmt::format("{},{}: ", pointer->x, pointer->y);
-    if (reference->known(pixel) == trace::Known::nothing) return {place + "not known yet"};
+    if (reference->known(pointer->y * drawn->width() + pointer->x) == trace::Known::nothing)
+        return {{title, place + "not known yet", progress}, true};
     const image::Rgba8 &p = drawn->at(pointer->x, pointer->y),
                        &q = reference->image().at(pointer->x, pointer->y);
-    if (p == q) return {fmt::format("{}0 codes: {}", place, text_of(p))};
-    return {fmt::format("{}{} codes: drawn {}, reference {}", place,
-                        image::largest_difference(p, q), text_of(p), text_of(q))};
+    return {{title, fmt::format("{}{} codes", place, image::largest_difference(p, q)),
+             fmt::format("drawn {}, reference {}", text_of(p), text_of(q))},
+            true};
 }
 
 SplitLine AccuracyView::split_line(const PictureKey& key, const Asked& asked) const {

@@ -41,9 +41,9 @@ void draw_panels(image::Image& picture, const Overlay& overlay, int scale) {
         draw_frontier_panel(picture, *overlay.frontier, beside ? 0 : info.height, scale);
     }
     if (!overlay.legend && !overlay.split) return;
-    int end = block_of({""}, scale).height; // of the picture, that the message has
-    if (overlay.legend) end = std::max(end, draw_error_legend(picture, *overlay.legend, scale));
-    if (overlay.split) draw_split_line(picture, *overlay.split, end, scale);
+    int bottom = picture.height() - block_of({""}, scale).height; // above the message
+    if (overlay.legend) bottom -= draw_error_legend(picture, *overlay.legend, bottom, scale);
+    if (overlay.split) draw_split_names(picture, *overlay.split, bottom, scale);
 }
 
 } // namespace
@@ -87,6 +87,7 @@ std::size_t lines_down(int width, int height) {
 
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
+    if (overlay.split) draw_split_line(picture, overlay.split->x, scale);
     if (overlay.mark) draw_mark(picture, *overlay.mark, scale);
     // The help sheet shows all states, and takes the room of the other lines.
     std::vector<std::string> left = overlay.info;

@@ -13,9 +13,10 @@
 
 namespace scanout::app {
 
-// What the colours of an error map mean, and what it says of a pixel.
+// What the colours of an error map mean, and what it says of a pixel. Without a map, why.
 struct ErrorLegend {
-    std::string value; // of the pixel under the pointer, or how far the map has come
+    std::vector<std::string> lines;
+    bool has_map = false; // with its colours, and as wide whatever the lines say
     friend bool operator==(const ErrorLegend&, const ErrorLegend&) = default;
 };
 

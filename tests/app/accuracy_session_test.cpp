@@ -183,7 +183,7 @@ TEST_F(AccuracySession, AReplayShowsTheWholeErrorMapAndTheSplitView) {
                          "+300 frame " + moved + "\n+1 close\n+0 frame " + closed + "\n",
                      display));
     const image::Image drawn = rendered({}), reference = referred({});
-    expect_same_rows(*image::load(map), image::heat_map(reference, drawn), 0, width, 80);
+    expect_same_rows(*image::load(map), image::heat_map(reference, drawn), 0, width, 20);
     const image::Image by_half = *image::load(split), by_less = *image::load(moved);
     expect_same_rows(by_half, drawn, 0, 98, 80);
     expect_same_rows(by_half, reference, 102, width, 80);
@@ -216,7 +216,7 @@ TEST_F(AccuracySession, VMakesTheReferenceAndTakesItsMapAwayAgain) {
     const image::Image drawn = rendered({}), map = image::heat_map(referred({}), drawn);
     const auto shows = [&](const image::Image& picture) {
         const image::Image now = display.shown();
-        constexpr std::ptrdiff_t kRows = 80; // above the legend
+        constexpr std::ptrdiff_t kRows = 20; // above the legend
         return std::equal(now.pixels().begin(), now.pixels().begin() + kRows * width,
                           picture.pixels().begin());
     };

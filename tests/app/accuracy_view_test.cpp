@@ -100,7 +100,6 @@ TEST_F(Accuracy, WhereEveryRunMustShowTheSameTheReferenceIsShownWhole) {
     AccuracyView view(true);
     const AccuracyView::Asked asked{.error_map = true};
     view.follow(key_of(1), start);
-    const ErrorLegend before = view.legend(&drawn, key_of(1), {});
     begin(view, 1);
     build(view);
     for (int i = 0; i < 10; ++i)
@@ -128,9 +127,12 @@ TEST_F(Accuracy, SaysWhatAPixelErrsHowFarItIsAndWhyThereIsNone) {
     const image::Rgba8 q = view.convergence().reference()->image().at(10, 5);
     const int error = std::max({std::abs(q.r - 9), std::abs(q.g - 9), std::abs(q.b - 9)});
     ASSERT_GT(error, 0);
-    EXPECT_EQ(view.legend(&drawn, key_of(1), place).value,
-              fmt::format("10,5: {} codes: drawn 9 9 9, reference {} {} {}", error, q.r, q.g, q.b));
-    EXPECT_EQ(view.legend(&drawn, key_of(1), {}).value, "errors, codes; reference");
+    const std::string title = "error against the reference, codes";
+    EXPECT_EQ(view.legend(&drawn, key_of(1), place),
+              (ErrorLegend{{title, fmt::format("10,5: {} codes", error),
+                            fmt::format("drawn 9 9 9, reference {} {} {}", q.r, q.g, q.b)},
+                           true}));
+    EXPECT_EQ(view.legend(&drawn, key_of(1), {}), (ErrorLegend{{title, "", ""}, true}));
     EXPECT_NE(view.line(key_of(1), asked).find(" codes RMSE"), std::string::npos);
     EXPECT_NE(view.line(key_of(1), {.converge = true}).find("0.00 on the screen  converged"),
               std::string::npos);
@@ -139,6 +141,9 @@ TEST_F(Accuracy, SaysWhatAPixelErrsHowFarItIsAndWhyThereIsNone) {
     EXPECT_FALSE(view.lacks());
     EXPECT_EQ(view.line(key_of(1), asked), "no reference: too large");
     EXPECT_EQ(view.split_line(key_of(1), asked).right, "no reference: too large");
+    EXPECT_EQ(view.legend(&drawn, key_of(1), place),
+              (ErrorLegend{{"no reference: too large"}, false}))
+        << "no map, so no colours";
 }
 
 TEST_F(Accuracy, ABuildThatIsLetGoHoldsTheNextOneUpUntilItHasEnded) {
