@@ -2,6 +2,8 @@
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/message.h"
+#include "app/model_file.h"
+#include "app/options.h"
 #include "app/view_session.h"
 #include "base/check.h"
 #include "platform/drm/display.h"
@@ -138,6 +140,12 @@ Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uin
 Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
     TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));
+    if (const std::string_view steadying = steadying_option(settings);
+        settings.converge == Converge::on && !steadying.empty())
+        print_warnings({fmt::format("--converge on changes nothing: with {} nothing converges, so "
+                                    "that every run shows the same",
+                                    steadying)},
+                       settings);
     const bool on_console = settings.backend != Backend::headless;
     const Result<Commands> noted = on_console
                                        ? show_on_console(settings, std::move(tapes), start_bytes)

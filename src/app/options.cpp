@@ -602,14 +602,19 @@ Result<void> check_together(const Settings& s) {
     if (s.reference && s.limits.any())
         return fail(Exit::usage, "--reference has no rungs to choose; leave {} out",
                     s.limits.wall_ms ? "--budget" : "--max-error");
-    if (s.limits.any() && (s.no_times || !s.record.empty() || !s.replay.empty()))
+    if (const std::string_view steadying = steadying_option(s);
+        s.limits.any() && !steadying.empty())
         return fail(Exit::usage, "{} chooses by the clock, which {} leaves out; give one of them",
-                    s.limits.wall_ms ? "--budget" : "--max-error",
-                    s.no_times         ? "--no-times"
-                    : s.replay.empty() ? "--record"
-                                       : "--replay");
+                    s.limits.wall_ms ? "--budget" : "--max-error", steadying);
     if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
     return {};
+}
+
+std::string_view steadying_option(const Settings& s) {
+    return s.no_times          ? "--no-times"
+           : !s.replay.empty() ? "--replay"
+           : !s.record.empty() ? "--record"
+                               : "";
 }
 
 std::string options_markdown() {

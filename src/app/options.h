@@ -63,6 +63,10 @@ Result<void> apply(const Option& option, std::string_view text, Settings& settin
 // Checks combinations of options, which no single option can see.
 Result<void> check_together(const Settings& settings);
 
+// Of --no-times, --record and --replay, which make a session look the same in every run, the one
+// that was given; empty: none.
+std::string_view steadying_option(const Settings& settings);
+
 // `list options`: the README's table.
 std::string options_markdown();
 

@@ -1,6 +1,7 @@
 #include "app/view_session.h"
 
 #include "app/message.h"
+#include "app/options.h"
 #include "app/overlay_text.h"
 #include "app/picture.h"
 #include "app/view_command.h"
@@ -30,8 +31,7 @@ Result<std::unique_ptr<ViewSession>> ViewSession::create(const Settings& setting
 
 ViewSession::ViewSession(const Settings& settings, SessionParts parts, EventLoop loop)
     : settings_(settings), parts_(std::move(parts)), loop_(std::move(loop)),
-      steady_(settings.no_times || !settings.record.empty() || !settings.replay.empty()),
-      converges_(!steady_ && converges(settings)),
+      steady_(!steadying_option(settings).empty()), converges_(!steady_ && converges(settings)),
       viewer_(settings, parts_.display.info().width, parts_.display.info().height,
               static_cast<int>(settings.arguments.size())),
       binder_(viewer_.width(), viewer_.height(), !settings.no_pointer),

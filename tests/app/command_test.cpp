@@ -148,6 +148,21 @@ TEST_F(Program, NoNameDrivesTheTerminal) {
     }
 }
 
+TEST_F(Program, WhatCannotConvergeSaysSoWhereItWasAskedTo) {
+    folder.write("play", "scanout-actions 1\n0 quit\n");
+    const std::string quits = "view $m --backend headless --size 9x9 --replay $d/play";
+    const std::string warning = "scanout: warning: --converge on changes nothing: with --";
+    for (const char* option : {"", " --record $d/a", " --no-times"}) {
+        const Outcome outcome = run(quits + " --converge on" + option);
+        EXPECT_EQ(outcome.code, 0);
+        EXPECT_TRUE(outcome.err.starts_with(warning)) << outcome.err;
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+    EXPECT_EQ(run(quits).err, "");
+    EXPECT_EQ(run(quits + " --converge off").err, "");
+    EXPECT_EQ(run(quits + " --converge on --quiet").err, "");
+}
+
 // What is wrong is the first half of a message.
 TEST_F(Program, EveryRefusalSaysWhatToDo) {
     struct Row {
