@@ -188,9 +188,13 @@ Result<Action> parse_action(std::string_view text) {
         names.reserve(kRows.size());
         for (const ActionRow& known : kRows)
             names.push_back(known.name);
-        const std::string hint = did_you_mean(name, names);
+        std::string hint = did_you_mean(name, names);
+        for (const std::string_view known : names) // move_pointer
+            if (hint.empty() && name.find(known) != std::string_view::npos)
+                hint = fmt::format("; did you mean '{}'?", known);
         return fail(Exit::unreadable, "there is no action '{}'{}", name,
-                    hint.empty() ? "; `scanout list keys` names them" : hint);
+                    hint.empty() ? "; `scanout list keys` names them, docs/GUIDE.md explains them"
+                                 : hint);
     }
     action.id = row->id;
     for (int i = 0; i < row->numbers; ++i) {

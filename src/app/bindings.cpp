@@ -117,8 +117,10 @@ std::optional<ActionId> bound_to(const port::Event& event) {
 std::string keys_text() {
     std::string text;
     for (const ActionRow& row : action_rows()) {
-        const std::string_view keys = row.keys.empty() ? row.sheet : row.keys;
-        if (!keys.empty()) text += fmt::format("{:<18} {:<18} {}\n", keys, row.name, row.help);
+        const std::string_view keys = !row.keys.empty()    ? row.keys
+                                      : !row.sheet.empty() ? row.sheet
+                                                           : "(recordings)";
+        text += fmt::format("{:<18} {:<18} {}\n", keys, row.name, row.help);
     }
     return text;
 }

@@ -1,4 +1,6 @@
+#include "app/bindings.h"
 #include "app/recording.h"
+#include "base/mapping.h"
 #include "support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -56,6 +58,32 @@ TEST(Recording, StepsAreAbsoluteRelativeOrLeftOut) {
     EXPECT_EQ((*script)[3].step, 20);
 }
 
+// Where the error sends the reader.
+TEST(Recording, TheListAndTheGuideNameEveryAction) {
+    const Mapping guide = *Mapping::open(SCANOUT_SOURCE_DIR "/docs/GUIDE.md");
+    const std::string_view text = guide.text();
+    const std::string list = keys_text();
+    for (const ActionRow& row : action_rows()) {
+        const std::string name(row.name);
+        EXPECT_NE(list.find(" " + name + " "), std::string::npos) << name;
+        if (!row.keys.empty()) continue;
+        EXPECT_NE(text.find("| `" + name), std::string_view::npos) << name << " has no key";
+    }
+}
+
+// The block of the guide, as it stands there.
+TEST(Recording, TheGuidesExampleIsARecording) {
+    const Mapping guide = *Mapping::open(SCANOUT_SOURCE_DIR "/docs/GUIDE.md");
+    const std::string_view text = guide.text();
+    const std::size_t begin = text.find("scanout-actions 1");
+    ASSERT_NE(begin, std::string_view::npos);
+    const Result<Script> script =
+        parse_script(text.substr(begin, text.find("```", begin) - begin), "guide");
+    ASSERT_TRUE(script) << script.error().what;
+    EXPECT_GT(script->size(), 4U);
+    EXPECT_EQ(script->back().action.id, ActionId::quit);
+}
+
 TEST(Recording, ErrorsNameTheLineAndWhatIsWrong) {
     EXPECT_NE(error_of("").find("a.txt: is empty"), std::string::npos);
     EXPECT_NE(error_of("rotate_left\n").find("a.txt:1: "), std::string::npos);
@@ -63,6 +91,11 @@ TEST(Recording, ErrorsNameTheLineAndWhatIsWrong) {
     const std::string head = "scanout-actions 1\n";
     EXPECT_EQ(error_of(head + "0 rotate_lefft\n"),
               "a.txt:2: there is no action 'rotate_lefft'; did you mean 'rotate_left'?");
+    EXPECT_EQ(error_of(head + "0 move_pointer 1 2\n"),
+              "a.txt:2: there is no action 'move_pointer'; did you mean 'pointer'?");
+    EXPECT_EQ(error_of(head + "0 fly\n"),
+              "a.txt:2: there is no action 'fly'; `scanout list keys` names them, docs/GUIDE.md "
+              "explains them");
     EXPECT_NE(error_of(head + "5 quit\n4 quit\n").find("a.txt:3: "), std::string::npos);
     EXPECT_NE(error_of(head + "drag_rotate 1\n").find("2 whole numbers"), std::string::npos);
     EXPECT_NE(error_of(head + "drag_rotate 1 2.5\n").find("2 whole numbers"), std::string::npos);
