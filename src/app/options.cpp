@@ -583,6 +583,7 @@ Result<void> apply(const Option& option, std::string_view text, Settings& settin
     if (!applied) return fail(applied.error().exit, "--{} {}", option.name, applied.error().what);
     if (const std::string_view axis = axis_of(option); !axis.empty())
         settings.named_axes.emplace(axis);
+    settings.given.push_back({std::string(option.name), std::string(text)});
     return {};
 }
 

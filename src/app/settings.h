@@ -36,14 +36,20 @@ enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim
 enum class Converge : std::uint8_t { automatic, on, off };
 enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
 
+// An option as it stood on the command line.
+struct GivenOption {
+    std::string name, text; // without dashes; text: "" for a switch
+};
+
 struct Settings {
     Command command = Command::view;
+    std::vector<GivenOption> given;     // in the order of the table of options
     std::vector<std::string> arguments; // models, pictures, or what to list
 
     frame::FrameOptions frame;
     std::set<std::string, std::less<>> named_axes; // of techniques, that the command line names
     bool holds_budget = true; // while the viewer's picture moves; false: --budget none
-    measure::Limits limits; // --budget, --max-error: the other axes' rungs are chosen
+    measure::Limits limits;   // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
     std::optional<io::ModelFormat> model_format; // --model-format
     int max_memory_mb = 0; // that loading a model, or its reference, may take; 0: what is available

@@ -1,5 +1,6 @@
 #include "app/view_command.h"
 
+#include "app/options.h"
 #include "math/transcendental.h"
 
 #include <algorithm>
@@ -20,6 +21,39 @@ std::string number(double value) {
 
 std::string triple(const DVec3& v) {
     return fmt::format("{},{},{}", number(v.x), number(v.y), number(v.z));
+}
+
+std::string quoted(const std::string& word) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-:=";
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word)
+        text += c == '\'' ? "'\\''" : std::string(1, c);
+    return text + "'";
+}
+
+bool says_the_view(std::string_view option) {
+    constexpr std::array<std::string_view, 5> kWritten = {"size", "cull", "scale", "rotate",
+                                                          "translate"};
+    return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
+}
+
+// What the user gave that changes the picture, and that the view's own options do not say.
+std::string given_options(const Settings& settings) {
+    std::string text;
+    for (const GivenOption& given : settings.given) {
+        const auto option = std::find_if(options().begin(), options().end(), [&](const Option& o) {
+            return o.name == given.name && belongs(o, Command::render);
+        });
+        if (option == options().end() || says_the_view(option->name)) continue;
+        if (option->group != Group::picture && option->group != Group::model &&
+            option->name != "pixel-format")
+            continue;
+        text += fmt::format("--{} ", given.name);
+        if (!std::holds_alternative<Switch>(option->slot)) text += quoted(given.text) + " ";
+    }
+    return text;
 }
 
 // About x, then y, then z, in degrees: m = Rz * Ry * Rx. Columns come first: m[column][row].
@@ -80,10 +114,12 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     scene::ModelTransform model = transform_of(
         to_world * now->linear * transpose(up) * double{mesh.radius}, settings.model.scale);
     model.translate = to_world * (now->translation + DVec3(0, 0, camera.distance));
-    std::string text = fmt::format(
-        "--size {}x{} --camera {},{},{} --projection {} --up {} --cull {}", viewer.width(),
-        viewer.height(), number(camera.azimuth_degrees), number(camera.elevation_degrees),
-        number(camera.distance), name_of(look.projection), name_of(look.up), name_of(look.cull));
+    std::string text =
+        given_options(settings) +
+        fmt::format("--size {}x{} --camera {},{},{} --projection {} --up {} --cull {}",
+                    viewer.width(), viewer.height(), number(camera.azimuth_degrees),
+                    number(camera.elevation_degrees), number(camera.distance),
+                    name_of(look.projection), name_of(look.up), name_of(look.cull));
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
     return text + fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
@@ -91,16 +127,7 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
 }
 
 std::string view_command(const std::string& path, const std::string& options) {
-    constexpr std::string_view kPlain =
-        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,+-";
-    std::string quoted = path;
-    if (path.find_first_not_of(kPlain) != std::string::npos) {
-        quoted = "'";
-        for (const char c : path)
-            quoted += c == '\'' ? "'\\''" : std::string(1, c);
-        quoted += "'";
-    }
-    return fmt::format("scanout render {} {} -o view.png", quoted, options);
+    return fmt::format("scanout render {} {} -o view.png", quoted(path), options);
 }
 
 } // namespace scanout::app

@@ -163,6 +163,36 @@ TEST_F(Program, WhatCannotConvergeSaysSoWhereItWasAskedTo) {
     EXPECT_EQ(run(quits + " --converge on --quiet").err, "");
 }
 
+// K's line, as a shell reads it, draws what was on the screen.
+TEST_F(Program, TheCommandOfAViewDrawsThePictureWithTheOptionsThatWereGiven) {
+    folder.write("play", "scanout-actions 1\n0 rotate_left\nprint_view\n+1 frame " +
+                             folder.file("seen.png") + "\n");
+    const std::string always = "view $m --backend headless --size 64x48 --replay $d/play ";
+    const auto noted = [&](const std::string& options) {
+        const Outcome outcome = run(always + options);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out.substr(outcome.out.find("scanout render "));
+    };
+    const std::string plain = noted("");
+    const image::Image before = *image::load(folder.file("seen.png"));
+    for (const char* options :
+         {"--background white", "--background '#ff8000'", "--samples 8", "--light point:1,2,3",
+          "--light none --light 'ambient:0.7:name=it is'\\''s'", "--effect directional_light=off",
+          "--render-scale half", "--exposure -1 --tone filmic", "--pixel-format rgb565",
+          "--allow-outside --background white --scale 1,2,-1 --rotate 10,20,30 --fov 60"}) {
+        const std::string command = noted(options);
+        const image::Image seen = *image::load(folder.file("seen.png"));
+        EXPECT_NE(seen, before) << options << ": else nothing is tested";
+        std::string words = command.substr(std::string("scanout ").size());
+        words.replace(words.find("-o view.png\n"), std::string::npos, "-o $d/drawn.png");
+        EXPECT_EQ(run(words).code, 0) << words;
+        EXPECT_EQ(*image::load(folder.file("drawn.png")), seen) << command;
+    }
+    EXPECT_EQ(plain.find("--background"), std::string::npos) << "it was not given";
+    EXPECT_EQ(noted("--allow-outside").find("--allow-outside "),
+              std::string("scanout render ").size() + model.size() + 1);
+}
+
 // What is wrong is the first half of a message.
 TEST_F(Program, EveryRefusalSaysWhatToDo) {
     struct Row {
