@@ -30,6 +30,7 @@
 #include "port/display.h"
 #include "port/input.h"
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -68,7 +69,7 @@ private:
 
     ViewSession(const Settings& settings, SessionParts parts, EventLoop loop);
 
-    // Files.
+    // Files (view_session_files.cpp).
     const std::string& path() const; // of the model on show
     Result<void> load(bool again);
     Result<void> report_plan();
@@ -128,11 +129,11 @@ private:
     FrontierPanel frontier_panel() const;
     double budget_ms() const; // of a frame while something moves
 
-    // Motion.
+    // Motion and frames (view_session_frames.cpp).
+    static constexpr std::chrono::milliseconds kSettle{150}; // then a picture is drawn at its best
     void set_motion_levels();
     void follow_motion(Time now);
 
-    // Frames.
     struct Shown {
         PictureKey picture;
         int level = 0; // of governor.h
