@@ -1,5 +1,6 @@
 #include "app/frontier_panel.h"
 
+#include "app/chart_axes.h"
 #include "app/text.h"
 #include "app/text_block.h"
 #include "math/transcendental.h"
@@ -13,7 +14,6 @@ namespace {
 
 constexpr image::Rgba8 kLine{120, 130, 145, 255}, kHere{255, 196, 64, 255};
 constexpr int kPlotWidth = 300, kPlotHeight = 100; // font pixels
-constexpr double kLeastError = 0.01;               // codes: less cannot be told from none
 
 void dot(image::Image& picture, int x, int y, int radius, image::Rgba8 colour) {
     for (int v = std::max(y - radius, 0); v <= std::min(y + radius, picture.height() - 1); ++v)
