@@ -111,13 +111,9 @@ std::string_view introduction(Command command) {
     case Command::compare:
         return "scanout compare A B - compare the picture A (got) with the picture B (expected)\n"
                "\n"
-               "  scanout info models/spot/spot.obj             what is in the file, and its size\n"
                "  scanout compare got.png expected.png\n"
-               "  scanout info models/spot/spot.obj             what is in the file, and its size\n"
                "  scanout compare got.png expected.png --max-diff 2 --max-pixels 100\n"
-               "  scanout info models/spot/spot.obj             what is in the file, and its size\n"
                "  scanout compare got.png expected.png --metric psnr --limit 40\n"
-               "  scanout info models/spot/spot.obj             what is in the file, and its size\n"
                "  scanout compare got.png expected.png --metric flip --heatmap error.png\n"
                "\n"
                "Exit code 0: the same within the tolerance; 21: sizes differ; 22: pixels differ.\n"
