@@ -156,14 +156,15 @@ nothing_fused() {
 sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only")
 
 # Cases that judge numbers by the million: instrumented, their oracles alone take a quarter of an hour. The other cases,
-# the hashes and the pictures go through the same code. The last line judges milliseconds and megabytes of the program.
+# the hashes and the pictures go through the same code. The last lines judge milliseconds and megabytes of the program.
 numbers=(
     raster.{ExactCoverage,Guard.A,Guard.Tri,Guard.Its,Depth,P1/,P2/,Row17/,ClippedTriangle.Covers,Clip.TheTwoSides}
-    raster.{Coverage.ATurned,Coverage.AFan} geom.{Build.Progress,SpatialOrder.SaysHowFar} app.Session.AReplayShowsThePlan
+    raster.{Coverage.ATurned,Coverage.AFan,Homogeneous.AMesh} geom.{Build.Progress,SpatialOrder.SaysHowFar}
     frame.{'Shadow\..*RaysSay',AntiAliasing,Metamorphic.Scaling,Minification,ItemsShaded,P4/,P11/,All/BlendingModes}
     frame.{Transparency.TheLength,Transparency.AMaterial,Outline.IsWhere,TwoSided.Decided,ShadowEdgeOn,DisjointShadows}
     frame.{FrontFaceShadows.OfAClosed,IgnoredOptions.WhatIs,Blending.OfTwoHundred,OcclusionHistory}
-    app.{AccuracySession.WhileItMovesFewer,Program.FrontierGoesOnWithoutAReference}
+    app.{AccuracySession.WhileItMovesFewer,Program.FrontierGoesOnWithoutAReference,Session.TenSeconds}
+    app.{RungSession.AFrontierIsMeasured,Budget.IsMeasuredAnew,Session.AReplayShowsThePlan}
 )
 # One expression without parentheses: ctest takes nine at most, and without a word more than those as no expression.
 without_numbers=$(printf '|^%s' "${numbers[@]}")
