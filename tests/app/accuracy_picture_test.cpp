@@ -1,7 +1,7 @@
 #include "app/accuracy_picture.h"
+#include "app/lit_sphere.h"
 #include "image/heat_map.h"
 #include "image/metrics.h"
-#include "support/meshes.h"
 #include "support/random.h"
 
 #include <gtest/gtest.h>
@@ -15,19 +15,12 @@ using trace::Progressive;
 // A lit sphere, and a picture of noise to compare with it.
 struct AccuracyPicture : ::testing::Test {
     AccuracyPicture() {
-        scene.mesh = test::empty_mesh();
-        scene.materials = {{}};
-        test::add_sphere(scene.mesh, Vec3(0), 0.8F, 24, 12, 0);
-        view.projection = scene::Projection::orthographic;
-        look.width = 30;
-        look.height = 20;
-        look.lights = scene::default_lights();
         test::Random random(5);
         for (image::Rgba8& p : drawn.pixels())
             p = {static_cast<std::uint8_t>(random.whole(0, 255)),
                  static_cast<std::uint8_t>(random.whole(0, 255)),
                  static_cast<std::uint8_t>(random.whole(0, 255)), 255};
-        reference = *Progressive::create(scene, view, look, {256, true});
+        reference = *Progressive::create(sphere.scene, sphere.view, sphere.look, {256, true});
     }
     void finish() { reference->step(jobs, Progressive::Time::max()); }
     // Until so many pixels have what is asked.
@@ -41,9 +34,7 @@ struct AccuracyPicture : ::testing::Test {
             found += reference->known(i) >= least ? 1 : 0;
         return found;
     }
-    scene::Scene scene;
-    scene::View view;
-    trace::Look look;
+    LitSphere sphere{30, 20};
     Jobs jobs{2};
     image::Image drawn{30, 20};
     std::unique_ptr<Progressive> reference;

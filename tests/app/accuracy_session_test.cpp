@@ -59,14 +59,8 @@ protected:
     }
     // The picture of `scanout render --reference`.
     image::Image referred(const scene::Pose& pose) {
-        const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
-        frame::FrameOptions options = settings.frame;
-        options.width = width;
-        options.height = height;
-        const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
-                                                   settings.camera, {}, width, height);
-        const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
-        return trace::render(model.scene, view, *look_of(plan), jobs)->image;
+        const Planned p = planned(pose);
+        return trace::render(p.model.scene, p.view, *look_of(p.plan), jobs)->image;
     }
     void run(port::Display& display, port::Input& input) {
         auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});

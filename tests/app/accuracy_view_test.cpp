@@ -1,5 +1,5 @@
 #include "app/accuracy_view.h"
-#include "support/meshes.h"
+#include "app/lit_sphere.h"
 
 #include <gtest/gtest.h>
 
@@ -14,17 +14,8 @@ PictureKey key_of(int generation) {
 }
 
 struct Accuracy : ::testing::Test {
-    Accuracy() {
-        scene.mesh = test::empty_mesh();
-        scene.materials = {{}};
-        test::add_sphere(scene.mesh, Vec3(0), 0.8F, 24, 12, 0);
-        camera.projection = scene::Projection::orthographic;
-        look.width = 20;
-        look.height = 10;
-        look.lights = scene::default_lights();
-    }
     void begin(AccuracyView& view, int generation) {
-        view.convergence().begin(scene, camera, look, key_of(generation));
+        view.convergence().begin(sphere.scene, sphere.view, sphere.look, key_of(generation));
     }
     // Until there is a reference, none of whose pixels is known.
     void build(AccuracyView& view) {
@@ -32,9 +23,7 @@ struct Accuracy : ::testing::Test {
             std::this_thread::sleep_for(1ms);
         view.convergence().step(jobs, Time::min());
     }
-    scene::Scene scene;
-    scene::View camera;
-    trace::Look look;
+    LitSphere sphere{20, 10};
     Jobs jobs{2};
     image::Image drawn{20, 10, image::Rgba8{9, 9, 9, 255}};
     Time start = Time() + 1h;
@@ -164,7 +153,7 @@ TEST_F(Accuracy, ABuildThatIsLetGoHoldsTheNextOneUpUntilItHasEnded) {
 TEST_F(Accuracy, ALookThatIsUnknownIsRefused) {
     AccuracyView view(false);
     view.follow(key_of(1), start);
-    look.tone = "no such tone";
+    sphere.look.tone = "no such tone";
     begin(view, 1);
     view.convergence().finish(jobs);
     EXPECT_FALSE(view.lacks());

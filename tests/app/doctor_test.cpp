@@ -1,20 +1,13 @@
 // `scanout doctor` as a user meets it.
+#include "app/program_fixture.h"
 #include "base/write_file.h"
-#include "support/temporary_folder.h"
 
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <sstream>
-
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
 namespace scanout::app {
 namespace {
-
-constexpr const char* kGood =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
 
 // A quad beside two, with three decimals; a repeated face, one turned around, one without an area,
 // and two vertices at one place.
@@ -23,28 +16,8 @@ constexpr const char* kIll = "v 0 0 0\nv 1 0 0\nv 1 1 0.2\nv 0 1 0.2\n" // 4
                              "v 1.0003 0.5 0.1\nv 1 0 0\nv 9 9 9\n"     // 10
                              "f 1 2 3 4\nf 9 5 6 8\nf 8 3 7 6\nf 1 2 3 4\nf 5 5 6\n";
 
-class Doctor : public ::testing::Test {
+class Doctor : public Program {
 protected:
-    struct Outcome {
-        int code;
-        std::string out, err;
-        std::vector<std::string> lines() const {
-            std::istringstream stream(out);
-            std::vector<std::string> all;
-            for (std::string line; std::getline(stream, line);)
-                all.push_back(line);
-            return all;
-        }
-        bool has(const std::string& text) const { return out.find(text) != std::string::npos; }
-    };
-    // In the folder.
-    Outcome run(const std::string& words) {
-        const std::string command = "cd '" + folder.file("") + "'; '" SCANOUT_BINARY "' " + words +
-                                    " >stdout 2>stderr </dev/null";
-        const int status = std::system(command.c_str());
-        EXPECT_TRUE(WIFEXITED(status)) << words;
-        return {WEXITSTATUS(status), folder.read("stdout"), folder.read("stderr")};
-    }
     nlohmann::json json_of(const std::string& words) {
         const Outcome outcome = run("doctor " + words + " --size 64x48 --json");
         EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -58,8 +31,7 @@ protected:
     }
     bool is_there(const std::string& name) { return std::ifstream(folder.file(name)).good(); }
 
-    test::TemporaryFolder folder;
-    std::string good = folder.write("good.obj", kGood);
+    std::string good = folder.write("good.obj", kTetrahedron);
     std::string ill = folder.write("ill.obj", kIll);
 };
 
@@ -159,7 +131,7 @@ TEST_F(Doctor, FixKeepsThePictureOfWhatWasRight) {
 
 TEST_F(Doctor, SaysWhatFixDoesNotKeep) {
     folder.write("a.mtl", "newmtl m\nKd 1 0 0\n");
-    folder.write("a.obj", std::string("mtllib a.mtl\nusemtl m\n") + kGood);
+    folder.write("a.obj", std::string("mtllib a.mtl\nusemtl m\n") + kTetrahedron);
     ASSERT_EQ(std::system(("mkdir '" + folder.file("sub") + "'").c_str()), 0);
     const Outcome elsewhere = run("doctor a.obj --fix sub/b.obj");
     EXPECT_NE(elsewhere.err.find("--allow-outside"), std::string::npos) << elsewhere.err;

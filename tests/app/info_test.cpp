@@ -1,10 +1,9 @@
 // `scanout info` as a user meets it.
-#include "support/temporary_folder.h"
+#include "app/program_fixture.h"
 
 #include <nlohmann/json.hpp>
 
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
 namespace scanout::app {
 namespace {
@@ -12,21 +11,19 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-class Info : public ::testing::Test {
+class Info : public Program {
 protected:
-    int run(const std::string& words) {
-        const std::string command = "cd '" + folder.file("") + "'; '" SCANOUT_BINARY "' info " +
-                                    words + " >stdout 2>stderr </dev/null";
-        const int status = std::system(command.c_str());
-        out = folder.read("stdout");
-        err = folder.read("stderr");
-        return WEXITSTATUS(status);
+    // The exit code; what it says is in out and err.
+    int describe(const std::string& words) {
+        const Outcome outcome = run("info " + words);
+        out = outcome.out;
+        err = outcome.err;
+        return outcome.code;
     }
     nlohmann::json json_of(const std::string& words) {
-        EXPECT_EQ(run(words + " --json"), 0) << err;
+        EXPECT_EQ(describe(words + " --json"), 0) << err;
         return nlohmann::json::parse(out);
     }
-    test::TemporaryFolder folder;
     std::string out, err;
 };
 
@@ -36,7 +33,7 @@ constexpr const char* kClosed = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\n"
 
 TEST_F(Info, TellsElementsSizeAndSurface) {
     folder.write("a.obj", kClosed);
-    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_EQ(describe("a.obj"), 0);
     EXPECT_THAT(out, HasSubstr("a.obj: OBJ, y is up"));
     EXPECT_THAT(out, HasSubstr("  elements   4 vertices, 4 faces, 4 triangles\n"));
     EXPECT_THAT(out, HasSubstr("  size       2 x 3 x 4, from 0,0,0 to 2,3,4\n"));
@@ -61,7 +58,7 @@ TEST_F(Info, AnOpenSurfaceHasEdgesButNoVolume) {
     EXPECT_EQ(info["surface"]["closed"], false);
     EXPECT_EQ(info["surface"]["manifold"], false);
     EXPECT_TRUE(info["surface"]["volume"].is_null());
-    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_EQ(describe("a.obj"), 0);
     EXPECT_THAT(out, HasSubstr("open"));
     EXPECT_THAT(out, HasSubstr("1 non-manifold edge, area 1.5"));
     EXPECT_THAT(out, Not(HasSubstr("volume")));
@@ -71,21 +68,21 @@ TEST_F(Info, AnOpenSurfaceHasEdgesButNoVolume) {
 TEST_F(Info, TellsHowAClosedSurfaceIsWound) {
     const std::string corners = "v 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\n";
     folder.write("mixed.obj", corners + "f 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
-    EXPECT_EQ(run("mixed.obj"), 0);
+    EXPECT_EQ(describe("mixed.obj"), 0);
     EXPECT_THAT(out, HasSubstr("closed, wound inconsistently along 3 edges, manifold, area"));
     EXPECT_THAT(out, Not(HasSubstr("volume")));
     folder.write("in.obj", corners + "f 1 2 3\nf 1 4 2\nf 2 4 3\nf 1 3 4\n");
-    EXPECT_EQ(run("in.obj"), 0);
+    EXPECT_EQ(describe("in.obj"), 0);
     EXPECT_THAT(out, HasSubstr("closed, wound inwards, manifold, area 20.8102, volume -4\n"));
     folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
-    EXPECT_EQ(run("flat.obj"), 0);
+    EXPECT_EQ(describe("flat.obj"), 0);
     EXPECT_THAT(out, HasSubstr("surface    no area\n"));
 }
 
 TEST_F(Info, PlacesFarFromTheOriginHaveTheDigitsOfTheSize) {
     folder.write("far.obj", "v 449999.125 5400000.5 0\nv 450001.375 5400000.5 0\n"
                             "v 449999.125 5400002.75 0\nf 1 2 3\n");
-    EXPECT_EQ(run("far.obj"), 0);
+    EXPECT_EQ(describe("far.obj"), 0);
     EXPECT_THAT(out, HasSubstr("2.25 x 2.25 x 0, from 449999.125,5400000.5,0 to "
                                "450001.375,5400002.75,0\n"));
 }
@@ -93,7 +90,7 @@ TEST_F(Info, PlacesFarFromTheOriginHaveTheDigitsOfTheSize) {
 TEST_F(Info, ColoursOfFacesAreNoMaterials) {
     folder.write("a.off",
                  "OFF\n4 2 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2 255 0 0\n3 0 1 3 0 255 0\n");
-    EXPECT_EQ(run("a.off"), 0);
+    EXPECT_EQ(describe("a.off"), 0);
     EXPECT_THAT(out, HasSubstr("gives      colours of faces\n"));
     EXPECT_THAT(out, Not(HasSubstr("materials")));
     EXPECT_EQ(json_of("a.off")["materials"].size(), 0U);
@@ -104,7 +101,7 @@ TEST_F(Info, TellsWhichTexturesWereFound) {
                           "map_Ks dull.png\nrefl sky.png\n");
     folder.write("here.ppm", "P6 2 1 255\nabcdef");
     folder.write("a.obj", std::string("mtllib a.mtl\nvt 0 0\nusemtl wood\n") + kClosed);
-    EXPECT_EQ(run("a.obj"), 0);
+    EXPECT_EQ(describe("a.obj"), 0);
     EXPECT_THAT(out, HasSubstr("  materials  1: wood\n"));
     EXPECT_THAT(out, HasSubstr("wood: map_Kd here.ppm (2 x 1)\n"));
     EXPECT_THAT(out, HasSubstr("wood: map_Ke gone.png (missing)\n"));
@@ -128,18 +125,18 @@ TEST_F(Info, OfPointsTellsNoSurface) {
     const nlohmann::json info = json_of("a.ply");
     EXPECT_EQ(info["points"], 2);
     EXPECT_TRUE(info["surface"].is_null());
-    EXPECT_EQ(run("a.ply"), 0);
+    EXPECT_EQ(describe("a.ply"), 0);
     EXPECT_THAT(out, HasSubstr("2 points"));
 }
 
 TEST_F(Info, RefusesWhatItCannotDescribe) {
-    EXPECT_EQ(run(""), 2);
+    EXPECT_EQ(describe(""), 2);
     EXPECT_THAT(err, HasSubstr("name a model to describe"));
-    EXPECT_EQ(run("a.obj b.obj"), 2);
-    EXPECT_EQ(run("gone.obj"), 3);
+    EXPECT_EQ(describe("a.obj b.obj"), 2);
+    EXPECT_EQ(describe("gone.obj"), 3);
     EXPECT_THAT(err, HasSubstr("gone.obj"));
     folder.write("a.obj", kClosed);
-    EXPECT_EQ(run("a.obj --json=a.obj"), 2);
+    EXPECT_EQ(describe("a.obj --json=a.obj"), 2);
     EXPECT_EQ(folder.read("a.obj"), kClosed);
 }
 

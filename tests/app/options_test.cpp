@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 #include "app/help.h"
 #include "app/nearest.h"
+#include "app/option_text.h"
 #include "app/options.h"
 #include "app/values.h"
 #include "simd/targets.h"
@@ -70,9 +71,7 @@ TEST(Options, ThePlaneOfProjectedShadowsIsTheGroundOrFourNumbers) {
 }
 
 TEST(Options, EveryNameAndLetterIsUniqueWithinACommand) {
-    for (const Command command :
-         {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-          Command::info, Command::compare, Command::list}) {
+    for (const auto& [word, command] : kCommands) {
         std::set<std::string_view> names;
         std::set<char> letters = {'h'};
         for (const Option& row : options()) {
@@ -96,9 +95,7 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
         const std::string name = "--" + std::string(row.name);
         EXPECT_FALSE(row.help.empty()) << name;
         EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << name;
-        for (const Command command :
-             {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-              Command::info, Command::compare, Command::list})
+        for (const auto& [word, command] : kCommands)
             EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
                           help_for(command).find(name + "[") != std::string::npos ||
                           help_for(command).find(name + "\n") != std::string::npos,
@@ -154,9 +151,7 @@ TEST(Options, BehindTwoDashesEveryWordIsAFile) {
 }
 
 TEST(Options, TheHelpOfEachCommandNamesTheTwoDashes) {
-    for (const Command command :
-         {Command::view, Command::render, Command::explain, Command::frontier, Command::doctor,
-          Command::info, Command::compare, Command::list})
+    for (const auto& [word, command] : kCommands)
         EXPECT_NE(help_for(command).find(" --  "), std::string::npos);
 }
 

@@ -122,18 +122,27 @@ protected:
             ViewSession::create(settings, {display, input, jobs, {}, {}, script, true}));
         return session->run();
     }
-    // The picture of `scanout render` for the same settings.
-    image::Image rendered(const scene::Pose& pose) {
-        Warnings warnings;
-        const LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
+    // What a picture for the same settings is drawn from.
+    struct Planned {
+        LoadedModel model;
+        scene::View view;
+        frame::FramePlan plan;
+    };
+    Planned planned(const scene::Pose& pose) {
+        LoadedModel model = *load_model(settings.arguments.front(), settings, jobs, {});
         frame::FrameOptions options = settings.frame;
         options.width = width;
         options.height = height;
         const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
                                                    settings.camera, {}, width, height);
-        const frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
+        frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
+        return {std::move(model), view, std::move(plan)};
+    }
+    // The picture of `scanout render` for the same settings.
+    image::Image rendered(const scene::Pose& pose) {
+        const Planned p = planned(pose);
         frame::Renderer renderer(jobs);
-        return renderer.render(model.scene, view, plan);
+        return renderer.render(p.model.scene, p.view, p.plan);
     }
 
     test::TemporaryFolder folder;

@@ -1,12 +1,10 @@
 // T-vertices are mended while a model is loaded: what a user sees and reads.
-#include "support/temporary_folder.h"
+#include "app/program_fixture.h"
 
 #include <cmath>
 #include <sstream>
 
 #include <fmt/format.h>
-#include <gtest/gtest.h>
-#include <sys/wait.h>
 
 namespace scanout::app {
 namespace {
@@ -30,16 +28,12 @@ std::string seam(int decimals) {
     return text;
 }
 
-class TVertices : public ::testing::Test {
+class TVertices : public Program {
 protected:
-    struct Outcome {
-        std::string out, err;
-    };
-    Outcome run(const std::string& words) { // in the folder
-        const std::string command = "cd '" + folder.file("") + "'; '" SCANOUT_BINARY "' " + words +
-                                    " >stdout 2>stderr </dev/null";
-        EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 0) << words << folder.read("stderr");
-        return {folder.read("stdout"), folder.read("stderr")};
+    Outcome run(const std::string& words) {
+        const Outcome done = Program::run(words);
+        EXPECT_EQ(done.code, 0) << words << done.err;
+        return done;
     }
     // Pixels of the background between two drawn ones of a row.
     std::size_t holes(const std::string& words) {
@@ -60,7 +54,6 @@ protected:
         }
         return found;
     }
-    test::TemporaryFolder folder;
 };
 
 TEST_F(TVertices, NoBackgroundShowsInASurfaceOfThreeDecimals) {
