@@ -2,6 +2,8 @@
 
 #include "app/help.h"
 #include "app/nearest.h"
+#include "app/option_conflicts.h"
+#include "app/option_text.h"
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
@@ -13,16 +15,6 @@
 
 namespace scanout::app {
 namespace {
-
-struct NamedCommand {
-    std::string_view name;
-    Command command;
-};
-constexpr std::array kCommands = {
-    NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
-    NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
-    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
-    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
 
 bool exists(const std::string& path) {
     return ::access(path.c_str(), F_OK) == 0;

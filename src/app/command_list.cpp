@@ -2,7 +2,7 @@
 #include "app/bindings.h"
 #include "app/commands.h"
 #include "app/nearest.h"
-#include "app/options.h"
+#include "app/option_text.h"
 #include "app/report.h"
 #include "frame/catalogue.h"
 #include "image/pixel_format.h"

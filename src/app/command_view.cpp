@@ -3,7 +3,7 @@
 #include "app/files.h"
 #include "app/message.h"
 #include "app/model_file.h"
-#include "app/options.h"
+#include "app/option_conflicts.h"
 #include "app/view_session.h"
 #include "base/check.h"
 #include "platform/drm/display.h"

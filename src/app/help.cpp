@@ -1,5 +1,6 @@
 #include "app/help.h"
 
+#include "app/option_text.h"
 #include "app/options.h"
 
 #include <algorithm>

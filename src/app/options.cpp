@@ -553,29 +553,10 @@ std::string_view axis_of(const Option& option) {
     return found != std::end(kAxes) ? found->axis : "";
 }
 
-std::string range_text(const Option& option) {
-    return option.max > option.min ? fmt::format("{} to {}", option.min, option.max)
-                                   : std::string();
-}
-
 } // namespace
 
 std::span<const Option> options() {
     return kOptions;
-}
-
-std::string_view title_of(Group group) {
-    constexpr std::array<std::string_view, 9> kTitles = {"Output",     "Picture",     "Camera",
-                                                         "Model",      "Display",     "Speed",
-                                                         "Comparison", "Examination", "General"};
-    return kTitles[static_cast<std::size_t>(group)];
-}
-
-std::string value_text(const Option& option) {
-    if (option.choices.empty()) return std::string(option.value);
-    std::string text(option.choices);
-    std::replace(text.begin(), text.end(), ' ', '|');
-    return text;
 }
 
 Result<void> apply(const Option& option, std::string_view text, Settings& settings) {
@@ -585,61 +566,6 @@ Result<void> apply(const Option& option, std::string_view text, Settings& settin
         settings.named_axes.emplace(axis);
     settings.given.push_back({std::string(option.name), std::string(text)});
     return {};
-}
-
-Result<void> check_together(const Settings& s) {
-    const bool eye = s.camera.eye.has_value();
-    if (eye != s.camera.target.has_value())
-        return fail(Exit::usage, "--eye and --look-at go together: give {} as well",
-                    eye ? "--look-at X,Y,Z" : "--eye X,Y,Z");
-    if (int{s.camera_given} + int{!s.named_view.empty()} + int{eye} > 1)
-        return fail(Exit::usage,
-                    "--view, --camera and --eye each place the camera: give one of them");
-    if (s.limit && s.metric == Metric::none)
-        return fail(Exit::usage, "--limit is of a figure: say which by --metric");
-    if (s.metric != Metric::none && (s.max_difference != 0 || s.max_pixels != 0))
-        return fail(Exit::usage, "--metric has the tolerance --limit; leave --max-diff and "
-                                 "--max-pixels out");
-    if (s.reference && s.limits.any())
-        return fail(Exit::usage, "--reference has no rungs to choose; leave {} out",
-                    s.limits.wall_ms ? "--budget" : "--max-error");
-    if (const std::string_view steadying = steadying_option(s);
-        s.limits.any() && !steadying.empty())
-        return fail(Exit::usage, "{} chooses by the clock, which {} leaves out; give one of them",
-                    s.limits.wall_ms ? "--budget" : "--max-error", steadying);
-    if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
-    return {};
-}
-
-std::string_view steadying_option(const Settings& s) {
-    return s.no_times          ? "--no-times"
-           : !s.replay.empty() ? "--replay"
-           : !s.record.empty() ? "--record"
-                               : "";
-}
-
-std::string options_markdown() {
-    std::string text = "| option | value | default | range | commands | what it does |\n"
-                       "|---|---|---|---|---|---|\n";
-    constexpr std::array kCommands = {
-        std::pair{Command::view, "view"},       std::pair{Command::render, "render"},
-        std::pair{Command::explain, "explain"}, std::pair{Command::frontier, "frontier"},
-        std::pair{Command::doctor, "doctor"},   std::pair{Command::info, "info"},
-        std::pair{Command::compare, "compare"}, std::pair{Command::list, "list"}};
-    for (const Option& option : kOptions) {
-        std::string commands;
-        for (const auto& [command, name] : kCommands)
-            if (belongs(option, command))
-                commands += (commands.empty() ? "" : " ") + std::string(name);
-        std::string value = value_text(option);
-        for (std::size_t i = 0; (i = value.find('|', i)) != std::string::npos; i += 2)
-            value.insert(i, 1, '\\');
-        text +=
-            fmt::format("| {}`--{}` | {} | {} | {} | {} | {} |\n",
-                        option.letter != 0 ? fmt::format("`-{}` ", option.letter) : "", option.name,
-                        value, option.default_text, range_text(option), commands, option.help);
-    }
-    return text;
 }
 
 } // namespace scanout::app

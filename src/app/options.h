@@ -23,7 +23,6 @@ enum class Group : std::uint8_t {
     examination,
     general
 };
-std::string_view title_of(Group group);
 
 // Where an option's value goes, which is also its type.
 using Switch = bool& (*)(Settings&);
@@ -55,19 +54,9 @@ std::span<const Option> options();
 inline bool belongs(const Option& option, Command command) {
     return (option.commands & static_cast<unsigned>(command)) != 0;
 }
-// "N", "none|back|front", or nothing for a switch.
 std::string value_text(const Option& option);
 
 // Reads `text` into the settings. Errors are whole lines with the option's name, Exit::usage.
 Result<void> apply(const Option& option, std::string_view text, Settings& settings);
-// Checks combinations of options, which no single option can see.
-Result<void> check_together(const Settings& settings);
-
-// Of --no-times, --record and --replay, which make a session look the same in every run, the one
-// that was given; empty: none.
-std::string_view steadying_option(const Settings& settings);
-
-// `list options`: the README's table.
-std::string options_markdown();
 
 } // namespace scanout::app

@@ -7,6 +7,7 @@
 #include "measure/known_frontier.h"
 #include "scene/view.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -26,6 +27,17 @@ enum class Command : unsigned {
     doctor = 64,
     info = 128
 };
+
+// In the order in which they are listed.
+struct NamedCommand {
+    std::string_view name;
+    Command command;
+};
+inline constexpr std::array kCommands = {
+    NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
+    NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
+    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
+    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };

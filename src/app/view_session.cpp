@@ -1,7 +1,7 @@
 #include "app/view_session.h"
 
 #include "app/message.h"
-#include "app/options.h"
+#include "app/option_conflicts.h"
 #include "app/overlay_text.h"
 #include "app/picture.h"
 #include "app/view_command.h"

@@ -1,0 +1,36 @@
+#include "app/option_conflicts.h"
+
+namespace scanout::app {
+
+Result<void> check_together(const Settings& s) {
+    const bool eye = s.camera.eye.has_value();
+    if (eye != s.camera.target.has_value())
+        return fail(Exit::usage, "--eye and --look-at go together: give {} as well",
+                    eye ? "--look-at X,Y,Z" : "--eye X,Y,Z");
+    if (int{s.camera_given} + int{!s.named_view.empty()} + int{eye} > 1)
+        return fail(Exit::usage,
+                    "--view, --camera and --eye each place the camera: give one of them");
+    if (s.limit && s.metric == Metric::none)
+        return fail(Exit::usage, "--limit is of a figure: say which by --metric");
+    if (s.metric != Metric::none && (s.max_difference != 0 || s.max_pixels != 0))
+        return fail(Exit::usage, "--metric has the tolerance --limit; leave --max-diff and "
+                                 "--max-pixels out");
+    if (s.reference && s.limits.any())
+        return fail(Exit::usage, "--reference has no rungs to choose; leave {} out",
+                    s.limits.wall_ms ? "--budget" : "--max-error");
+    if (const std::string_view steadying = steadying_option(s);
+        s.limits.any() && !steadying.empty())
+        return fail(Exit::usage, "{} chooses by the clock, which {} leaves out; give one of them",
+                    s.limits.wall_ms ? "--budget" : "--max-error", steadying);
+    if (s.verbose && s.quiet) return fail(Exit::usage, "--verbose and --quiet: give one of them");
+    return {};
+}
+
+std::string_view steadying_option(const Settings& s) {
+    return s.no_times          ? "--no-times"
+           : !s.replay.empty() ? "--replay"
+           : !s.record.empty() ? "--record"
+                               : "";
+}
+
+} // namespace scanout::app
