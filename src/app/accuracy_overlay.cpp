@@ -18,14 +18,6 @@ constexpr int kBarHeight = 10, kMarkWidth = 30;                    // font pixel
 constexpr int kLegendLetters = 41; // "drawn 255 255 255, reference 255 255 255"
 constexpr int kNameLetters = 9;    // "reference": a narrower side cuts its name off
 
-void fill(image::Image& picture, int x0, int y0, int x1, int y1, image::Rgba8 colour) {
-    x0 = std::max(x0, 0);
-    x1 = std::min(x1, picture.width());
-    for (int y = std::max(y0, 0); y < std::min(y1, picture.height()); ++y)
-        for (int x = x0; x < x1; ++x)
-            picture.at(x, y) = colour;
-}
-
 std::vector<std::string> broken(const std::vector<std::string>& lines, std::size_t letters) {
     std::vector<std::string> all;
     for (const std::string& line : lines) {
@@ -39,7 +31,7 @@ std::vector<std::string> broken(const std::vector<std::string>& lines, std::size
 // The colours from no error to 255 codes, and under them the codes. A narrow picture has fewer.
 void draw_bar(image::Image& picture, int x0, int y, int width, int scale) {
     for (int x = 0; x < width; ++x)
-        fill(picture, x0 + x, y, x0 + x + 1, y + kBarHeight * scale,
+        fill(picture, {x0 + x, y, x0 + x + 1, y + kBarHeight * scale},
              image::heat_colour(static_cast<double>(x) / std::max(1, width - 1)));
     const int last = static_cast<int>(kMarked.size()) - 1;
     int every = 1;
@@ -67,9 +59,7 @@ int draw_error_legend(image::Image& picture, const ErrorLegend& legend, int bott
     const int height = text.height + kBarHeight * scale + line;
     const int left = picture.width() - width, top = bottom - height;
     draw_panel(picture, {left, top, left + width, bottom}, kBlockPanel);
-    for (std::size_t i = 0; i < lines.size(); ++i)
-        draw_text(picture, left + margin, top + margin + static_cast<int>(i) * line, lines[i],
-                  kBlockText, scale);
+    draw_lines(picture, lines, left + margin, top + margin, scale);
     // A mark's digits are centred, so half of them stand out at either end.
     const int overhang = kMarkWidth / 2 * scale;
     draw_bar(picture, left + margin + overhang, top + text.height - margin,
@@ -79,8 +69,8 @@ int draw_error_legend(image::Image& picture, const ErrorLegend& legend, int bott
 
 void draw_split_line(image::Image& picture, int x, int scale) {
     // Two colours, of which one stands out against any picture.
-    fill(picture, x - scale, 0, x, picture.height(), {0, 0, 0, 255});
-    fill(picture, x, 0, x + scale, picture.height(), {255, 255, 255, 255});
+    fill(picture, {x - scale, 0, x, picture.height()}, {0, 0, 0, 255});
+    fill(picture, {x, 0, x + scale, picture.height()}, {255, 255, 255, 255});
 }
 
 void draw_split_names(image::Image& picture, const SplitLine& split, int bottom, int scale) {

@@ -1,6 +1,7 @@
 // The contact sheet of a frontier: a row for each point that is worth a look.
 #include "app/frontier_pictures.h"
 #include "app/text.h"
+#include "app/text_block.h"
 
 #include <algorithm>
 
@@ -23,20 +24,6 @@ void put(image::Image& sheet, const image::Image& picture, int left, int top, in
         }
 }
 
-// How a text fits between the margins.
-std::vector<std::string> lines_of(std::string_view text, int width) {
-    const auto letters = static_cast<std::size_t>(std::max(width / kGlyphWidth, 1));
-    std::vector<std::string> lines;
-    while (text.size() > letters) {
-        const std::size_t space = text.rfind(' ', letters);
-        const std::size_t end = space == std::string_view::npos || space == 0 ? letters : space;
-        lines.emplace_back(text.substr(0, end));
-        text.remove_prefix(end + (text[end] == ' ' ? 1 : 0));
-    }
-    lines.emplace_back(text);
-    return lines;
-}
-
 } // namespace
 
 image::Image contact_sheet(const FrontierReport& report) {
@@ -46,11 +33,12 @@ image::Image contact_sheet(const FrontierReport& report) {
     };
     // Crops are as high as the picture, in whole pixels.
     const image::Image& reference = report.reference;
-    const int crop_width = std::min(64, reference.width()),
-              crop_height = std::min(64, reference.height());
+    const int crop_width = std::min(kCrop, reference.width()),
+              crop_height = std::min(kCrop, reference.height());
     const int times = std::max(reference.height() / crop_height, 1);
     const int width = 2 * reference.width() + 2 * crop_width * times + 5 * kMargin;
-    const auto fitted = [&](std::string_view text) { return lines_of(text, width - 2 * kMargin); };
+    const auto letters = static_cast<std::size_t>(std::max(width - 2 * kMargin, 0) / kGlyphWidth);
+    const auto fitted = [&](std::string_view text) { return broken_into_lines(text, letters); };
     std::vector<std::string> head = fitted(frontier_head(report));
     for (const std::string& line :
          fitted("Each row: the picture; its error (black is none, each doubling a step lighter); "

@@ -1,6 +1,7 @@
 #include "app/explain_report.h"
 
-#include "app/overlay.h"
+#include "app/files.h"
+#include "app/text_block.h"
 
 #include <algorithm>
 #include <array>
@@ -151,10 +152,9 @@ std::string because(const EffectRow& row) {
 }
 
 std::vector<std::string> explain_table(const LoadedModel& model, const Explanation& e) {
-    const std::string& path = model.scene.path;
     std::vector<std::string> lines;
     lines.push_back(fmt::format("{}  {} triangles  {}x{}  {:.1f} % of pixels covered",
-                                path.substr(path.rfind('/') + 1), model.scene.counts.triangles,
+                                file_name_of(model.scene.path), model.scene.counts.triangles,
                                 e.width, e.height, e.covered_share * 100));
     if (e.cost)
         lines.back() +=

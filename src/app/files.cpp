@@ -43,6 +43,10 @@ Result<void> check_folder(const std::string& output) {
 
 } // namespace
 
+std::string file_name_of(const std::string& path) {
+    return path.substr(path.rfind('/') + 1);
+}
+
 Result<void> check_outputs(const std::vector<std::string>& inputs,
                            const std::vector<std::string>& outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {

@@ -1,5 +1,5 @@
-// Checks the files that the command line names before any is opened: an output must not destroy an
-// input or another output, and needs a folder.
+// The files that the command line names: their names, and checks before any is opened. An output
+// must not destroy an input or another output, and needs a folder.
 #pragma once
 
 #include "base/result.h"
@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace scanout::app {
+
+// The path's last part.
+std::string file_name_of(const std::string& path);
 
 // Exit::usage when an output is the same file as an input or as another output, by name or by
 // inode; Exit::unreadable when an output is a folder, or its folder is not there. "-" and empty

@@ -1,6 +1,7 @@
 #include "app/frontier_chart.h"
 
 #include "app/chart_axes.h"
+#include "app/files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +33,7 @@ ChartPoint chart_point(const FrontierReport& report, std::size_t point, int numb
 Chart frontier_chart(const FrontierReport& report) {
     const measure::Frontier& found = report.found;
     Chart chart;
-    chart.title = report.model_path.substr(report.model_path.rfind('/') + 1) +
+    chart.title = file_name_of(report.model_path) +
                   fmt::format(" at {}x{}: what accuracy costs", report.width, report.height);
     chart.noise = report.noise;
     std::vector<bool> on_it(found.points->all().size());

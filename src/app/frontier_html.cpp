@@ -1,3 +1,4 @@
+#include "app/files.h"
 #include "app/frontier_chart.h"
 #include "app/frontier_files.h"
 #include "app/frontier_pictures.h"
@@ -82,7 +83,7 @@ Result<std::string> pictures_html(const FrontierReport& report) {
 } // namespace
 
 Result<std::string> frontier_html(const FrontierReport& report) {
-    const std::string name = report.model_path.substr(report.model_path.rfind('/') + 1);
+    const std::string name = file_name_of(report.model_path);
     std::string html = fmt::format(kHead, as_markup("What accuracy costs: " + name));
     for (const std::string& sentence : frontier_sentences(report))
         html += fmt::format("<p>{}</p>\n", as_markup(sentence));

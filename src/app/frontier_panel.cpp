@@ -77,9 +77,7 @@ void draw_frontier_panel(image::Image& picture, const FrontierPanel& panel, int 
     const int left = picture.width() - width;
     const int height = text.height + (plots ? kPlotHeight * scale + 2 * margin + line : 0);
     draw_panel(picture, {left, top, left + width, top + height}, kBlockPanel);
-    for (std::size_t i = 0; i < panel.lines.size(); ++i)
-        draw_text(picture, left + margin, top + margin + static_cast<int>(i) * line, panel.lines[i],
-                  kBlockText, scale);
+    draw_lines(picture, panel.lines, left + margin, top + margin, scale);
     if (!plots) return;
     const int room = 2 * margin; // for dots at the ends
     Plot plot{left + room, top + text.height + margin, width - 2 * room, kPlotHeight * scale, {},

@@ -9,8 +9,6 @@
 namespace scanout::app {
 namespace {
 
-constexpr int kCrop = 64; // pixels a side
-
 // The part of the picture whose codes differ most, in squares.
 image::Rect worst_part(const image::Image& a, const image::Image& b) {
     constexpr int kStep = 16;

@@ -20,9 +20,11 @@ std::vector<ShownPoint> shown_points(const FrontierReport& report);
 // "The knee (--aa samples_4): 0.812 codes RMSE, 3.10 ms"
 std::string caption_of(const FrontierReport& report, const ShownPoint& shown);
 
+inline constexpr int kCrop = 64; // pixels a side
+
 struct PointPictures {
     image::Image drawn, heat; // heat: image/heat_map.h
-    image::Image crop, right; // the worst 64 x 64 pixels, and what they should be
+    image::Image crop, right; // the worst kCrop x kCrop pixels, and what they should be
 };
 PointPictures pictures_of(const FrontierReport& report, std::size_t point); // draws it once more
 

@@ -1,5 +1,6 @@
 #include "app/frontier_report.h"
 
+#include "app/files.h"
 #include "app/frontier_chart.h"
 #include "measure/own_measure.h"
 
@@ -15,10 +16,6 @@ using measure::Frontier;
 using measure::Ladder;
 using measure::LadderRung;
 using measure::Point;
-
-std::string file_name(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
 
 std::string codes(double error) {
     return fmt::format("{:.3f}", error);
@@ -199,7 +196,7 @@ std::vector<ReportTable> frontier_tables(const FrontierReport& report) {
 
 std::string frontier_head(const FrontierReport& report) {
     std::string text =
-        fmt::format("{}: {} triangle{}, {}x{}; ", file_name(report.model_path), report.triangles,
+        fmt::format("{}: {} triangle{}, {}x{}; ", file_name_of(report.model_path), report.triangles,
                     report.triangles == 1 ? "" : "s", report.width, report.height);
     text +=
         report.compared()

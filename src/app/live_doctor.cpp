@@ -2,7 +2,7 @@
 
 #include "app/doctor_text.h"
 #include "app/model_file.h"
-#include "app/overlay.h"
+#include "app/text_block.h"
 #include "geom/diagnose/diagnose.h"
 #include "geom/triangulate.h"
 #include "scene/view.h"

@@ -1,18 +1,8 @@
 #include "app/mark.h"
 
-#include <algorithm>
+#include "app/text.h"
 
 namespace scanout::app {
-namespace {
-
-void fill(image::Image& picture, const image::Rect& area, image::Rgba8 colour) {
-    for (int y = std::max(area.y0, 0); y < std::min(area.y1, picture.height()); ++y)
-        for (int x = std::max(area.x0, 0); x < std::min(area.x1, picture.width()); ++x)
-            picture.at(x, y) = colour;
-}
-
-} // namespace
-
 // Yellow with a dark border: to be seen on every picture.
 void draw_mark(image::Image& picture, PixelPlace at, int scale) {
     constexpr int kGap = 6, kArm = 14; // font pixels

@@ -58,20 +58,6 @@ std::vector<std::string> help_sheet(const ViewerState& state) {
     return lines;
 }
 
-std::vector<std::string> broken_into_lines(const std::string& text, std::size_t letters) {
-    std::vector<std::string> lines;
-    std::string_view rest = text;
-    while (rest.size() > std::max<std::size_t>(letters, 1)) {
-        const std::size_t space = rest.rfind(' ', letters);
-        const bool fits = space != std::string_view::npos && space > 0;
-        const std::size_t end = fits ? space : std::max<std::size_t>(letters, 1);
-        lines.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(end + (fits ? 1 : 0));
-    }
-    if (!rest.empty()) lines.emplace_back(rest);
-    return lines;
-}
-
 std::size_t letters_across(int width, int height) {
     const int scale = text_scale(width, height);
     return static_cast<std::size_t>(

@@ -44,9 +44,6 @@ struct Overlay {
 // The help sheet from the table of actions: keys, their effects, and the present states.
 std::vector<std::string> help_sheet(const ViewerState& state);
 
-// `text` in lines of at most `letters` letters, broken at spaces where there are any.
-std::vector<std::string> broken_into_lines(const std::string& text, std::size_t letters);
-
 // How many letters fit side by side in a picture of this size.
 std::size_t letters_across(int width, int height);
 // How many lines of text fit above the message.

@@ -1,5 +1,8 @@
 #include "app/overlay_text.h"
 
+#include "app/files.h"
+#include "app/text_block.h"
+
 #include <fmt/format.h>
 
 namespace scanout::app {
@@ -46,10 +49,6 @@ const char* hint_at(frame::Blank why) {
 }
 
 } // namespace
-
-std::string file_name_of(const std::string& path) {
-    return path.substr(path.rfind('/') + 1);
-}
 
 Overlay overlay_text(const Viewer& viewer, const ModelSlot& slot, const Settings& settings,
                      const std::string& message) {

@@ -29,7 +29,4 @@ struct FrameFacts {
 };
 void add_frame_text(Overlay& overlay, const FrameFacts& frame);
 
-// The path's last part.
-std::string file_name_of(const std::string& path);
-
 } // namespace scanout::app

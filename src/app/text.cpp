@@ -113,4 +113,10 @@ Rect draw_panel(Image& image, const Rect& area, Rgba8 colour) {
     return inside;
 }
 
+void fill(Image& image, const Rect& area, Rgba8 colour) {
+    for (int y = std::max(area.y0, 0); y < std::min(area.y1, image.height()); ++y)
+        for (int x = std::max(area.x0, 0); x < std::min(area.x1, image.width()); ++x)
+            image.at(x, y) = colour;
+}
+
 } // namespace scanout::app

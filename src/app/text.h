@@ -33,4 +33,7 @@ image::Rect draw_text(image::Image& image, int x, int y, std::string_view utf8, 
 // clipped.
 image::Rect draw_panel(image::Image& image, const image::Rect& area, image::Rgba8 colour);
 
+// Each pixel of the rectangle that lies in the picture becomes `colour`, alpha as well.
+void fill(image::Image& image, const image::Rect& area, image::Rgba8 colour);
+
 } // namespace scanout::app

@@ -18,15 +18,32 @@ TextBlock block_of(const std::vector<std::string>& lines, int scale) {
             (static_cast<int>(lines.size()) * kGlyphHeight + 2 * kBlockMargin) * scale};
 }
 
+std::vector<std::string> broken_into_lines(std::string_view text, std::size_t letters) {
+    std::vector<std::string> lines;
+    while (text.size() > std::max<std::size_t>(letters, 1)) {
+        const std::size_t space = text.rfind(' ', letters);
+        const bool fits = space != std::string_view::npos && space > 0;
+        const std::size_t end = fits ? space : std::max<std::size_t>(letters, 1);
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(end + (fits ? 1 : 0));
+    }
+    if (!text.empty()) lines.emplace_back(text);
+    return lines;
+}
+
+void draw_lines(image::Image& picture, const std::vector<std::string>& lines, int x, int y,
+                int scale) {
+    for (const std::string& line : lines) {
+        draw_text(picture, x, y, line, kBlockText, scale);
+        y += kGlyphHeight * scale;
+    }
+}
+
 void draw_block(image::Image& picture, const std::vector<std::string>& lines, int x, int y,
                 int scale) {
     const TextBlock block = block_of(lines, scale);
     draw_panel(picture, {x, y, x + block.width, y + block.height}, kBlockPanel);
-    int line_y = y + kBlockMargin * scale;
-    for (const std::string& line : lines) {
-        draw_text(picture, x + kBlockMargin * scale, line_y, line, kBlockText, scale);
-        line_y += kGlyphHeight * scale;
-    }
+    draw_lines(picture, lines, x + kBlockMargin * scale, y + kBlockMargin * scale, scale);
 }
 
 } // namespace scanout::app

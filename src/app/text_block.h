@@ -4,6 +4,7 @@
 #include "image/image.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace scanout::app {
@@ -18,6 +19,13 @@ struct TextBlock {
     int width, height; // pixels, with its margin
 };
 TextBlock block_of(const std::vector<std::string>& lines, int scale);
+
+// `text` in lines of at most `letters` letters, broken at spaces where there are any.
+std::vector<std::string> broken_into_lines(std::string_view text, std::size_t letters);
+
+// The lines under each other, the first one's upper left corner at (x, y).
+void draw_lines(image::Image& picture, const std::vector<std::string>& lines, int x, int y,
+                int scale);
 
 // With its upper left corner at (x, y).
 void draw_block(image::Image& picture, const std::vector<std::string>& lines, int x, int y,

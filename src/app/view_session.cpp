@@ -1,5 +1,6 @@
 #include "app/view_session.h"
 
+#include "app/files.h"
 #include "app/message.h"
 #include "app/option_conflicts.h"
 #include "app/overlay_text.h"

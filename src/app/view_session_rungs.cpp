@@ -5,6 +5,7 @@
 #include "app/frontier_key.h"
 #include "app/message.h"
 #include "app/reference.h"
+#include "app/text_block.h"
 #include "app/view_session.h"
 #include "measure/ladder.h"
 #include "scene/content.h"

@@ -9,6 +9,11 @@
 namespace scanout::app {
 namespace {
 
+TEST(FileName, IsThePathsLastPart) {
+    EXPECT_EQ(file_name_of("models/spot/spot.obj"), "spot.obj");
+    EXPECT_EQ(file_name_of("spot.obj"), "spot.obj");
+}
+
 class Files : public ::testing::Test {
 protected:
     test::TemporaryFolder folder_;

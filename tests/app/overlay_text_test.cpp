@@ -74,11 +74,6 @@ TEST_F(Words, AModelOutOfViewIsSaidUnlessThereIsAMessage) {
     EXPECT_EQ(talking.message, "wrote a.png");
 }
 
-TEST(FileName, IsThePathsLastPart) {
-    EXPECT_EQ(file_name_of("models/spot/spot.obj"), "spot.obj");
-    EXPECT_EQ(file_name_of("spot.obj"), "spot.obj");
-}
-
 TEST_F(Words, AFrameOfFewerPixelsSaysItsScale) {
     Overlay open;
     open.info = {"t.obj"};
