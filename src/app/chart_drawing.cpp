@@ -2,9 +2,11 @@
 #include "app/chart_axes.h"
 #include "app/markup.h"
 #include "app/text.h"
+#include "app/text_block.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,6 +21,8 @@ enum class Anchor : std::uint8_t { start, middle, end };
 constexpr image::Rgba8 kBlack{0, 0, 0, 255}, kGrey{0x88, 0x88, 0x88, 255},
     kPale{0xcc, 0xcc, 0xcc, 255}, kNoise{0xe4, 0xe4, 0xe4, 255}, kDark{0x33, 0x33, 0x33, 255},
     kFrontier{0xb5, 0x36, 0x7a, 255};
+
+constexpr double kPixels = 1.5; // a unit of the layout
 
 // What a chart is made of: upright rectangles, discs, text. Units are those of the layout, y down.
 class Canvas {
@@ -93,23 +97,35 @@ public:
     image::Image picture() && { return std::move(picture_); }
 
 private:
-    static int pixel(double units) {
-        constexpr double kPixels = 1.5; // a unit
-        return static_cast<int>(std::lround(units * kPixels));
-    }
+    static int pixel(double units) { return static_cast<int>(std::lround(units * kPixels)); }
     image::Image picture_;
 };
 
 constexpr double kLeft = 56, kTop = 56, kAcross = 760, kDown = 380, kLine = 16;
-constexpr double kWide = kLeft + kAcross + 24;
+constexpr double kWide = kLeft + kAcross + 24, kEdge = 8, kTextLeft = 32;
 
-double on_frontier(const Chart& chart) {
-    return static_cast<double>(std::count_if(chart.points.begin(), chart.points.end(),
-                                             [](const ChartPoint& p) { return p.number > 0; }));
+struct LegendLine {
+    std::string number; // empty where the line before goes on
+    std::string text;
+};
+// A line for each point of the frontier, or more where its name is long.
+std::vector<LegendLine> legend_lines(const Chart& chart) {
+    constexpr auto kLetters =
+        static_cast<std::size_t>((kWide - kTextLeft - kEdge) * kPixels / kGlyphWidth);
+    std::vector<LegendLine> lines;
+    for (const ChartPoint& p : chart.points) {
+        if (p.number == 0) continue;
+        const std::string text =
+            fmt::format("{:.2f} ms, {:.3f} codes: {}", p.time, p.error, p.name);
+        std::string number = fmt::format("{:2}", p.number);
+        for (std::string& line : broken_into_lines(text, kLetters))
+            lines.push_back({std::exchange(number, ""), std::move(line)});
+    }
+    return lines;
 }
 
 double height_of(const Chart& chart) {
-    return kTop + kDown + 68 + kLine * on_frontier(chart);
+    return kTop + kDown + 68 + kLine * static_cast<double>(legend_lines(chart).size());
 }
 
 class Layout {
@@ -120,7 +136,7 @@ public:
     void draw() {
         canvas_.rectangle({0, 0}, {kWide, height_of(chart_)}, {255, 255, 255, 255});
         canvas_.text({kLeft, 20}, chart_.title, Anchor::start, kBlack);
-        canvas_.text({8, kTop - 14}, "error, codes RMSE", Anchor::start, kBlack);
+        canvas_.text({kEdge, kTop - 14}, "error, codes RMSE", Anchor::start, kBlack);
         noise();
         grid();
         steps();
@@ -191,17 +207,14 @@ private:
     }
     void legend() {
         double y = kTop + kDown + 56;
-        canvas_.text({8, y},
+        canvas_.text({kEdge, y},
                      "The frontier (black ring: as asked for; bars: 95 % interval of the time, "
                      "noise of the error)",
                      Anchor::start, kBlack);
-        for (const ChartPoint& p : chart_.points) {
-            if (p.number == 0) continue;
+        for (const LegendLine& line : legend_lines(chart_)) {
             y += kLine;
-            canvas_.text(
-                {8, y},
-                fmt::format("{:2}  {:.2f} ms, {:.3f} codes: {}", p.number, p.time, p.error, p.name),
-                Anchor::start, kDark);
+            if (!line.number.empty()) canvas_.text({kEdge, y}, line.number, Anchor::start, kDark);
+            canvas_.text({kTextLeft, y}, line.text, Anchor::start, kDark);
         }
     }
 

@@ -112,6 +112,19 @@ TEST(Chart, ThePictureShowsTheFrontier) {
     EXPECT_LT(left_y, right_y);
 }
 
+TEST(Chart, ALongNameGoesOnInTheNextLine) {
+    Chart one = chart(), two = chart();
+    two.points[0].name = "--depth float32 --mapping perspective --texture anisotropic_16 --shading "
+                         "per_sample --aa samples_16 --shadow volume --transparency exact";
+    ASSERT_LT(chart_svg(two).find("exact</text>"), chart_svg(two).size());
+    const image::Image picture = chart_picture(two), shorter = chart_picture(one);
+    EXPECT_EQ(picture.width(), shorter.width());
+    EXPECT_EQ(picture.height(), shorter.height() + 24);
+    for (int y = shorter.height() / 2; y < picture.height(); ++y)
+        for (int x = picture.width() - 8; x < picture.width(); ++x)
+            ASSERT_EQ(picture.at(x, y).r, 255) << x << " " << y << ": a letter is cut";
+}
+
 // What was not measured is not said to be nothing.
 TEST(FrontierSentences, SayWhatWasNotMeasured) {
     const test::Shot s = test::textured_cube("cube", "auto");
