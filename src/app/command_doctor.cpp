@@ -79,7 +79,10 @@ private:
         how.textured = textured(model_.scene.materials);
         how.search = !settings_.quick;
         if (settings_.seconds > 0) how.seconds = settings_.seconds;
-        how.progress = [&](double share) { bar.show(share * kDiagnosis); };
+        how.progress = [&](double share) {
+            bar.show(share * kDiagnosis);
+            return true;
+        };
         report_.diagnosis = geom::diagnose(jobs_, source_.polygons, how);
         const std::optional<scene::Scene> split = without_t_vertices(how.tolerance);
         measure::HazardPixelsOptions pixels;

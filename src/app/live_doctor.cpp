@@ -43,6 +43,9 @@ Result<void> LiveDoctor::read(const std::string& path, const Settings& settings,
                               bool steady, const std::function<bool(double)>& progress) {
     constexpr double kReading = 0.3; // share of the time
     constexpr double kSeconds = 10;  // of search, where somebody waits
+    if (path == "-")
+        return fail(Exit::unreadable, "standard input cannot be read a second time to look for "
+                                      "hazards; save it, and show the file");
     io::ModelSource source;
     TRY(const LoadedModel model,
         load_model(
@@ -55,8 +58,10 @@ Result<void> LiveDoctor::read(const std::string& path, const Settings& settings,
     geom::DiagnoseOptions how;
     how.textured = textured(model.scene.materials);
     how.seconds = steady ? 1e9 : kSeconds;
-    how.progress = [&](double share) { progress(kReading + share * (1 - kReading)); };
+    how.progress = [&](double share) { return progress(kReading + share * (1 - kReading)); };
     report_.diagnosis = geom::diagnose(jobs, source.polygons, how);
+    if (report_.diagnosis.stopped)
+        return fail(Exit::unreadable, "{}: was not examined to its end", report_.path);
     findings_ = told_findings(report_);
     std::erase_if(findings_, [](const geom::Finding& finding) { return finding.count == 0; });
     for (const geom::Finding& finding : findings_)

@@ -17,9 +17,9 @@ namespace scanout::app {
 
 class LiveDoctor {
 public:
-    // Examines the file of the model slot's `generation`. `progress` as in load_model. `steady`:
-    // the search ends by no clock, so that it finds the same in every run. A file that cannot be
-    // read any more is what the panel says then.
+    // Examines the file of the model slot's `generation`. `progress` as in load_model; it also ends
+    // the search. `steady`: the search ends by no clock, so that it finds the same in every run. A
+    // file that cannot be read any more, like standard input, is what the panel says then.
     void examine(const std::string& path, const Settings& settings, Jobs& jobs, int generation,
                  bool steady, const std::function<bool(double)>& progress);
     bool knows(int generation) const { return generation == generation_; }

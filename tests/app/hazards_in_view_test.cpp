@@ -132,6 +132,20 @@ TEST_F(HazardsInView, ThePanelListsWhatDoctorFindsAndNeverMoreThanFits) {
                     << rows << ' ' << selected;
             }
         }
+    // Whoever leaves while the model is examined is not kept waiting.
+    int calls_after = 0;
+    bool left = false;
+    doctor.examine(path, Settings(), jobs, 5, true, [&](double share) {
+        calls_after += left ? 1 : 0;
+        left = left || share > 0.4;
+        return !left;
+    });
+    EXPECT_TRUE(left);
+    EXPECT_EQ(calls_after, 0);
+    EXPECT_TRUE(doctor.places().empty());
+    doctor.examine("-", Settings(), jobs, 6, true, [](double) { return true; });
+    EXPECT_EQ(doctor.lines(200, 9, 1)[0], "standard input cannot be read a second time to look for "
+                                          "hazards; save it, and show the file");
     doctor.examine(folder.file("gone.obj"), Settings(), jobs, 4, true, [](double) { return true; });
     EXPECT_TRUE(doctor.places().empty());
     EXPECT_NE(doctor.lines(200, 9, 1)[0].find("gone.obj"), std::string::npos);

@@ -44,12 +44,13 @@ Diagnosis diagnose(Jobs& jobs, const PolygonMesh& mesh, const DiagnoseOptions& h
     Diagnosis out;
     out.faces = mesh.faces();
     out.marks.resize(mesh.faces());
-    const auto progress = [&](double share) {
-        if (how.progress) how.progress(share);
+    const auto goes_on = [&](double share) {
+        out.stopped = out.stopped || (how.progress && !how.progress(share));
+        return !out.stopped;
     };
     const Surface surface(jobs, mesh);
     out.triangles = surface.triangles().size();
-    progress(0.2);
+    if (!goes_on(0.2)) return out;
     Findings findings(out);
     // Each search on a core of its own.
     const std::array<std::function<void()>, 6> searches = {
@@ -62,15 +63,15 @@ Diagnosis diagnose(Jobs& jobs, const PolygonMesh& mesh, const DiagnoseOptions& h
     };
     jobs.for_each(static_cast<int>(searches.size()),
                   [&](int i, int) { searches[static_cast<std::size_t>(i)](); });
-    progress(0.4);
+    if (!goes_on(0.4)) return out;
     if (how.search) {
         examine_seams(surface, how, findings);
-        progress(0.5);
-        examine_pairs(surface, how, findings);
+        if (goes_on(0.5)) out.stopped = !examine_pairs(surface, how, findings);
     }
+    if (out.stopped) return out;
     std::sort(out.findings.begin(), out.findings.end(),
               [](const Finding& a, const Finding& b) { return a.hazard < b.hazard; });
-    progress(1);
+    goes_on(1);
     return out;
 }
 

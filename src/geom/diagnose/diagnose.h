@@ -19,9 +19,10 @@ struct DiagnoseOptions {
     double touch = 0x1p-20; // triangles that reach less far into each other only touch
     // Material -> has a map; faces with others need no texture coordinates.
     std::vector<bool> textured;
-    bool search = true;                   // for seams, overlaps and intersections
-    double seconds = 60;                  // of search; what is left then is not searched
-    std::function<void(double)> progress; // the share that is done, on the calling thread
+    bool search = true;  // for seams, overlaps and intersections
+    double seconds = 60; // of search; what is left then is not searched
+    // Called with the share that is done, on the calling thread; false: no further.
+    std::function<bool(double)> progress;
 };
 inline constexpr double kSeamShare = 0.01;
 

@@ -73,6 +73,7 @@ struct Diagnosis {
     std::vector<Finding> findings; // in the order of Hazard; none of count 0 but those cut short
     std::vector<HazardMask> marks; // one a face
     std::size_t faces = 0, triangles = 0;
+    bool stopped = false; // by progress: what would have been found is not known
     const Finding* find(Hazard hazard) const {
         for (const Finding& finding : findings)
             if (finding.hazard == hazard) return &finding;

@@ -40,6 +40,7 @@ void examine_normals(const Surface& surface, Findings& findings);
 void examine_uvs(const Surface& surface, const DiagnoseOptions& how, Findings& findings);
 void examine_numbers(const Surface& surface, Findings& findings);
 void examine_seams(const Surface& surface, const DiagnoseOptions& how, Findings& findings);
-void examine_pairs(const Surface& surface, const DiagnoseOptions& how, Findings& findings);
+// False where progress ended it.
+bool examine_pairs(const Surface& surface, const DiagnoseOptions& how, Findings& findings);
 
 } // namespace scanout::geom

@@ -20,7 +20,8 @@ public:
           tree_(surface.jobs(), boxes_of(surface)),
           tallies_(static_cast<std::size_t>(surface.jobs().threads())) {}
 
-    void run() {
+    // False where progress ended it.
+    bool run() {
         const Stopwatch watch;
         std::atomic<std::size_t> searched{0};
         // Rounds, between which the calling thread tells how far it is.
@@ -35,10 +36,12 @@ public:
                                search_from(from + i, tallies_[static_cast<std::size_t>(worker)]);
                            searched.fetch_add(i - begin, std::memory_order_relaxed);
                        });
-            if (how_.progress)
-                how_.progress(0.5 + 0.5 * static_cast<double>(to) / static_cast<double>(leaves));
+            if (how_.progress &&
+                !how_.progress(0.5 + 0.5 * static_cast<double>(to) / static_cast<double>(leaves)))
+                return false;
         }
         tell(leaves == 0 ? 1 : static_cast<double>(searched) / static_cast<double>(leaves));
+        return true;
     }
 
 private:
@@ -130,8 +133,8 @@ private:
 
 } // namespace
 
-void examine_pairs(const Surface& surface, const DiagnoseOptions& how, Findings& findings) {
-    PairSearch(surface, how, findings).run();
+bool examine_pairs(const Surface& surface, const DiagnoseOptions& how, Findings& findings) {
+    return PairSearch(surface, how, findings).run();
 }
 
 } // namespace scanout::geom

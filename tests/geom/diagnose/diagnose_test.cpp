@@ -217,6 +217,22 @@ TEST(Diagnose, CountsCubesThatReachIntoEachOther) {
     EXPECT_EQ(finding(cut, Hazard::intersections).searched, 0) << "no time: it says so";
 }
 
+TEST(Diagnose, ProgressEndsItAtEachStep) {
+    PolygonMesh mesh = cube();
+    append(mesh, cube(1, DVec3(0.7, 0.6, 0.5)));
+    int calls = 0, last = 1000;
+    DiagnoseOptions how;
+    how.progress = [&](double) { return ++calls < last; };
+    EXPECT_FALSE(diagnose(jobs(), mesh, how).stopped);
+    const int all = calls;
+    EXPECT_GE(all, 5);
+    for (last = 1; last <= all; ++last) {
+        calls = 0;
+        EXPECT_TRUE(diagnose(jobs(), mesh, how).stopped) << last;
+        EXPECT_EQ(calls, last);
+    }
+}
+
 TEST(Diagnose, TakesRoundingForNoHazard) {
     // A slab that stands on a plane in any direction: its corners are up to 2^-53 off.
     const auto placed = [](const DVec3& p) {
