@@ -11,14 +11,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <span>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
 namespace scanout::app {
 namespace {
 
-constexpr std::string_view kFormat = "scanout-frontier 1\n";
+constexpr std::string_view kFilePrefix = "frontier-",
+                           kElsewhere = "set XDG_CACHE_HOME to a folder that can be written",
+                           kFormat = "scanout-frontier 1\n";
 
 std::string hash_of(std::string_view text) {
     image::Hasher hasher;
@@ -125,7 +129,7 @@ Result<FrontierCache> FrontierCache::of_user() {
 }
 
 std::string FrontierCache::file_of(const std::string& key) const {
-    return fmt::format("{}/frontier-{}", folder_, hash_of(key));
+    return fmt::format("{}/{}{}", folder_, kFilePrefix, hash_of(key));
 }
 
 std::optional<measure::KnownFrontier> FrontierCache::find(const std::string& key) const {
@@ -143,14 +147,42 @@ Result<void> FrontierCache::keep(const std::string& key,
                                  const measure::KnownFrontier& known) const {
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
-    if (error) return fail(Exit::unreadable, "{}: cannot be made: {}", folder_, error.message());
+    if (error)
+        return fail(Exit::unreadable, "{}: cannot be made: {}; {}", folder_, error.message(),
+                    kElsewhere);
     // Anything else would be written into; a pipe without a reader blocks whoever opens it.
     const std::string file = file_of(key);
     const std::filesystem::file_status there = std::filesystem::status(file, error);
     if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
         return fail(Exit::unreadable, "{}: stands in the cache and is no regular file; remove it",
                     file);
-    return write_file(file, to_text(key, known));
+    TRY_VOID(write_file(file, to_text(key, known), kElsewhere));
+    remove_old_files();
+    return {};
+}
+
+// Whatever cannot be read or removed stays.
+void FrontierCache::remove_old_files() const {
+    namespace fs = std::filesystem;
+    struct File {
+        fs::file_time_type written;
+        fs::path path;
+    };
+    std::vector<File> files;
+    std::error_code error;
+    for (fs::directory_iterator at(folder_, error); !error && at != fs::directory_iterator();
+         at.increment(error)) {
+        if (!at->path().filename().string().starts_with(kFilePrefix)) continue;
+        std::error_code unknown;
+        if (!at->is_regular_file(unknown)) continue;
+        const fs::file_time_type written = at->last_write_time(unknown);
+        if (!unknown) files.push_back({written, at->path()});
+    }
+    if (files.size() <= kMostFiles) return;
+    std::sort(files.begin(), files.end(),
+              [](const File& a, const File& b) { return a.written > b.written; });
+    for (std::size_t i = kMostFiles; i < files.size(); ++i)
+        fs::remove(files[i].path, error);
 }
 
 } // namespace scanout::app

@@ -13,18 +13,23 @@ namespace scanout::app {
 
 class FrontierCache {
 public:
+    static constexpr std::size_t kMostFiles = 64;
+
     explicit FrontierCache(std::string folder) : folder_(std::move(folder)) {}
     // $XDG_CACHE_HOME/scanout, else $HOME/.cache/scanout (XDG Base Directory Specification: a
     // relative path counts as none). Exit::unreadable where there is neither.
     static Result<FrontierCache> of_user();
 
     std::optional<measure::KnownFrontier> find(const std::string& key) const;
-    // Makes the folder where it is missing. Exit::unreadable where the file cannot be written, and
-    // where anything but a regular file stands in its place.
+    // Makes the folder where it is missing, and removes all but the newest kMostFiles files of it.
+    // Exit::unreadable where the file cannot be written, and where anything but a regular file
+    // stands in its place.
     Result<void> keep(const std::string& key, const measure::KnownFrontier& known) const;
     std::string file_of(const std::string& key) const;
 
 private:
+    void remove_old_files() const;
+
     std::string folder_;
 };
 

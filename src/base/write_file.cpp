@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <string_view>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -25,13 +24,14 @@ int write_all(int fd, std::span<const std::uint8_t> bytes) {
     return 0;
 }
 
-tl::unexpected<Error> cannot_write(const std::string& path, int error) {
+tl::unexpected<Error> cannot_write(const std::string& path, int error, std::string_view elsewhere) {
     const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
     const bool refused = error == EACCES || error == EPERM || error == EROFS || error == ELOOP;
-    return fail(Exit::unreadable, "{}: cannot be written: {}{}", path, std::strerror(error),
-                full      ? "; make room, or name another folder"
-                : refused ? "; name another folder"
-                          : "");
+    return fail(Exit::unreadable, "{}: cannot be written: {}{}{}", path, std::strerror(error),
+                full      ? "; make room, or "
+                : refused ? "; "
+                          : "",
+                full || refused ? elsewhere : "");
 }
 
 // The target of a symbolic link, even if it does not exist yet; other paths stay as they are. Links
@@ -57,41 +57,45 @@ mode_t default_mode() {
 
 } // namespace
 
-Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes) {
+Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes,
+                        std::string_view elsewhere) {
     if (path == "-") {
         if (const int error = write_all(STDOUT_FILENO, bytes))
-            return cannot_write("standard output", error);
+            return cannot_write("standard output", error, elsewhere);
         return {};
     }
     struct stat info {};
     const int missing = ::stat(path.c_str(), &info) == 0 ? 0 : errno;
-    if (missing == ELOOP) return cannot_write(path, ELOOP);
+    if (missing == ELOOP) return cannot_write(path, ELOOP, elsewhere);
     if (missing == 0 && !S_ISREG(info.st_mode)) {
         if (S_ISDIR(info.st_mode))
             return fail(Exit::unreadable, "{}: is a folder; name a file", path);
         TRY(const Fd device, Fd::open(path, O_WRONLY)); // /dev/null, a pipe: nothing to rename onto
-        if (const int error = write_all(device.get(), bytes)) return cannot_write(path, error);
+        if (const int error = write_all(device.get(), bytes))
+            return cannot_write(path, error, elsewhere);
         return {};
     }
     // Next to the file itself, so that a symbolic link to it stays one.
     const std::string file = behind_links(path);
     std::string temporary = file + ".XXXXXX";
     const Fd fd(::mkostemp(temporary.data(), O_CLOEXEC));
-    if (!fd.valid()) return cannot_write(path, errno);
+    if (!fd.valid()) return cannot_write(path, errno, elsewhere);
     int error = write_all(fd.get(), bytes);
     if (error == 0 && ::fchmod(fd.get(), default_mode()) != 0) error = errno;
     if (error == 0 && ::fsync(fd.get()) != 0) error = errno;
     if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
     if (error != 0) {
         ::unlink(temporary.c_str());
-        return cannot_write(path, error);
+        return cannot_write(path, error, elsewhere);
     }
     return {};
 }
 
-Result<void> write_file(const std::string& path, std::string_view text) {
+Result<void> write_file(const std::string& path, std::string_view text,
+                        std::string_view elsewhere) {
     return write_file(path,
-                      std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+                      std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()),
+                      elsewhere);
 }
 
 } // namespace scanout

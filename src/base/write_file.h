@@ -6,11 +6,15 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace scanout {
 
-// "-" writes to standard output. The error names the path and what to do (Exit::unreadable).
-Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes);
-Result<void> write_file(const std::string& path, std::string_view text);
+// "-" writes to standard output. The error names the path and what to do (Exit::unreadable);
+// `elsewhere`: how the user has it written into another folder.
+Result<void> write_file(const std::string& path, std::span<const std::uint8_t> bytes,
+                        std::string_view elsewhere = "name another folder");
+Result<void> write_file(const std::string& path, std::string_view text,
+                        std::string_view elsewhere = "name another folder");
 
 } // namespace scanout

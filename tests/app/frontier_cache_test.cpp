@@ -3,6 +3,7 @@
 #include "app/options.h"
 #include "support/temporary_folder.h"
 
+#include <chrono>
 #include <cstdlib>
 #include <filesystem>
 #include <map>
@@ -91,12 +92,34 @@ TEST(FrontierCache, WhatCannotBeWrittenIsAnErrorThatNamesIt) {
     const std::string file = folder.write("file", "");
     const Result<void> kept = FrontierCache(file + "/scanout").keep(kKey, frontier());
     ASSERT_FALSE(kept);
-    EXPECT_NE(kept.error().what.find(file), std::string::npos) << kept.error().what;
+    EXPECT_EQ(kept.error().what, file + "/scanout: cannot be made: Not a directory; set "
+                                        "XDG_CACHE_HOME to a folder that can be written");
     const FrontierCache cache(folder.file("")); // a folder stands where the file should
     ASSERT_EQ(::mkdir(cache.file_of(kKey).c_str(), 0700), 0);
     EXPECT_EQ(cache.keep(kKey, frontier()).error().what,
               cache.file_of(kKey) + ": stands in the cache and is no regular file; remove it");
     EXPECT_FALSE(cache.find(kKey));
+}
+
+TEST(FrontierCache, TheNewestFilesAreKept) {
+    namespace fs = std::filesystem;
+    const test::TemporaryFolder folder;
+    const FrontierCache cache(folder.file("scanout"));
+    const std::size_t most = FrontierCache::kMostFiles;
+    const auto now = fs::file_time_type::clock::now();
+    const auto key = [](std::size_t i) { return kKey + std::to_string(i) + "\n"; };
+    for (std::size_t i = 0; i < most; ++i) { // the last is the oldest
+        ASSERT_TRUE(cache.keep(key(i), frontier()));
+        fs::last_write_time(cache.file_of(key(i)), now - std::chrono::hours(i + 1));
+    }
+    folder.write("scanout/mine", "another program's");
+    fs::last_write_time(folder.file("scanout/mine"), now - std::chrono::hours(9999));
+    ASSERT_TRUE(cache.keep(kKey, frontier()));
+    EXPECT_TRUE(cache.find(kKey));
+    EXPECT_TRUE(cache.find(key(0)));
+    EXPECT_TRUE(cache.find(key(most - 2)));
+    EXPECT_FALSE(fs::exists(cache.file_of(key(most - 1))));
+    EXPECT_TRUE(fs::exists(folder.file("scanout/mine")));
 }
 
 // Nobody reads from it: whoever opens it to write waits.
