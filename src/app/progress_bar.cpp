@@ -11,17 +11,38 @@
 namespace scanout::app {
 namespace {
 
-// Two brackets, blanks, "100 %"; and ", 99999 s left".
-constexpr std::size_t kBar = 30, kBehindWhat = kBar + 10 + 14;
+constexpr std::size_t kBar = 20;
 constexpr double kWorthTelling = 5000; // milliseconds: work that takes longer says how long
 
-std::string shortened(const std::string& what) {
-    constexpr std::size_t kMax = ProgressBar::kWidth - kBehindWhat;
-    if (what.size() <= kMax) return what;
-    std::size_t from = what.size() - kMax + 3;
-    while (from < what.size() && (static_cast<unsigned char>(what[from]) & 0xc0) == 0x80)
-        ++from; // the middle of a character
-    return "..." + what.substr(from);
+bool is_inside_character(char byte) {
+    return (static_cast<unsigned char>(byte) & 0xc0) == 0x80; // UTF-8
+}
+
+// The first letters of a text, and the last: no more bytes, which are no fewer than columns, and no
+// half characters.
+std::string_view front_of(std::string_view text, std::size_t bytes) {
+    while (bytes > 0 && bytes < text.size() && is_inside_character(text[bytes]))
+        --bytes;
+    return text.substr(0, bytes);
+}
+std::string_view back_of(std::string_view text, std::size_t bytes) {
+    std::size_t from = text.size() - std::min(bytes, text.size());
+    while (from < text.size() && is_inside_character(text[from]))
+        ++from;
+    return text.substr(from);
+}
+
+// "reading .../models/knot.stl": the verb and the file's name are worth more than its folders.
+std::string shortened(const std::string& what, std::size_t most) {
+    constexpr std::string_view kDots = "...";
+    if (what.size() <= most) return what;
+    const std::size_t verb = std::min(what.find(' ') + 1, most / 2); // 0: there is none
+    const std::size_t room = most - verb - kDots.size();
+    const std::size_t name = what.size() - std::min(what.rfind('/') + 1, what.size());
+    const std::size_t front = name <= room ? 0 : room / 3; // of a long name
+    const std::string_view text = what, path = text.substr(verb);
+    return fmt::format("{}{}{}{}", front_of(text, verb), front_of(path, front), kDots,
+                       back_of(path, room - front));
 }
 
 } // namespace
@@ -30,6 +51,13 @@ std::string time_left(double fraction, double milliseconds) {
     if (milliseconds < kWorthTelling || !(fraction > 0)) return {};
     const double left = milliseconds / 1000 * (1 - fraction) / fraction;
     return fmt::format(", {:.0f} s left", std::min(left, 99999.0));
+}
+
+std::string progress_line(const std::string& what, int percent, std::string_view left) {
+    const std::size_t full = kBar * static_cast<std::size_t>(percent) / 100;
+    const std::string bar = fmt::format("  [{}{}] {:3} %{}", std::string(full, '#'),
+                                        std::string(kBar - full, '.'), percent, left);
+    return shortened(escaped(what), ProgressBar::kWidth - bar.size()) + bar;
 }
 
 ProgressBar::ProgressBar(std::string what, bool quiet)
@@ -47,10 +75,7 @@ void ProgressBar::show(double fraction) {
     const int percent = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * 100);
     if (!write_ || percent == shown_ || watch_.milliseconds() < patience_) return;
     shown_ = percent;
-    const std::size_t full = kBar * static_cast<std::size_t>(percent) / 100;
-    write_(fmt::format("{}  [{}{}] {:3} %{}", shortened(what_), std::string(full, '#'),
-                       std::string(kBar - full, '.'), percent,
-                       time_left(fraction, watch_.milliseconds())));
+    write_(progress_line(what_, percent, time_left(fraction, watch_.milliseconds())));
 }
 
 } // namespace scanout::app

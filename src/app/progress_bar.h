@@ -12,6 +12,10 @@ namespace scanout::app {
 // ", 12 s left", at the speed so far; nothing for work that has not taken long yet.
 std::string time_left(double fraction, double milliseconds);
 
+// "reading .../knot.stl  [##########..........]  50 %, 12 s left", ProgressBar::kWidth columns at
+// most: `what`, a verb and a path, loses what stands in the path's middle.
+std::string progress_line(const std::string& what, int percent, std::string_view left);
+
 class ProgressBar {
 public:
     static constexpr double kPatience = 1000; // milliseconds without a bar
@@ -21,7 +25,7 @@ public:
     using Write = std::function<void(std::string_view line)>;
 
     // On standard error, where that is a terminal and the program is not told to be quiet. `what`
-    // precedes the bar; a long text loses its beginning.
+    // precedes the bar (progress_line).
     ProgressBar(std::string what, bool quiet);
     ProgressBar(std::string what, double patience, Write write);
     ~ProgressBar(); // erases the bar

@@ -23,9 +23,9 @@ TEST(ProgressBar, GrowsEvenlyOnOneLineAndIsErased) {
     }
     ASSERT_EQ(terminal.lines.size(), 102u) << "a line for each percent, and the end";
     EXPECT_EQ(terminal.lines.back(), "");
-    EXPECT_EQ(terminal.lines.front(), "reading knot.stl  [..............................]   0 %");
-    EXPECT_EQ(terminal.lines[50], "reading knot.stl  [###############...............]  50 %");
-    EXPECT_EQ(terminal.lines[100], "reading knot.stl  [##############################] 100 %");
+    EXPECT_EQ(terminal.lines.front(), "reading knot.stl  [....................]   0 %");
+    EXPECT_EQ(terminal.lines[50], "reading knot.stl  [##########..........]  50 %");
+    EXPECT_EQ(terminal.lines[100], "reading knot.stl  [####################] 100 %");
 }
 
 TEST(ProgressBar, WaitsAndLeavesNoTraceWhenItWasNotNeeded) {
@@ -47,13 +47,32 @@ TEST(ProgressBar, FitsIntoALineWhateverTheName) {
             ProgressBar(name, 0, terminal.write()).show(0.5);
             ASSERT_EQ(terminal.lines.size(), 2u);
             ASSERT_LE(terminal.lines.front().size(), ProgressBar::kWidth);
-            const std::size_t dots = terminal.lines.front().find("...");
-            if (dots == 0) {
-                EXPECT_NE(static_cast<unsigned char>(terminal.lines.front()[3]) & 0xc0, 0x80)
-                    << "a character is cut";
+            const std::string& line = terminal.lines.front();
+            EXPECT_TRUE(line.starts_with("reading "));
+            const std::size_t dots = line.find("...");
+            if (dots == std::string::npos) continue;
+            for (const std::size_t at : {dots, dots + 3}) {
+                std::string_view rest = std::string_view(line).substr(at);
+                EXPECT_NE(static_cast<unsigned char>(rest[0]) & 0xc0, 0x80) << "a character is cut";
             }
         }
     }
+}
+
+TEST(ProgressBar, KeepsVerbNameAndTimeOfALongPath) {
+    const std::string folders = "/home/somebody/models/of/last/year/and/of/this/one/";
+    EXPECT_EQ(progress_line("reading " + folders + "knot.stl", 50, ", 99999 s left"),
+              "reading ...nd/of/this/one/knot.stl  [##########..........]  50 %, 99999 s left");
+    EXPECT_EQ(progress_line("examining knot.stl", 5, ", 7 s left"),
+              "examining knot.stl  [#...................]   5 %, 7 s left");
+    const std::string line =
+        progress_line("reading " + folders + std::string(40, 'a') + std::string(40, 'b') + ".stl",
+                      100, ", 99999 s left");
+    EXPECT_LE(line.size(), ProgressBar::kWidth);
+    EXPECT_TRUE(line.starts_with("reading /home")) << line;
+    EXPECT_NE(line.find("bbb.stl  ["), std::string::npos) << line;
+    EXPECT_LE(progress_line(std::string(90, '\n'), 100, ", 9 s left").size(), ProgressBar::kWidth)
+        << "as it is printed";
 }
 
 TEST(ProgressBar, TellsOfLongWorkHowMuchTimeIsLeft) {
