@@ -34,8 +34,26 @@ void AccuracyView::follow(const PictureKey& key, Time now) {
     ++revision_;
 }
 
+void AccuracyView::let_go() {
+    followed_.reset();
+    begun_.reset();
+    convergence_.cancel();
+}
+
+void AccuracyView::stop() {
+    let_go();
+    convergence_.stop();
+}
+
+void AccuracyView::begin(const scene::Scene& scene, const scene::View& view,
+                         const trace::Look& look, const PictureKey& key) {
+    convergence_.begin(scene, view, look);
+    begun_ = key;
+}
+
 void AccuracyView::refuse(const PictureKey& key, const std::string& why) {
-    convergence_.refuse(key, why);
+    convergence_.refuse(why);
+    begun_ = key;
     ++revision_;
 }
 
@@ -62,7 +80,7 @@ void AccuracyView::refresh(const image::Image& drawn, Time now) {
 
 // As far as it may be seen.
 const trace::Progressive* AccuracyView::shown(const PictureKey& key) const {
-    if (!convergence_.is_of(key) || (whole_ && !finished_)) return nullptr;
+    if (begun_ != key || (whole_ && !finished_)) return nullptr;
     return convergence_.reference();
 }
 
@@ -95,7 +113,7 @@ std::string AccuracyView::state(const PictureKey& key) const {
     const trace::Progressive* const reference = shown(key);
     if (reference != nullptr)
         return finished_ ? "reference" : fmt::format("reference {} %", percent(reference->share()));
-    if (!convergence_.is_of(key)) return "reference: once all stands still";
+    if (begun_ != key) return "reference: once all stands still";
     if (!convergence_.refusal().empty()) return "no reference: " + convergence_.refusal();
     return "reference: is being made";
 }

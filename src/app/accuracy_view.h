@@ -35,17 +35,20 @@ public:
 
     // The picture that should be seen at `now`. Another one than the last time ends the work.
     void follow(const PictureKey& key, Time now);
-    void let_go() { followed_.reset(), convergence_.cancel(); } // nothing of it is asked for
-    void stop() { followed_.reset(), convergence_.stop(); }     // the scene is about to change
+    void let_go(); // nothing of it is asked for
+    void stop();   // the scene is about to change
 
     // The reference of the picture that is followed is neither finished nor refused.
     bool lacks() const;
     // When there is something to do for it: now, soon (while a thread works), or once the picture
     // has stood still. Only where it lacks.
     Time due(Time now) const;
+    // Begins with the reference of the picture that is followed (convergence.h).
+    void begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
+               const PictureKey& key);
     // There will be no reference of the picture that is followed.
     void refuse(const PictureKey& key, const std::string& why);
-    bool has_begun() const { return followed_ && convergence_.is_of(*followed_); }
+    bool has_begun() const { return followed_ && begun_ == followed_; }
     Convergence& convergence() { return convergence_; }
     // Takes the progress over into figures and picture, now and then and at the end. drawn: the
     // picture that is followed.
@@ -74,7 +77,7 @@ private:
 
     bool whole_;
     Convergence convergence_;
-    std::optional<PictureKey> followed_;
+    std::optional<PictureKey> followed_, begun_; // begun_: that convergence_ is of
     Time still_since_{}, refreshed_{};
     int revision_ = 0;
     bool finished_ = false; // the last refresh was of a finished reference

@@ -10,10 +10,10 @@
 namespace scanout::app {
 
 void Convergence::begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
-                        const PictureKey& key, const trace::Effort& effort) {
+                        const trace::Effort& effort) {
     CHECK(can_begin());
     stop(); // waits for nothing
-    key_ = key;
+    wanted_ = true;
     cancelled_ = built_ = false;
     const auto build = [this, &scene, view, look, effort] {
         const FloatEnvironment plain;
@@ -22,6 +22,7 @@ void Convergence::begin(const scene::Scene& scene, const scene::View& view, cons
         } catch (const std::bad_alloc&) {
             result_ = fail(Exit::unreadable, "the reference does not fit into memory");
         }
+        if (cancelled_) result_ = nullptr; // nobody takes it
         built_ = true;
         built_.notify_all();
     };
@@ -32,27 +33,32 @@ void Convergence::begin(const scene::Scene& scene, const scene::View& view, cons
     }
 }
 
-void Convergence::refuse(const PictureKey& key, std::string why) {
+void Convergence::refuse(std::string why) {
     cancel();
-    key_ = key;
     refusal_ = std::move(why);
 }
 
 void Convergence::cancel() {
     cancelled_ = true;
-    key_.reset();
+    wanted_ = false;
     reference_.reset();
     refusal_.clear();
+    if (built_) end_thread();
 }
 
 void Convergence::stop() {
     cancel();
+    end_thread();
+}
+
+// Waits for it, and lets go of what it built.
+void Convergence::end_thread() {
     if (thread_.joinable()) thread_.join();
     result_ = nullptr;
 }
 
 void Convergence::take_built() {
-    if (!key_ || !thread_.joinable() || !built_) return;
+    if (!wanted_ || !thread_.joinable() || !built_) return;
     thread_.join();
     if (result_)
         reference_ = std::move(*result_);

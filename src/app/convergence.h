@@ -1,9 +1,8 @@
-// The reference of the picture on show, made while nothing else happens: its hierarchy by a thread
+// A reference, made while nothing else happens: its hierarchy by a thread
 // of its own, its pixels in steps between two looks at the keys. Nothing exists before it is asked
 // for.
 #pragma once
 
-#include "app/picture_key.h"
 #include "base/jobs.h"
 #include "scene/scene.h"
 #include "scene/view.h"
@@ -11,7 +10,6 @@
 
 #include <atomic>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 
@@ -29,26 +27,24 @@ public:
     Convergence& operator=(const Convergence&) = delete;
     ~Convergence() { stop(); }
 
-    // Begins to build for the picture that `key` names. The scene outlives the next stop(). Only
-    // when can_begin().
+    // Begins to build. The scene outlives the next stop(). Only when can_begin().
     void begin(const scene::Scene& scene, const scene::View& view, const trace::Look& look,
-               const PictureKey& key, const trace::Effort& effort = kWatched);
-    // This picture has no reference, and why.
-    void refuse(const PictureKey& key, std::string why);
+               const trace::Effort& effort = kWatched);
+    // There is no reference, and why.
+    void refuse(std::string why);
     // Lets go of what there is, without waiting for a build to end.
     void cancel();
     // The same, and waits: before the scene changes.
     void stop();
 
-    // No thread still works for an earlier picture.
+    // No thread still works for an earlier one.
     bool can_begin() const { return !thread_.joinable() || built_; }
-    bool is_of(const PictureKey& key) const { return key_ == key; }
     // Goes on until `until`, once it is built. Takes the built hierarchy over.
     void step(Jobs& jobs, Time until);
     // The same without an end: until it is finished or refused.
     void finish(Jobs& jobs);
 
-    bool building() const { return key_ && thread_.joinable() && !built_; }
+    bool building() const { return wanted_ && thread_.joinable() && !built_; }
     // The reference so far; null until it is built.
     const trace::Progressive* reference() const { return reference_.get(); }
     bool finished() const { return reference_ != nullptr && reference_->finished(); }
@@ -56,8 +52,9 @@ public:
 
 private:
     void take_built();
+    void end_thread();
 
-    std::optional<PictureKey> key_;
+    bool wanted_ = false; // begun, and not let go
     std::thread thread_;
     std::atomic<bool> cancelled_ = false, built_ = false;
     Result<std::unique_ptr<trace::Progressive>> result_; // of the thread, once built_

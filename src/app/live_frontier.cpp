@@ -25,7 +25,7 @@ measure::FrontierOptions quick(const std::vector<std::string>& axes) {
 void LiveFrontier::begin(Task task) {
     stop();
     task_.emplace(std::move(task));
-    convergence_.begin(task_->scene, task_->view, task_->look, PictureKey(), {kQuickSamples});
+    convergence_.begin(task_->scene, task_->view, task_->look, {kQuickSamples});
 }
 
 void LiveFrontier::stop() {

@@ -54,7 +54,7 @@ Result<void> ViewSession::begin_reference() {
             check_reference_fits(scene, viewer_.width(), viewer_.height(), settings_.max_memory_mb);
         !fits)
         return refuse_reference(fits.error().what);
-    accuracy_.convergence().begin(scene, view, *look, key());
+    accuracy_.begin(scene, view, *look, key());
     return {};
 }
 

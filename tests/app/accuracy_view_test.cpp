@@ -15,7 +15,7 @@ PictureKey key_of(int generation) {
 
 struct Accuracy : ::testing::Test {
     void begin(AccuracyView& view, int generation) {
-        view.convergence().begin(sphere.scene, sphere.view, sphere.look, key_of(generation));
+        view.begin(sphere.scene, sphere.view, sphere.look, key_of(generation));
     }
     // Until there is a reference, none of whose pixels is known.
     void build(AccuracyView& view) {
