@@ -16,6 +16,7 @@
 #include "app/live_explain.h"
 #include "app/live_frontier.h"
 #include "app/model_slot.h"
+#include "app/motion.h"
 #include "app/motion_levels.h"
 #include "app/overlay.h"
 #include "app/picture_key.h"
@@ -130,7 +131,6 @@ private:
     double budget_ms() const; // of a frame while something moves
 
     // Motion and frames (view_session_frames.cpp).
-    static constexpr std::chrono::milliseconds kSettle{150}; // then a picture is drawn at its best
     void set_motion_levels();
     void follow_motion(Time now);
 
@@ -179,9 +179,7 @@ private:
     FramePacer pacer_;
     std::vector<MotionLevel> levels_;
     std::optional<Governor> governor_; // none: no budget is held
-    PictureKey moved_to_;              // the picture that was asked for last,
-    Time moved_{};                     // and since when
-    bool moving_ = false;
+    Motion motion_;
     int level_ = 0; // of the next frame
     FrameLog log_;
 

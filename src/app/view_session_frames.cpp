@@ -26,14 +26,8 @@ void ViewSession::set_motion_levels() {
 // The level of the next frame: what the governor says until a picture has stood for a while.
 void ViewSession::follow_motion(Time now) {
     if (!governor_) return;
-    if (const PictureKey asked_for = key(); !(asked_for == moved_to_)) {
-        moved_to_ = asked_for;
-        moved_ = now;
-    }
-    const bool moves = viewer_.turning() || now - moved_ < kSettle;
-    if (!moves && moving_) governor_->rest();
-    moving_ = moves;
-    level_ = moves ? governor_->level() : 0;
+    if (motion_.follow(key(), viewer_.turning(), now)) governor_->rest();
+    level_ = motion_.moves() ? governor_->level() : 0;
 }
 
 // ---- Frames -----------------------------------------------------------------------------------
@@ -123,9 +117,11 @@ Result<void> ViewSession::draw(const Shown& wanted) {
         compose(wanted.overlay, wanted.level);
     composer_.set_pointer(wanted.pointer);
     TRY_VOID(present());
-    if (governor_ && new_picture && wanted.picture == moved_to_ &&
-        wanted.level == governor_->level())
-        governor_->took(watch.milliseconds());
+    if (governor_ && wanted.picture == motion_.picture()) {
+        if (new_picture && wanted.level == governor_->level())
+            governor_->took(watch.milliseconds());
+        if (!(wanted.picture == shown_.picture)) motion_.shown(std::chrono::steady_clock::now());
+    }
     shown_ = wanted;
     repaint_ = false;
     if (const auto file = std::exchange(frame_file_, std::nullopt))
