@@ -222,11 +222,6 @@ const ViewAngles& view_angles(int view) {
     return kViews[static_cast<std::size_t>(view)];
 }
 
-std::string_view name_of(scene::UpAxis up) {
-    constexpr std::array<std::string_view, 6> kNames = {"y", "-y", "z", "-z", "x", "-x"};
-    return kNames[static_cast<std::size_t>(up)];
-}
-
 std::string_view name_of(scene::Projection projection) {
     return projection == scene::Projection::perspective ? "perspective" : "orthographic";
 }

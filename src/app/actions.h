@@ -70,7 +70,6 @@ struct ViewAngles {
 };
 const ViewAngles& view_angles(int view);
 
-std::string_view name_of(scene::UpAxis up);
 std::string_view name_of(scene::Projection projection);
 std::string_view name_of(frame::Cull cull);
 

@@ -29,7 +29,6 @@ public:
     void settled();
     Result<void> dump(const image::Image& frame, const std::string& path) const;
 
-    int count() const { return count_; }
     std::vector<FrameRecord> take_records() { return std::move(records_); }
 
 private:

@@ -1,6 +1,5 @@
 #include "app/info_report.h"
 
-#include "app/actions.h"
 #include "app/json_text.h"
 
 #include <algorithm>

@@ -277,9 +277,7 @@ Result<void> ViewSession::write_screenshot() {
 std::string ViewSession::command() const {
     if (slot_.model() == nullptr) return {};
     const std::string options = view_options(viewer_, settings_, *slot_.mesh());
-    const measure::KnownPoint* const point = rungs_.point() != nullptr ? rungs_.point()
-                                             : chosen_                 ? &chosen_->point
-                                                                       : nullptr;
+    const measure::KnownPoint* const point = chosen_point();
     const std::string rungs =
         point != nullptr && !point->rungs.empty() ? " " + point->options() : "";
     return options.empty() ? "" : view_command(path(), options + rungs);

@@ -60,7 +60,6 @@ public:
     Result<void> run();
 
     RunReport report(std::uint64_t start_bytes);
-    int frames_drawn() const { return log_.count(); }
     int motion_level() const { return level_; } // of governor.h; 0 when all is still
     // What K noted, for standard output once the console is text again.
     const std::vector<std::string>& noted_commands() const { return noted_commands_; }
@@ -129,6 +128,8 @@ private:
     void put_frontier(measure::KnownFrontier frontier);
     FrontierPanel frontier_panel() const;
     double budget_ms() const; // of a frame while something moves
+    // Whose rungs are drawn, by keys or else by limits; null: as asked for.
+    const measure::KnownPoint* chosen_point() const;
 
     // Motion and frames (view_session_frames.cpp).
     void set_motion_levels();

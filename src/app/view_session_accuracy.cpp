@@ -14,10 +14,9 @@ namespace scanout::app {
 bool ViewSession::converges(const Settings& settings) {
     if (settings.converge != Converge::automatic) return settings.converge == Converge::on;
     const std::vector<std::string_view> axes = measure::ladder_axes();
-    return settings.frame.samples == frame::FrameOptions().samples &&
-           std::none_of(axes.begin(), axes.end(), [&](std::string_view axis) {
-               return settings.named_axes.count(axis) != 0;
-           });
+    return std::none_of(axes.begin(), axes.end(), [&](std::string_view axis) {
+        return settings.named_axes.count(axis) != 0;
+    });
 }
 
 AccuracyView::Asked ViewSession::asked() const {

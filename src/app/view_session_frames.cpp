@@ -72,10 +72,8 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
 
 void ViewSession::set_frame_options(int level) {
     put_asked_frame_options(frame_options_);
-    if (rungs_.point() != nullptr)
-        frame_options_ = measure::with(std::move(frame_options_), rungs_.point()->rungs);
-    else if (chosen_)
-        frame_options_ = measure::with(std::move(frame_options_), chosen_->point.rungs);
+    if (const measure::KnownPoint* const point = chosen_point())
+        frame_options_ = measure::with(std::move(frame_options_), point->rungs);
     if (level > 0)
         frame_options_.render_scale = levels_[static_cast<std::size_t>(level)].render_scale;
 }

@@ -26,6 +26,11 @@ double ViewSession::budget_ms() const {
                                              std::max(parts_.display.info().refresh_hz, 1.0));
 }
 
+const measure::KnownPoint* ViewSession::chosen_point() const {
+    if (rungs_.point() != nullptr) return rungs_.point();
+    return chosen_ ? &chosen_->point : nullptr;
+}
+
 // Where every run has to show the same, nothing is measured.
 void ViewSession::step_rung(int by) {
     if (steady_ || slot_.model() == nullptr) return;

@@ -142,6 +142,11 @@ Result<void> check_size(const View& view, double distance) {
 } // namespace
 
 // Turns the file's up axis onto +y; the front then is the +z side (of +z up: the -y side).
+std::string_view name_of(UpAxis up) {
+    constexpr std::array<std::string_view, 6> kNames = {"y", "-y", "z", "-z", "x", "-x"};
+    return kNames[static_cast<std::size_t>(up)];
+}
+
 DMat3 up_rotation(UpAxis up) {
     switch (up) {
     case UpAxis::plus_y:

@@ -14,7 +14,8 @@ namespace scanout::scene {
 
 enum class Projection : std::uint8_t { perspective, orthographic };
 enum class UpAxis : std::uint8_t { plus_y, minus_y, plus_z, minus_z, plus_x, minus_x };
-DMat3 up_rotation(UpAxis up); // the file's axes -> the world's axes, where y is up
+std::string_view name_of(UpAxis up); // "y", "-y" ...
+DMat3 up_rotation(UpAxis up);        // the file's axes -> the world's axes, where y is up
 
 // --scale, then --rotate (about x, y, z in this order), then --translate, about the model's centre.
 struct ModelTransform {
