@@ -54,38 +54,20 @@ std::string text_of(const Limits& limits) {
     return text;
 }
 
-// Three tries, for a busy machine slows some moments down.
-bool still_holds(const BudgetTask& task, const KnownPoint& point) {
-    constexpr double kSeconds = 0.05; // a try
-    const auto plan = frame::plan(measure::with(task.options, point.rungs), task.facts, task.view);
-    const auto now = [&] {
-        if (task.time_now) return task.time_now(*plan);
-        return measure::frame_cost(task.scene, task.view, *plan, task.jobs, kSeconds).cpu_ms;
-    };
-    for (int i = 0; plan && i < 3; ++i) {
-        const double ms = now();
-        if (ms <= point.cpu_ms * kTimeHolds && point.cpu_ms <= ms * kTimeHolds) return true;
-    }
-    return false;
-}
-
 Result<KnownFrontier> measured(const BudgetTask& task, std::vector<std::string>& notes) {
     const auto progress = [&](std::string_view doing) {
         return [&task, doing](double fraction) {
             if (task.progress) task.progress(doing, fraction);
         };
     };
+    TRY(const trace::Look look,
+        look_of_rungs(task.scene, task.facts, task.view, task.options, task.max_memory_mb));
     TRY(const trace::Reference reference,
-        reference_of_rungs(task.scene, task.facts, task.view, task.options, task.jobs,
-                           {.most_samples = kQuickSamples}, progress("tracing"), task.stop));
+        reference_of_rungs(task.scene, task.view, look, task.jobs, {.most_samples = kQuickSamples},
+                           progress("tracing"), task.stop));
     const std::vector<std::string> missing = left_out_of_reference(task.scene);
     notes.insert(notes.end(), missing.begin(), missing.end());
-    measure::FrontierOptions how;
-    how.axes = task.axes;
-    how.seconds = kQuickSeconds;
-    how.seconds_a_point = how.seconds / 240;
-    how.effects = false;
-    how.flip = measure::FrontierOptions::Flip::none;
+    measure::FrontierOptions how = quick_search(task.axes);
     how.progress = progress("measuring");
     bool stopped = false;
     how.stop = [&] { return stopped = stopped || (task.stop && task.stop()); };
@@ -128,6 +110,20 @@ std::vector<std::string> free_axes(const Settings& settings) {
     for (const std::string_view axis : measure::ladder_axes())
         if (settings.named_axes.count(axis) == 0) axes.emplace_back(axis);
     return axes;
+}
+
+bool still_holds(const BudgetTask& task, const KnownPoint& point) {
+    constexpr double kSeconds = 0.05; // a try
+    const auto plan = frame::plan(measure::with(task.options, point.rungs), task.facts, task.view);
+    const auto now = [&] {
+        if (task.time_now) return task.time_now(*plan);
+        return measure::frame_cost(task.scene, task.view, *plan, task.jobs, kSeconds).cpu_ms;
+    };
+    for (int i = 0; plan && i < 3; ++i) {
+        const double ms = now();
+        if (ms <= point.cpu_ms * kTimeHolds && point.cpu_ms <= ms * kTimeHolds) return true;
+    }
+    return false;
 }
 
 Result<Chosen> choose_rungs(const BudgetTask& task, const Limits& limits,

@@ -30,6 +30,7 @@ struct BudgetTask {
     const frame::FrameOptions& options;
     std::vector<std::string> axes; // free_axes()
     Jobs& jobs;
+    int max_memory_mb = 0; // that the reference may take; 0: what is available
     std::function<void(std::string_view doing, double fraction)> progress = {};
     std::function<bool()> stop = {}; // asked often while all is measured; true gives up
     // What a frame takes now, of CPU time, ms; empty: it is timed.
@@ -49,6 +50,10 @@ struct Chosen {
 // A measurement holds while frames of the chosen rungs take, of CPU time, what it says within this
 // factor. In 12 runs beside other programs that differed by at most 1.2, wall time by up to 6.
 inline constexpr double kTimeHolds = 1.5;
+
+// Whether one of three tries of the point takes that long now: a busy machine slows some moments
+// down.
+bool still_holds(const BudgetTask& task, const measure::KnownPoint& point);
 
 // `cache`: null, nothing is remembered. Fails (Exit::usage) where there is no reference of the
 // picture, and where it is stopped.

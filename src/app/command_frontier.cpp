@@ -87,7 +87,7 @@ public:
             how.seconds = settings_.seconds;
         else if (how.times) // errors alone do not depend on the clock: there all are measured
             how.seconds = settings_.quick ? kQuickSeconds : kSeconds;
-        how.seconds_a_point = how.seconds / 240;
+        how.seconds_a_point = seconds_a_point(how.seconds);
         if (settings_.quick || settings_.no_times)
             how.flip = measure::FrontierOptions::Flip::of_frontier;
         how.progress = [&](double fraction) { bar->show(fraction); };
@@ -114,21 +114,22 @@ public:
 private:
     // Of what is asked for, but for rungs.
     Result<void> draw_reference(FrontierReport& report) {
-        const frame::FrameOptions& frame = settings_.frame;
-        if (const auto fits = check_reference_fits(model_.scene, frame.width, frame.height,
-                                                   settings_.max_memory_mb);
-            !fits) {
-            if (settings_.no_times) return tl::unexpected(fits.error());
-            warn({fits.error().what + "; times alone are measured"}, report);
+        const Result<trace::Look> look =
+            look_of_rungs(model_.scene, facts_, view_, settings_.frame, settings_.max_memory_mb);
+        if (!look) {
+            const bool too_large = look.error().exit == Exit::unreadable;
+            if (!too_large || settings_.no_times) return tl::unexpected(look.error());
+            warn({look.error().what + "; times alone are measured"}, report);
             return {};
         }
+        look_ = *look;
         const Stopwatch watch;
         trace::Effort effort{settings_.quick ? kQuickSamples : kSamples};
         if (settings_.reference_samples > 0)
             effort.most_samples = static_cast<std::uint32_t>(settings_.reference_samples);
         ProgressBar bar("tracing " + model_.scene.path, settings_.quiet);
         TRY(trace::Reference made,
-            reference_of_rungs(model_.scene, facts_, view_, settings_.frame, jobs_, effort,
+            reference_of_rungs(model_.scene, view_, look_, jobs_, effort,
                                [&](double fraction) { bar.show(fraction); }));
         warn(left_out_of_reference(model_.scene), report);
         report.reference_ms = watch.milliseconds();
@@ -141,10 +142,7 @@ private:
     // Each rung by the measure of its axis, against rays of the reference.
     Result<void> measure_own(FrontierReport& report) {
         if (!report.compared()) return {};
-        TRY(const frame::FramePlan plan,
-            frame::plan(measure::without_rungs(settings_.frame), facts_, view_));
-        TRY(const trace::Look look, look_of(plan));
-        TRY(const std::unique_ptr<measure::Oracle> oracle, oracle_of(model_.scene, view_, look));
+        TRY(const std::unique_ptr<measure::Oracle> oracle, oracle_of(model_.scene, view_, look_));
         measure::OwnMeasurer measurer(model_.scene, facts_, view_, jobs_, *oracle,
                                       report.reference);
         measure::measure_own(report.found.ladders, settings_.frame, measurer, Interrupt::asked);
@@ -161,6 +159,7 @@ private:
     const scene::View& view_;
     Jobs& jobs_;
     frame::SceneFacts facts_;
+    trace::Look look_; // of the reference, where there is one
 };
 
 Result<void> write_text(const std::string& path, std::string_view text) {

@@ -207,8 +207,9 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
         bar_of = doing;
         bar->show(fraction);
     };
-    Result<Chosen> chosen =
-        choose_rungs({model.scene, facts, view, s.frame, free_axes(s), jobs, progress}, s.limits);
+    Result<Chosen> chosen = choose_rungs(
+        {model.scene, facts, view, s.frame, free_axes(s), jobs, s.max_memory_mb, progress},
+        s.limits);
     bar.reset();
     if (!chosen) {
         const std::vector<std::string> lines = {none_chosen(s.limits, chosen.error())};

@@ -2,6 +2,7 @@
 
 #include "app/machine.h"
 #include "app/quick.h"
+#include "app/reference.h"
 
 #include <utility>
 
@@ -9,16 +10,6 @@ namespace scanout::app {
 namespace {
 
 constexpr double kReferenceShare = 0.3; // of the work, about
-
-measure::FrontierOptions quick(const std::vector<std::string>& axes) {
-    measure::FrontierOptions how;
-    how.axes = axes;
-    how.seconds = kQuickSeconds;
-    how.seconds_a_point = how.seconds / 240;
-    how.effects = false;
-    how.flip = measure::FrontierOptions::Flip::none;
-    return how;
-}
 
 } // namespace
 
@@ -35,6 +26,15 @@ void LiveFrontier::stop() {
     task_.reset();
 }
 
+Result<void> LiveFrontier::begin_search(Jobs& jobs) {
+    const image::Image& reference = convergence_.reference()->image();
+    TRY_VOID(check_shows_a_difference(task_->scene, reference));
+    TRY(search_,
+        measure::FrontierSearch::create(task_->scene, task_->facts, task_->view, task_->options,
+                                        jobs, reference, quick_search(task_->axes)));
+    return {};
+}
+
 void LiveFrontier::step(Jobs& jobs, Time until) {
     if (!task_ || found_) return;
     if (search_ == nullptr) {
@@ -42,13 +42,8 @@ void LiveFrontier::step(Jobs& jobs, Time until) {
         if (!convergence_.refusal().empty()) {
             found_ = fail(Exit::unreadable, "{}", convergence_.refusal());
         } else if (convergence_.finished()) {
-            auto made = measure::FrontierSearch::create(
-                task_->scene, task_->facts, task_->view, task_->options, jobs,
-                convergence_.reference()->image(), quick(task_->axes));
-            if (made)
-                search_ = *std::move(made);
-            else
-                found_ = tl::unexpected(made.error());
+            if (const Result<void> begun = begin_search(jobs); !begun)
+                found_ = tl::unexpected(begun.error());
         }
         return;
     }

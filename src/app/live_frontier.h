@@ -24,7 +24,7 @@ public:
         scene::View view;
         frame::FrameOptions options;
         std::vector<std::string> axes; // whose rungs may be chosen
-        trace::Look look;              // of the reference: as asked for but for rungs
+        trace::Look look;              // look_of_rungs()
     };
     void begin(Task task);
     void stop();
@@ -39,6 +39,8 @@ public:
     std::optional<Result<measure::KnownFrontier>> take();
 
 private:
+    Result<void> begin_search(Jobs& jobs);
+
     std::optional<Task> task_;
     Convergence convergence_;
     std::unique_ptr<measure::FrontierSearch> search_;

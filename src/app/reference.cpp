@@ -145,13 +145,9 @@ Result<void> check_reference_fits(const scene::Scene& scene, int width, int heig
     return {};
 }
 
-Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
-                                            const frame::SceneFacts& facts, const scene::View& view,
-                                            const frame::FrameOptions& options, Jobs& jobs,
-                                            const trace::Effort& effort,
-                                            const std::function<void(double)>& progress,
-                                            const std::function<bool()>& stop) {
-    constexpr std::chrono::milliseconds kStep{50};
+Result<trace::Look> look_of_rungs(const scene::Scene& scene, const frame::SceneFacts& facts,
+                                  const scene::View& view, const frame::FrameOptions& options,
+                                  int max_memory_mb) {
     if (scene.mesh.triangles() == 0)
         return fail(Exit::usage,
                     "{}: nothing to gain: it has no triangles, and lines and points have no "
@@ -159,7 +155,16 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
                     scene.path);
     TRY(const frame::FramePlan plan, frame::plan(measure::without_rungs(options), facts, view));
     TRY(const trace::Look look, look_of(plan));
-    TRY_VOID(check_reference_fits(scene, look.width, look.height));
+    TRY_VOID(check_reference_fits(scene, look.width, look.height, max_memory_mb));
+    return look;
+}
+
+Result<trace::Reference> reference_of_rungs(const scene::Scene& scene, const scene::View& view,
+                                            const trace::Look& look, Jobs& jobs,
+                                            const trace::Effort& effort,
+                                            const std::function<void(double)>& progress,
+                                            const std::function<bool()>& stop) {
+    constexpr std::chrono::milliseconds kStep{50};
     TRY(const std::unique_ptr<trace::Progressive> traced,
         trace::Progressive::create(scene, view, look, effort));
     while (!traced->finished()) {
@@ -168,14 +173,19 @@ Result<trace::Reference> reference_of_rungs(const scene::Scene& scene,
         traced->step(jobs, std::chrono::steady_clock::now() + kStep);
     }
     trace::Reference made = traced->take();
-    const auto pixels = made.image.pixels();
-    if (std::all_of(pixels.begin(), pixels.end(),
-                    [&](const image::Rgba8& p) { return p == pixels[0]; }))
-        return fail(Exit::usage,
-                    "{}: nothing to gain: every pixel of the picture has one colour, however it is "
-                    "drawn; turn the camera to the model, or name another one",
-                    scene.path);
+    TRY_VOID(check_shows_a_difference(scene, made.image));
     return made;
+}
+
+Result<void> check_shows_a_difference(const scene::Scene& scene, const image::Image& reference) {
+    const auto pixels = reference.pixels();
+    if (std::any_of(pixels.begin(), pixels.end(),
+                    [&](const image::Rgba8& p) { return !(p == pixels[0]); }))
+        return {};
+    return fail(Exit::usage,
+                "{}: nothing to gain: every pixel of the picture has one colour, however it is "
+                "drawn; turn the camera to the model, or name another one",
+                scene.path);
 }
 
 std::vector<std::string> left_out_of_reference(const scene::Scene& scene) {

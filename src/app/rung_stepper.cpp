@@ -19,12 +19,16 @@ bool RungStepper::step(int by) {
     return static_cast<std::size_t>(to) != std::exchange(at_, static_cast<std::size_t>(to));
 }
 
-void RungStepper::put(measure::KnownFrontier frontier, double wall_ms) {
+std::size_t RungStepper::start(const measure::KnownFrontier& frontier, double wall_ms) {
     CHECK(!frontier.points.empty());
     const auto own = std::find_if(frontier.points.begin(), frontier.points.end(),
                                   [](const measure::KnownPoint& p) { return p.rungs.empty(); });
-    at_ = own != frontier.points.end() ? static_cast<std::size_t>(own - frontier.points.begin())
-                                       : measure::choose(frontier.points, {wall_ms, {}}).point;
+    return own != frontier.points.end() ? static_cast<std::size_t>(own - frontier.points.begin())
+                                        : measure::choose(frontier.points, {wall_ms, {}}).point;
+}
+
+void RungStepper::put(measure::KnownFrontier frontier, double wall_ms) {
+    at_ = start(frontier, wall_ms);
     frontier_ = std::move(frontier);
     step(std::exchange(waiting_, 0));
 }

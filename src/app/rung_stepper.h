@@ -15,8 +15,10 @@ public:
     bool step(int by);
     // Steps were taken, and there is no frontier yet to take them on.
     bool wants_frontier() const { return wanted_ && !frontier_; }
-    // They are taken now: from the rungs as asked for where the frontier has them, else from the
-    // most accurate ones whose frames take no longer than `wall_ms`.
+    // The point from which they are taken: the rungs as asked for where the frontier has them, else
+    // the most accurate ones whose frames take no longer than `wall_ms`.
+    static std::size_t start(const measure::KnownFrontier& frontier, double wall_ms);
+    // They are taken now.
     void put(measure::KnownFrontier frontier, double wall_ms);
     // No frontier can be had: the steps are forgotten.
     void give_up() { wanted_ = false, waiting_ = 0; }

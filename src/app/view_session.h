@@ -49,6 +49,8 @@ struct SessionParts {
     std::optional<Script> script;
     // A script is played at once instead of in real time: nobody watches.
     bool instant = false;
+    // What a frame takes now, of CPU time, ms; empty: it is timed.
+    std::function<double(const frame::FramePlan&)> time_now = {};
 };
 
 class ViewSession {
@@ -99,7 +101,8 @@ private:
     static constexpr int kMessageSteps = 3 * kStepsPerSecond;
     // On the picture for a moment; not where the picture has to be the same in every run.
     void show_message(const std::string& text, int steps);
-    void tell(const std::string& text); // the same, and a line on standard error
+    void tell(const std::string& text);  // the same, and a line on standard error
+    void refuse(const std::string& why); // the same of what cannot be shown; --quiet leaves it out
     Result<void> wait();
 
     // The plan on the picture.
@@ -125,6 +128,7 @@ private:
     bool wants_frontier_step();
     Result<void> measure_frontier();
     Result<void> begin_frontier();
+    void refuse_frontier(const std::string& why);
     void put_frontier(measure::KnownFrontier frontier);
     FrontierPanel frontier_panel() const;
     double budget_ms() const; // of a frame while something moves

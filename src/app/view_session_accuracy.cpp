@@ -71,12 +71,16 @@ Result<void> ViewSession::finish_reference() {
     return {};
 }
 
+void ViewSession::refuse(const std::string& why) {
+    if (!settings_.quiet) say("scanout: " + why);
+    show_message(why, kMessageSteps);
+}
+
 // Once for each model.
 Result<void> ViewSession::refuse_reference(const std::string& why) {
     accuracy_.refuse(key(), why);
     if (std::exchange(refusal_told_, slot_.generation()) == slot_.generation()) return {};
-    if (!settings_.quiet) say("scanout: no reference: " + why);
-    show_message("no reference: " + why, kMessageSteps);
+    refuse("no reference: " + why);
     return {};
 }
 

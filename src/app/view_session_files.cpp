@@ -70,7 +70,7 @@ Result<void> ViewSession::choose_rungs() {
     };
     Result<Chosen> chosen =
         app::choose_rungs({slot_.model()->scene, slot_.facts(), view, options, free_axes(settings_),
-                           parts_.jobs, progress, [&] { return quit_; }},
+                           parts_.jobs, settings_.max_memory_mb, progress, [&] { return quit_; }},
                           settings_.limits);
     if (quit_) return {};
     if (!chosen) {

@@ -3,11 +3,9 @@
 // for.
 #include "app/budget.h"
 #include "app/frontier_key.h"
-#include "app/message.h"
 #include "app/reference.h"
 #include "app/text_block.h"
 #include "app/view_session.h"
-#include "measure/ladder.h"
 #include "scene/content.h"
 
 #include <algorithm>
@@ -53,14 +51,13 @@ Result<void> ViewSession::measure_frontier() {
     auto found = frontier_.take();
     if (!found) return {};
     if (!*found) {
-        tell("no frontier: " + found->error().what);
-        rungs_.give_up();
+        refuse_frontier(found->error().what);
         return {};
     }
     const Result<FrontierCache> cache = FrontierCache::of_user();
     const Result<void> kept =
         cache ? cache->keep(frontier_key_, **found) : tl::unexpected(cache.error());
-    if (!kept && settings_.verbose) say(kept.error().what + "; it is measured anew each time");
+    if (!kept) print_warnings({kept.error().what + "; it is measured anew each time"}, settings_);
     put_frontier(*std::move(*found));
     return {};
 }
@@ -70,26 +67,30 @@ Result<void> ViewSession::begin_frontier() {
     TRY(const scene::View view, viewer_.view(*slot_.mesh()));
     frame::FrameOptions options;
     put_asked_frame_options(options);
-    const std::vector<std::string> axes = free_axes(settings_);
+    BudgetTask task{scene, slot_.facts(), view, options, free_axes(settings_), parts_.jobs};
+    task.time_now = parts_.time_now;
     frontier_key_ =
-        frontier_key(scene::content_hash(scene), view, options, axes, parts_.jobs.threads());
+        frontier_key(scene::content_hash(scene), view, options, task.axes, parts_.jobs.threads());
     if (const Result<FrontierCache> cache = FrontierCache::of_user())
-        if (auto known = cache->find(frontier_key_)) {
-            put_frontier(*std::move(known));
-            return {};
-        }
-    TRY(const frame::FramePlan plain,
-        frame::plan(measure::without_rungs(options), slot_.facts(), view));
-    const Result<trace::Look> look = look_of(plain);
-    const Result<void> fits =
-        check_reference_fits(scene, viewer_.width(), viewer_.height(), settings_.max_memory_mb);
-    if (!look || !fits) {
-        tell("no frontier: " + (look ? fits.error() : look.error()).what);
-        rungs_.give_up();
+        if (auto known = cache->find(frontier_key_))
+            if (still_holds(task, known->points[RungStepper::start(*known, budget_ms())])) {
+                put_frontier(*std::move(known));
+                return {};
+            }
+    const Result<trace::Look> look =
+        look_of_rungs(scene, slot_.facts(), view, options, settings_.max_memory_mb);
+    if (!look) {
+        refuse_frontier(look.error().what);
         return {};
     }
-    frontier_.begin({scene, slot_.facts(), view, options, axes, *look});
+    print_warnings(left_out_of_reference(scene), settings_);
+    frontier_.begin({scene, slot_.facts(), view, options, task.axes, *look});
     return {};
+}
+
+void ViewSession::refuse_frontier(const std::string& why) {
+    refuse("no frontier: " + why);
+    rungs_.give_up();
 }
 
 void ViewSession::put_frontier(measure::KnownFrontier frontier) {

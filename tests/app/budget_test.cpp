@@ -29,6 +29,7 @@ protected:
                              shot.options,
                              {"aa", "texture"},
                              jobs,
+                             max_memory_mb,
                              progress,
                              {},
                              time_now},
@@ -45,6 +46,7 @@ protected:
     test::TemporaryFolder folder;
     FrontierCache cache{folder.file("cache")};
     int traced = 0; // calls
+    int max_memory_mb = 0;
     // A machine on which all times stay what they were.
     std::function<double(const frame::FramePlan&)> time_now = [this](const frame::FramePlan& plan) {
         const measure::KnownFrontier known = *cache.find(key());
@@ -109,6 +111,15 @@ TEST_F(Budget, TimesOfThisMachineHold) {
     for (int i = 0; i < 10 && !cached; ++i)
         cached = choose({1000, {}})->cached;
     EXPECT_TRUE(cached);
+}
+
+TEST_F(Budget, IsRefusedWhereTheReferenceTakesMoreThanMaxMemory) {
+    shot.options.width = shot.options.height = 400;
+    max_memory_mb = 1;
+    const auto chosen = choose({1000, {}});
+    ASSERT_FALSE(chosen);
+    EXPECT_THAT(chosen.error().what, HasSubstr("--max-memory is 1"));
+    EXPECT_EQ(traced, 0);
 }
 
 TEST_F(Budget, ADamagedFileIsMeasuredAnew) {
@@ -189,7 +200,7 @@ TEST_F(Budget, StopsWhereItIsTold) {
         };
         const auto stop = [&] { return asked++ >= steps; };
         const auto chosen = choose_rungs(
-            {shot.scene, facts, view, shot.options, {"aa", "texture"}, jobs, progress, stop},
+            {shot.scene, facts, view, shot.options, {"aa", "texture"}, jobs, 0, progress, stop},
             {1000, {}}, &cache);
         ASSERT_FALSE(chosen) << steps;
         EXPECT_EQ(chosen.error().exit, Exit::usage);

@@ -16,6 +16,7 @@ class RungSession : public Session {
 protected:
     RungSession() {
         settings.converge = Converge::automatic;
+        time_now = [](const frame::FramePlan&) { return 3; }; // known()'s, as asked for
         ::setenv("XDG_CACHE_HOME", folder.file("cache").c_str(), 1);
     }
     ~RungSession() override { ::unsetenv("XDG_CACHE_HOME"); }
@@ -88,6 +89,73 @@ TEST_F(RungSession, AFrontierIsMeasuredWhereNoneIsKnownAndThenRemembered) {
     for (const auto& entry : std::filesystem::recursive_directory_iterator(cache))
         files += entry.is_regular_file() ? 1 : 0;
     EXPECT_EQ(files, 1);
+}
+
+// What was measured on a machine that was busy, or is another one by now.
+TEST_F(RungSession, AKnownFrontierWhoseTimesHoldNoMoreIsMeasuredAnew) {
+    width = 640;
+    height = 300;
+    remember(known());
+    time_now = [](const frame::FramePlan&) { return 3 * kTimeHolds * 1.001; };
+    port::Event down = press(XKB_KEY_comma), up = down;
+    up.pressed = false;
+    expect_same_left(last_frame({{300ms, {down, up}}, {500ms, {quit()}}}), rendered({}));
+}
+
+TEST_F(RungSession, WhatHasNoReferenceIsRefusedInOneLineAndNotRemembered) {
+    settings.converge = Converge::off; // which has no reference either, and says so
+    settings.arguments = {folder.write("line.obj", "v 0 0 0\nv 1 1 0\nl 1 2\n")};
+    port::Event down = press(XKB_KEY_comma), up = down;
+    up.pressed = false;
+    for (const bool quiet : {false, true}) {
+        settings.quiet = quiet;
+        testing::internal::CaptureStderr();
+        last_frame({{300ms, {down, up}}, {1000ms, {quit()}}});
+        const std::string said = testing::internal::GetCapturedStderr();
+        if (quiet)
+            EXPECT_EQ(said, "");
+        else
+            EXPECT_EQ(said, "scanout: no frontier: " + settings.arguments.front() +
+                                ": nothing to gain: it has no triangles, and lines and points have "
+                                "no reference; name another model\n");
+        EXPECT_FALSE(std::filesystem::exists(folder.file("cache")));
+    }
+}
+
+// The camera looks past the model.
+TEST_F(RungSession, APictureOfOneColourHasNoFrontier) {
+    width = 64;
+    height = 48;
+    settings.quiet = false;
+    settings.frame.background = {0, 0, 0, 255};
+    settings.frame.lights.clear();
+    settings.arguments = {folder.write("black.obj", "mtllib m.mtl\nusemtl black\nv 0 0 0\nv 1 0 0\n"
+                                                    "v 0 1 0\nf 1 2 3\n")};
+    folder.write("m.mtl", "newmtl black\nKd 0 0 0\nKs 0 0 0\n");
+    port::Event down = press(XKB_KEY_comma), up = down;
+    up.pressed = false;
+    testing::internal::CaptureStderr();
+    last_frame({{300ms, {down, up}}, {4s, {quit()}}});
+    EXPECT_NE(
+        testing::internal::GetCapturedStderr().find("every pixel of the picture has one colour"),
+        std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(folder.file("cache")));
+}
+
+TEST_F(RungSession, LinesThatTheReferenceLeavesOutAreNamed) {
+    settings.converge = Converge::off; // which has no reference either, and says so
+    width = 64;
+    height = 48;
+    settings.quiet = false;
+    settings.arguments = {
+        folder.write("both.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 2 2 2\nl 1 4\n")};
+    port::Event down = press(XKB_KEY_comma), up = down;
+    up.pressed = false;
+    testing::internal::CaptureStderr();
+    last_frame({{300ms, {down, up}}, {500ms, {quit()}}});
+    EXPECT_EQ(testing::internal::GetCapturedStderr(),
+              "scanout: warning: " + settings.arguments.front() +
+                  ": 1 lines and 0 points have no area: they are not in the reference\n");
 }
 
 TEST_F(RungSession, AReplayTakesNoStepByTheClock) {

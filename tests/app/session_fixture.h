@@ -103,7 +103,8 @@ protected:
     image::Image last_frame(std::vector<TimedInput::Entry> entries) {
         port::HeadlessDisplay display = make_display();
         TimedInput input(std::move(entries));
-        auto session = ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false});
+        auto session =
+            ViewSession::create(settings, {display, input, jobs, {}, {}, {}, false, time_now});
         EXPECT_TRUE((*session)->run());
         return display.shown();
     }
@@ -148,6 +149,7 @@ protected:
     test::TemporaryFolder folder;
     int width = 160, height = 120;
     Settings settings;
+    std::function<double(const frame::FramePlan&)> time_now; // empty: by the clock
     Jobs jobs{2};
 };
 
