@@ -43,9 +43,7 @@ Result<Exit> run_explain(const Settings& settings) {
     TRY(const measure::Explanation explanation,
         measure::explain(model.scene, view, settings.frame, jobs, how));
     bar.reset();
-    print_warnings(explanation.ignored_options, settings);
-    model.warnings.insert(model.warnings.end(), explanation.ignored_options.begin(),
-                          explanation.ignored_options.end());
+    warn(explanation.ignored_options, settings, model.warnings);
     if (settings.json != "-")
         for (const std::string& line : explain_table(model, explanation))
             say(line, stdout);

@@ -102,12 +102,12 @@ public:
                                   report.compared()
                                       ? "the measurement ended before anything was timed"
                                       : "without a reference there are no errors to draw")},
-                     report);
+                     settings_, report.warnings);
         if (!settings_.sheet_png.empty() && !report.compared())
             warn({fmt::format("{}: not written: without a reference there are no errors to show",
                               settings_.sheet_png)},
-                 report);
-        warn(frame::ignored_options((*report.found.points)[0].plan), report);
+                 settings_, report.warnings);
+        warn(frame::ignored_options((*report.found.points)[0].plan), settings_, report.warnings);
         return report;
     }
 
@@ -119,7 +119,7 @@ private:
         if (!look) {
             const bool too_large = look.error().exit == Exit::unreadable;
             if (!too_large || settings_.no_times) return tl::unexpected(look.error());
-            warn({look.error().what + "; times alone are measured"}, report);
+            warn({look.error().what + "; times alone are measured"}, settings_, report.warnings);
             return {};
         }
         look_ = *look;
@@ -131,7 +131,7 @@ private:
         TRY(trace::Reference made,
             reference_of_rungs(model_.scene, view_, look_, jobs_, effort,
                                [&](double fraction) { bar.show(fraction); }));
-        warn(left_out_of_reference(model_.scene), report);
+        warn(left_out_of_reference(model_.scene), settings_, report.warnings);
         report.reference_ms = watch.milliseconds();
         report.reference_samples = made.samples;
         report.noise = made.mean_error();
@@ -147,11 +147,6 @@ private:
                                       report.reference);
         measure::measure_own(report.found.ladders, settings_.frame, measurer, Interrupt::asked);
         return {};
-    }
-
-    void warn(const std::vector<std::string>& lines, FrontierReport& report) const {
-        print_warnings(lines, settings_);
-        report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
     }
 
     const Settings& settings_;

@@ -104,11 +104,7 @@ private:
                                 RunReport& report) {
         TRY(const trace::Look look, look_of(plan));
         TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
-        if (index == 0) {
-            const std::vector<std::string> missing = left_out_of_reference(scene_);
-            print_warnings(missing, settings_);
-            report.warnings.insert(report.warnings.end(), missing.begin(), missing.end());
-        }
+        if (index == 0) warn(left_out_of_reference(scene_), settings_, report.warnings);
         const Stopwatch watch;
         std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
         TRY(const trace::Reference made,
@@ -143,7 +139,7 @@ private:
         if (settings_.verbose)
             for (const frame::Decision& decision : plan.decisions)
                 say(to_string(decision));
-        warn(frame::ignored_options(plan), report);
+        warn(frame::ignored_options(plan), settings_, report.warnings);
     }
     void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
                        const image::Image& picture, RunReport& report) {
@@ -151,11 +147,7 @@ private:
             frame::why_blank(scene_, view, camera_.up, plan, renderer_.stats(), picture);
         if (!why) return;
         told_blank_ = true; // of several pictures, once
-        warn({*why}, report);
-    }
-    void warn(const std::vector<std::string>& lines, RunReport& report) const {
-        print_warnings(lines, settings_);
-        report.warnings.insert(report.warnings.end(), lines.begin(), lines.end());
+        warn({*why}, settings_, report.warnings);
     }
 
     std::uint64_t hash_of(const image::Image& picture) const {
@@ -212,12 +204,10 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
         s.limits);
     bar.reset();
     if (!chosen) {
-        const std::vector<std::string> lines = {none_chosen(s.limits, chosen.error())};
-        print_warnings(lines, s);
-        warnings.insert(warnings.end(), lines.begin(), lines.end());
+        warn({none_chosen(s.limits, chosen.error())}, s, warnings);
         return std::nullopt;
     }
-    print_warnings(chosen->notes, s);
+    warn(chosen->notes, s, warnings);
     if (!chosen->choice.met()) return fail(Exit::usage, "{}", chosen->instead);
     if (!s.quiet) say(to_text(*chosen));
     return std::optional(*std::move(chosen));

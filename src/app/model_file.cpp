@@ -62,4 +62,10 @@ void print_warnings(const std::vector<std::string>& warnings, const Settings& se
         say("scanout: warning: " + line);
 }
 
+void warn(const std::vector<std::string>& warnings, const Settings& settings,
+          std::vector<std::string>& report) {
+    print_warnings(warnings, settings);
+    report.insert(report.end(), warnings.begin(), warnings.end());
+}
+
 } // namespace scanout::app

@@ -38,5 +38,8 @@ Result<LoadedModel> load_model_with_messages(const std::string& path, const Sett
                                              Jobs& jobs, io::ModelSource* source = nullptr);
 
 void print_warnings(const std::vector<std::string>& warnings, const Settings& settings);
+// And adds them to those of a report.
+void warn(const std::vector<std::string>& warnings, const Settings& settings,
+          std::vector<std::string>& report);
 
 } // namespace scanout::app

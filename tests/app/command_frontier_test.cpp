@@ -158,6 +158,20 @@ TEST_F(Program, ABudgetIsMeasuredOnce) {
     ::unsetenv("XDG_CACHE_HOME");
 }
 
+// No folder can be made there.
+TEST_F(Program, WhatIsSaidWhileABudgetIsMeasuredStandsInTheReport) {
+    ::setenv("XDG_CACHE_HOME", model.c_str(), 1);
+    const Outcome drawn = run("render $m --size 64x48 --hash --json=$d/j --budget 2s");
+    ::unsetenv("XDG_CACHE_HOME");
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    const std::string note =
+        "set XDG_CACHE_HOME to a folder that can be written; --budget measures "
+        "anew each time";
+    EXPECT_NE(drawn.err.find(note), std::string::npos) << drawn.err;
+    EXPECT_NE(nlohmann::json::parse(folder.read("j"))["warnings"].dump().find(note),
+              std::string::npos);
+}
+
 TEST_F(Program, WhereNothingCanBeChosenIsDrawnAsAskedFor) {
     folder.write("lines.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n");
     for (const std::string words :
