@@ -200,6 +200,7 @@ private:
     image::Image undithered_;           // of a display that would dither; else empty
     std::optional<frame::Blank> blank_; // why the picture shows nothing of the model
     bool lost_ = false, repaint_ = true, quit_ = false;
+    bool input_was_read_ = false; // standard input, as a model
 };
 
 } // namespace scanout::app

@@ -21,9 +21,16 @@ Result<void> ViewSession::outcome() const {
 
 Result<void> ViewSession::load(bool again) {
     const Time start = std::chrono::steady_clock::now();
-    Result<LoadedModel> model = load_model(path(), settings_, parts_.jobs, [&](double share) {
-        return report_progress("reading", share, start);
-    });
+    Result<LoadedModel> model =
+        fail(Exit::unreadable,
+             "standard input cannot be read a second time; save it, and show the file");
+    if (path() != "-" || !std::exchange(input_was_read_, true)) {
+        model = load_model(path(), settings_, parts_.jobs,
+                           [&](double share) { return report_progress("reading", share, start); });
+    } else if (again) {
+        refuse(model.error().what);
+        return {}; // what is on show stays
+    }
     if (quit_) return {};
     explain_.stop(); // the model that it explains is going
     accuracy_.stop();

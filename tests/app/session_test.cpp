@@ -1,6 +1,7 @@
 #include "app/session_fixture.h"
 #include "image/hash.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/eventfd.h>
@@ -42,6 +43,23 @@ TEST_F(Session, TenSecondsWithoutInputDrawNoFrameAndTakeLessThanAThousandthOfThe
 #ifndef SCANOUT_SANITIZED // ThreadSanitizer has a thread of its own, which does not sleep
     EXPECT_LT(input.seen[2].first - input.seen[1].first, 0.010);
 #endif
+}
+
+// A pipe gives its bytes once.
+TEST_F(Session, AModelFromStandardInputIsReadOnce) {
+    const image::Image cube = rendered({});
+    const std::string before = folder.file("before.png"), after = folder.file("after.png");
+    const Fd model = *Fd::open(settings.arguments.front(), O_RDONLY);
+    const Fd old(::dup(STDIN_FILENO));
+    ASSERT_EQ(::dup2(model.get(), STDIN_FILENO), STDIN_FILENO);
+    settings.arguments = {"-"};
+    port::HeadlessDisplay display = make_display();
+    const Result<void> played =
+        play("frame " + before + "\n+1 reload\n+1 frame " + after + "\n", display);
+    ::dup2(old.get(), STDIN_FILENO);
+    ASSERT_TRUE(played) << played.error().what;
+    EXPECT_EQ(*image::load(before), cube);
+    EXPECT_EQ(*image::load(after), cube);
 }
 
 TEST_F(Session, XLaysThePlanOnThePictureAndTakesItAway) {
