@@ -1,5 +1,6 @@
 #include "measure/own_measure.h"
 
+#include "base/check.h"
 #include "frame/plan/plan.h"
 
 #include <algorithm>
@@ -98,11 +99,14 @@ void OwnMeasurer::for_pixels(F f) const {
 
 std::optional<OwnMeasurer::Drawn> OwnMeasurer::draw(const scene::Scene& scene,
                                                     const frame::SceneFacts& facts,
-                                                    const frame::FrameOptions& options) {
+                                                    frame::FrameOptions options) {
+    options.render_scale = "full";
     const auto plan = frame::plan(options, facts, view_);
     if (!plan) return std::nullopt;
     Drawn drawn;
-    drawn.picture = renderer_.render(scene, view_, *plan, &drawn.visibility, 64, &drawn.linear);
+    renderer_.render(scene, view_, *plan, &drawn.visibility, 64, &drawn.linear);
+    CHECK_EQ(drawn.linear.width, reference_.width() * plan->aa->scale);
+    CHECK_EQ(drawn.linear.height, reference_.height() * plan->aa->scale);
     return drawn;
 }
 
@@ -247,13 +251,15 @@ std::optional<double> OwnMeasurer::shadows(const frame::FrameOptions& options) {
 std::optional<double> OwnMeasurer::codes(const frame::FrameOptions& options,
                                          std::vector<float>& mask, float counts,
                                          float (*ask)(const Oracle&, int x, int y)) {
-    const auto drawn = draw(options);
-    if (!drawn) return std::nullopt;
+    const auto plan = frame::plan(options, facts_, view_);
+    if (!plan) return std::nullopt;
+    const image::Image& picture = renderer_.render(scene_, view_, *plan);
+    CHECK(picture.width() == reference_.width() && picture.height() == reference_.height());
     answers(mask, ask);
     double squares = 0;
     std::int64_t compared = 0;
     for_pixels([&](int x, int y, std::size_t i) {
-        const image::Rgba8 &a = reference_.at(x, y), &b = drawn->picture.at(x, y);
+        const image::Rgba8 &a = reference_.at(x, y), &b = picture.at(x, y);
         if (mask[i] != counts) return;
         const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
         squares += (r * r + g * g + blue * blue) / 3.0;
@@ -264,17 +270,15 @@ std::optional<double> OwnMeasurer::codes(const frame::FrameOptions& options,
 }
 
 // 1: inside a surface, 0: at an edge, -1: background.
+static float inside_or_edge(const Oracle& o, int x, int y) {
+    if (!o.is_inside(x, y)) return 0;
+    return o.covered(x, y) == 0 ? -1.0F : 1.0F;
+}
 std::optional<double> OwnMeasurer::codes_inside(const frame::FrameOptions& options) {
-    return codes(options, inside_, 1, [](const Oracle& o, int x, int y) {
-        if (!o.is_inside(x, y)) return 0.0F;
-        return o.covered(x, y) == 0 ? -1.0F : 1.0F;
-    });
+    return codes(options, inside_, 1, inside_or_edge);
 }
 std::optional<double> OwnMeasurer::codes_at_edges(const frame::FrameOptions& options) {
-    return codes(options, inside_, 0, [](const Oracle& o, int x, int y) {
-        if (!o.is_inside(x, y)) return 0.0F;
-        return o.covered(x, y) == 0 ? -1.0F : 1.0F;
-    });
+    return codes(options, inside_, 0, inside_or_edge);
 }
 std::optional<double> OwnMeasurer::codes_seen_through(const frame::FrameOptions& options) {
     return codes(options, seen_through_, 1, [](const Oracle& o, int x, int y) {

@@ -53,12 +53,13 @@ private:
     std::optional<double> codes_seen_through(const frame::FrameOptions& options);
 
     struct Drawn {
-        image::Image picture;
         frame::Visibility visibility;
         shade::LinearPicture linear;
     };
+    // At full size whatever the options say: what is measured by the sample must have the pixels of
+    // the reference. A smaller frame's error is the axis render_scale's.
     std::optional<Drawn> draw(const scene::Scene& scene, const frame::SceneFacts& facts,
-                              const frame::FrameOptions& options);
+                              frame::FrameOptions options);
     std::optional<Drawn> draw(const frame::FrameOptions& options) {
         return draw(scene_, facts_, options);
     }

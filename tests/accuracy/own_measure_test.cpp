@@ -96,5 +96,19 @@ TEST(OwnMeasure, InsideSurfacesEdgesDoNotCount) {
     EXPECT_GT(transparency.at("cut_out"), transparency.at("sorted"));
 }
 
+// What is measured by the sample is measured at full size, however small the frame is asked for.
+TEST(OwnMeasure, ARenderScaleDoesNotChangeWhatIsMeasuredByTheSample) {
+    for (const auto& [axis, full] :
+         {std::pair{"aa", test::star("edges")}, std::pair{"interpolate", test::wall("texels")},
+          std::pair{"shadow", test::shadowed("shadows", "auto")},
+          std::pair{"depth", test::solids("depths")}}) {
+        Shot half = full;
+        half.options.render_scale = "half";
+        const auto expected = measured(full, axis);
+        EXPECT_FALSE(expected.empty()) << axis;
+        EXPECT_EQ(measured(half, axis), expected) << axis;
+    }
+}
+
 } // namespace
 } // namespace scanout::measure
