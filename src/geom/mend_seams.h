@@ -16,11 +16,12 @@ struct SplitEdges {
     std::size_t unsearched = 0; // open edges, where they are more than kMostOpenEdges
 };
 
+// A heap of faces, such as leaves or hair, has no seams, but the search would take many times as
+// long as reading it: a model with more open edges is not searched for TVertices::seams.
+inline constexpr std::size_t kMostOpenEdges = 200'000;
+
 // seams: where two surfaces meet along the edge; those of sheets whose faces have turned twins may
 // be left out, so that closed models cost little. all: also vertices that only touch an edge.
-// A heap of faces, such as leaves or hair, has no seams, but the search would take many times as
-// long as reading it: of seams it is left out then.
-inline constexpr std::size_t kMostOpenEdges = 200'000;
 enum class TVertices : std::uint8_t { seams, all };
 
 // `tolerance`: in bounding radii (DiagnoseOptions). Indices must lie within the mesh's arrays.

@@ -1,8 +1,7 @@
 #include "geom/open_edges.h"
 
 #include "base/chunks.h"
-#include "geom/diagnose/surface.h"
-#include "geom/join_table.h"
+#include "geom/place.h"
 
 #include <algorithm>
 #include <bit>
@@ -29,7 +28,7 @@ public:
         for_chunks(jobs, place_.size(), 16384, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = begin; i < end; ++i)
                 if (usable.position[i] != 0)
-                    place_[i] = hash_of(place_as_drawn(framing.normalise(mesh.positions[i])));
+                    place_[i] = hash_of_place(place_as_drawn(framing.normalise(mesh.positions[i])));
         });
     }
 
@@ -54,9 +53,9 @@ public:
     }
 
     // Edges that are used an odd number of times leave a bit of a table set, others none, but where
-    // two of the first share it: then the sum of all keys tells that some are missing.
+    // two of the first share it: then the parity of all keys tells that some are missing.
     std::optional<std::vector<OpenEdge>> find_odd() const {
-        const std::uint64_t all = sum_of_keys();
+        const std::uint64_t all = parity_of_keys();
         if (all == 0) return std::vector<OpenEdge>();
         const std::size_t bits = std::bit_ceil(8 * std::max<std::size_t>(mesh_.corners.size(), 64));
         std::vector<std::uint64_t> odd(bits / 64);
@@ -81,12 +80,6 @@ public:
     }
 
 private:
-    static std::uint64_t hash_of(const Vec3& p) {
-        const auto bits = [](float x) {
-            return std::uint64_t{std::bit_cast<std::uint32_t>(x + 0.0F)}; // no -0
-        };
-        return mix_bits(mix_bits(bits(p.x) << 32 | bits(p.y)) + bits(p.z));
-    }
     std::uint64_t place(std::size_t corner) const {
         return place_[static_cast<std::size_t>(mesh_.corners[corner].position)];
     }
@@ -96,25 +89,27 @@ private:
                   [](const OpenEdge& a, const OpenEdge& b) { return a.corner < b.corner; });
     }
     // Exclusive or of all uses' keys: 0 where all edges are used an even number of times.
-    std::uint64_t sum_of_keys() const {
-        std::vector<std::uint64_t> sums((mesh_.faces() + kFaceChunk - 1) / kFaceChunk);
+    std::uint64_t parity_of_keys() const {
+        std::vector<std::uint64_t> parities((mesh_.faces() + kFaceChunk - 1) / kFaceChunk);
         for_chunks(jobs_, mesh_.faces(), kFaceChunk, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t f = begin; f < end; ++f)
-                for_edges(f, [&](std::uint64_t key, OpenEdge) { sums[begin / kFaceChunk] ^= key; });
+                for_edges(
+                    f, [&](std::uint64_t key, OpenEdge) { parities[begin / kFaceChunk] ^= key; });
         });
         std::uint64_t all = 0;
-        for (const std::uint64_t sum : sums)
-            all ^= sum;
+        for (const std::uint64_t parity : parities)
+            all ^= parity;
         return all;
     }
     static std::size_t bucket_of(std::uint64_t key) {
         return static_cast<std::size_t>(key >> (64 - kBucketBits));
     }
 
-    // Calls visit(key, edge) for the edges of a face that can be drawn.
+    // Calls visit(key, edge) for the edges of a face that can be drawn, on three places or more.
     template <class Visit>
     void for_edges(std::size_t face, Visit&& visit) const {
         if (!usable_.face[face]) return;
+        if (stands_on_two_places(mesh_, face, [this](std::size_t c) { return place(c); })) return;
         const std::size_t end = mesh_.face_end(face);
         std::size_t before = end - 1;
         for (std::size_t c = mesh_.face_begin[face]; c < end; before = c++)

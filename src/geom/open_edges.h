@@ -22,7 +22,7 @@ struct OpenEdge {
 enum class OpenEdgeSearch : std::uint8_t { complete, odd };
 
 // Edges that one face alone uses, its repetitions and turned twins not counted, in the order of
-// corners. `framing`: of the mesh.
+// corners. Faces on one or two places do not count (geom/place.h). `framing`: of the mesh.
 std::vector<OpenEdge> open_edges(Jobs& jobs, const PolygonMesh& mesh, const Usable& usable,
                                  const Framing& framing,
                                  OpenEdgeSearch search = OpenEdgeSearch::complete);

@@ -20,7 +20,7 @@ std::vector<OpenEdge> open_edges_of(const PolygonMesh& mesh,
 }
 
 // By comparing positions: an edge is open where all its uses are of faces with the same corners,
-// and none is of a face that has it twice.
+// and none is of a face that has it twice. Faces on one or two places do not count.
 std::vector<OpenEdge> naive_open_edges(const PolygonMesh& mesh) {
     using Point = std::array<double, 3>;
     const auto at = [&](std::size_t corner) {
@@ -37,6 +37,7 @@ std::vector<OpenEdge> naive_open_edges(const PolygonMesh& mesh) {
         std::multiset<Point> shape;
         for (std::size_t c = mesh.face_begin[f]; c < mesh.face_end(f); ++c)
             shape.insert(at(c));
+        if (std::set<Point>(shape.begin(), shape.end()).size() < 3) continue;
         for (std::size_t c = mesh.face_begin[f]; c < mesh.face_end(f); ++c) {
             const std::size_t next = c + 1 < mesh.face_end(f) ? c + 1 : mesh.face_begin[f];
             const std::set<Point> ends{at(c), at(next)};
@@ -55,7 +56,7 @@ std::vector<OpenEdge> naive_open_edges(const PolygonMesh& mesh) {
     return open;
 }
 
-// How many faces have the edge.
+// How many faces on three places or more have the edge.
 int uses_of(const PolygonMesh& mesh, const OpenEdge& edge) {
     const auto ends = [&](std::uint32_t face, std::size_t corner) {
         const std::size_t next =
@@ -67,14 +68,19 @@ int uses_of(const PolygonMesh& mesh, const OpenEdge& edge) {
     };
     const auto wanted = ends(edge.face, edge.corner);
     int uses = 0;
-    for (std::uint32_t f = 0; f < mesh.faces(); ++f)
+    for (std::uint32_t f = 0; f < mesh.faces(); ++f) {
+        int of_face = 0;
+        std::set<std::array<double, 3>> places;
         for (std::size_t c = mesh.face_begin[f]; c < mesh.face_end(f); ++c) {
             const auto [a, b] = ends(f, c);
-            uses += (a == wanted.first && b == wanted.second) ||
-                            (a == wanted.second && b == wanted.first)
-                        ? 1
-                        : 0;
+            places.insert({a.x, a.y, a.z});
+            of_face += (a == wanted.first && b == wanted.second) ||
+                               (a == wanted.second && b == wanted.first)
+                           ? 1
+                           : 0;
         }
+        uses += places.size() > 2 ? of_face : 0;
+    }
     return uses;
 }
 
@@ -154,6 +160,29 @@ TEST(SplitTVertices, ClosesTheSeamOfThreeDecimalsAndMovesNoVertex) {
         EXPECT_EQ(diagnosed(mesh).count(Hazard::t_vertices), 0U);
         EXPECT_EQ(open_edges_of(mesh).size(), 12 * sheets);
         EXPECT_EQ(split_t_vertices(jobs(), mesh, 1e-3).corners, 0U);
+    }
+}
+
+// Decimation leaves faces such as `f 1 2 1`, which cover nothing.
+TEST(OpenEdges, AFaceOnTwoPlacesHidesNone) {
+    PolygonMesh mesh;
+    mesh.positions = {{0, 0, 0}, {2, 0, 0}, {1, 2, 0}};
+    add_face(mesh, {0, 1, 2});
+    add_face(mesh, {0, 1, 0});
+    add_face(mesh, {1, 2, 1, 2});
+    for (const OpenEdgeSearch search : {OpenEdgeSearch::odd, OpenEdgeSearch::complete})
+        EXPECT_EQ(open_edges_of(mesh, search), (std::vector<OpenEdge>{{0, 0}, {0, 1}, {0, 2}}));
+}
+
+TEST(SplitTVertices, ClosesASeamThatAFaceOnTwoPlacesLiesOn) {
+    for (const TVertices which : {TVertices::seams, TVertices::all}) {
+        PolygonMesh mesh = t_junction_grid(3);
+        PolygonMesh same = mesh;
+        const Corner a = mesh.corners[0], b = mesh.corners[1], c = mesh.corners[2];
+        for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+            add_face(mesh, {from.position, to.position, from.position});
+        EXPECT_EQ(split_t_vertices(jobs(), same, 1e-3, which).corners, 6U);
+        EXPECT_EQ(split_t_vertices(jobs(), mesh, 1e-3, which).corners, 6U);
     }
 }
 

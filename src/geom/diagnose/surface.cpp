@@ -3,10 +3,10 @@
 #include "base/chunks.h"
 #include "geom/diagnose/shape.h"
 #include "geom/join_table.h"
+#include "geom/place.h"
 #include "geom/triangulate.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -18,11 +18,7 @@ struct PlaceRows {
     const std::vector<Vec3>& drawn;          // by item
     std::vector<std::uint32_t>& first_items; // of each row
 
-    static std::uint64_t bits(float x) { return std::bit_cast<std::uint32_t>(x + 0.0F); } // no -0
-    std::uint64_t hash(std::size_t item) const {
-        const Vec3& p = drawn[item];
-        return mix_bits(mix_bits(bits(p.x) << 32 | bits(p.y)) + bits(p.z));
-    }
+    std::uint64_t hash(std::size_t item) const { return hash_of_place(drawn[item]); }
     std::uint64_t hash_of_row(std::uint32_t row) const { return hash(first_items[row]); }
     bool same(std::size_t a, std::size_t b) const { return drawn[a] == drawn[b]; }
     bool is_row(std::size_t item, std::uint32_t row) const {
@@ -35,12 +31,6 @@ struct PlaceRows {
 };
 
 } // namespace
-
-Vec3 place_as_drawn(const DVec3& normalised) {
-    constexpr double kSteps = 0x1.8p52 * 0x1p-26; // x + kSteps - kSteps: a multiple of 2^-26
-    return {(normalised.x + kSteps) - kSteps, (normalised.y + kSteps) - kSteps,
-            (normalised.z + kSteps) - kSteps};
-}
 
 Surface::Surface(Jobs& jobs, const PolygonMesh& mesh, const Framing* framing)
     : jobs_(jobs), mesh_(mesh), usable_(jobs, mesh),
@@ -140,16 +130,9 @@ void Surface::find_edges() {
 }
 
 bool Surface::stands_on_two_places(std::size_t face) const {
-    if (has_area_[face]) return false;
-    const std::uint32_t first = corner_place(mesh_.face_begin[face]);
-    std::uint32_t second = first;
-    for (std::size_t c = mesh_.face_begin[face]; c < mesh_.face_end(face); ++c) {
-        const std::uint32_t place = corner_place(c);
-        if (place == first || place == second) continue;
-        if (second != first) return false;
-        second = place;
-    }
-    return true;
+    return !has_area_[face] && geom::stands_on_two_places(mesh_, face, [this](std::size_t corner) {
+        return corner_place(corner);
+    });
 }
 
 bool Surface::has_corner_at(std::size_t face, std::uint32_t place) const {

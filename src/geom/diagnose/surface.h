@@ -1,6 +1,5 @@
-// The surface of a PolygonMesh as the diagnosis reads it: places (positions that are one vertex
-// when they are drawn, as floats of 2^-26 at least), the edges of its faces, and their triangles.
-// Faces that cannot be drawn are left out.
+// The surface of a PolygonMesh as the diagnosis reads it: places (geom/place.h), the edges of its
+// faces, and their triangles. Faces that cannot be drawn are left out.
 #pragma once
 
 #include "base/jobs.h"
@@ -18,10 +17,6 @@
 namespace scanout::geom {
 
 inline constexpr std::uint32_t kNoPlace = 0xffffffff;
-
-// A position as floats, but near 0 no finer than near the model's border: there exporters leave
-// rounding of 1e-17, which no picture shows. Positions alike as drawn are one place.
-Vec3 place_as_drawn(const DVec3& normalised);
 
 class Surface {
 public:
