@@ -3,6 +3,7 @@
 #include "trace/lights.h"
 
 #include <algorithm>
+#include <chrono>
 #include <numeric>
 #include <utility>
 
@@ -58,9 +59,10 @@ Progressive::Progressive(const scene::View& view, const Look& look, const Effort
 }
 
 std::uint64_t Progressive::bytes(int width, int height) {
-    constexpr std::uint64_t kAPixel = sizeof(image::Rgba8) + sizeof(Vec3) + sizeof(float) +
+    constexpr std::uint64_t kAPixel = sizeof(image::Rgba8) + sizeof(Vec3) + 2 * sizeof(float) +
                                       sizeof(std::uint32_t) + sizeof(Known) + sizeof(int);
-    return kAPixel * static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
+    return kAPixel * pixels + pixels / 8; // and a bit: once_more_
 }
 
 std::vector<int> Progressive::all_pixels() const {
@@ -73,34 +75,42 @@ std::vector<int> Progressive::all_pixels() const {
     return all;
 }
 
-std::vector<int> Progressive::beside_hard_ones() const {
-    const int width = look_.width, height = look_.height;
-    const auto at = [width](int x, int y) { return static_cast<std::size_t>(y * width + x); };
-    const auto is_beside_one = [&](int x, int y) {
-        const std::size_t own = at(x, y);
-        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
-            for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u)
-                if (samples_[at(u, v)] >= 8 * samples_[own] &&
-                    contrast_[at(u, v)] > 2 * contrast_[own])
-                    return true;
-        return false;
-    };
+void Progressive::add_beside(int pixel, std::vector<int>& out) {
+    const int width = look_.width, height = look_.height, x = pixel % width, y = pixel / width;
+    const auto hard = static_cast<std::size_t>(pixel);
+    for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v)
+        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
+            const int beside = v * width + u;
+            const auto i = static_cast<std::size_t>(beside);
+            if (once_more_[i] || samples_[hard] < 8 * samples_[i] ||
+                contrast_[hard] <= 2 * contrast_[i])
+                continue;
+            once_more_[i] = true;
+            out.push_back(beside);
+        }
+}
+
+// Of the whole picture first, then only of the round before: nothing else has changed since.
+std::vector<int> Progressive::beside_hard_ones(Stage before) {
     std::vector<int> found;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            if (!once_more_[at(x, y)] && is_beside_one(x, y))
-                found.push_back(static_cast<int>(at(x, y)));
+    if (before == Stage::beside_hard_ones) {
+        for (const int pixel : pixels_)
+            add_beside(pixel, found);
+        return found;
+    }
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+        if (samples_[i] >= 8 * kFewestSamples) add_beside(static_cast<int>(i), found);
     return found;
 }
 
 void Progressive::begin(Stage stage) {
-    stage_ = stage;
-    pixels_.clear();
+    const Stage before = std::exchange(stage_, stage);
     if (stage == Stage::beside_hard_ones)
-        for (const int pixel : pixels_ = beside_hard_ones())
-            once_more_[static_cast<std::size_t>(pixel)] = true;
+        pixels_ = beside_hard_ones(before);
     else if (stage != Stage::finished)
         pixels_ = all_pixels();
+    else
+        pixels_.clear();
     next_ = 0;
     if (stage != Stage::finished) return;
     made_.samples = std::accumulate(samples_.begin(), samples_.end(), std::uint64_t{0});
@@ -141,6 +151,7 @@ void Progressive::step(Jobs& jobs, Time until) {
         // What was traced once more may be hard, too.
         const bool again = stage_ == Stage::beside_hard_ones && !pixels_.empty();
         begin(again ? stage_ : static_cast<Stage>(static_cast<int>(stage_) + 1));
+        if (std::chrono::steady_clock::now() >= until) return;
     }
 }
 

@@ -37,7 +37,8 @@ public:
     // That its pictures take beside the hierarchy (Bvh::bytes), about.
     static std::uint64_t bytes(int width, int height);
 
-    // Traces until `until`, and little longer: four samples of a pixel.
+    // Traces until `until`, and little longer: four samples of a pixel, and once in each stage as
+    // long as a look at the whole picture takes.
     void step(Jobs& jobs, Time until);
     bool finished() const { return stage_ == Stage::finished; }
     double share() const; // of the work that is done, about
@@ -58,7 +59,9 @@ private:
     void begin(Stage stage);
     void put(const PixelSamples& pixel);
     std::vector<int> all_pixels() const;
-    std::vector<int> beside_hard_ones() const;
+    // The pixels that are to be traced once more, marked as such; `before`: the stage that ended.
+    std::vector<int> beside_hard_ones(Stage before);
+    void add_beside(int pixel, std::vector<int>& out); // its neighbours of these, if it is hard
 
     scene::View view_;
     Look look_;

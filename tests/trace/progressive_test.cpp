@@ -6,6 +6,7 @@
 #include <thread>
 
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 namespace scanout::trace {
 namespace {
@@ -125,6 +126,47 @@ TEST_F(Stepwise, AStepEndsSoonAfterItsTime) {
     }
     EXPECT_FALSE(made->finished());
     EXPECT_LT(longest, 500ms) << "a busy machine; the picture takes longer by far";
+}
+
+TEST_F(Stepwise, ALateStepBeginsNoWorkOfTheNextStage) {
+    scene.mesh = test::empty_mesh(); // each pixel is settled by its first samples
+    Jobs jobs(1);
+    auto made = make(true);
+    const auto settled = [&] {
+        for (int pixel = 0; pixel < 24 * 17; ++pixel)
+            if (made->known(pixel) != Known::final) return false;
+        return true;
+    };
+    while (!settled())
+        made->step(jobs, Progressive::Time::min());
+    int stages = 0;
+    for (; !made->finished(); ++stages)
+        made->step(jobs, Progressive::Time::min());
+    EXPECT_EQ(stages, 2) << "to settle, and once more beside hard ones: none has pixels";
+}
+
+TEST_F(Stepwise, TakesTheMemoryThatItSays) {
+    look.width = 1000;
+    look.height = 500;
+    const auto held = [] {
+        const struct mallinfo2 info = mallinfo2();
+        return info.uordblks + info.hblkhd;
+    };
+    const auto taken_by = [&](const auto& make_one) {
+        const std::size_t before = held();
+        const auto made = make_one();
+        return static_cast<double>(held() - before);
+    };
+    const auto reference = [&] { return make(false); };
+    reference(); // what is made once
+    const double in_all = taken_by(reference);
+    // Large pages round it up.
+    const double picture = taken_by([&] { return image::Image(1000, 500); });
+    look.width = look.height = 1;
+    const double hierarchy = taken_by(reference);
+    if (in_all == 0) GTEST_SKIP() << "this malloc does not count";
+    const double taken = in_all - picture - hierarchy + 4 * 1000 * 500;
+    EXPECT_NEAR(static_cast<double>(Progressive::bytes(1000, 500)), taken, 0.02 * taken);
 }
 
 TEST_F(Stepwise, IsCancelledWhileTheHierarchyIsBuilt) {
