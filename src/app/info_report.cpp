@@ -78,8 +78,13 @@ std::string winding(const ModelInfo& info) {
     return info.inside_out == info.counts.triangles ? "wound inwards" : "in part inside out";
 }
 
+std::string quantity(std::string_view what, const std::optional<double>& value) {
+    if (!value) return fmt::format("{} beyond the range of numbers", what);
+    return fmt::format("{} {:.6g}", what, *value);
+}
+
 std::string surface(const ModelInfo& info) {
-    if (!(info.area > 0)) return "no area";
+    if (!info.has_area) return "no area";
     std::vector<std::string> parts;
     if (info.closed)
         parts.push_back("closed, " + winding(info));
@@ -88,8 +93,8 @@ std::string surface(const ModelInfo& info) {
     parts.push_back(info.non_manifold_edges > 0
                         ? counted(info.non_manifold_edges, "non-manifold edge")
                         : "manifold");
-    parts.push_back(fmt::format("area {:.6g}", info.area));
-    if (info.volume) parts.push_back(fmt::format("volume {:.6g}", *info.volume));
+    parts.push_back(quantity("area", info.area));
+    if (info.encloses) parts.push_back(quantity("volume", info.volume));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
@@ -144,8 +149,8 @@ std::string info_json(const ModelInfo& info) {
                    {"edges_of_mixed_winding", info.mixed_winding},
                    {"manifold", info.non_manifold_edges == 0},
                    {"open_edges", info.open_edges},
-                   {"non_manifold_edges", info.non_manifold_edges},
-                   {"area", info.area}};
+                   {"non_manifold_edges", info.non_manifold_edges}};
+        surface["area"] = info.area ? Json(*info.area) : Json(nullptr);
         surface["volume"] = info.volume ? Json(*info.volume) : Json(nullptr);
     }
     const scene::ModelCounts& c = info.counts;

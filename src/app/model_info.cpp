@@ -60,11 +60,14 @@ ModelInfo model_info(const LoadedModel& model, const io::ModelSource& source, Jo
     info.open_edges = diagnosis.count(geom::Hazard::open_edges);
     info.non_manifold_edges = diagnosis.count(geom::Hazard::non_manifold_edges);
     info.mixed_winding = diagnosis.count(geom::Hazard::mixed_winding);
-    info.area = geom::surface_area(scene.mesh);
+    const geom::Extent extent = geom::extent_of(scene.mesh);
+    info.has_area = extent.has_area;
+    info.area = extent.area;
     const geom::MeshTopology topology = geom::topology(scene.mesh);
-    info.closed = info.area > 0 && (topology.closed || info.open_edges == 0);
+    info.closed = info.has_area && (topology.closed || info.open_edges == 0);
     info.inside_out = topology.inside_out;
-    if (info.closed && topology.closed) info.volume = geom::enclosed_volume(scene.mesh);
+    info.encloses = info.closed && topology.closed;
+    if (info.encloses) info.volume = extent.volume;
     return info;
 }
 

@@ -29,12 +29,14 @@ struct ModelInfo {
     bool face_colours = false;
     DVec3 box_min{0}, box_max{0}; // file units
     // Of the triangles; nothing where there are none, or where they have no area.
+    bool has_area = false;
     bool closed = false;           // no edge is open
+    bool encloses = false;         // closed, and wound consistently: it has a volume
     std::size_t inside_out = 0;    // triangles of closed components that enclose less than nothing
     std::size_t mixed_winding = 0; // edges whose faces wind against each other
     std::size_t open_edges = 0, non_manifold_edges = 0;
-    double area = 0;                    // file units squared
-    std::optional<double> volume;       // cubed; of a closed surface that is wound consistently
+    std::optional<double> area;         // file units squared; nothing where no number holds it
+    std::optional<double> volume;       // cubed, of what encloses one; nothing likewise
     std::vector<std::string> materials; // that have a name
     std::vector<MapInfo> maps;
     std::vector<std::string> warnings;

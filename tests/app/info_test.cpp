@@ -79,6 +79,23 @@ TEST_F(Info, TellsHowAClosedSurfaceIsWound) {
     EXPECT_THAT(out, HasSubstr("surface    no area\n"));
 }
 
+// Its surface is what it is, whatever its area comes to in a double.
+TEST_F(Info, AHugeOrTinySurfaceIsStillClosed) {
+    for (const std::string power : {"120", "-120", "170", "-170"}) {
+        const std::string e = "e" + power;
+        folder.write("a.obj", "v 0 0 0\nv 2" + e + " 0 0\nv 0 3" + e + " 0\nv 0 0 4" + e +
+                                  "\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n");
+        EXPECT_EQ(describe("a.obj"), 0);
+        EXPECT_THAT(out, HasSubstr("closed, wound outwards, manifold, area ")) << e;
+        EXPECT_THAT(out, HasSubstr("volume beyond the range of numbers\n")) << e;
+        const bool has_number = power.find("120") != std::string::npos;
+        const nlohmann::json surface = json_of("a.obj")["surface"];
+        EXPECT_EQ(surface["closed"], true) << e;
+        EXPECT_EQ(surface["area"].is_number(), has_number) << e;
+        EXPECT_TRUE(surface["volume"].is_null()) << e;
+    }
+}
+
 TEST_F(Info, PlacesFarFromTheOriginHaveTheDigitsOfTheSize) {
     folder.write("far.obj", "v 449999.125 5400000.5 0\nv 450001.375 5400000.5 0\n"
                             "v 449999.125 5400002.75 0\nf 1 2 3\n");

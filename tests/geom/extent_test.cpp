@@ -1,5 +1,7 @@
 #include "geom/extent.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace scanout::geom {
@@ -18,16 +20,16 @@ Mesh box() {
 }
 
 TEST(Extent, OfABoxIsThatOfItsSides) {
-    EXPECT_DOUBLE_EQ(surface_area(box()), 2 * (2 * 3 + 2 * 4 + 3 * 4));
-    EXPECT_DOUBLE_EQ(enclosed_volume(box()), 2 * 3 * 4);
+    EXPECT_DOUBLE_EQ(*extent_of(box()).area, 2 * (2 * 3 + 2 * 4 + 3 * 4));
+    EXPECT_DOUBLE_EQ(*extent_of(box()).volume, 2 * 3 * 4);
 }
 
 TEST(Extent, OfABoxWoundInwardsIsANegativeVolume) {
     Mesh mesh = box();
     for (std::size_t i = 0; i < mesh.index.size(); i += 3)
         std::swap(mesh.index[i], mesh.index[i + 1]);
-    EXPECT_DOUBLE_EQ(enclosed_volume(mesh), -24);
-    EXPECT_DOUBLE_EQ(surface_area(mesh), 52);
+    EXPECT_DOUBLE_EQ(*extent_of(mesh).volume, -24);
+    EXPECT_DOUBLE_EQ(*extent_of(mesh).area, 52);
 }
 
 // Where the box stands does not matter to a closed surface.
@@ -35,12 +37,28 @@ TEST(Extent, DoesNotDependOnThePlace) {
     Mesh mesh = box();
     for (Vec3& place : mesh.position)
         place = place + Vec3(100, -50, 30);
-    EXPECT_NEAR(enclosed_volume(mesh), 24, 1e-12);
+    EXPECT_NEAR(*extent_of(mesh).volume, 24, 1e-12);
 }
 
 TEST(Extent, OfNothingIsNothing) {
-    EXPECT_EQ(surface_area(Mesh()), 0);
-    EXPECT_EQ(enclosed_volume(Mesh()), 0);
+    EXPECT_FALSE(extent_of(Mesh()).has_area);
+    EXPECT_EQ(extent_of(Mesh()).area, 0);
+    EXPECT_EQ(extent_of(Mesh()).volume, 0);
+}
+
+TEST(Extent, OfAModelBeyondTheRangeOfNumbersHasAnAreaAllTheSame) {
+    Mesh mesh = box();
+    for (const int exponent : {400, -400}) { // the volume alone
+        mesh.exponent = exponent;
+        EXPECT_DOUBLE_EQ(*extent_of(mesh).area, std::ldexp(52 * 16, 2 * exponent));
+        EXPECT_EQ(extent_of(mesh).volume, std::nullopt);
+    }
+    for (const int exponent : {600, -600}) {
+        mesh.exponent = exponent;
+        EXPECT_TRUE(extent_of(mesh).has_area);
+        EXPECT_EQ(extent_of(mesh).area, std::nullopt);
+        EXPECT_EQ(extent_of(mesh).volume, std::nullopt);
+    }
 }
 
 } // namespace
