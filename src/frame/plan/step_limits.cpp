@@ -22,10 +22,10 @@ double texels(const scene::Scene& scene) {
         side = std::max({side, texture.image.width(), texture.image.height()});
     double scale = 1;
     for (const scene::Material& m : scene.materials)
-        for (const scene::MaterialMap* map :
-             {&m.map_diffuse, &m.map_specular, &m.map_shininess, &m.map_opacity, &m.map_emission,
-              &m.map_bump, &m.map_normal})
-            scale = std::max({scale, magnitude((*map)->scale.x), magnitude((*map)->scale.y)});
+        for (const scene::NamedMap& row : scene::kTextureMaps) {
+            const Vec3& repeats = (m.*row.map)->scale;
+            if (row.drawn) scale = std::max({scale, magnitude(repeats.x), magnitude(repeats.y)});
+        }
     return side * scale;
 }
 
