@@ -1,18 +1,11 @@
 #include "io/uv_step.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace scanout::io {
 namespace {
-
-constexpr std::array kMaps = {&scene::Material::map_diffuse,   &scene::Material::map_specular,
-                              &scene::Material::map_shininess, &scene::Material::map_opacity,
-                              &scene::Material::map_emission,  &scene::Material::map_roughness,
-                              &scene::Material::map_metalness, &scene::Material::map_bump,
-                              &scene::Material::map_normal};
 
 constexpr int kMost = 1000;
 
@@ -39,8 +32,8 @@ std::vector<DVec2> uv_steps(const std::vector<scene::Material>& materials) {
     std::vector<DVec2> steps;
     for (const scene::Material& material : materials) {
         int x = 2, y = 2;
-        for (const auto map : kMaps) {
-            const scene::TextureMap& m = material.*map;
+        for (const scene::NamedMap& row : scene::kTextureMaps) {
+            const scene::TextureMap& m = material.*row.map;
             if (m.texture < 0) continue;
             x = m.clamp ? 0 : common(x, step_of(m.scale.x));
             y = m.clamp ? 0 : common(y, step_of(m.scale.y));

@@ -73,11 +73,8 @@ void add(const Material& m, ContentHasher& hash) {
                 m.emission, m.refraction, m.illumination);
     hash.optional(m.roughness);
     hash.optional(m.metalness);
-    for (const MaterialMap* map :
-         {&m.map_diffuse, &m.map_ambient, &m.map_specular, &m.map_shininess, &m.map_opacity,
-          &m.map_emission, &m.map_roughness, &m.map_metalness, &m.map_bump, &m.map_normal,
-          &m.map_displacement, &m.map_decal, &m.map_reflection})
-        add(**map, hash);
+    for (const NamedMap& row : kTextureMaps)
+        add(*(m.*row.map), hash);
 }
 
 } // namespace

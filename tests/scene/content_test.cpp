@@ -62,6 +62,16 @@ TEST(Content, WhateverAPictureDependsOnChangesTheHash) {
     EXPECT_EQ(hashes.count(content_hash(scene())), 1U);
 }
 
+TEST(Content, EachMapOfAMaterialChangesTheHash) {
+    std::set<std::uint64_t> hashes;
+    for (const NamedMap& row : kTextureMaps) {
+        Scene changed = scene();
+        (changed.materials[1].*row.map)->texture = 0;
+        EXPECT_TRUE(hashes.insert(content_hash(changed)).second) << row.name;
+    }
+    EXPECT_EQ(hashes.count(content_hash(scene())), 0U);
+}
+
 // Names of files and materials, and what is counted, change no picture.
 TEST(Content, NamesDoNotCount) {
     Scene named = scene();
