@@ -117,7 +117,7 @@ bool PairedTimer::finished() const {
 // make cancels. The few pairs of the first change stand by themselves, since an interval takes
 // kLeastPairs values: half of them are as much too high as the others are too low, so that their
 // interval holds the median more often still.
-std::vector<double> PairedTimer::balanced(std::vector<double> of_pairs) const {
+std::vector<double> PairedTimer::balanced(std::vector<double> of_pairs, Mean mean) const {
     if (!exchange_ || of_pairs.size() < 2 * kLeastPairs) return of_pairs;
     std::vector<double> first, second;
     for (std::size_t i = 0; i < of_pairs.size(); ++i) {
@@ -125,15 +125,23 @@ std::vector<double> PairedTimer::balanced(std::vector<double> of_pairs) const {
         (exchanged ? second : first).push_back(of_pairs[i]);
     }
     for (std::size_t i = 0; i < first.size(); ++i)
-        first[i] = (first[i] + second[i]) / 2;
+        first[i] = mean(first[i], second[i]);
     return first;
+}
+
+// What a place adds cancels in the one mean, its factor in the other.
+static double arithmetic_mean(double a, double b) {
+    return (a + b) / 2;
+}
+static double geometric_mean(double a, double b) {
+    return std::sqrt(a * b);
 }
 
 Difference PairedTimer::difference(double Cost::*of) const {
     std::vector<double> differences;
     for (std::size_t i = 0; i < a_costs_.size(); ++i)
         differences.push_back(a_costs_[i].*of - b_costs_[i].*of);
-    return median_difference(balanced(std::move(differences)));
+    return median_difference(balanced(std::move(differences), arithmetic_mean));
 }
 
 Difference PairedTimer::ratio(double Cost::*of) const {
@@ -141,7 +149,7 @@ Difference PairedTimer::ratio(double Cost::*of) const {
     std::vector<double> ratios;
     for (std::size_t i = 0; i < a_costs_.size(); ++i)
         ratios.push_back(std::max(a_costs_[i].*of, kLeast) / std::max(b_costs_[i].*of, kLeast));
-    return median_difference(balanced(std::move(ratios)));
+    return median_difference(balanced(std::move(ratios), geometric_mean));
 }
 
 Price PairedTimer::price() const {
@@ -156,7 +164,7 @@ Price PairedTimer::price() const {
         if (a_costs_[i].instructions && b_costs_[i].instructions)
             instructions.push_back(*a_costs_[i].instructions - *b_costs_[i].instructions);
     if (instructions.size() == a_costs_.size())
-        price.instructions = median_difference(balanced(std::move(instructions)));
+        price.instructions = median_difference(balanced(std::move(instructions), arithmetic_mean));
     return price;
 }
 

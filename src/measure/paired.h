@@ -82,7 +82,8 @@ private:
     void pair(bool a_first);
     Difference difference(double Cost::*of) const;
     Difference ratio(double Cost::*of) const;
-    std::vector<double> balanced(std::vector<double> of_pairs) const;
+    using Mean = double (*)(double, double);
+    std::vector<double> balanced(std::vector<double> of_pairs, Mean mean) const;
     Measured a_, b_;
     std::function<void()> exchange_;
     double left_ms_;

@@ -217,6 +217,24 @@ TEST(PairedTimer, TakesAFasterPlaceForNoDifference) {
     EXPECT_GE(numbers, kRuns * 0.95);
 }
 
+// Nor does a place that makes all work twice as fast change the ratio: the mean of 4 and 1 is 2.
+TEST(PairedTimer, TakesAFasterPlaceForNoRatio) {
+    double of_a = 2, of_b = 1;
+    const auto work = [](const double& place, double cost) {
+        return [&place, cost] { return Cost{place * cost, place * cost, {}}; };
+    };
+    PairedTimer timer(work(of_a, 2), work(of_b, 1), 0.2, [&] { std::swap(of_a, of_b); });
+    while (!timer.finished())
+        timer.step();
+    const Price price = timer.price();
+    EXPECT_GE(price.pairs, 2 * kLeastPairs);
+    for (const Difference& ratio : {price.cpu_ratio, price.wall_ratio}) {
+        EXPECT_DOUBLE_EQ(ratio.median, 2);
+        EXPECT_DOUBLE_EQ(ratio.low, 2);
+        EXPECT_DOUBLE_EQ(ratio.high, 2);
+    }
+}
+
 // What drifts (a machine that grows warm) meets both alike.
 TEST(PairedTimer, TakesADriftForNoDifference) {
     double drift = 0;
