@@ -198,11 +198,9 @@ void Explainer::step_timing() {
     if (!timer_) timer_.emplace(renderers_.timer(plan_, timing.plan, how_.seconds_a_row));
     timer_->step();
     if (!timer_->finished()) return;
-    const Price price = timer_->price();
+    const Price price = renderers_.finish(*timer_);
     *timing.price = timing.other_costs_more ? -price : price;
-    const std::vector<Cost>& own = timer_->costs_of_a();
-    own_costs_.insert(own_costs_.end(), own.begin(), own.end());
-    so_far_.cost = medians(own_costs_);
+    so_far_.cost = renderers_.cost_of_a();
     timer_.reset();
     timings_.pop_back();
 }

@@ -79,7 +79,7 @@ struct ExplainOptions {
     // What is compared: the pictures that such a display shows; else as they are rendered.
     std::optional<image::PixelFormat> display;
     bool times = true;
-    double seconds_a_row = 0.25; // of measuring time, about; 2 kLeastPairs frames in any case
+    double seconds_a_row = 0.25; // of measuring time, about; 2 kPairsAPlace pairs in any case
     std::function<void(double fraction)> progress;
 };
 
@@ -133,7 +133,6 @@ private:
     image::Image picture_;
     std::map<std::string, double, std::less<>> shares_;
     FacesAway faces_away_;
-    std::vector<Cost> own_costs_;
     Explanation so_far_;
     std::size_t rows_done_ = 0;
     // Of the row that is being measured: what is left to time, the last one first.

@@ -57,7 +57,7 @@ struct FrontierOptions {
     std::optional<std::vector<std::string>> axes; // of ladder_axes(); nothing: all
     bool times = true;                            // without: ladders alone, errors alone
     double seconds = 1e9;          // of measuring; what is not measured by then is left out
-    double seconds_a_point = 0.25; // of its frames; 2 kLeastPairs frames in any case
+    double seconds_a_point = 0.25; // of its frames; 2 kPairsAPlace pairs in any case
     bool effects = true;           // their prices
     Flip flip = Flip::of_all;
     std::function<void(double fraction)> progress;

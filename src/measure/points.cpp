@@ -61,22 +61,16 @@ Result<std::size_t> Points::at(const std::vector<Rung>& rungs) {
     return points_.size() - 1;
 }
 
-Price Points::taken(const PairedTimer& timer) {
-    const std::vector<Cost>& own = timer.costs_of_a();
-    own_costs_.insert(own_costs_.end(), own.begin(), own.end());
-    return -timer.price();
-}
-
 bool Points::time_more(std::size_t point, double seconds) {
     Point& p = points_[point];
-    if (p.price && !own_costs_.empty()) return true;
+    if (p.price && cost()) return true;
     if (!timer_ || timed_ != point) {
         timer_.emplace(renderers_.timer(points_.front().plan, p.plan, seconds));
         timed_ = point;
     }
     timer_->step();
     if (!timer_->finished()) return false;
-    const Price price = taken(*timer_);
+    const Price price = -renderers_.finish(*timer_);
     timer_.reset();
     if (!p.price) p.price = price; // that of the first point is known before its cost
     return true;
@@ -90,7 +84,7 @@ Points::Saving Points::saving(const frame::FramePlan& without, double seconds) {
     PairedTimer timer = renderers_.timer(points_.front().plan, without, seconds);
     while (!timer.finished())
         timer.step();
-    return {-taken(timer), d.differing_pixels};
+    return {renderers_.finish(timer), d.differing_pixels};
 }
 
 image::Image Points::drawn(std::size_t point) {
@@ -108,11 +102,6 @@ void Points::look_at(const std::vector<std::size_t>& points) {
             points_[points[first + k]].mean_flip = image::mean_flip(reference_, pictures[k]);
         });
     }
-}
-
-std::optional<Cost> Points::cost() const {
-    if (own_costs_.empty()) return std::nullopt;
-    return medians(own_costs_);
 }
 
 } // namespace scanout::measure

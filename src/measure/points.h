@@ -71,12 +71,11 @@ public:
     const frame::FrameOptions& options() const { return options_; }
     bool has_errors() const { return !reference_.pixels().empty(); }
     // Of the point as asked for: medians of all its timed frames; nothing before any.
-    std::optional<Cost> cost() const;
+    std::optional<Cost> cost() const { return renderers_.cost_of_a(); }
 
 private:
     Points(const scene::Scene& scene, frame::SceneFacts facts, const scene::View& view,
            const frame::FrameOptions& options, Jobs& jobs, const image::Image& reference);
-    Price taken(const PairedTimer& timer); // what its b costs over the first point
 
     const scene::Scene& scene_;
     frame::SceneFacts facts_;
@@ -84,9 +83,8 @@ private:
     frame::FrameOptions options_;
     Jobs& jobs_;
     const image::Image& reference_;
-    RendererPair renderers_;   // of the first point, and of the others
-    std::deque<Point> points_; // stay where they are: timer_ names them
-    std::vector<Cost> own_costs_;
+    RendererPair renderers_;           // of the first point, and of the others
+    std::deque<Point> points_;         // stay where they are: timer_ names them
     std::size_t timed_ = 0;            // the point that timer_ times
     std::optional<PairedTimer> timer_; // until it is finished
 };

@@ -21,4 +21,15 @@ PairedTimer RendererPair::timer(const frame::FramePlan& first, const frame::Fram
             }};
 }
 
+Price RendererPair::finish(const PairedTimer& timer) {
+    const std::vector<Cost>& costs = timer.costs_of_a();
+    costs_of_a_.insert(costs_of_a_.end(), costs.begin(), costs.end());
+    return timer.price();
+}
+
+std::optional<Cost> RendererPair::cost_of_a() const {
+    if (costs_of_a_.empty()) return std::nullopt;
+    return medians(costs_of_a_);
+}
+
 } // namespace scanout::measure

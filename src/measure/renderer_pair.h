@@ -9,6 +9,8 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
+#include <vector>
 
 namespace scanout::measure {
 
@@ -26,6 +28,10 @@ public:
     // Of a frame of plan a over one of plan b, which outlive the timer as the pair does. The first
     // frames, which make room, are drawn before.
     PairedTimer timer(const frame::FramePlan& a, const frame::FramePlan& b, double seconds);
+    // What a finished timer found; keeps the costs of its frames of plan a.
+    Price finish(const PairedTimer& timer);
+    // Medians of all that were kept, where all timers had the same plan a; nothing before any.
+    std::optional<Cost> cost_of_a() const;
 
 private:
     Cost frame(frame::Renderer& renderer, const frame::FramePlan& plan);
@@ -34,6 +40,7 @@ private:
     Jobs& jobs_;
     std::array<frame::Renderer, 2> renderers_;
     std::size_t a_ = 0; // whose is plan a
+    std::vector<Cost> costs_of_a_;
 };
 
 } // namespace scanout::measure
