@@ -89,6 +89,9 @@ public:
 
 private:
     void find_visible_clusters(Jobs& jobs);
+    // The pixels of the area that may hold a sample of the triangle; of its parts that are visible,
+    // where they are drawn to `out`.
+    image::Rect box_of(std::uint32_t triangle, const image::Rect& area, VisibilityTile* out) const;
     // Draws deferred clusters that the tile does not occlude, when all others are drawn.
     void draw_deferred(int tile, VisibilityTile& out, DeferredTriangles& scratch);
     void cull_deferred(std::size_t cluster, const image::Rect& area, DeferredTriangles& out);

@@ -179,37 +179,28 @@ static void include(image::Rect& box, const image::Rect& other, const image::Rec
            std::max(box.y1, std::min(other.y1, area.y1))};
 }
 
-static image::Rect nothing_of(const image::Rect& area) {
-    return {area.x1, area.y1, area.x0, area.y0};
-}
-
-image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
-    const image::Rect& area = out.area();
-    image::Rect drawn = nothing_of(area);
+image::Rect Geometry::box_of(std::uint32_t triangle, const image::Rect& area,
+                             VisibilityTile* out) const {
+    image::Rect box{area.x1, area.y1, area.x0, area.y0}; // of nothing
     const std::array<ScreenVertex, 3> vertex = vertices_of(triangle);
     if (vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen()) {
         const std::optional<SetUp> t = set_up(vertex, triangle);
-        if (t && out.draw(t->triangle))
-            include(drawn, pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent), area);
-        return drawn;
-    }
-    for (const ClippedTriangle& clipped : clipped_of(triangle))
-        if (out.draw_clipped(clipped))
-            include(drawn, pixel_bounds(clipped, area.x1, area.y1, cull_.extent), area);
-    return drawn;
-}
-
-image::Rect Geometry::pixels_of(std::uint32_t triangle, const image::Rect& area) const {
-    image::Rect box = nothing_of(area);
-    const std::array<ScreenVertex, 3> vertex = vertices_of(triangle);
-    if (vertex[0].on_screen() && vertex[1].on_screen() && vertex[2].on_screen()) {
-        if (const std::optional<SetUp> t = set_up(vertex, triangle))
+        if (t && (out == nullptr || out->draw(t->triangle)))
             include(box, pixel_bounds(t->triangle, area.x1, area.y1, cull_.extent), area);
         return box;
     }
     for (const ClippedTriangle& clipped : clipped_of(triangle))
-        include(box, pixel_bounds(clipped, area.x1, area.y1, cull_.extent), area);
+        if (out == nullptr || out->draw_clipped(clipped))
+            include(box, pixel_bounds(clipped, area.x1, area.y1, cull_.extent), area);
     return box;
+}
+
+image::Rect Geometry::draw_one(std::uint32_t triangle, VisibilityTile& out) const {
+    return box_of(triangle, out.area(), &out);
+}
+
+image::Rect Geometry::pixels_of(std::uint32_t triangle, const image::Rect& area) const {
+    return box_of(triangle, area, nullptr);
 }
 
 void Geometry::draw_each(int tile, VisibilityTile& out, ById& order, const Drawn& drawn) const {
