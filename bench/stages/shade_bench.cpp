@@ -156,8 +156,8 @@ Result<scene::Scene> make_scene(const std::string& mesh, Kind kind) {
     m.emission = Vec3(0.05F);
     for (auto map : {&m.map_diffuse, &m.map_specular, &m.map_shininess, &m.map_emission,
                      &m.map_roughness, &m.map_metalness, &m.map_bump, &m.map_normal}) {
-        map->texture = 0;
-        map->path = "noise";
+        (*map)->texture = 0;
+        (*map)->path = "noise";
     }
     if (kind == Kind::with_holes) {
         m.map_opacity->texture = 1;
@@ -331,7 +331,7 @@ void resolve(benchmark::State& state) {
     std::copy_n(light.blue.begin(), kPixels, full.blue.begin());
     std::fill_n(full.alpha.begin(), kPixels, 255);
     for (int i = 0; i < kPixels; i += 4) // at the rim
-        full.through[static_cast<std::size_t>(i)] = 0.25F;
+        full.transmittance[static_cast<std::size_t>(i)] = 0.25F;
     std::vector<std::uint32_t> out(kPixels + shade::kPaddedBlock);
     shade::PixelSums sums = full;
     for (auto _ : state) {
