@@ -12,6 +12,10 @@ declare -A stage_needs=(
     [avx3]="build test avx3" [walk]="build test" [growth]="build test"
 )
 
+# Property tests (rapidcheck) draw the same cases each time, so that a commit's outcome is its own. `./test walk` draws
+# new ones.
+export RC_PARAMS=${RC_PARAMS-seed=1}
+
 # What one stage compiled another does not compile again, above all the release of ./run, which differs in no more than
 # -Werror. Only this script uses the cache, so nothing in it was compiled without. The folder is left out of what a
 # command is told apart by: precompiled headers lie in it.
@@ -247,12 +251,32 @@ stage_avx3() {
     check python3 -B tests/avx3/avx3.py build/test build/test/avx3
 }
 
-# Random frames for $WALK_SECONDS, or 20 minutes, from the seed $WALK_SEED, or a new one, which is printed.
+# The property tests, each of thousands of new cases; then random frames for $WALK_SECONDS, or 20 minutes. Both from the
+# seed $WALK_SEED, or a new one, which is printed.
 stage_walk() {
+    local folder folders seed=${WALK_SEED:-$RANDOM$RANDOM}
+    mapfile -t folders < <(grep -rl --include='*_test.cpp' RC_GTEST_PROP tests | cut -d / -f 2 | sort -u)
     configure test release
-    build test walk
+    build test walk "${folders[@]/#/test_}"
+    echo "property tests: again by WALK_SEED=$seed"
+    for folder in "${folders[@]}"; do
+        while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+        check properties "$folder" "$seed" &
+    done
+    wait
     python3 -B tests/effects/make_models.py build/test/walk
     check build/test/tests/walk "${WALK_SECONDS:-1200}s" "${WALK_SEED:-0}" build/test/walk models
+}
+
+# properties FOLDER SEED: its property tests, for ten minutes at most.
+properties() {
+    local log=build/test/properties-$1.log names status=0
+    names=$(grep -rhoE --include='*_test.cpp' 'RC_GTEST_PROP\(\w+, \w+' "tests/$1" | sed 's/.*(//; s/, /./' | paste -sd :)
+    RC_PARAMS="seed=$2 max_success=5000" timeout 600 "build/test/tests/test_$1" --gtest_filter="$names" >"$log" 2>&1 ||
+        status=$?
+    if [ $status = 0 ]; then echo "$1: $(tail -n 1 "$log")"; else tail -n 60 "$log"; fi
+    [ $status != 124 ] || echo "$1: not finished after ten minutes"
+    return $status
 }
 
 # Time and memory of inputs that make programs quadratic, at n, 2 n and 4 n.
