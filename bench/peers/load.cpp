@@ -65,8 +65,8 @@ Result<scene::Scene> scene_of(const Load& load) {
     material.shininess = 32;
     if (load.shading == Shading::textured) {
         material.diffuse = Vec3(1);
-        material.map_diffuse->texture = 0;
-        material.map_diffuse->path = "made by the benchmark";
+        material.map_diffuse.edit().texture = 0;
+        material.map_diffuse.edit().path = "made by the benchmark";
         scene.textures.push_back({"squares", squares()});
     } else {
         scene.mesh.uv.clear(); // a model without texture has none

@@ -156,12 +156,12 @@ Result<scene::Scene> make_scene(const std::string& mesh, Kind kind) {
     m.emission = Vec3(0.05F);
     for (auto map : {&m.map_diffuse, &m.map_specular, &m.map_shininess, &m.map_emission,
                      &m.map_roughness, &m.map_metalness, &m.map_bump, &m.map_normal}) {
-        (*map)->texture = 0;
-        (*map)->path = "noise";
+        map->edit().texture = 0;
+        map->edit().path = "noise";
     }
     if (kind == Kind::with_holes) {
-        m.map_opacity->texture = 1;
-        m.map_opacity->path = "holes";
+        m.map_opacity.edit().texture = 1;
+        m.map_opacity.edit().path = "holes";
     }
     scene.materials.push_back(m);
     return scene;

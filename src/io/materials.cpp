@@ -106,8 +106,8 @@ public:
     Materials load(const std::vector<NameAtLine>& pictures) {
         for (const NameAtLine& picture : pictures) {
             scene::Material& material = out_.materials.emplace_back();
-            material.map_diffuse->path = picture.name;
-            material.map_diffuse->line = picture.line;
+            material.map_diffuse.edit().path = picture.name;
+            material.map_diffuse.edit().line = picture.line;
             material.diffuse = Vec3(1);
             load_map(material.map_diffuse, "TextureFile", model_path_);
             if (material.map_diffuse.texture() < 0) material = {};
@@ -291,7 +291,7 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
         const auto pixels = t.image.pixels();
         const bool alpha = std::any_of(pixels.begin(), pixels.end(),
                                        [](const image::Rgba8& p) { return p.a != 255; });
-        material.map_opacity->channel = alpha ? 'm' : 'l';
+        material.map_opacity.edit().channel = alpha ? 'm' : 'l';
     }
     load_map(material.map_diffuse, "map_Kd", library.path);
     // Kd 0 0 0 beside a map is an exporter's "see the map" (Maya's); without the map it would be a
@@ -307,9 +307,9 @@ void MaterialLoader::add_material(Library& library, const MtlMaterial& m) {
     }
     // The alpha of map_Kd says how opaque it is where no other map does.
     if (material.map_diffuse.texture() >= 0)
-        material.map_diffuse->texture = material.map_opacity.texture() >= 0
-                                            ? opaque_texture(material.map_diffuse->texture)
-                                            : filled_texture(material.map_diffuse->texture);
+        material.map_diffuse.edit().texture = material.map_opacity.texture() >= 0
+                                                  ? opaque_texture(material.map_diffuse->texture)
+                                                  : filled_texture(material.map_diffuse->texture);
     load_normal_maps(material, library.path);
     if (has_highlight(material)) {
         load_map(material.map_specular, "map_Ks", library.path);
@@ -383,9 +383,10 @@ void MaterialLoader::name_what_is_not_drawn() {
 void MaterialLoader::load_map(scene::MaterialMap& map, std::string_view keyword,
                               const std::string& library_path) {
     if (!map.given()) return;
-    map->texture = texture(map->path, fmt::format("{}:{}: {}", library_path, map->line, keyword),
+    scene::TextureMap& read = map.edit();
+    read.texture = texture(read.path, fmt::format("{}:{}: {}", library_path, read.line, keyword),
                            library_path);
-    map->missing = map->texture < 0;
+    read.missing = read.texture < 0;
 }
 
 // where: file:line: keyword.

@@ -62,10 +62,10 @@ struct OwnMeasurer::Ramp {
                                               255};
         scene::Material material;
         material.diffuse = Vec3(1);
-        material.map_diffuse->texture = static_cast<int>(scene.textures.size());
-        material.map_diffuse->path = "u and v";
-        material.map_diffuse->scale = {scale.x, scale.y, 1};
-        material.map_diffuse->offset = {offset.x, offset.y, 0};
+        material.map_diffuse.edit().texture = static_cast<int>(scene.textures.size());
+        material.map_diffuse.edit().path = "u and v";
+        material.map_diffuse.edit().scale = {scale.x, scale.y, 1};
+        material.map_diffuse.edit().offset = {offset.x, offset.y, 0};
         scene.textures.push_back(std::move(texture)); // beside the others, whose sizes say how
         scene.materials.push_back(material);          // exact coordinates must be
         for (std::int32_t& m : scene.mesh.material)

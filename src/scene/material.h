@@ -49,9 +49,9 @@ public:
     const TextureMap& operator*() const { return map_ != nullptr ? *map_ : kNone; }
     const TextureMap* operator->() const { return &**this; }
     operator const TextureMap&() const { return **this; }
-    TextureMap* operator->() { // makes one where there is none
+    TextureMap& edit() { // makes one where there is none
         if (map_ == nullptr) map_ = std::make_unique<TextureMap>();
-        return map_.get();
+        return *map_;
     }
 
 private:

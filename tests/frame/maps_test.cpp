@@ -30,7 +30,7 @@ TEST(MaterialMaps, OfNothingAreLeftOutAndForcedOnTheyChangeNoBit) {
             Shot with = mapped_sphere("with", n.map, {"neutral", image::Image(4, 4, n.texel)});
             with.options.reflection = model;
             Shot without = with;
-            (without.scene.materials[0].*n.map)->texture = -1;
+            (without.scene.materials[0].*n.map).edit().texture = -1;
             for (const int samples : {1, 4}) {
                 with.options.samples = without.options.samples = samples;
                 const image::Image plain = draw(without);

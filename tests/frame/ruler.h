@@ -39,7 +39,7 @@ public:
         if (height == 0) shot_.options.height = width;
         scene::Material material = textured(0);
         material.diffuse = Vec3(1 / scene::kAmbient);
-        material.map_diffuse->scale = {kRepeats, 1, 1};
+        material.map_diffuse.edit().scale = {kRepeats, 1, 1};
         shot_.scene.materials = {material};
         scene::Texture texture{"ruler", image::Image(kTexels, 1)};
         for (int i = 0; i < kTexels; ++i)

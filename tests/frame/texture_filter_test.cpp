@@ -134,7 +134,7 @@ TEST(Minification, BoundsTheFootprintOfEveryPixelThatSlantsByUpTo75Degrees) {
     for (int round = 0; round < 2000; ++round) {
         Shot s = shot("plane", 40, 30);
         s.scene.materials = {textured(0)};
-        s.scene.materials[0].map_diffuse->scale = {random.in(0.1, 3), random.in(0.1, 3), 1};
+        s.scene.materials[0].map_diffuse.edit().scale = {random.in(0.1, 3), random.in(0.1, 3), 1};
         s.scene.textures = {{"any", image::Image(random.whole(1, 900), random.whole(1, 900))}};
         const DVec3 p = random.in_cube(0.3), e1 = random.in_cube(0.4), e2 = random.in_cube(0.4);
         const auto any_uv = [&] { return Vec2(random.in(-2, 2), random.in(-2, 2)); };
@@ -227,7 +227,7 @@ TEST(Minification, OfASquareThatIsNowhereMinifiedCallsForNoMipmaps) {
     Shot s = shot("square", 64, 64);
     s.scene.materials = {textured(0)};
     s.scene.textures = {checkers()};
-    s.scene.materials[0].map_diffuse->scale = {2, 2, 1}; // 16 texels in 42 pixels
+    s.scene.materials[0].map_diffuse.edit().scale = {2, 2, 1}; // 16 texels in 42 pixels
     add_square(s.scene.mesh, 0.5, 0, 0);
     s.camera.azimuth_degrees = 30;
     frame::FrameStats stats;

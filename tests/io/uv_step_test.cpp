@@ -7,18 +7,18 @@ namespace {
 
 scene::Material with_map(const Vec3& scale, bool clamp = false) {
     scene::Material material;
-    material.map_diffuse->texture = 0;
-    material.map_diffuse->scale = scale;
-    material.map_diffuse->clamp = clamp;
+    material.map_diffuse.edit().texture = 0;
+    material.map_diffuse.edit().scale = scale;
+    material.map_diffuse.edit().clamp = clamp;
     return material;
 }
 
 TEST(UvStep, IsAnEvenNumberOfRepeatsOfEveryMap) {
     scene::Material two = with_map(Vec3(0.3F, 1, 1));
-    two.map_bump->texture = 1;
-    two.map_bump->scale = Vec3(0.25F, 3, 1);
+    two.map_bump.edit().texture = 1;
+    two.map_bump.edit().scale = Vec3(0.25F, 3, 1);
     scene::Material not_read = with_map(Vec3(1));
-    not_read.map_specular->scale = Vec3(0.3F);
+    not_read.map_specular.edit().scale = Vec3(0.3F);
     const std::vector<DVec2> steps = uv_steps({{},
                                                with_map(Vec3(1)),
                                                with_map(Vec3(0.3F, -2.5F, 1)),

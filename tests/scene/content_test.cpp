@@ -44,11 +44,11 @@ TEST(Content, WhateverAPictureDependsOnChangesTheHash) {
         [](Scene& s) { s.materials[1].opacity = 0.5F; },
         [](Scene& s) { s.materials[1].roughness = 0; },
         [](Scene& s) { s.materials[1].metalness = 0; },
-        [](Scene& s) { s.materials[1].map_diffuse->texture = 0; },
-        [](Scene& s) { s.materials[1].map_bump->texture = 0; },
-        [](Scene& s) { s.materials[1].map_normal->texture = 0; },
-        [](Scene& s) { s.materials[1].map_diffuse->scale.y = 2; },
-        [](Scene& s) { s.materials[1].map_diffuse->clamp = true; },
+        [](Scene& s) { s.materials[1].map_diffuse.edit().texture = 0; },
+        [](Scene& s) { s.materials[1].map_bump.edit().texture = 0; },
+        [](Scene& s) { s.materials[1].map_normal.edit().texture = 0; },
+        [](Scene& s) { s.materials[1].map_diffuse.edit().scale.y = 2; },
+        [](Scene& s) { s.materials[1].map_diffuse.edit().clamp = true; },
         [](Scene& s) { s.materials.pop_back(); },
         [](Scene& s) { s.textures[0].image.at(1, 2).g = 7; },
         [](Scene& s) { s.textures[0].image = image::Image(3, 2); },
@@ -66,7 +66,7 @@ TEST(Content, EachMapOfAMaterialChangesTheHash) {
     std::set<std::uint64_t> hashes;
     for (const NamedMap& row : kTextureMaps) {
         Scene changed = scene();
-        (changed.materials[1].*row.map)->texture = 0;
+        (changed.materials[1].*row.map).edit().texture = 0;
         EXPECT_TRUE(hashes.insert(content_hash(changed)).second) << row.name;
     }
     EXPECT_EQ(hashes.count(content_hash(scene())), 0U);

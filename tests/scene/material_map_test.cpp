@@ -26,12 +26,21 @@ TEST(MaterialMap, ReadsAsAMapWithoutOptionsWhereThereIsNone) {
     EXPECT_EQ(plain.map_normal->bump_multiplier, none.bump_multiplier);
 }
 
+TEST(MaterialMap, IsReadWithoutMakingOne) {
+    Material not_const;
+    const TextureMap* const read = not_const.map_normal.operator->();
+    EXPECT_EQ(read, &*Material().map_diffuse);
+    not_const.map_normal.edit().clamp = true;
+    EXPECT_TRUE(not_const.map_normal->clamp);
+    EXPECT_FALSE(read->clamp);
+}
+
 TEST(MaterialMap, ACopyIsAMapOfItsOwn) {
     Material first;
-    first.map_diffuse->path = "a.png";
-    first.map_diffuse->texture = 3;
+    first.map_diffuse.edit().path = "a.png";
+    first.map_diffuse.edit().texture = 3;
     Material second = first;
-    second.map_diffuse->texture = 4;
+    second.map_diffuse.edit().texture = 4;
     EXPECT_EQ(first.map_diffuse.texture(), 3);
     EXPECT_EQ(second.map_diffuse->path, "a.png");
     const Material third = std::move(second);

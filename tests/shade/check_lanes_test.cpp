@@ -179,7 +179,7 @@ TEST_F(ShadeLanesDeathTest, ADeadLaneMayHoldAnything) {
     }
     // Nor is a texture coordinate looked at where nothing is textured.
     stages_[0] = poisonous[0];
-    materials_[0].map_diffuse->texture = -1;
+    materials_[0].map_diffuse.edit().texture = -1;
     poison = {Lanes::u, 5, false, kNaN};
     shade();
 }

@@ -126,8 +126,8 @@ inline scene::Material plain(const Vec3& kd, const Vec3& ks = Vec3(0), float ns 
 inline scene::Material textured(int texture) {
     scene::Material material;
     material.diffuse = Vec3(1);
-    material.map_diffuse->texture = texture;
-    material.map_diffuse->path = "made by the test";
+    material.map_diffuse.edit().texture = texture;
+    material.map_diffuse.edit().path = "made by the test";
     return material;
 }
 

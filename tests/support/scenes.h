@@ -301,10 +301,10 @@ inline Shot mapped_sphere(std::string name, scene::MaterialMap scene::Material::
                           scene::Texture texture) {
     Shot s = shot(std::move(name));
     scene::Material material = plain(Vec3(0.4F), Vec3(0.6F), 20);
-    (material.*map)->texture = 0;
-    (material.*map)->path = "made by the test";
-    (material.*map)->scale = {8, 4, 1};
-    (material.*map)->bump_multiplier = 3;
+    (material.*map).edit().texture = 0;
+    (material.*map).edit().path = "made by the test";
+    (material.*map).edit().scale = {8, 4, 1};
+    (material.*map).edit().bump_multiplier = 3;
     if (map == &scene::Material::map_emission) material.emission = {0.5F, 0.2F, 0};
     if (map == &scene::Material::map_roughness) material.roughness = material.metalness = 1.0F;
     if (map == &scene::Material::map_metalness) {

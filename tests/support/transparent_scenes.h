@@ -76,7 +76,7 @@ inline scene::Texture disc() {
 inline Shot holed_cube(std::string name) {
     Shot s = shot(std::move(name));
     s.scene.materials = {plain({0.2F, 0.6F, 0.3F})};
-    s.scene.materials[0].map_opacity->texture = 0;
+    s.scene.materials[0].map_opacity.edit().texture = 0;
     s.scene.textures = {disc()};
     add_cube(s.scene.mesh, 0.57F, 0);
     s.camera.azimuth_degrees = 35;

@@ -109,8 +109,8 @@ TEST(Reference, OfATexturedPlaneIsTheMeanOfWhatThePixelShows) {
     s.mesh = test::empty_mesh();
     s.materials = {{}};
     s.materials[0].diffuse = Vec3(1);
-    s.materials[0].map_diffuse->texture = 0;
-    s.materials[0].map_diffuse->path = "m.png";
+    s.materials[0].map_diffuse.edit().texture = 0;
+    s.materials[0].map_diffuse.edit().path = "m.png";
     s.textures.resize(1);
     image::Image& texels = s.textures[0].image = image::Image(8, 8);
     test::Random random(3);

@@ -24,9 +24,9 @@ scene::Texture texels(std::vector<image::Rgba8> row) {
 
 scene::Material with_opacity_map(int texture, char channel) {
     scene::Material m = test::plain(Vec3(1));
-    m.map_opacity->texture = texture;
-    m.map_opacity->path = "made by the test";
-    m.map_opacity->channel = channel;
+    m.map_opacity.edit().texture = texture;
+    m.map_opacity.edit().path = "made by the test";
+    m.map_opacity.edit().channel = channel;
     return m;
 }
 

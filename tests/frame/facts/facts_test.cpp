@@ -162,8 +162,8 @@ scene::Scene mapped(scene::Material material, scene::MaterialMap scene::Material
     image::Image& picture = scene.textures[0].image;
     std::fill(picture.pixels().begin(), picture.pixels().end(), rest);
     picture.pixels()[0] = first;
-    (material.*map)->texture = 0;
-    (material.*map)->path = "map.png";
+    (material.*map).edit().texture = 0;
+    (material.*map).edit().path = "map.png";
     scene.materials = {std::move(material)};
     test::add_square(scene.mesh, 1, 0, 0);
     return scene;
@@ -290,10 +290,10 @@ TEST(Facts, WhatIsNeverDrawnCallsForNothing) {
     scene::Material rich = test::plain(Vec3(1), Vec3(1), 40);
     rich.opacity = 0.5F;
     rich.emission = Vec3(1);
-    rich.map_diffuse->texture = rich.map_normal->texture = 0;
+    rich.map_diffuse.edit().texture = rich.map_normal.edit().texture = 0;
     scene.materials.push_back(rich);
     scene.textures[0].image.pixels()[0] = kBlack;
-    scene.materials[0].map_diffuse->texture = -1;
+    scene.materials[0].map_diffuse.edit().texture = -1;
     const auto add_triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
         scene.mesh.index.insert(scene.mesh.index.end(), {a, b, c});
         scene.mesh.material.push_back(1);

@@ -285,7 +285,7 @@ scene::Scene mapped(const image::Rgba8& texel, const image::Rgba8& other) {
     scene::Material& m = scene.materials[0];
     m.emission = {0, 0.5F, 0};
     for (std::size_t i = 0; i < shade::kMaps; ++i)
-        if (i != shade::kOpacityMap) (m.*shade::map_slots()[i].map)->texture = 0;
+        if (i != shade::kOpacityMap) (m.*shade::map_slots()[i].map).edit().texture = 0;
     test::add_square(scene.mesh, 1, 0, 0);
     test::add_square(scene.mesh, 1, 0, 1);
     return scene;

@@ -15,7 +15,7 @@ TEST(StepLimits, TheScaleOfEachMapThatIsDrawnCounts) {
         scene.materials.resize(2);
         const double plain = step_limits(scene, plan).uv;
         EXPECT_EQ(plain, 1.0 / 256 / 64);
-        (scene.materials[1].*row.map)->scale = {2, -8, 1};
+        (scene.materials[1].*row.map).edit().scale = {2, -8, 1};
         EXPECT_EQ(step_limits(scene, plan).uv, row.drawn ? plain / 8 : plain) << row.name;
     }
 }

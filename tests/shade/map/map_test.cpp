@@ -86,7 +86,7 @@ TEST(Maps, AScalarMapReadsTheChannelThatTheFileNames) {
     for (const auto& [channel, expected] :
          {std::pair{'r', 0.2F}, {'g', 0.4F}, {'b', 0.6F}, {'m', 0.8F}}) {
         Mapped gloss(kShininessMap, one_texel(51, 102, 153, 204));
-        gloss.material.map_shininess->channel = channel;
+        gloss.material.map_shininess.edit().channel = channel;
         gloss.run("gloss");
         EXPECT_FLOAT_EQ(gloss.block->shininess[0], 40 * expected) << channel;
     }
@@ -153,7 +153,7 @@ TEST(Maps, RoughnessAndMetalnessMultiplyTheMaterialsOwn) {
         EXPECT_EQ(metal.block->metalness[5], 0.8F) << "white changes no bit";
     }
     Mapped blue(kMetalnessMap, one_texel(255, 255, 51));
-    blue.material.map_metalness->channel = 'b';
+    blue.material.map_metalness.edit().channel = 'b';
     blue.run("metalness");
     EXPECT_FLOAT_EQ(blue.block->metalness[0], 0.16F);
 }
@@ -278,7 +278,7 @@ TEST(NormalMap, RedLeansAlongUAndGreenAlongV) {
                 EXPECT_NEAR(m->normal(7)[k], expected[k], 1e-6);
         }
     }
-    red.material.map_normal->scale = {-1, 1, 1}; // the picture runs against u
+    red.material.map_normal.edit().scale = {-1, 1, 1}; // the picture runs against u
     red.face(0, {0, 0, 1}, {0, 0, 1});
     red.slopes(0, 0.01F, 0, 0, -0.01F);
     red.run("normal");
@@ -434,7 +434,7 @@ TEST(BumpMap, ARampLeansTheNormalAgainstItsSlope) {
         const double slope = strength * 4 / 255.0, length = std::sqrt(1 + slope * slope);
         Mapped u(kBumpMap, along_u), v(kBumpMap, along_v);
         for (Mapped* m : {&u, &v}) {
-            m->material.map_bump->bump_multiplier = strength;
+            m->material.map_bump.edit().bump_multiplier = strength;
             for (int i = 0; i < kBlockSize; ++i)
                 m->block->u[i] = m->block->v[i] = 0.3F + 0.003F * static_cast<float>(i % 100);
             m->run("bump");

@@ -221,8 +221,8 @@ TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
     for (int round = 0; round < 2000; ++round) {
         Sampler sampler(texture, kWraps[round % 3]);
         if (round % 4 >= 2) {
-            sampler.material.map_diffuse->scale = {any(), any(), 1};
-            sampler.material.map_diffuse->offset = {any(), any(), 0};
+            sampler.material.map_diffuse.edit().scale = {any(), any(), 1};
+            sampler.material.map_diffuse.edit().offset = {any(), any(), 0};
         }
         std::vector<Vec2> uv(static_cast<std::size_t>(random.whole(1, kBlockSize)));
         for (Vec2& t : uv)
@@ -275,8 +275,8 @@ TEST(Texture, OfOneTexelIsReadEverywhere) {
 TEST(Texture, OffsetAndScaleOfTheMapMoveTheCoordinates) {
     const scene::Texture texture = noise(8, 8, 7);
     Sampler moved(texture), plain(texture);
-    moved.material.map_diffuse->scale = {2, 4, 1};
-    moved.material.map_diffuse->offset = {0.25F, -0.5F, 0};
+    moved.material.map_diffuse.edit().scale = {2, 4, 1};
+    moved.material.map_diffuse.edit().offset = {0.25F, -0.5F, 0};
     Random random(7);
     for (const Vec2& uv : random_uv(random, 2)) {
         const Vec2 x(random.in(-1, 1), random.in(-1, 1)), y(random.in(-1, 1), random.in(-1, 1));
