@@ -20,7 +20,7 @@ struct Mapped {
         material.emission = {0.5F, 0.25F, 2};
         material.roughness = 0.6F;
         material.metalness = 0.8F;
-        block->map[map] = {&texture, (material.*map_slots()[map].map).operator->(), nullptr,
+        block->map[map] = {&texture, &(material.*map_slots()[map].map).edit(), nullptr,
                            Wrap::repeat};
         frame.filter = find_row(shade::texture::kRows, "bilinear");
         frame.orthographic = true;
