@@ -134,7 +134,7 @@ private:
         warn(left_out_of_reference(model_.scene), settings_, report.warnings);
         report.reference_ms = watch.milliseconds();
         report.reference_samples = made.samples;
-        report.noise = made.mean_error();
+        report.noise = made.noise;
         report.reference = std::move(made.image);
         return {};
     }

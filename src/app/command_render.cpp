@@ -118,13 +118,13 @@ private:
                             "{} codes",
                             static_cast<double>(made.samples) /
                                 static_cast<double>(made.error.size()),
-                            made.mean_error(), made.unsure(), trace::kErrorWanted));
+                            made.noise, made.unsure(), trace::kErrorWanted));
         if (settings_.json) {
             frame::FrameStats stats;
             stats.total_ms = watch.milliseconds();
             report.frames.push_back(
                 {index, hash_of(made.image), made.image.width(), made.image.height(), stats});
-            report.references.push_back({made.samples, made.mean_error(), made.unsure()});
+            report.references.push_back({made.samples, made.noise, made.unsure()});
         }
         return finish(made.image, index, report);
     }

@@ -2,6 +2,8 @@
 
 #include "math/transcendental.h"
 
+#include <algorithm>
+
 namespace scanout::trace {
 namespace {
 
@@ -56,6 +58,18 @@ double standard_error(const std::array<double, kParts>& residual) {
         weighted += likelihood * first * power / (1 - f);
     }
     return scanout::sqrt(all * weighted / likelihoods);
+}
+
+Scatter scatter(const std::array<double, kParts>& residual) {
+    const std::array<double, kLevels> squares = squares_of_differences(residual);
+    return {squares.front() / (kParts / 2), squares.back()};
+}
+
+// From parts to halves the square falls by f three times, and goes on to.
+double square_of_error(const Scatter& sums) {
+    if (!(sums.of_parts > 0x1p-500)) return 0;
+    const double f = std::clamp(scanout::cbrt(sums.of_halves / sums.of_parts), 0.125, 0.5);
+    return sums.of_halves * f / (1 - f);
 }
 
 } // namespace scanout::trace

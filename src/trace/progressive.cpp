@@ -1,5 +1,6 @@
 #include "trace/progressive.h"
 
+#include "math/transcendental.h"
 #include "trace/lights.h"
 
 #include <algorithm>
@@ -54,12 +55,13 @@ Progressive::Progressive(const scene::View& view, const Look& look, const Effort
     made_.error.resize(pixels);
     samples_.resize(pixels);
     contrast_.resize(pixels);
+    scatter_.resize(pixels);
     once_more_.resize(pixels);
     known_.resize(pixels);
 }
 
 std::uint64_t Progressive::bytes(int width, int height) {
-    constexpr std::uint64_t kAPixel = sizeof(image::Rgba8) + sizeof(Vec3) + 2 * sizeof(float) +
+    constexpr std::uint64_t kAPixel = sizeof(image::Rgba8) + sizeof(Vec3) + 4 * sizeof(float) +
                                       sizeof(std::uint32_t) + sizeof(Known) + sizeof(int);
     const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
     return kAPixel * pixels + pixels / 8; // and a bit: once_more_
@@ -114,6 +116,25 @@ void Progressive::begin(Stage stage) {
     next_ = 0;
     if (stage != Stage::finished) return;
     made_.samples = std::accumulate(samples_.begin(), samples_.end(), std::uint64_t{0});
+    made_.noise = noise();
+}
+
+// Most of it is that of pixels that got all the samples there are. The others stopped by their own
+// estimates, and those that were put too low stopped first: so these count with their bounds.
+double Progressive::noise() const {
+    Scatter of_hard_ones;
+    double squares = 0;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+        if (samples_[i] < most_samples_) {
+            const double error = double{made_.error[i]} / kMargin;
+            squares += error * error;
+        } else {
+            of_hard_ones.of_parts += double{scatter_[i][0]};
+            of_hard_ones.of_halves += double{scatter_[i][1]};
+        }
+    }
+    squares += square_of_error(of_hard_ones);
+    return samples_.empty() ? 0 : scanout::sqrt(squares / static_cast<double>(samples_.size()));
 }
 
 void Progressive::step(Jobs& jobs, Time until) {
@@ -163,6 +184,8 @@ void Progressive::put(const PixelSamples& samples) {
     made_.error[i] = static_cast<float>(traced.error);
     samples_[i] = traced.samples;
     contrast_[i] = static_cast<float>(traced.contrast);
+    scatter_[i] = {static_cast<float>(traced.scatter.of_parts),
+                   static_cast<float>(traced.scatter.of_halves)};
     const bool is_final =
         stage_ != Stage::estimate || traced.error < kErrorWanted || most_samples_ <= kFewestSamples;
     if (is_final && known_[i] != Known::final) final_.fetch_add(1, std::memory_order_relaxed);

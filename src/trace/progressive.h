@@ -11,6 +11,7 @@
 #include "trace/render.h"
 #include "trace/tracer.h"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -62,6 +63,7 @@ private:
     // The pixels that are to be traced once more, marked as such; `before`: the stage that ended.
     std::vector<int> beside_hard_ones(Stage before);
     void add_beside(int pixel, std::vector<int>& out); // its neighbours of these, if it is hard
+    double noise() const;
 
     scene::View view_;
     Look look_;
@@ -75,9 +77,10 @@ private:
     std::vector<std::optional<PixelSamples>> begun_; // a job's, where a step ended within a pixel
     std::atomic<int> final_ = 0;                     // pixels
     Reference made_;
-    std::vector<std::uint32_t> samples_; // of each pixel
-    std::vector<float> contrast_;        // of what its samples saw, codes
-    std::vector<bool> once_more_;        // traced
+    std::vector<std::uint32_t> samples_;        // of each pixel
+    std::vector<float> contrast_;               // of what its samples saw, codes
+    std::vector<std::array<float, 2>> scatter_; // Scatter
+    std::vector<bool> once_more_;               // traced
     std::vector<Known> known_;
 };
 

@@ -1,18 +1,10 @@
 #include "trace/render.h"
 
-#include "math/transcendental.h"
 #include "trace/progressive.h"
 
 #include <algorithm>
 
 namespace scanout::trace {
-
-double Reference::mean_error() const {
-    double sum = 0;
-    for (const float e : error)
-        sum += double{e} * double{e};
-    return error.empty() ? 0 : scanout::sqrt(sum / static_cast<double>(error.size())) / kMargin;
-}
 
 std::size_t Reference::unsure() const {
     return static_cast<std::size_t>(

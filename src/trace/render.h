@@ -29,7 +29,7 @@ struct Reference {
     // error in nine pixels of ten.
     std::vector<float> error;
     std::uint64_t samples = 0;
-    double mean_error() const;  // root of the mean square standard error: its own noise, codes
+    double noise = 0;           // of the whole: root of the mean square of what pixels err, codes
     std::size_t unsure() const; // pixels whose bound is a quarter of a code or more
 };
 

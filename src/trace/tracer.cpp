@@ -99,17 +99,18 @@ Tracer::Mean Tracer::mean(const SampleSum& sum) const {
 }
 
 // Of the worst channel, codes.
-double Tracer::error_of(const PixelSamples& pixel) const {
+void Tracer::estimate_error(PixelSamples& pixel) const {
+    pixel.error = 0;
+    pixel.scatter = {};
     const double back_alpha = look_.background.a / 255.0;
     SampleSum all;
     for (const SampleSum& part : pixel.parts)
         all.add(part);
     const Mean whole = mean(all);
-    if (!(whole.alpha > 0)) return 0;
+    if (!(whole.alpha > 0)) return;
     // Parts may agree by chance: what divides the range that the samples saw may lie between two of
     // them, which a filter spreads over nine pixels; or between two points of a light.
     const double hidden = (look_.filter ? 0.9 : 0.1) / pixel.wanted, of_light = 1.0 / pixel.wanted;
-    double worst = 0;
     for (int c = 0; c < 3; ++c) {
         std::array<double, kParts> residual; // a pixel is a sum of light over one of alpha
         for (std::size_t p = 0; p < kParts; ++p) {
@@ -122,9 +123,16 @@ double Tracer::error_of(const PixelSamples& pixel) const {
             std::max(standard_error(residual),
                      hidden * (pixel.high[c] - pixel.low[c]) + of_light * pixel.in_doubt[c]);
         const double low = std::max(whole.light[c] - error, 0.0), high = whole.light[c] + error;
-        worst = std::max(worst, (code_of(high) - code_of(low)) * (error / (high - low + 0x1p-100)));
+        const double codes = (code_of(high) - code_of(low)) * (error / (high - low + 0x1p-100));
+        pixel.error = std::max(pixel.error, codes);
+        if (!(error > 0)) continue;
+        // Of that channel whose parts differ most: halves that differ by chance choose none.
+        Scatter here = scatter(residual);
+        here.of_parts *= codes / error * (codes / error);
+        here.of_halves *= codes / error * (codes / error);
+        if (here.of_parts > pixel.scatter.of_parts) pixel.scatter = here;
     }
-    return worst;
+    pixel.error *= kMargin;
 }
 
 // The next sample of the pixel, into the part that its number belongs to: into one of all parts of
@@ -157,7 +165,7 @@ bool Tracer::advance(PixelSamples& p, std::uint32_t most, Time until) const {
             if (p.taken % kSamplesALook == 0 && std::chrono::steady_clock::now() >= until)
                 return false;
         }
-        p.error = kMargin * error_of(p);
+        estimate_error(p);
         if (p.error < kErrorWanted || p.wanted >= most) return true;
         // Twice as many: the parts that there are become half of them.
         for (std::size_t i = 0; i < kParts / 2; ++i) {
@@ -182,11 +190,9 @@ TracedPixel Tracer::pixel(const PixelSamples& done) const {
     const auto code = [&](int c) {
         return static_cast<std::uint8_t>(code_of(whole.light[c]) + 0.5);
     };
-    return {whole.light,
-            {code(0), code(1), code(2), static_cast<std::uint8_t>(255 * whole.alpha)},
-            done.error,
-            done.wanted,
-            contrast};
+    return {whole.light, {code(0), code(1), code(2), static_cast<std::uint8_t>(255 * whole.alpha)},
+            done.error,  done.scatter,
+            done.wanted, contrast};
 }
 
 } // namespace scanout::trace

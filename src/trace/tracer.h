@@ -50,12 +50,14 @@ struct PixelSamples {
     std::array<SampleSum, kParts> parts{};
     DVec3 low{INFINITY}, high{-INFINITY}, in_doubt{0}; // of the samples; the most of any
     double error = INFINITY;                           // of their mean: its bound, codes
+    Scatter scatter;                                   // of one channel, squares of codes
 };
 
 struct TracedPixel {
     DVec3 light;
     image::Rgba8 code;
     double error; // codes
+    Scatter scatter;
     std::uint32_t samples;
     double contrast; // of what its samples saw, codes
 };
@@ -84,7 +86,7 @@ private:
     Sample shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
     double lit_share(const PlacedLight& light, int number, const DVec3& place, const DVec3& facing,
                      std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const;
-    double error_of(const PixelSamples& pixel) const;
+    void estimate_error(PixelSamples& pixel) const;
 
     const World& world_;
     ShadowRays shadows_;

@@ -128,8 +128,7 @@ TEST(LadderLaw, ErrorsDoNotGrow) {
         double noise = 0; // mean square
         for (const Shot& s : subject.shots) {
             trace::Reference made = test::reference_of(s, {kSamples});
-            noise +=
-                made.mean_error() * made.mean_error() / static_cast<double>(subject.shots.size());
+            noise += made.noise * made.noise / static_cast<double>(subject.shots.size());
             references.push_back(std::move(made.image));
         }
         for (const std::string_view axis : ladder_axes()) {
