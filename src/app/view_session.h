@@ -178,6 +178,7 @@ private:
     RungStepper rungs_;
     LiveFrontier frontier_;
     std::string frontier_key_; // of the one that is measured
+    PictureKey frontier_of_;   // the picture whose frontier it is
     int refusal_told_ = -1;    // the generation of the model of which it was said
     frame::Renderer renderer_;
     Composer composer_;

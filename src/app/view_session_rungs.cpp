@@ -65,6 +65,7 @@ Result<void> ViewSession::measure_frontier() {
 Result<void> ViewSession::begin_frontier() {
     const scene::Scene& scene = slot_.model()->scene;
     TRY(const scene::View view, viewer_.view(*slot_.mesh()));
+    frontier_of_ = picture_key(viewer_.state().look, slot_.generation());
     frame::FrameOptions options;
     put_asked_frame_options(options);
     BudgetTask task{scene, slot_.facts(), view, options, free_axes(settings_), parts_.jobs};
@@ -116,6 +117,8 @@ FrontierPanel ViewSession::frontier_panel() const {
     panel.lines.push_back(
         fmt::format("{:.2f} ms  {:.2f} codes RMSE", point->wall_ms, point->error));
     panel.lines.push_back("measured " + frontier.date);
+    if (frontier_of_ != picture_key(viewer_.state().look, slot_.generation()))
+        panel.lines.push_back("for another view or light");
     for (const measure::KnownPoint& p : frontier.points)
         panel.points.push_back({p.wall_ms, p.error});
     panel.at = rungs_.at();

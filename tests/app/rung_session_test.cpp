@@ -2,6 +2,7 @@
 #include "app/budget.h"
 #include "app/frontier_key.h"
 #include "app/session_fixture.h"
+#include "app/text_block.h"
 #include "scene/content.h"
 
 #include <cstdlib>
@@ -156,6 +157,30 @@ TEST_F(RungSession, LinesThatTheReferenceLeavesOutAreNamed) {
     EXPECT_EQ(testing::internal::GetCapturedStderr(),
               "scanout: warning: " + settings.arguments.front() +
                   ": 1 lines and 0 points have no area: they are not in the reference\n");
+}
+
+// Its times and errors are those of the view in which it was measured, and it says so when that is
+// another one by now.
+TEST_F(RungSession, APanelSaysWhenItBelongsToAnotherView) {
+    width = 640;
+    height = 300;
+    remember(known());
+    const auto letters = [&](std::vector<port::Event> then) {
+        port::Event down = press(XKB_KEY_comma), up = down;
+        up.pressed = false;
+        const image::Image picture =
+            last_frame({{300ms, {down, up}}, {500ms, then}, {2500ms, {quit()}}});
+        int found = 0;
+        for (int y = 0; y < height / 2; ++y)
+            for (int x = width / 2; x < width; ++x)
+                found += picture.at(x, y) == kBlockText ? 1 : 0;
+        return found;
+    };
+    port::Event turn = press(XKB_KEY_Left), turned = turn;
+    turned.pressed = false;
+    const int before = letters({});
+    EXPECT_GT(before, 100);
+    EXPECT_GT(letters({turn, turned}), before + 100);
 }
 
 TEST_F(RungSession, AReplayTakesNoStepByTheClock) {
