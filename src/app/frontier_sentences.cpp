@@ -44,7 +44,48 @@ bool nothing_compared(const Frontier& found) {
                         [](const measure::Point& p) { return p.price.has_value(); });
 }
 
-std::string effect_sentence(const Frontier& found) {
+// Of a picture without effects: the technique that takes most over the quickest of its axis. How
+// many pixels are drawn is no technique.
+std::string technique_sentence(const FrontierReport& report) {
+    const Frontier& found = report.found;
+    const auto ratio = [&](std::size_t point) { return (*found.points)[point].price->cpu_ratio; };
+    std::string axis, own, quickest;
+    std::size_t without = 0;
+    for (const Ladder& ladder : found.ladders) {
+        if (ladder.is_flat() || ladder.axis == "render_scale") continue;
+        const LadderRung* asked = nullptr;
+        const LadderRung* least = nullptr;
+        for (const LadderRung& rung : ladder.rungs) {
+            if (!rung.point || !(*found.points)[*rung.point].price) continue;
+            if (*rung.point == 0) asked = &rung;
+            if (ratio(*rung.point).high < 1 &&
+                (least == nullptr || ratio(*rung.point).median < ratio(*least->point).median))
+                least = &rung;
+        }
+        if (asked == nullptr || least == nullptr ||
+            (!axis.empty() && ratio(*least->point).median >= ratio(without).median))
+            continue;
+        axis = ladder.axis;
+        own = asked->technique;
+        quickest = least->technique;
+        without = *least->point;
+    }
+    if (axis.empty())
+        return "Dearest effect: none takes a time that can be measured, and no technique is "
+               "quicker "
+               "than those in use.";
+    const std::string share =
+        fmt::format("Dearest technique, as no effect takes a time that can be measured: {} {}: "
+                    "{:.0f} % of the frame's CPU time, over {}",
+                    axis, own, 100 * (1 - ratio(without).median), quickest);
+    if (!report.compared()) return share + ".";
+    const double gain = found.error(without) - found.error(0);
+    return gain > 0.005 ? fmt::format("{}, for {:.2f} codes.", share, gain)
+                        : share + ", for no more accuracy here.";
+}
+
+std::string effect_sentence(const FrontierReport& report) {
+    const Frontier& found = report.found;
     if (nothing_compared(found)) return "Dearest effect: not measured.";
     const measure::EffectPrice* dearest = nullptr;
     for (const measure::EffectPrice& e : found.effects) {
@@ -52,8 +93,7 @@ std::string effect_sentence(const Frontier& found) {
         if (dearest == nullptr || e.price.cpu_ms.median > dearest->price.cpu_ms.median)
             dearest = &e;
     }
-    if (dearest == nullptr || dearest->price.cpu_ms.median <= 0)
-        return "Dearest effect: none takes a time that can be measured.";
+    if (dearest == nullptr || dearest->price.cpu_ms.median <= 0) return technique_sentence(report);
     const double share = 1 - 1 / dearest->price.cpu_ratio.median;
     return fmt::format("Dearest effect: {}{}: {:.0f} % of the frame's CPU time; it changes {:.1f} "
                        "% of the pixels.",
@@ -96,9 +136,9 @@ std::string free_sentence(const Frontier& found) {
 } // namespace
 
 std::vector<std::string> frontier_sentences(const FrontierReport& report) {
-    if (report.timed() && !report.compared()) return {effect_sentence(report.found)};
+    if (report.timed() && !report.compared()) return {effect_sentence(report)};
     if (!report.has_frontier()) return {};
-    return {knee_sentence(report), effect_sentence(report.found), free_sentence(report.found)};
+    return {knee_sentence(report), effect_sentence(report), free_sentence(report.found)};
 }
 
 } // namespace scanout::app

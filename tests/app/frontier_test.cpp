@@ -145,6 +145,26 @@ TEST(FrontierSentences, SayWhatWasNotMeasured) {
     EXPECT_EQ(said[2], "Free: not measured.");
 }
 
+// A plain model's frame is made of techniques alone.
+TEST(FrontierSentences, NameTheDearestTechniqueWhereNoEffectIsOn) {
+    test::Shot s = test::solids("solids");
+    s.options.aa = "supersampling_4";
+    const auto view = scene::make_view(s.scene.mesh, s.model, s.pose, s.camera, {}, s.options.width,
+                                       s.options.height);
+    Jobs jobs(2);
+    measure::FrontierOptions how;
+    how.axes = {"aa", "render_scale"};
+    how.seconds_a_point = 0.05;
+    how.effects = false;
+    FrontierReport report;
+    report.reference = test::draw(s);
+    report.found = *measure::frontier(s.scene, frame::facts(s.scene), *view, s.options, jobs,
+                                      report.reference, how);
+    const std::string said = frontier_sentences(report).at(1);
+    EXPECT_THAT(said, HasSubstr("aa supersampling_4: "));
+    EXPECT_THAT(said, HasSubstr("% of the frame's CPU time, over none, for "));
+}
+
 TEST(Interrupt, TheFirstOneOnlySetsAFlag) {
     const Interrupt interrupt;
     EXPECT_FALSE(Interrupt::asked());
