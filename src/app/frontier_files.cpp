@@ -105,7 +105,9 @@ std::string to_json(const FrontierReport& report) {
     for (std::size_t i = 0; i < found.points->all().size(); ++i)
         points.push_back(point_json(report, i));
     for (const measure::FrontierPoint& p : found.frontier)
-        frontier.push_back({{"point", p.point}, {"ties_with_next", p.ties_with_next}});
+        frontier.push_back({{"point", p.point},
+                            {"times_as_long", interval(p.time)},
+                            {"ties_with_next", p.ties_with_next}});
     Json reference;
     if (report.compared())
         reference = {{"samples", report.reference_samples},

@@ -20,6 +20,22 @@ std::vector<std::size_t> pareto_set(const std::vector<TimedError>& points) {
     return best;
 }
 
+bool as_accurate(double a, double b) {
+    constexpr double kTold = 0.1;
+    return a * a <= b * b + kTold * kTold;
+}
+
+bool buys(double from, double to) {
+    return !as_accurate(from, to) && to < 0.98 * from;
+}
+
+std::vector<std::size_t> frontier_of(const std::vector<TimedError>& points) {
+    std::vector<std::size_t> found;
+    for (const std::size_t i : pareto_set(points))
+        if (found.empty() || buys(points[found.back()].error, points[i].error)) found.push_back(i);
+    return found;
+}
+
 double Frontier::cpu_ms(std::size_t point) const {
     const auto own = points->cost();
     const auto& price = (*points)[point].price;
@@ -37,6 +53,29 @@ double Frontier::least_wall_ms() const {
     for (const FrontierPoint& p : frontier)
         least = std::min(least, wall_ms(p.point));
     return least;
+}
+
+namespace {
+
+// Of the normal distribution: what its absolute value exceeds with that chance.
+double exceeded_with(double chance) {
+    double low = 0, high = 40;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = (low + high) / 2;
+        (std::erfc(middle / std::sqrt(2.0)) > chance ? low : high) = middle;
+    }
+    return low;
+}
+
+} // namespace
+
+Difference one_of(const Difference& ratio, std::size_t intervals) {
+    constexpr double kMiss = 0.05;
+    const double wider =
+        exceeded_with(kMiss / static_cast<double>(std::max<std::size_t>(intervals, 1))) /
+        exceeded_with(kMiss);
+    return {ratio.median, ratio.median * std::pow(ratio.low / ratio.median, wider),
+            ratio.median * std::pow(ratio.high / ratio.median, wider)};
 }
 
 std::size_t knee_of(const std::vector<TimedError>& set) {

@@ -27,7 +27,10 @@ struct EffectPrice {
 
 struct FrontierPoint {
     std::size_t point = 0; // of Points
-    // Its time and that of the next one cannot be told apart.
+    // Its CPU time over that of the picture as asked for, in an interval that all points of the
+    // frontier hold together with 95 %: what each of twenty holds by itself, one of them misses.
+    Difference time;
+    // Its time and that of the next one cannot be told apart: these intervals overlap.
     bool ties_with_next = false;
 };
 
@@ -74,6 +77,17 @@ struct TimedError {
     double time = 0, error = 0;
 };
 std::vector<std::size_t> pareto_set(const std::vector<TimedError>& points);
+// Errors of whole pictures, codes: a is no more than b by a tenth, where they add up as squares.
+// Less is not worth a word.
+bool as_accurate(double a, double b);
+// That an error falls so far is enough to be worth a step: by a fiftieth at least.
+bool buys(double from, double to);
+// Of a Pareto set those that buy something over the one before.
+std::vector<std::size_t> frontier_of(const std::vector<TimedError>& points);
+// The interval of a ratio, as one of so many that are to hold together: each with 5 % of a chance
+// to miss, divided by their number (Dunn 1961). How much wider that is the normal distribution
+// says, to which medians come close; so few values as a time is measured by have no ranks for it.
+Difference one_of(const Difference& ratio, std::size_t intervals);
 // Of such a set, by time: the one farthest below the line from the first to the last, where the
 // time's axis is logarithmic and the error's is not: more of the errors' range is gained there than
 // of the times' is spent. The first where none is below.

@@ -15,23 +15,13 @@ bool overlap(const Difference& a, const Difference& b) {
 
 } // namespace
 
-// Of two points: the first errs no more than the other by a tenth of a code, where errors add
-// up as squares. Less is not worth a word.
-bool FrontierSearch::as_accurate(std::size_t a, std::size_t b) const {
-    constexpr double kTold = 0.1; // codes
-    return found_.error(a) * found_.error(a) <= found_.error(b) * found_.error(b) + kTold * kTold;
-}
-// Of whole pictures: enough to be worth a step, a fiftieth at least.
-bool FrontierSearch::buys(std::size_t from, std::size_t to) const {
-    return !as_accurate(from, to) && found_.error(to) < 0.98 * found_.error(from);
-}
-// And the time of s may be as short as that of r, or longer by a twentieth: such a gain is found in
-// one run and missed in the next, and each rung that is left makes whole configurations to measure.
+// The first of two rungs is as accurate, and about as quick: a gain of less than a tenth is found
+// in one run and missed in the next, and each rung that is left makes whole configurations to
+// measure.
 bool FrontierSearch::as_good(const Step& s, const Step& r) const {
-    constexpr double kAsShort = 1.05;
-    return (*found_.points)[s.point].price->cpu_ratio.low <=
-               kAsShort * (*found_.points)[r.point].price->cpu_ratio.high &&
-           as_accurate(s.point, r.point);
+    constexpr double kAsQuick = 1.1;
+    return found_.cpu_ms(s.point) <= kAsQuick * found_.cpu_ms(r.point) &&
+           as_accurate(found_.error(s.point), found_.error(r.point));
 }
 // Of two that are as good as each other: what is asked for, else the higher rung.
 bool FrontierSearch::replaces(const Step& s, const Step& r) const {
@@ -85,12 +75,19 @@ std::vector<Rung> FrontierSearch::shortest(std::vector<Rung> rungs) const {
     return rungs;
 }
 
-std::optional<std::size_t> FrontierSearch::measured(const std::vector<Way>& ways) {
+std::optional<std::size_t> FrontierSearch::drawn(const FrontierWalk::Place& place) {
     std::vector<Rung> rungs;
-    for (const Way& way : ways)
-        rungs.push_back({way.axis, way.steps[way.at].technique});
+    for (std::size_t w = 0; w < ways_.size(); ++w)
+        rungs.push_back({ways_[w].axis, ways_[w].steps[place[w]].technique});
     const auto point = found_.points->at(shortest(std::move(rungs)));
     return point ? std::optional(*point) : std::nullopt;
+}
+
+FrontierWalk::Place FrontierSearch::place() const {
+    FrontierWalk::Place here;
+    for (const Way& way : ways_)
+        here.push_back(way.at);
+    return here;
 }
 
 // From the cheapest rungs of all axes upwards.
@@ -102,10 +99,12 @@ void FrontierSearch::begin_climb() {
         all_steps_ += way.steps.size();
         ways_.push_back(std::move(way));
     }
-    const std::optional<std::size_t> cheapest = measured(ways_);
-    phase_ = cheapest ? Phase::climb : Phase::end;
+    begin_walk();
+    const std::optional<std::size_t> cheapest = drawn(place());
+    phase_ = cheapest ? Phase::climb : Phase::walk;
     if (!cheapest) return;
-    timed_ = now_ = *cheapest;
+    now_ = *cheapest;
+    time(place(), now_);
     list_steps_up();
 }
 
@@ -127,12 +126,12 @@ void FrontierSearch::try_step_up() {
     if (untried_.empty()) return take_best_step();
     Candidate candidate = untried_.back();
     untried_.pop_back();
-    std::vector<Way> ways = ways_;
-    ways[candidate.way].at = candidate.at;
-    const std::optional<std::size_t> point = measured(ways);
-    if (!point || !buys(now_, *point)) return;
+    FrontierWalk::Place there = place();
+    there[candidate.way] = candidate.at;
+    const std::optional<std::size_t> point = drawn(there);
+    if (!point || !buys(found_.error(now_), found_.error(*point))) return;
     candidate.point = *point;
-    timed_ = *point;
+    time(there, *point);
     tried_.push_back(candidate);
 }
 
@@ -142,7 +141,7 @@ void FrontierSearch::take_best_step() {
         if (gain_of(now_, candidate.point) > (best != nullptr ? gain_of(now_, best->point) : 0))
             best = &candidate;
     if (best == nullptr) {
-        phase_ = Phase::end;
+        phase_ = Phase::walk;
         return;
     }
     ways_[best->way].at = best->at;
@@ -150,6 +149,53 @@ void FrontierSearch::take_best_step() {
     ++steps_taken_;
     fraction_ = 0.6 + 0.3 * static_cast<double>(steps_taken_) / static_cast<double>(all_steps_);
     list_steps_up();
+}
+
+// What the ladders have measured lies on the axes' own ways.
+void FrontierSearch::begin_walk() {
+    std::vector<std::vector<double>> times;
+    FrontierWalk::Place asked;
+    for (const Way& way : ways_) {
+        times.emplace_back();
+        for (const Step& step : way.steps)
+            times.back().push_back((*found_.points)[step.point].price->cpu_ratio.median);
+        const auto own = std::find_if(way.steps.begin(), way.steps.end(),
+                                      [](const Step& s) { return s.point == 0; });
+        if (own == way.steps.end()) continue; // too slow to be timed
+        asked.push_back(static_cast<std::size_t>(own - way.steps.begin()));
+    }
+    walk_.emplace(std::move(times));
+    if (asked.size() != ways_.size()) return;
+    for (std::size_t w = 0; w < ways_.size(); ++w)
+        for (std::size_t at = 0; at < ways_[w].steps.size(); ++at) {
+            FrontierWalk::Place place = asked;
+            place[w] = at;
+            walk_->put(place, timed_error(ways_[w].steps[at].point));
+        }
+}
+
+TimedError FrontierSearch::timed_error(std::size_t point) const {
+    return {(*found_.points)[point].price->cpu_ratio.median, found_.error(point)};
+}
+
+void FrontierSearch::time(const FrontierWalk::Place& place, std::size_t point) {
+    timed_ = point;
+    place_ = place;
+}
+
+void FrontierSearch::look_around() {
+    if (is_late(1)) {
+        phase_ = Phase::end;
+        return;
+    }
+    const std::optional<FrontierWalk::Look> look = walk_->next();
+    if (!look) {
+        phase_ = Phase::end;
+        return;
+    }
+    const std::optional<std::size_t> point = drawn(look->place);
+    if (point && ((*found_.points)[*point].price || walk_->may_gain(*look, found_.error(*point))))
+        time(look->place, *point);
 }
 
 // Codes for a millisecond; what costs nothing comes first.
@@ -163,7 +209,8 @@ double FrontierSearch::gain_of(std::size_t from, std::size_t to) const {
 // it.
 bool FrontierSearch::is_as_asked(std::size_t i) const {
     const Difference& ratio = (*found_.points)[i].price->cpu_ratio;
-    return i != 0 && ratio.low <= 1 && ratio.high >= 1 && as_accurate(0, i);
+    return i != 0 && ratio.low <= 1 && ratio.high >= 1 &&
+           as_accurate(found_.error(0), found_.error(i));
 }
 
 void FrontierSearch::draw_frontier() {
@@ -175,17 +222,12 @@ void FrontierSearch::draw_frontier() {
         timed.push_back(i);
         at.push_back({found_.cpu_ms(i), found_.error(i)});
     }
-    const auto time_of = [&](std::size_t point) {
-        return (*found_.points)[point].price->cpu_ratio;
-    };
-    for (const std::size_t i : pareto_set(at)) {
-        const std::size_t point = timed[i];
-        if (!found_.frontier.empty()) {
-            FrontierPoint& last = found_.frontier.back();
-            if (!buys(last.point, point)) continue;
-            last.ties_with_next = overlap(time_of(last.point), time_of(point));
-        }
-        found_.frontier.push_back({point, false});
+    const std::vector<std::size_t> set = frontier_of(at);
+    for (const std::size_t i : set) {
+        const Difference time = one_of((*found_.points)[timed[i]].price->cpu_ratio, set.size());
+        if (!found_.frontier.empty())
+            found_.frontier.back().ties_with_next = overlap(found_.frontier.back().time, time);
+        found_.frontier.push_back({timed[i], time, false});
     }
 }
 

@@ -1,5 +1,6 @@
 // The search for the frontier: what is measured, in which order, and when it ends. The way up from
-// the cheapest configuration is in frontier_climb.cpp.
+// the cheapest configuration is in frontier_climb.cpp, what is looked at beside it is in
+// frontier_walk.cpp.
 #include "measure/frontier_search.h"
 
 #include "base/stopwatch.h"
@@ -29,7 +30,11 @@ FrontierSearch::FrontierSearch(Frontier found, FrontierOptions how)
 void FrontierSearch::step() {
     const Stopwatch watch;
     if (timed_) {
-        if (found_.points->time_more(*timed_, how_.seconds_a_point)) timed_.reset();
+        if (found_.points->time_more(*timed_, how_.seconds_a_point)) {
+            if (place_) walk_->put(*place_, timed_error(*timed_));
+            place_.reset();
+            timed_.reset();
+        }
     } else {
         work();
     }
@@ -53,6 +58,8 @@ void FrontierSearch::work() {
         return time_rung();
     case Phase::climb:
         return try_step_up();
+    case Phase::walk:
+        return look_around();
     case Phase::end:
         return end();
     case Phase::finished:
@@ -99,8 +106,18 @@ void FrontierSearch::begin_times() {
     phase_ = Phase::effects;
 }
 
-// The frame with the next effect that is on, and without. Lights are left out: they take shadows
-// and highlights with them, whose time is not their own.
+// Both plans have the same rows.
+static bool switches_alone(const frame::FramePlan& plan, const frame::FramePlan& without,
+                           std::string_view effect) {
+    for (std::size_t i = 0; i < plan.decisions.size(); ++i)
+        if (plan.decisions[i].effect != effect &&
+            plan.decisions[i].on() != without.decisions[i].on())
+            return false;
+    return true;
+}
+
+// The frame with the next effect that is on, and without. A light that takes shadows or highlights
+// with it is left out: their time is not its own.
 void FrontierSearch::price_effect() {
     Points& points = *found_.points;
     const frame::FramePlan& plan = points[0].plan;
@@ -110,7 +127,9 @@ void FrontierSearch::price_effect() {
         frame::FrameOptions options = points.options();
         options.effects[d.effect] = false;
         const auto without = points.plan(options);
-        if (!without || without->lights.size() != plan.lights.size()) continue;
+        if (!without || (without->lights.size() != plan.lights.size() &&
+                         !switches_alone(plan, *without, d.effect)))
+            continue;
         const Points::Saving saving = points.saving(*without, how_.seconds_a_point);
         const double pixels = static_cast<double>(options.width) * options.height;
         found_.effects.push_back(
@@ -159,7 +178,7 @@ void FrontierSearch::look() {
         points.push_back(p.point);
     const bool all = how_.flip == FrontierOptions::Flip::of_all && !found_.stopped;
     for (std::size_t i = 0; all && i < found_.points->all().size(); ++i)
-        points.push_back(i);
+        if ((*found_.points)[i].price) points.push_back(i); // the others are shown nowhere
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     found_.points->look_at(points);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "measure/frontier.h"
+#include "measure/frontier_walk.h"
 
 #include <memory>
 #include <optional>
@@ -44,7 +45,7 @@ private:
     struct Candidate {
         std::size_t way = 0, at = 0, point = 0;
     };
-    enum class Phase { ladders, effects, rung_times, climb, end, finished };
+    enum class Phase { ladders, effects, rung_times, climb, walk, end, finished };
 
     FrontierSearch(Frontier found, FrontierOptions how);
     void work();
@@ -59,16 +60,19 @@ private:
     void list_steps_up();
     void try_step_up();
     void take_best_step();
+    void begin_walk();
+    void look_around();
     void end();
 
-    bool as_accurate(std::size_t a, std::size_t b) const;
-    bool buys(std::size_t from, std::size_t to) const;
     bool as_good(const Step& s, const Step& r) const;
     bool replaces(const Step& s, const Step& r) const;
     bool is_as_asked(std::size_t point) const;
     Way way_up(const Ladder& ladder) const;
     std::vector<Rung> shortest(std::vector<Rung> rungs) const;
-    std::optional<std::size_t> measured(const std::vector<Way>& ways);
+    FrontierWalk::Place place() const; // of the climb
+    std::optional<std::size_t> drawn(const FrontierWalk::Place& place);
+    void time(const FrontierWalk::Place& place, std::size_t point);
+    TimedError timed_error(std::size_t point) const;
     double gain_of(std::size_t from, std::size_t to) const;
     void draw_frontier();
     void look();
@@ -79,8 +83,10 @@ private:
     double fraction_ = 0;
     double spent_ms_ = 0;              // on drawing the ladders; after that, on all that follows
     std::optional<std::size_t> timed_; // the point that is being timed
-    std::size_t next_ = 0;             // of what the phase goes through
-    std::vector<std::size_t> order_;   // in which rungs are timed
+    std::optional<FrontierWalk::Place> place_; // its own, for the walk
+    std::optional<FrontierWalk> walk_;
+    std::size_t next_ = 0;           // of what the phase goes through
+    std::vector<std::size_t> order_; // in which rungs are timed
     // The climb: where it stands, the steps up from there that are left to try, and those that are
     // worth taking.
     std::vector<Way> ways_;

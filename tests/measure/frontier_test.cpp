@@ -68,8 +68,9 @@ double rmse_by_hand(const image::Image& a, const image::Image& b) {
 }
 
 TEST(Ladder, AxesAreThoseWithRungs) {
-    EXPECT_THAT(ladder_axes(), testing::IsSupersetOf({"interpolate", "texture", "shadow", "shading",
-                                                      "depth", "transparency", "aa", "render_scale"}));
+    EXPECT_THAT(ladder_axes(),
+                testing::IsSupersetOf({"interpolate", "texture", "shadow", "shading", "depth",
+                                       "transparency", "aa", "render_scale"}));
     EXPECT_THAT(ladder_axes(), testing::Not(testing::Contains("reflection")));
     EXPECT_THAT(ladder_axes(), testing::Not(testing::Contains("tone")));
 }
@@ -211,13 +212,22 @@ TEST(Frontier, PricesEffects) {
 }
 
 // Without its light a surface has no highlight either: the time of both is not the light's.
-TEST(Frontier, PricesNoLight) {
+TEST(Frontier, PricesNoLightThatTakesAHighlightWithIt) {
     const Measured m(test::glossy("ball", "blinn_phong"), quick());
     std::vector<std::string> priced;
     for (const EffectPrice& e : m.found.effects)
         priced.push_back(e.effect);
     EXPECT_THAT(priced, testing::Contains("highlight"));
     EXPECT_THAT(priced, testing::Not(testing::Contains("directional_light")));
+}
+
+// A matt surface has none: what the light takes is its own.
+TEST(Frontier, PricesALightThatTakesNothingWithIt) {
+    const Measured m(test::ball("ball"), quick());
+    std::vector<std::string> priced;
+    for (const EffectPrice& e : m.found.effects)
+        priced.push_back(e.effect);
+    EXPECT_THAT(priced, testing::Contains("directional_light"));
 }
 
 // Rungs are timed from the quickest on: where the time is up, the slow ones are left out.
