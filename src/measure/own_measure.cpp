@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "frame/plan/plan.h"
+#include "math/transcendental.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,10 @@ const OwnMeasurer::Row OwnMeasurer::kRows[] = {
     {{"depth", "depths off by", "2^-24 of the distance"}, &OwnMeasurer::depths},
     {{"transparency", "off where seen through by", "codes"}, &OwnMeasurer::codes_seen_through},
     {{"aa", "edges off by", "pixels"}, &OwnMeasurer::edges},
+    {{"render_scale", "off at edges by", "codes"}, &OwnMeasurer::codes_at_edges},
     {{"blend_space", "off at edges by", "codes"}, &OwnMeasurer::codes_at_edges},
-    {{"encode", "off inside surfaces by", "codes"}, &OwnMeasurer::codes_inside}};
+    {{"encode", "off inside surfaces by", "codes"}, &OwnMeasurer::codes_inside},
+    {{"dither", "means of 8 x 8 pixels off by", "codes"}, &OwnMeasurer::codes_of_squares}};
 
 const OwnMeasure* own_measure(std::string_view axis) {
     const auto row = std::find_if(std::begin(OwnMeasurer::kRows), std::end(OwnMeasurer::kRows),
@@ -104,7 +107,7 @@ std::optional<OwnMeasurer::Drawn> OwnMeasurer::draw(const scene::Scene& scene,
     const auto plan = frame::plan(options, facts, view_);
     if (!plan) return std::nullopt;
     Drawn drawn;
-    renderer_.render(scene, view_, *plan, &drawn.visibility, 64, &drawn.linear);
+    drawn.picture = renderer_.render(scene, view_, *plan, &drawn.visibility, 64, &drawn.linear);
     CHECK_EQ(drawn.linear.width, reference_.width() * plan->aa->scale);
     CHECK_EQ(drawn.linear.height, reference_.height() * plan->aa->scale);
     return drawn;
@@ -284,6 +287,52 @@ std::optional<double> OwnMeasurer::codes_seen_through(const frame::FrameOptions&
     return codes(options, seen_through_, 1, [](const Oracle& o, int x, int y) {
         return o.is_seen_through(x, y) ? 1.0F : 0.0F;
     });
+}
+
+// What rounding alone moves the mean of a square by, whose light is all but one colour: the
+// difference of codes from the light that they were rounded from. Bands are squares that err alike;
+// where light changes by more than a code from end to end, there are none.
+std::optional<double> OwnMeasurer::codes_of_squares(const frame::FrameOptions& options) {
+    constexpr int kSide = 8;
+    frame::FrameOptions one = options;
+    one.aa = "none";
+    one.encode = "srgb";
+    const auto drawn = draw(one);
+    if (!drawn || drawn->linear.pixel.empty()) return std::nullopt;
+    const auto code = [](double light) {
+        light = std::clamp(light, 0.0, 1.0);
+        return 255 *
+               (light <= 0.0031308 ? 12.92 * light : 1.055 * scanout::pow(light, 1 / 2.4) - 0.055);
+    };
+    double squares = 0;
+    std::int64_t compared = 0;
+    for (int top = 0; top + kSide <= drawn->picture.height(); top += kSide)
+        for (int left = 0; left + kSide <= drawn->picture.width(); left += kSide) {
+            double off[3] = {};
+            DVec3 low(255), high(0);
+            bool covered = true;
+            for (int y = top; y < top + kSide; ++y)
+                for (int x = left; x < left + kSide; ++x) {
+                    const auto& light =
+                        drawn->linear.pixel[static_cast<std::size_t>(y * drawn->linear.width + x)];
+                    const image::Rgba8& p = drawn->picture.at(x, y);
+                    const std::uint8_t codes[3] = {p.r, p.g, p.b};
+                    covered = covered && light[3] >= 1;
+                    for (int c = 0; c < 3; ++c) {
+                        const double exact = code(double{light[static_cast<std::size_t>(c)]});
+                        low[c] = std::min(low[c], exact);
+                        high[c] = std::max(high[c], exact);
+                        off[c] += (codes[c] - exact) / (kSide * kSide);
+                    }
+                }
+            if (!covered || std::max({high.x - low.x, high.y - low.y, high.z - low.z}) > 1)
+                continue;
+            for (const double o : off)
+                squares += o * o / 3;
+            ++compared;
+        }
+    if (compared == 0) return std::nullopt;
+    return std::sqrt(squares / static_cast<double>(compared));
 }
 
 void measure_own(std::vector<Ladder>& ladders, const frame::FrameOptions& options,

@@ -52,7 +52,10 @@ private:
     std::optional<double> codes_at_edges(const frame::FrameOptions& options);
     std::optional<double> codes_seen_through(const frame::FrameOptions& options);
 
+    std::optional<double> codes_of_squares(const frame::FrameOptions& options);
+
     struct Drawn {
+        image::Image picture;
         frame::Visibility visibility;
         shade::LinearPicture linear;
     };

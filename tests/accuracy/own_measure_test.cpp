@@ -81,6 +81,23 @@ TEST(OwnMeasure, DepthsAreOffByTheStepsOfTheirFormat) {
     EXPECT_TRUE(measured(flat, "depth").empty());
 }
 
+// Rounding to the nearest leaves bands, where all pixels of a square err alike; of 64 thresholds
+// the mean of one colour is off by 1/128 at most.
+TEST(OwnMeasure, DitherLeavesNoBands) {
+    Shot s = test::solids("flat solids");
+    s.options.shading = "flat";
+    s.options.width = s.options.height = 160;
+    auto dither = measured(s, "dither");
+    EXPECT_GT(dither.at("none"), 0.1);
+    EXPECT_LT(dither.at("bayer"), 1.0 / 128);
+}
+
+TEST(OwnMeasure, FewerPixelsBlurEdges) {
+    auto scale = measured(test::solids("solids"), "render_scale");
+    EXPECT_GT(scale.at("quarter"), scale.at("half"));
+    EXPECT_GT(scale.at("half"), scale.at("full"));
+}
+
 // Inside surfaces, where no edge hides what the axis is about.
 TEST(OwnMeasure, InsideSurfacesEdgesDoNotCount) {
     auto shading = measured(test::ball("ball"), "shading");
