@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 
 namespace scanout::measure {
@@ -106,13 +107,16 @@ void FrontierSearch::begin_times() {
     phase_ = Phase::effects;
 }
 
-// Both plans have the same rows.
+// Both plans have the same rows. How what is lit is shaded is a part of its light.
 static bool switches_alone(const frame::FramePlan& plan, const frame::FramePlan& without,
-                           std::string_view effect) {
-    for (std::size_t i = 0; i < plan.decisions.size(); ++i)
-        if (plan.decisions[i].effect != effect &&
-            plan.decisions[i].on() != without.decisions[i].on())
+                           std::string_view light) {
+    constexpr std::string_view kOfLight[] = {"shading", "interpolate", "two_sided"};
+    for (std::size_t i = 0; i < plan.decisions.size(); ++i) {
+        const frame::Decision& d = plan.decisions[i];
+        if (d.effect != light && d.on() != without.decisions[i].on() &&
+            std::find(std::begin(kOfLight), std::end(kOfLight), d.effect) == std::end(kOfLight))
             return false;
+    }
     return true;
 }
 
