@@ -16,6 +16,7 @@ packages_build=(
     xkb-data # read when the viewer starts
 )
 packages_test=("${libraries_test[@]}" ccache patch python3)
+packages_package=(dpkg-dev file debootstrap lintian)
 packages_bench=(libbenchmark-dev libegl-dev libopengl-dev libgl1-mesa-dri linux-perf valgrind binutils python3)
 packages_clang=(clang-14 libclang-rt-14-dev)
 packages_counts=(valgrind binutils)

@@ -4,12 +4,12 @@
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm avx3 walk growth)
+long_stages=(lint analyze faults arm avx3 walk growth package)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [counts]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
-    [avx3]="build test avx3" [walk]="build test" [growth]="build test"
+    [avx3]="build test avx3" [walk]="build test" [growth]="build test" [package]="build package"
 )
 
 # Property tests (rapidcheck) draw the same cases each time, so that a commit's outcome is its own. `./test walk` draws
@@ -284,6 +284,11 @@ stage_growth() {
     configure test release
     build test scanout
     check python3 -B tests/growth/growth.py build/test/scanout
+}
+
+# The Debian package: lintian, and a chroot with nothing but Debian's base; root alone can make one.
+stage_package() {
+    check tests/package/package.sh "$root"
 }
 
 # Format of every file; clang-tidy over the program's own sources, without its analyzer.
