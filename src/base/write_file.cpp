@@ -81,7 +81,8 @@ Result<void> write_file(const std::string& path, std::span<const std::uint8_t> b
     const Fd fd(::mkostemp(temporary.data(), O_CLOEXEC));
     if (!fd.valid()) return cannot_write(path, errno, elsewhere);
     int error = write_all(fd.get(), bytes);
-    if (error == 0 && ::fchmod(fd.get(), default_mode()) != 0) error = errno;
+    const mode_t mode = missing == 0 ? info.st_mode & 07777 : default_mode();
+    if (error == 0 && ::fchmod(fd.get(), mode) != 0) error = errno;
     if (error == 0 && ::fsync(fd.get()) != 0) error = errno;
     if (error == 0 && ::rename(temporary.c_str(), file.c_str()) != 0) error = errno;
     if (error != 0) {

@@ -112,6 +112,19 @@ TEST(WriteFile, ReplacesAFileWholeWithTheModeOfANewFile) {
     EXPECT_EQ(info.st_mode & 0777U, 0640U);
 }
 
+TEST(WriteFile, KeepsTheModeOfAFileThatIsThere) {
+    const TemporaryFolder folder;
+    const std::string path = folder / "a";
+    ASSERT_TRUE(write_file(path, std::string_view("first")));
+    for (const mode_t mode : {0600U, 0664U}) {
+        ASSERT_EQ(::chmod(path.c_str(), mode), 0);
+        ASSERT_TRUE(write_file(path, std::string_view("second")));
+        struct stat info {};
+        ASSERT_EQ(::stat(path.c_str(), &info), 0);
+        EXPECT_EQ(info.st_mode & 0777U, mode);
+    }
+}
+
 TEST(WriteFile, BehindALinkReplacesTheTargetAndKeepsTheLink) {
     const TemporaryFolder folder;
     namespace fs = std::filesystem;
