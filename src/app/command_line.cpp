@@ -3,13 +3,14 @@
 #include "app/help.h"
 #include "app/nearest.h"
 #include "app/option_conflicts.h"
+#include "app/option_names.h"
 #include "app/option_text.h"
 #include "app/options.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <deque>
+#include <set>
 
 #include <unistd.h>
 
@@ -40,6 +41,10 @@ Result<Command> take_command(std::vector<std::string>& arguments) {
                 hint.empty() ? "; `scanout --help` lists the commands" : hint);
 }
 
+bool is_help(const std::string& word) {
+    return word == "--help" || word == "-h" || word == "--help-all";
+}
+
 // `--json out.json` means --json=out.json, but `--json model.obj` must not write over the model.
 void join_json(std::vector<std::string>& arguments) {
     for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
@@ -53,38 +58,25 @@ Result<void> no_name() {
     return fail(Exit::usage, "an empty word stands where a file is named; is a variable empty?");
 }
 
-// The option of this command that the whole word spells, `-o` or `--output`; null: none.
-const Option* find_option(std::string_view word, Command command) {
-    for (const Option& option : options())
-        if (belongs(option, command) && ((word.size() == 2 && word[0] == '-' &&
-                                          option.letter != 0 && word[1] == option.letter) ||
-                                         (word.starts_with("--") && word.substr(2) == option.name)))
-            return &option;
-    return nullptr;
-}
-
-bool takes_next_word(const Option& option) {
-    return !option.optional_value && !std::holds_alternative<Switch>(option.slot);
-}
-
 // Splits `-o=x.png` into `-o x.png` (nobody wants a file named "=x.png"). Removes and returns the
 // words behind `--`, which are files even if they look like options. Refuses options without their
 // value, and switches with one.
 Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments, Command command) {
+    const auto commands = static_cast<unsigned>(command);
     for (auto word = arguments.begin(); word != arguments.end(); ++word) {
         if (*word == "--") {
             std::vector<std::string> files(word + 1, arguments.end());
             arguments.erase(word, arguments.end());
             return files;
         }
-        const Option* letter = find_option(word->substr(0, 2), command);
+        const Option* letter = find_option(word->substr(0, 2), commands);
         if (letter != nullptr && takes_next_word(*letter) && word->substr(2, 1) == "=") {
             const std::string value = word->substr(3);
             word->resize(2);
             word = arguments.insert(word + 1, value);
             continue;
         }
-        const Option* option = find_option(*word, command);
+        const Option* option = find_option(*word, commands);
         if (option != nullptr && takes_next_word(*option)) {
             if (++word == arguments.end()) // else its value, even if that looks like an option
                 return fail(Exit::usage, "{} wants {}; give it", arguments.back(),
@@ -92,7 +84,7 @@ Result<std::vector<std::string>> take_files(std::vector<std::string>& arguments,
             continue;
         }
         const std::string name = word->substr(0, word->find('='));
-        option = find_option(name, command);
+        option = find_option(name, commands);
         if (name != *word && option != nullptr && std::holds_alternative<Switch>(option->slot))
             return fail(Exit::usage, "{} takes no value; write {} alone", name, name);
     }
@@ -118,29 +110,35 @@ void declare(CLI::App& parser, Given& given) {
     parser.add_option(names, given.texts)
         ->expected(1)
         ->allow_extra_args(false)
-        ->multi_option_policy(option.repeats ? CLI::MultiOptionPolicy::TakeAll
-                                             : CLI::MultiOptionPolicy::TakeLast);
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 Result<void> unknown_option(const std::string& word, Command command) {
-    std::vector<std::string> spelt;
-    for (const Option& option : options())
-        if (belongs(option, command)) spelt.push_back("--" + std::string(option.name));
-    const std::vector<std::string_view> names(spelt.begin(), spelt.end());
     const std::string name = word.substr(0, word.find('='));
     for (const Option& option : options())
         if (name == "--" + std::string(option.name))
             return fail(Exit::usage,
-                        "{} does not belong to this command; leave it out, or see --help", name);
+                        "{} does not belong to this command; leave it out, or see --help-all",
+                        name);
     if (exists(word))
         return fail(Exit::usage, "there is no option {}; write the file as -- {} or ./{}", word,
                     word, word);
-    const std::string hint = did_you_mean(name, names);
-    return fail(Exit::usage, "there is no option {}{}", name, hint.empty() ? "; see --help" : hint);
+    return fail(Exit::usage, "there is no option {}{}", name,
+                hint_for_option(name, static_cast<unsigned>(command)));
+}
+
+// Of an option that was given several times, the last one counts: that may surprise.
+void note_repetition(const Given& given, std::vector<std::string>& notes) {
+    const bool differ = std::any_of(given.texts.begin(), given.texts.end(),
+                                    [&](const auto& text) { return text != given.texts.back(); });
+    if (differ && !given.option->repeats)
+        notes.push_back(fmt::format("--{} is given {} times; {} counts, which is the last",
+                                    given.option->name, given.texts.size(), given.texts.back()));
 }
 
 Result<Settings> parse_words(Command command, std::vector<std::string> words,
-                             const std::vector<std::string>& files) {
+                             const std::vector<std::string>& files,
+                             const ReadStanding& read_standing) {
     Settings settings;
     settings.command = command;
     CLI::App parser;
@@ -161,8 +159,16 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
     settings.arguments.insert(settings.arguments.end(), files.begin(), files.end());
     if (std::count(settings.arguments.begin(), settings.arguments.end(), "") > 0)
         TRY_VOID(no_name());
+    std::set<std::string_view> names;
+    for (const Given& one : given)
+        if (!one.texts.empty()) names.insert(one.option->name);
+    if (read_standing && names.count("no-config") == 0) {
+        TRY(const std::vector<StandingPlace> standing, read_standing());
+        TRY_VOID(apply_standing(standing, names, settings));
+    }
     for (const Given& one : given) {
         if (one.texts.empty()) continue;
+        note_repetition(one, settings.notes);
         const bool bare = one.option->optional_value && one.texts.back() == "true";
         const std::size_t first = one.option->repeats ? 0 : one.texts.size() - 1;
         for (std::size_t i = first; i < one.texts.size(); ++i)
@@ -174,22 +180,26 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
 
 } // namespace
 
-Result<CommandLine> parse_command_line(std::vector<std::string> arguments) {
+Result<CommandLine> parse_command_line(std::vector<std::string> arguments,
+                                       const ReadStanding& read_standing) {
     if (arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`; "
                                  "`scanout --help` explains");
-    const std::string& first = arguments.front();
+    const std::string first = arguments.front();
     if (first.empty()) return tl::unexpected(no_name().error());
-    if (first == "--version") return CommandLine{{}, fmt::format("scanout {}\n", SCANOUT_VERSION)};
-    if (first == "--help" || first == "-h" || first == "help")
-        return CommandLine{{}, help_overview()};
+    if (first == "--version" || first == "-V" || first == "version")
+        return CommandLine{{}, fmt::format("scanout {}\n", SCANOUT_VERSION)};
+    const bool asks_first = first == "help" || is_help(first);
+    if (asks_first) arguments.erase(arguments.begin());
+    if (asks_first && arguments.empty()) return CommandLine{{}, help_overview()};
     TRY(const Command command, take_command(arguments));
     TRY(const std::vector<std::string> files, take_files(arguments, command));
-    const auto asks = [](const std::string& word) { return word == "--help" || word == "-h"; };
-    if (std::any_of(arguments.begin(), arguments.end(), asks))
-        return CommandLine{{}, help_for(command)};
+    const bool all =
+        first == "--help-all" || std::count(arguments.begin(), arguments.end(), "--help-all") > 0;
+    if (asks_first || std::any_of(arguments.begin(), arguments.end(), is_help))
+        return CommandLine{{}, all ? full_help_for(command) : help_for(command)};
     join_json(arguments);
-    TRY(Settings settings, parse_words(command, std::move(arguments), files));
+    TRY(Settings settings, parse_words(command, std::move(arguments), files, read_standing));
     return CommandLine{std::move(settings), {}};
 }
 

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "app/settings.h"
+#include "app/standing_options.h"
 #include "base/result.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,10 @@ struct CommandLine {
     std::string printout; // --help, --version: print this instead of running a command
 };
 
-// `arguments`: without the program's name. Errors: Exit::usage, one line with the nearest name.
-Result<CommandLine> parse_command_line(std::vector<std::string> arguments);
+// `arguments`: without the program's name. `read_standing`: gives the user's options for every run;
+// called where they count. Errors: Exit::usage, one line with the nearest name.
+using ReadStanding = std::function<Result<std::vector<StandingPlace>>()>;
+Result<CommandLine> parse_command_line(std::vector<std::string> arguments,
+                                       const ReadStanding& read_standing = nullptr);
 
 } // namespace scanout::app

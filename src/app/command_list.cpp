@@ -1,6 +1,7 @@
 // scanout list WHAT: lists what this machine and this program have, on standard output.
 #include "app/bindings.h"
 #include "app/commands.h"
+#include "app/lists.h"
 #include "app/nearest.h"
 #include "app/option_text.h"
 #include "app/report.h"
@@ -17,13 +18,9 @@
 namespace scanout::app {
 namespace {
 
-bool wanted(const Settings& settings, const std::string& path) {
-    return settings.device.empty() || settings.device == path;
-}
-
 void list_displays(const Settings& settings) {
     for (const drm::CardInfo& card : drm::list_cards()) {
-        if (!wanted(settings, card.path)) continue;
+        if (!is_wanted(settings, card.path)) continue;
         const auto used = std::count_if(card.connectors.begin(), card.connectors.end(),
                                         [](const drm::ConnectorInfo& c) { return c.connected; });
         fmt::print("drm    {}  {}  {}\n", card.path, card.driver,
@@ -32,7 +29,7 @@ void list_displays(const Settings& settings) {
                        : card.problem);
     }
     for (const linux_fb::FrameBufferInfo& fb : linux_fb::list_frame_buffers())
-        if (wanted(settings, fb.path))
+        if (is_wanted(settings, fb.path))
             fmt::print("fbdev  {}  {}  {}\n", fb.path, fb.id,
                        fb.problem.empty()
                            ? fmt::format("{}x{} {}", fb.width, fb.height, image::name_of(fb.format))
@@ -43,7 +40,7 @@ void list_displays(const Settings& settings) {
 void list_connectors(const Settings& settings) {
     for (const drm::CardInfo& card : drm::list_cards())
         for (const drm::ConnectorInfo& connector : card.connectors)
-            if (wanted(settings, card.path))
+            if (is_wanted(settings, card.path))
                 fmt::print("{}  {}  {}\n", card.path, connector.name,
                            connector.connected ? "connected" : "not connected");
 }
@@ -52,17 +49,9 @@ void list_modes(const Settings& settings) {
     for (const drm::CardInfo& card : drm::list_cards())
         for (const drm::ConnectorInfo& connector : card.connectors)
             for (const drm::ModeInfo& mode : connector.modes)
-                if (wanted(settings, card.path))
+                if (is_wanted(settings, card.path))
                     fmt::print("{}  {}  {}x{}@{:.0f}{}\n", card.path, connector.name, mode.width,
                                mode.height, mode.refresh_hz, mode.preferred ? "  preferred" : "");
-}
-
-Result<void> list_techniques_as_json(const Settings& settings) {
-    if (settings.arguments.front() != "techniques")
-        return fail(Exit::usage,
-                    "--json: there is JSON of the techniques alone; list {} prints text",
-                    settings.arguments.front());
-    return write_report(settings, techniques_json());
 }
 
 std::string exception_of(const Technique& t) {
@@ -70,9 +59,9 @@ std::string exception_of(const Technique& t) {
     return fmt::format("; may err more than {}: {}", t.may_err_more.than, t.may_err_more.reason);
 }
 
-void list_techniques(const Settings&) {
+void list_techniques(const Settings& settings) {
     constexpr std::array<std::string_view, 3> kKinds = {"rung", "effect", "model"};
-    for (const Technique* t : frame::techniques())
+    for (const Technique* t : techniques_of(settings))
         fmt::print("{:<12} {:<14} {:<7} {} ({}){}\n", t->axis, t->name,
                    kKinds[static_cast<std::size_t>(t->kind)], t->blurb, t->source,
                    exception_of(*t));
@@ -116,35 +105,65 @@ void list_options(const Settings&) {
 struct Topic {
     std::string_view name;
     void (*print)(const Settings&);
+    std::string (*json)(const Settings&);
 };
 constexpr std::array kTopics = {
-    Topic{"displays", list_displays}, Topic{"connectors", list_connectors},
-    Topic{"modes", list_modes},       Topic{"techniques", list_techniques},
-    Topic{"formats", list_formats},   Topic{"targets", list_targets},
-    Topic{"keys", list_keys},         Topic{"options", list_options},
+    Topic{"displays", list_displays, displays_json},
+    Topic{"connectors", list_connectors, connectors_json},
+    Topic{"modes", list_modes, modes_json},
+    Topic{"techniques", list_techniques, techniques_json},
+    Topic{"formats", list_formats, formats_json},
+    Topic{"targets", list_targets, targets_json},
+    Topic{"keys", list_keys, keys_json},
+    Topic{"options", list_options, options_json},
 };
 
-} // namespace
+// A second word is an axis of techniques.
+Result<void> check_narrowing(const Settings& settings) {
+    if (settings.arguments.size() == 1) return {};
+    const std::string& list = settings.arguments[0];
+    if (list != "techniques" || settings.arguments.size() > 2)
+        return fail(Exit::usage, "list {} takes no more words; leave out {}", list,
+                    settings.arguments.back());
+    if (!techniques_of(settings).empty()) return {};
+    std::vector<std::string_view> axes;
+    for (const Technique* t : frame::techniques())
+        axes.push_back(t->axis);
+    axes.erase(std::unique(axes.begin(), axes.end()), axes.end());
+    return fail(Exit::usage, "there is no axis '{}'{}; there is {}", settings.arguments[1],
+                did_you_mean(settings.arguments[1], axes), fmt::join(axes, " "));
+}
 
-Result<Exit> run_list(const Settings& settings) {
+std::vector<std::string_view> topic_names() {
     std::vector<std::string_view> names;
     names.reserve(std::size(kTopics));
     for (const Topic& topic : kTopics)
         names.push_back(topic.name);
-    if (settings.arguments.size() != 1)
+    return names;
+}
+
+} // namespace
+
+std::string list_topics() {
+    return fmt::format("{}", fmt::join(topic_names(), " "));
+}
+
+Result<Exit> run_list(const Settings& settings) {
+    const std::vector<std::string_view> names = topic_names();
+    if (settings.arguments.empty())
         return fail(Exit::usage, "list what? one of {}", fmt::join(names, " "));
     const std::string& asked = settings.arguments.front();
-    for (const Topic& topic : kTopics) {
-        if (topic.name != asked) continue;
-        if (settings.json) {
-            TRY_VOID(list_techniques_as_json(settings));
-            return Exit::ok;
-        }
-        topic.print(settings);
-        return Exit::ok;
-    }
-    return fail(Exit::usage, "there is no list of '{}'{}; there is {}", asked,
-                did_you_mean(asked, names), fmt::join(names, " "));
+    const auto* const topic = std::find_if(kTopics.begin(), kTopics.end(),
+                                           [&](const Topic& t) { return t.name == asked; });
+    if (topic == kTopics.end())
+        return fail(Exit::usage, "there is no list of '{}'{}; there is {}", asked,
+                    did_you_mean(asked, names), fmt::join(names, " "));
+    TRY_VOID(check_narrowing(settings));
+    if (settings.json)
+        TRY_VOID(write_report(settings, topic->json(settings)));
+    else
+        topic->print(settings);
+    return Exit::ok;
 }
 
 } // namespace scanout::app

@@ -1,4 +1,4 @@
-// scanout render: a model, drawn to files without a display.
+// scanout render: models, drawn to files without a display.
 #include "app/budget.h"
 #include "app/commands.h"
 #include "app/files.h"
@@ -6,16 +6,10 @@
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
-#include "app/reference.h"
+#include "app/render_run.h"
 #include "app/report.h"
 #include "base/check.h"
-#include "base/stopwatch.h"
-#include "frame/blank_picture.h"
-#include "frame/plan/ignored_options.h"
-#include "frame/plan/plan_cache.h"
-#include "image/hash.h"
 #include "simd/targets.h"
-#include "trace/render.h"
 
 #include <algorithm>
 #include <optional>
@@ -26,18 +20,17 @@
 namespace scanout::app {
 namespace {
 
-int pictures(const Settings& s) {
-    return std::max(s.turntable, 1);
-}
-
 // Everything that can be wrong about the command line is said before the model is read.
 Result<PictureFormat> check_render(const Settings& s) {
-    if (s.arguments.size() != 1)
-        return s.arguments.empty()
-                   ? fail(Exit::usage, "name a model to draw, as in `scanout render "
-                                       "models/spot/spot.obj -o spot.png`")
-                   : fail(Exit::usage, "render draws one model, not {}; run it once for each",
-                          fmt::join(s.arguments, " and "));
+    const std::size_t models = s.arguments.size();
+    if (models == 0)
+        return fail(Exit::usage, "name a model to draw, as in `scanout render "
+                                 "models/spot/spot.obj -o spot.png`");
+    if (models > 1 && !s.output.empty() && !has_name(s.output))
+        return fail(Exit::usage, "{}: {} models want {{name}} in the name, as in {{name}}.png",
+                    s.output, models);
+    if (models > 1 && std::count(s.arguments.begin(), s.arguments.end(), "-") > 0)
+        return fail(Exit::usage, "- is standard input: draw it alone");
     if (s.reference && s.frames > 1)
         return fail(Exit::usage, "--frames {} times the renderer; --reference draws once",
                     s.frames);
@@ -65,125 +58,14 @@ Result<PictureFormat> check_render(const Settings& s) {
 }
 
 Result<void> check_files(const Settings& s) {
-    for (int index = 0; index < pictures(s); ++index) // whose names differ from each other
-        TRY_VOID(check_outputs(s.arguments,
-                               {s.json.value_or(""), numbered(s.output, index, pictures(s))}));
+    for (int index = 0; index < pictures(s); ++index) { // whose names differ from each other
+        std::vector<std::string> outputs = {s.json.value_or("")};
+        for (const std::string& model : s.arguments)
+            outputs.push_back(numbered(named(s.output, model), index, pictures(s)));
+        TRY_VOID(check_outputs(s.arguments, outputs));
+    }
     return {};
 }
-
-// Draws the pictures of one run, in order, and writes and counts each.
-class RenderRun {
-public:
-    RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model, Jobs& jobs)
-        : settings_(settings), format_(format), scene_(model.scene),
-          camera_(camera_of(settings, model)),
-          plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs) {}
-
-    Result<void> draw(int index, RunReport& report) {
-        scene::Pose pose;
-        pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
-        TRY(const scene::View view,
-            scene::make_view(scene_.mesh, settings_.model, pose, camera_, {}, settings_.frame.width,
-                             settings_.frame.height));
-        TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
-        if (index == 0) tell(*plan, report);
-        if (settings_.reference) return draw_reference(index, view, *plan, report);
-        const image::Image* picture = nullptr;
-        for (int repeat = 0; repeat < settings_.frames; ++repeat) {
-            picture = &renderer_.render(scene_, view, *plan);
-            if (settings_.json)
-                report.frames.push_back({index, hash_of(*picture), picture->width(),
-                                         picture->height(), renderer_.stats()});
-        }
-        if (!told_blank_) tell_if_blank(view, *plan, *picture, report);
-        return finish(*picture, index, report);
-    }
-
-private:
-    Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
-                                RunReport& report) {
-        TRY(const trace::Look look, look_of(plan));
-        TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
-        if (index == 0) warn(left_out_of_reference(scene_), settings_, report.warnings);
-        const Stopwatch watch;
-        std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
-        TRY(const trace::Reference made,
-            trace::render(scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
-                          {settings_.reference_samples > 0
-                               ? static_cast<std::uint32_t>(settings_.reference_samples)
-                               : trace::kMostSamples}));
-        bar.reset();
-        if (settings_.verbose)
-            say(fmt::format("{:.1f} samples a pixel, standard error {:.3f} codes, {} pixels above "
-                            "{} codes",
-                            static_cast<double>(made.samples) /
-                                static_cast<double>(made.error.size()),
-                            made.noise, made.unsure(), trace::kErrorWanted));
-        if (settings_.json) {
-            frame::FrameStats stats;
-            stats.total_ms = watch.milliseconds();
-            report.frames.push_back(
-                {index, hash_of(made.image), made.image.width(), made.image.height(), stats});
-            report.references.push_back({made.samples, made.noise, made.unsure()});
-        }
-        return finish(made.image, index, report);
-    }
-
-    Result<void> finish(const image::Image& picture, int index, RunReport& report) {
-        if (settings_.hash && settings_.json != "-")
-            fmt::print("{}\n", image::hash_text(hash_of(picture)));
-        return settings_.output.empty() ? Result<void>() : write(picture, index, report);
-    }
-
-    void tell(const frame::FramePlan& plan, RunReport& report) const {
-        if (settings_.verbose)
-            for (const frame::Decision& decision : plan.decisions)
-                say(to_string(decision));
-        warn(frame::ignored_options(plan), settings_, report.warnings);
-    }
-    void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
-                       const image::Image& picture, RunReport& report) {
-        const auto why =
-            frame::why_blank(scene_, view, camera_.up, plan, renderer_.stats(), picture);
-        if (!why) return;
-        told_blank_ = true; // of several pictures, once
-        warn({*why}, settings_, report.warnings);
-    }
-
-    std::uint64_t hash_of(const image::Image& picture) const {
-        if (settings_.pixel_format) return image::frame_hash(displayed(picture, settings_));
-        return image::frame_hash(picture);
-    }
-
-    Result<void> write(const image::Image& picture, int index, RunReport& report) {
-        const Stopwatch watch;
-        // What a display shows goes into its bytes and comes out of them unchanged.
-        const image::Image* written = &picture;
-        image::Image shown;
-        if (const auto& display = settings_.pixel_format;
-            display && (format_ != PictureFormat::raw || dithers_unasked(settings_, *display))) {
-            shown = displayed(picture, settings_);
-            written = &shown;
-        }
-        TRY(const image::Bytes bytes, encode(*written, format_, settings_.pixel_format));
-        if (index == 0) report.encode_ms = watch.milliseconds();
-        const std::string path = numbered(settings_.output, index, pictures(settings_));
-        TRY_VOID(write_picture(path, bytes));
-        if (settings_.verbose)
-            say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", path, bytes.size(),
-                            renderer_.stats().total_ms));
-        return {};
-    }
-
-    const Settings& settings_;
-    PictureFormat format_;
-    const scene::Scene& scene_;
-    scene::CameraOptions camera_;
-    frame::PlanCache plan_;
-    Jobs& jobs_;
-    frame::Renderer renderer_;
-    bool told_blank_ = false;
-};
 
 // Rungs that meet --budget and --max-error, by the first picture. Where there is nothing to choose
 // by, a warning, and the picture is drawn as it is asked for; limits that are missed are an error.
@@ -213,17 +95,20 @@ Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& m
     return std::optional(*std::move(chosen));
 }
 
-} // namespace
+// What a run gives for one model.
+struct Rendered {
+    RunReport report;
+    bool blank = false; // one of its pictures shows nothing of it
+};
 
-Result<Exit> run_render(const Settings& asked, std::uint64_t start_bytes) {
-    Settings settings = asked;
-    TRY(const PictureFormat format, check_render(settings));
-    TRY_VOID(check_files(settings));
-    Jobs jobs(settings.threads);
+// `settings`: with this model alone, and with its own output.
+Result<Rendered> render_model(Settings settings, PictureFormat format, Jobs& jobs,
+                              std::uint64_t start_bytes) {
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
-    RunReport report;
+    Rendered rendered;
+    RunReport& report = rendered.report;
     report.model_path = model.scene.path;
     report.counts = model.scene.counts;
     report.load_ms = model.load_ms;
@@ -239,8 +124,41 @@ Result<Exit> run_render(const Settings& asked, std::uint64_t start_bytes) {
     RenderRun run(settings, format, model, jobs);
     for (int index = 0; index < pictures(settings); ++index)
         TRY_VOID(run.draw(index, report));
-    if (settings.json) TRY_VOID(write_report(settings, to_json(report)));
-    return Exit::ok;
+    rendered.blank = run.drew_a_blank();
+    return rendered;
+}
+
+Settings only(const Settings& all, const std::string& model) {
+    Settings one = all;
+    one.arguments = {model};
+    one.output = named(all.output, model);
+    return one;
+}
+
+} // namespace
+
+Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
+    TRY(const PictureFormat format, check_render(settings));
+    TRY_VOID(check_files(settings));
+    Jobs jobs(settings.threads);
+    std::vector<RunReport> reports;
+    Exit exit = Exit::ok;
+    for (const std::string& model : settings.arguments) {
+        const Result<Rendered> rendered =
+            render_model(only(settings, model), format, jobs, start_bytes);
+        if (!rendered) {
+            if (settings.arguments.size() == 1) return tl::unexpected(rendered.error());
+            say("scanout: " + rendered.error().what); // the others are drawn nevertheless
+            if (exit == Exit::ok || exit == Exit::hazards) exit = rendered.error().exit;
+            continue;
+        }
+        reports.push_back(rendered->report);
+        if (settings.fail_if_empty && rendered->blank && exit == Exit::ok) exit = Exit::hazards;
+    }
+    if (settings.json)
+        TRY_VOID(write_report(settings, settings.arguments.size() == 1 ? to_json(reports.front())
+                                                                       : to_json(reports)));
+    return exit;
 }
 
 } // namespace scanout::app

@@ -6,6 +6,7 @@
 #include "base/result.h"
 
 #include <cstdint>
+#include <string>
 
 namespace scanout::app {
 
@@ -21,5 +22,10 @@ Result<Exit> run_doctor(const Settings& settings);
 Result<Exit> run_info(const Settings& settings);
 Result<Exit> run_compare(const Settings& settings);
 Result<Exit> run_list(const Settings& settings);
+Result<Exit> run_generate(const Settings& settings);
+
+// What `list` and `generate` can be asked for, with spaces between the words.
+std::string list_topics();
+std::string generated_documents();
 
 } // namespace scanout::app

@@ -38,6 +38,10 @@ Result<void> check_folder(const std::string& output) {
     if (!S_ISDIR(info.st_mode))
         return fail(Exit::unreadable, "{}: cannot be written: {} is a file; name a folder", output,
                     folder);
+    const bool device = ::stat(output.c_str(), &info) == 0 && !S_ISREG(info.st_mode);
+    if (!device && ::access(folder.c_str(), W_OK) != 0) // files are written beside, and renamed
+        return fail(Exit::unreadable, "{}: cannot be written: {}: {}; name another folder", output,
+                    folder, std::strerror(errno));
     return {};
 }
 

@@ -2,8 +2,11 @@
 
 #include "app/option_text.h"
 #include "app/options.h"
+#include "frame/catalogue.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <vector>
 
 #include <fmt/format.h>
@@ -33,11 +36,25 @@ constexpr std::string_view kOverview =
     "  info MODEL         counts, size, surface, materials, textures found and missing\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options\n"
+    "  generate WHAT      a manual page, or completions for a shell: man bash zsh fish\n"
     "\n"
-    "  scanout COMMAND --help explains a command; scanout --version prints the version.\n"
+    "  scanout COMMAND --help explains a command, --help-all all its options; scanout --version\n"
+    "  prints the version. Options for every run: ~/.config/scanout/options, SCANOUT_OPTIONS.\n"
     "\n"
     "Exit codes: 0 ok, 2 usage, 3 file unreadable or unsupported, 4 hazards found (--strict),\n"
-    "5 no display or no permission, 21 sizes differ, 22 pixels differ, 70 internal.\n";
+    "nothing drawn (--fail-if-empty), 5 no display or no permission, 21 sizes differ, 22 pixels\n"
+    "differ, 70 internal.\n";
+
+// Those of --help; the others stand in --help-all.
+constexpr std::array<std::string_view, 36> kEveryday = {
+    "output",    "format",     "hash",       "json",       "csv",       "html",
+    "size",      "samples",    "background", "shading",    "texture",   "shadow",
+    "light",     "view",       "camera",     "up",         "turntable", "budget",
+    "reference", "projection", "backend",    "device",     "mode",      "converge",
+    "replay",    "axis",       "seconds",    "quick",      "strict",    "fix",
+    "sarif",     "metric",     "max-diff",   "max-pixels", "verbose",   "quiet"};
+
+} // namespace
 
 std::string_view introduction(Command command) {
     switch (command) {
@@ -119,6 +136,13 @@ std::string_view introduction(Command command) {
                "\n"
                "Exit code 0: the same within the tolerance; 21: sizes differ; 22: pixels differ.\n"
                "Where they differ it writes got, expected and difference as PNG.\n";
+    case Command::generate:
+        return "scanout generate WHAT - write on standard output what a system installs\n"
+               "\n"
+               "  scanout generate man > scanout.1           the manual page\n"
+               "  source <(scanout generate bash)            completions in this bash\n"
+               "  scanout generate zsh > ~/.zfunc/_scanout   where fpath has ~/.zfunc\n"
+               "  scanout generate fish > ~/.config/fish/completions/scanout.fish\n";
     case Command::list:
         break;
     }
@@ -127,12 +151,14 @@ std::string_view introduction(Command command) {
            "  scanout list displays      displays that can be opened, and why others can not\n"
            "  scanout list connectors    connectors of the graphics cards\n"
            "  scanout list modes         modes of the connectors\n"
-           "  scanout list techniques    how a picture can be drawn\n"
+           "  scanout list techniques    how a picture can be drawn; with an axis, its rungs\n"
            "  scanout list formats       files that can be read, pixel formats of displays\n"
            "  scanout list targets       instruction sets\n"
            "  scanout list keys          keys of the viewer\n"
            "  scanout list options       all options, as a table\n";
 }
+
+namespace {
 
 // `text` in lines of at most `width` letters, each but the first indented.
 std::string wrapped(std::string_view text, std::size_t width, std::size_t indent) {
@@ -146,7 +172,7 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
     return lines + std::string(text);
 }
 
-std::string described(const Option& option) {
+std::string described(const Option& option, std::string_view help) {
     const std::string value = value_text(option);
     const std::string shown = value.empty()           ? ""
                               : option.optional_value ? "[=" + value + "]"
@@ -154,13 +180,31 @@ std::string described(const Option& option) {
     const std::string name =
         fmt::format("  {}--{}{}", option.letter != 0 ? fmt::format("-{}, ", option.letter) : "    ",
                     option.name, shown);
-    std::string help(option.help);
-    if (!option.default_text.empty()) help += fmt::format(" [{}]", option.default_text);
     constexpr std::size_t kColumn = 32;
     const bool fits = name.size() < kColumn;
     return fmt::format("{:<{}}{}{}\n", name, kColumn,
                        fits ? "" : fmt::format("\n{:{}}", "", kColumn),
                        wrapped(help, 100 - kColumn, kColumn));
+}
+
+std::string short_help_of(const Option& option) {
+    std::string help(option.help);
+    if (!option.default_text.empty()) help += fmt::format(" [{}]", option.default_text);
+    return help;
+}
+
+// In the order of groups, and in the table's within each.
+std::vector<const Option*> options_of(Command command) {
+    std::vector<const Option*> found;
+    for (const Option& option : options())
+        if (belongs(option, command)) found.push_back(&option);
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Option* a, const Option* b) { return a->group < b->group; });
+    return found;
+}
+
+bool is_everyday(const Option* option) {
+    return std::count(kEveryday.begin(), kEveryday.end(), option->name) > 0;
 }
 
 } // namespace
@@ -169,22 +213,42 @@ std::string help_overview() {
     return std::string(kOverview);
 }
 
-std::string help_for(Command command) {
+std::string help_of(const Option& option) {
+    std::string help = short_help_of(option);
+    if (!std::holds_alternative<Asked>(option.slot)) return help;
+    std::string axis(option.name);
+    std::replace(axis.begin(), axis.end(), '-', '_');
+    constexpr std::string_view kWhere = " (`list techniques`)";
+    if (const std::size_t at = help.find(kWhere); at != std::string::npos)
+        help.erase(at, kWhere.size());
+    return fmt::format("{}: auto {}", help, fmt::join(frame::names_on(axis), " "));
+}
+
+static std::string help_with(Command command, const std::vector<const Option*>& shown,
+                             std::string (*describe)(const Option&)) {
     std::string text(introduction(command));
-    std::vector<const Option*> shown;
-    for (const Option& option : options())
-        if (belongs(option, command)) shown.push_back(&option);
-    std::stable_sort(shown.begin(), shown.end(),
-                     [](const Option* a, const Option* b) { return a->group < b->group; });
     const Option* last = nullptr;
     for (const Option* option : shown) {
         if (last == nullptr || last->group != option->group)
             text += fmt::format("\n{}:\n", title_of(option->group));
-        text += described(*option);
+        text += described(*option, describe(*option));
         last = option;
     }
-    return text +
-           "  -h, --help                    this text\n"
+    return text + "  -h, --help                    this text\n";
+}
+
+std::string help_for(Command command) {
+    std::vector<const Option*> all = options_of(command), shown;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(shown), is_everyday);
+    const std::string text = help_with(command, shown, short_help_of);
+    return fmt::format("{}      --help-all                {}\n", text,
+                       all.size() > shown.size()
+                           ? fmt::format("{} options more", all.size() - shown.size())
+                           : "the same");
+}
+
+std::string full_help_for(Command command) {
+    return help_with(command, options_of(command), help_of) +
            "      --                        files alone follow, also those that begin with -\n";
 }
 

@@ -1,6 +1,22 @@
 #include "app/option_conflicts.h"
 
+#include <algorithm>
+#include <array>
+
 namespace scanout::app {
+
+bool exclude_each_other(std::string_view name, std::string_view other) {
+    using Rivals = std::array<std::string_view, 6>;
+    constexpr std::array kRivals = {
+        Rivals{"view", "camera", "eye", "look-at"}, // where the camera stands
+        Rivals{"samples", "aa"}, Rivals{"verbose", "quiet"},
+        Rivals{"budget", "max-error", "reference", "no-times", "record", "replay"}};
+    const auto names_both = [&](const Rivals& rivals) {
+        return std::count(rivals.begin(), rivals.end(), name) > 0 &&
+               std::count(rivals.begin(), rivals.end(), other) > 0;
+    };
+    return name == other || std::any_of(kRivals.begin(), kRivals.end(), names_both);
+}
 
 Result<void> check_together(const Settings& s) {
     const bool eye = s.camera.eye.has_value();

@@ -15,4 +15,7 @@ Result<void> check_together(const Settings& settings);
 // that was given; empty: none.
 std::string_view steadying_option(const Settings& settings);
 
+// May only one of two options count? Of one name, or such as --view and --camera.
+bool exclude_each_other(std::string_view name, std::string_view other);
+
 } // namespace scanout::app

@@ -18,11 +18,12 @@ constexpr unsigned kList = static_cast<unsigned>(Command::list);
 constexpr unsigned kExplain = static_cast<unsigned>(Command::explain);
 constexpr unsigned kFrontier = static_cast<unsigned>(Command::frontier);
 constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
+constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kInfo = static_cast<unsigned>(Command::info);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
 constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
 constexpr unsigned kRead = kLoad | kInfo;   // what takes a model
-constexpr unsigned kAll = kRead | kCompare | kList;
+constexpr unsigned kAll = kRead | kCompare | kList | kGenerate;
 
 std::vector<std::string_view> words(std::string_view text) {
     std::vector<std::string_view> found;
@@ -243,7 +244,8 @@ constexpr Option axis_option(std::string_view name, unsigned commands = kDraw) {
 constexpr std::array kOptions = std::to_array<Option>({
     {"output", 'o', "FILE", "", "", 0, 0, Group::output, kRender,
      Text([](Settings& s) -> std::string& { return s.output; }),
-     "where the picture goes; - is standard output; {n} in the name is its number"},
+     "where the picture goes; - is standard output; {n} in the name is its number, {name} the "
+     "model's name: of several models each gets a file"},
     {"format", 0, "", "png ppm pam raw", "", 0, 0, Group::output, kRender,
      Choice([](Settings& s, std::size_t i) {
          constexpr std::array kFormats = {PictureFormat::png, PictureFormat::ppm,
@@ -258,10 +260,11 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"hash", 0, "", "", "", 0, 0, Group::output, kRender,
      Switch([](Settings& s) -> bool& { return s.hash; }),
      "print each picture's hash on standard output"},
+    {"fail-if-empty", 0, "", "", "", 0, 0, Group::output, kRender,
+     Switch([](Settings& s) -> bool& { return s.fail_if_empty; }),
+     "exit code 4 where a picture shows nothing of its model"},
     {"json", 0, "FILE", "", "", 0, 0, Group::output, kRead | kCompare | kList, Parsed(read_json),
-     "report as JSON, on standard output or to --json=FILE; of the lists, "
-     "only techniques",
-     true},
+     "report as JSON, on standard output or to --json=FILE", true},
     {"csv", 0, "FILE", "", "", 0, 0, Group::output, kFrontier,
      Text([](Settings& s) -> std::string& { return s.csv; }),
      "write every point that was measured, a line each"},
@@ -485,6 +488,9 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.sarif; }),
      "report to a file that CI systems read (SARIF 2.1.0)"},
 
+    {"no-config", 0, "", "", "", 0, 0, Group::general, kAll,
+     Switch([](Settings& s) -> bool& { return s.no_config; }),
+     "leave out the options of ~/.config/scanout/options and of SCANOUT_OPTIONS"},
     {"verbose", 'v', "", "", "", 0, 0, Group::general, kAll,
      Switch([](Settings& s) -> bool& { return s.verbose; }), "say more on standard error"},
     {"quiet", 'q', "", "", "", 0, 0, Group::general, kAll,

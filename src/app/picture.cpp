@@ -1,5 +1,6 @@
 #include "app/picture.h"
 
+#include "app/files.h"
 #include "base/write_file.h"
 
 #include <algorithm>
@@ -114,14 +115,22 @@ Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
     return image::encode_png(picture);
 }
 
+static std::string replaced(std::string name, std::string_view mark, const std::string& text) {
+    for (std::size_t place = name.find(mark); place != std::string::npos;
+         place = name.find(mark, place + text.size()))
+        name.replace(place, mark.size(), text);
+    return name;
+}
+
 std::string numbered(const std::string& name, int number, int count) {
     const std::size_t digits = fmt::formatted_size("{}", std::max(count - 1, 0));
-    const std::string text = fmt::format("{:0{}}", number, digits);
-    std::string numbered = name;
-    for (std::size_t place = numbered.find("{n}"); place != std::string::npos;
-         place = numbered.find("{n}", place + text.size()))
-        numbered.replace(place, 3, text);
-    return numbered;
+    return replaced(name, "{n}", fmt::format("{:0{}}", number, digits));
+}
+
+std::string named(const std::string& name, const std::string& model_path) {
+    const std::string file = file_name_of(model_path);
+    const std::size_t dot = file.rfind('.');
+    return replaced(name, "{name}", dot == 0 ? file : file.substr(0, dot));
 }
 
 Result<void> write_picture(const std::string& path, const image::Bytes& bytes) {

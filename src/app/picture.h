@@ -36,6 +36,12 @@ inline bool has_number(const std::string& name) {
     return name.find("{n}") != std::string::npos;
 }
 
+// `name` with {name} replaced by the model file's name, without folder and extension.
+std::string named(const std::string& name, const std::string& model_path);
+inline bool has_name(const std::string& name) {
+    return name.find("{name}") != std::string::npos;
+}
+
 // write_file, and SIGINT, SIGTERM and SIGHUP wait until it is done: no temporary file is left.
 Result<void> write_picture(const std::string& path, const image::Bytes& bytes);
 

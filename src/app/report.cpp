@@ -122,7 +122,7 @@ double percentile(std::vector<double> values, double fraction) {
     return values[static_cast<std::size_t>(std::max(rank, 1.0)) - 1];
 }
 
-std::string to_json(const RunReport& report) {
+static Json run_json(const RunReport& report) {
     Json frames = Json::array();
     for (const FrameRecord& frame : report.frames)
         frames.push_back({{"index", frame.index},
@@ -130,6 +130,9 @@ std::string to_json(const RunReport& report) {
                           {"width", frame.width},
                           {"height", frame.height},
                           {"ms", rounded(frame.stats.total_ms)}});
+    for (std::size_t i = 0; i < report.frames.size(); ++i)
+        if (const auto covered = report.frames[i].covered_pixels)
+            frames[i]["covered_pixels"] = *covered;
     for (std::size_t i = 0; i < report.references.size(); ++i) {
         const ReferenceRecord& r = report.references[i];
         frames[i]["reference"] = {{"samples", r.samples},
@@ -159,7 +162,18 @@ std::string to_json(const RunReport& report) {
         {"target", simd::chosen_target()},
         {"version", SCANOUT_VERSION}};
     if (report.chosen) json["chosen"] = chosen_json(*report.chosen);
-    return json_text(json);
+    return json;
+}
+
+std::string to_json(const RunReport& report) {
+    return json_text(run_json(report));
+}
+
+std::string to_json(const std::vector<RunReport>& reports) {
+    Json runs = Json::array();
+    for (const RunReport& report : reports)
+        runs.push_back(run_json(report));
+    return json_text(runs);
 }
 
 std::string to_json(const Comparison& compared, const Settings& settings,
@@ -211,29 +225,6 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
         json["instructions"] = e.cost->instructions ? Json(*e.cost->instructions) : Json(nullptr);
     }
     return json_text(json);
-}
-
-std::string techniques_json() {
-    constexpr std::array<const char*, 3> kKinds = {"rung", "effect", "model"};
-    Json cards = Json::array();
-    for (const Technique* t : frame::techniques()) {
-        const shade::Attributes reads = frame::reads(*t);
-        Json names = Json::array();
-        for (const auto& [read, name] :
-             {std::pair(reads.normal, "normal"), std::pair(reads.uv, "texture coordinates"),
-              std::pair(reads.colour, "vertex colour"), std::pair(reads.ray, "ray"),
-              std::pair(reads.position, "position")})
-            if (read) names.push_back(name);
-        cards.push_back({{"axis", t->axis},
-                         {"name", t->name},
-                         {"kind", kKinds[static_cast<std::size_t>(t->kind)]},
-                         {"blurb", t->blurb},
-                         {"source", t->source},
-                         {"reads", names},
-                         {"may_err_more_than", t->may_err_more.than},
-                         {"because", t->may_err_more.reason}});
-    }
-    return json_text(cards);
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

@@ -23,6 +23,7 @@ struct FrameRecord {
     std::uint64_t hash = 0;
     int width = 0, height = 0;
     frame::FrameStats stats;
+    std::optional<std::size_t> covered_pixels = {}; // that differ from the background
 };
 
 // How sure a reference picture is.
@@ -47,12 +48,10 @@ struct RunReport {
 };
 
 std::string to_json(const RunReport& report);
+std::string to_json(const std::vector<RunReport>& reports); // an array, in their order
 std::string to_json(const Comparison& compared, const Settings& settings,
                     const std::vector<std::string>& written);
 std::string to_json(const LoadedModel& model, const measure::Explanation& explanation);
-
-// The cards, in the order of techniques.h.
-std::string techniques_json();
 
 // The value at which `fraction` (0 to 1) of the values are reached: nearest rank. 0 for none.
 double percentile(std::vector<double> values, double fraction);

@@ -1,6 +1,7 @@
 #include "app/command_line.h"
 #include "app/commands.h"
 #include "app/message.h"
+#include "app/model_file.h"
 #include "base/float_environment.h"
 #include "base/memory.h"
 
@@ -15,6 +16,7 @@ namespace scanout::app {
 namespace {
 
 Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
+    print_warnings(settings.notes, settings);
     switch (settings.command) {
     case Command::view:
         return run_view(settings, start_bytes);
@@ -30,6 +32,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_info(settings);
     case Command::compare:
         return run_compare(settings);
+    case Command::generate:
+        return run_generate(settings);
     case Command::list:
         break;
     }
@@ -37,7 +41,7 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
 }
 
 Result<Exit> parse_and_run(std::vector<std::string> arguments, std::uint64_t start_bytes) {
-    TRY(const CommandLine line, parse_command_line(std::move(arguments)));
+    TRY(const CommandLine line, parse_command_line(std::move(arguments), read_standing_options));
     if (line.printout.empty()) return dispatch(line.settings, start_bytes);
     std::fputs(line.printout.c_str(), stdout);
     return Exit::ok;

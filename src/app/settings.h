@@ -25,7 +25,8 @@ enum class Command : unsigned {
     explain = 16,
     frontier = 32,
     doctor = 64,
-    info = 128
+    info = 128,
+    generate = 256
 };
 
 // In the order in which they are listed.
@@ -34,10 +35,11 @@ struct NamedCommand {
     Command command;
 };
 inline constexpr std::array kCommands = {
-    NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
-    NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
-    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
-    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list}};
+    NamedCommand{"view", Command::view},        NamedCommand{"render", Command::render},
+    NamedCommand{"explain", Command::explain},  NamedCommand{"frontier", Command::frontier},
+    NamedCommand{"doctor", Command::doctor},    NamedCommand{"info", Command::info},
+    NamedCommand{"compare", Command::compare},  NamedCommand{"list", Command::list},
+    NamedCommand{"generate", Command::generate}};
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
@@ -57,6 +59,8 @@ struct Settings {
     Command command = Command::view;
     std::vector<GivenOption> given;     // in the order of the table of options
     std::vector<std::string> arguments; // models, pictures, or what to list
+    std::vector<std::string> notes;     // on the options, to be said before the command runs
+    bool no_config = false;             // the user's options for every run were left out
 
     frame::FrameOptions frame;
     std::set<std::string, std::less<>> named_axes; // of techniques, that the command line names
@@ -81,10 +85,11 @@ struct Settings {
     std::string output;
     PictureFormat picture_format = PictureFormat::by_name;
     bool hash = false;
-    bool reference = false;    // drawn by rays, as what rungs are measured against
-    int reference_samples = 0; // a pixel of the reference, at most; 0: what the command takes
-    int turntable = 0;         // pictures in a full turn; 0: one picture
-    int frames = 1;            // how often each picture is drawn, for times
+    bool fail_if_empty = false; // exit code 4 where a picture shows nothing of its model
+    bool reference = false;     // drawn by rays, as what rungs are measured against
+    int reference_samples = 0;  // a pixel of the reference, at most; 0: what the command takes
+    int turntable = 0;          // pictures in a full turn; 0: one picture
+    int frames = 1;             // how often each picture is drawn, for times
 
     Backend backend = Backend::automatic;
     std::string device, connector, mode;

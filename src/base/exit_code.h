@@ -7,7 +7,7 @@ enum class Exit : int {
     ok = 0,
     usage = 2,      // the command line is wrong
     unreadable = 3, // a file cannot be read, or its format is not supported
-    hazards = 4,    // numeric hazards found, with --strict
+    hazards = 4,    // hazards found, with --strict; a blank picture, with --fail-if-empty
     no_display = 5, // no display, or no permission to use it
     sizes_differ = 21,
     pixels_differ = 22,

@@ -28,8 +28,8 @@ TEST_F(Program, AnOutputThatTakesNoMoreIsNoMistakeOfTheProgram) {
 TEST_F(Program, HelpAndVersionGoToStandardOutput) {
     EXPECT_NE(run("--help").out.find("scanout render"), std::string::npos);
     EXPECT_NE(run("--version").out.find("scanout "), std::string::npos);
-    for (const char* command :
-         {"view", "render", "explain", "frontier", "doctor", "info", "compare", "list"}) {
+    for (const char* command : {"view", "render", "explain", "frontier", "doctor", "info",
+                                "compare", "list", "generate"}) {
         const Outcome outcome = run(std::string(command) + " --help");
         EXPECT_EQ(outcome.code, 0);
         EXPECT_EQ(outcome.err, "");
@@ -47,7 +47,7 @@ TEST_F(Program, WrongUseIsExitTwo) {
                               "rendr $m",
                               "render",
                               "render $m",
-                              "render $m $m --hash",
+                              "render $m $m -o $d/x.png",
                               "render $m --hash --size 0x0",
                               "render $m --hash --size 20000x20000",
                               "render $m --hash --samples 3",
@@ -167,7 +167,10 @@ TEST_F(Program, EveryRefusalSaysWhatToDo) {
           {"render $m -o nodir/a.png", "make the folder first"},
           {"render $m -o $m/a.png", "name a folder"},
           {"render '' --hash", "is a variable empty?"},
-          {"render $m b.obj --hash", "model.obj and b.obj; run it once for each"},
+          {"render $m b.obj -o a.png", "2 models want {name} in the name"},
+          {"render $m - --hash", "draw it alone"},
+          {"list techniques shado", "did you mean 'shadow'?"},
+          {"list keys all", "takes no more words"},
           {"render --hash", "as in `scanout render"},
           {"render $m -o", "-o wants FILE; give it"},
           {"render $m --cull", "--cull wants none|back|front; give it"},

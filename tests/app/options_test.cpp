@@ -96,12 +96,62 @@ TEST(Options, EveryOneStandsInTheHelpOfItsCommandsAndInTheTable) {
         EXPECT_FALSE(row.help.empty()) << name;
         EXPECT_NE(table.find("`" + name + "`"), std::string::npos) << name;
         for (const auto& [word, command] : kCommands)
-            EXPECT_EQ(help_for(command).find(name + " ") != std::string::npos ||
-                          help_for(command).find(name + "[") != std::string::npos ||
-                          help_for(command).find(name + "\n") != std::string::npos,
+            EXPECT_EQ(full_help_for(command).find(name + " ") != std::string::npos ||
+                          full_help_for(command).find(name + "[") != std::string::npos ||
+                          full_help_for(command).find(name + "\n") != std::string::npos,
                       takes(command, row.name))
                 << name;
     }
+}
+
+TEST(Options, TheShortHelpHasTwentyOptionsAtMostAndSaysHowManyMore) {
+    for (const auto& [word, command] : kCommands) {
+        const std::string help = help_for(command), full = full_help_for(command);
+        int shown = 0, all = 0;
+        for (const Option& row : options()) {
+            if (!belongs(row, command)) continue;
+            ++all;
+            const std::string start = row.letter != 0
+                                          ? fmt::format("\n  -{}, --{}", row.letter, row.name)
+                                          : fmt::format("\n      --{}", row.name);
+            const auto has = [&](char next) {
+                return help.find(start + next) != std::string::npos;
+            };
+            shown += has(' ') || has('[') || has('\n') ? 1 : 0;
+        }
+        EXPECT_LE(shown, 20) << word;
+        EXPECT_GE(shown, std::min(all - 1, 3)) << word;
+        EXPECT_LE(help.size(), full.size()) << word;
+        EXPECT_NE(help.find("--help-all"), std::string::npos) << word;
+    }
+    EXPECT_NE(full_help_for(Command::render).find("auto flat gouraud"), std::string::npos)
+        << "the techniques of --shading";
+}
+
+TEST(Options, HelpAndVersionCanBeAskedForInEachUsualWay) {
+    const auto printed = [](std::vector<std::string> words) {
+        return parse_command_line(std::move(words))->printout;
+    };
+    EXPECT_EQ(printed({"help"}), help_overview());
+    EXPECT_EQ(printed({"--help"}), help_overview());
+    EXPECT_EQ(printed({"help", "render"}), help_for(Command::render));
+    EXPECT_EQ(printed({"render", "-h"}), help_for(Command::render));
+    EXPECT_EQ(printed({"render", "a.obj", "--help-all"}), full_help_for(Command::render));
+    EXPECT_EQ(printed({"--help-all", "list"}), full_help_for(Command::list));
+    EXPECT_NE(error_of({"help", "rendr"}).find("did you mean 'render'"), std::string::npos);
+    EXPECT_EQ(printed({"-V"}), printed({"--version"}));
+    EXPECT_EQ(printed({"version"}), printed({"--version"}));
+}
+
+TEST(Options, OneGivenTwiceWithAnotherValueIsSaid) {
+    const auto notes = [](std::vector<std::string> words) {
+        return parse(std::move(words))->notes;
+    };
+    const std::vector<std::string> twice = notes({"render", "a.obj", "--fov", "30", "--fov", "40"});
+    ASSERT_EQ(twice.size(), 1U);
+    EXPECT_EQ(twice[0], "--fov is given 2 times; 40 counts, which is the last");
+    EXPECT_TRUE(notes({"render", "a.obj", "--fov", "40", "--fov", "40"}).empty());
+    EXPECT_TRUE(notes({"render", "a.obj", "--light", "key", "--light", "fill"}).empty());
 }
 
 TEST(Options, NumbersAreTakenInTheirRangeAndRefusedOutsideIt) {
@@ -152,7 +202,7 @@ TEST(Options, BehindTwoDashesEveryWordIsAFile) {
 
 TEST(Options, TheHelpOfEachCommandNamesTheTwoDashes) {
     for (const auto& [word, command] : kCommands)
-        EXPECT_NE(help_for(command).find(" --  "), std::string::npos);
+        EXPECT_NE(full_help_for(command).find(" --  "), std::string::npos);
 }
 
 TEST(Options, AnEmptyWordIsNoFile) {

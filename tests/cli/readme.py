@@ -28,13 +28,13 @@ def commands(text):
 
 
 def as_run_here(command):
-    words = command.split()
-    if words[0] != "./run" or len(words) == 1:
+    before, run, rest = command.partition("./run ")
+    words = ["./run", *rest.split()]
+    if not run or (before and not before.startswith("SCANOUT_OPTIONS=")):
         return None
-    rest = command[len("./run "):]
-    if words[1] not in ("render", "explain", "frontier", "doctor", "info", "compare", "list") and "--backend" not in words:
+    if words[1] not in ("render", "explain", "frontier", "doctor", "info", "compare", "list", "generate", "help", "version") and "--backend" not in words:
         rest += " --backend headless --replay quit.actions"
-    return f"'{SCANOUT}' {rest}"
+    return f"{before}'{SCANOUT}' {rest}"
 
 
 def fail(*lines):
@@ -86,7 +86,7 @@ def run(command, here, folder):
     if done.returncode != 0:
         fail(f"{command}: exit code {done.returncode}", done.stderr.decode())
     for output in re.findall(r"-o '?([\w.{}-]+)'?", command):
-        if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0"))):
+        if output != "-" and not os.path.exists(os.path.join(folder, output.replace("{n}", "0").replace("{name}", "spot"))):
             fail(f"{command}: wrote no {output}")
 
 

@@ -1,0 +1,157 @@
+#include "app/lists.h"
+
+#include "app/actions.h"
+#include "app/json_text.h"
+#include "app/option_text.h"
+#include "app/options.h"
+#include "frame/catalogue.h"
+#include "image/pixel_format.h"
+#include "io/load.h"
+#include "platform/drm/display.h"
+#include "platform/linux-fb/display.h"
+#include "simd/targets.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+namespace scanout::app {
+
+using Json = nlohmann::ordered_json;
+
+bool is_wanted(const Settings& settings, const std::string& device) {
+    return settings.device.empty() || settings.device == device;
+}
+
+std::vector<const Technique*> techniques_of(const Settings& settings) {
+    std::vector<const Technique*> found = frame::techniques();
+    if (settings.arguments.size() < 2) return found;
+    std::string axis = settings.arguments[1];
+    std::replace(axis.begin(), axis.end(), '-', '_'); // as the options spell it
+    found.erase(std::remove_if(found.begin(), found.end(),
+                               [&](const Technique* t) { return t->axis != axis; }),
+                found.end());
+    return found;
+}
+
+std::string displays_json(const Settings& settings) {
+    Json rows = Json::array();
+    for (const drm::CardInfo& card : drm::list_cards())
+        if (is_wanted(settings, card.path))
+            rows.push_back({{"backend", "drm"},
+                            {"device", card.path},
+                            {"driver", card.driver},
+                            {"problem", card.problem}});
+    for (const linux_fb::FrameBufferInfo& fb : linux_fb::list_frame_buffers())
+        if (is_wanted(settings, fb.path))
+            rows.push_back({{"backend", "fbdev"},
+                            {"device", fb.path},
+                            {"driver", fb.id},
+                            {"problem", fb.problem},
+                            {"width", fb.width},
+                            {"height", fb.height},
+                            {"pixel_format", fb.problem.empty() ? image::name_of(fb.format) : ""}});
+    rows.push_back({{"backend", "headless"}, {"device", ""}, {"driver", ""}, {"problem", ""}});
+    return json_text(rows);
+}
+
+std::string connectors_json(const Settings& settings) {
+    Json rows = Json::array();
+    for (const drm::CardInfo& card : drm::list_cards())
+        for (const drm::ConnectorInfo& connector : card.connectors)
+            if (is_wanted(settings, card.path))
+                rows.push_back({{"device", card.path},
+                                {"connector", connector.name},
+                                {"connected", connector.connected}});
+    return json_text(rows);
+}
+
+std::string modes_json(const Settings& settings) {
+    Json rows = Json::array();
+    for (const drm::CardInfo& card : drm::list_cards())
+        for (const drm::ConnectorInfo& connector : card.connectors)
+            for (const drm::ModeInfo& mode : connector.modes)
+                if (is_wanted(settings, card.path))
+                    rows.push_back({{"device", card.path},
+                                    {"connector", connector.name},
+                                    {"width", mode.width},
+                                    {"height", mode.height},
+                                    {"hz", mode.refresh_hz},
+                                    {"preferred", mode.preferred}});
+    return json_text(rows);
+}
+
+std::string techniques_json(const Settings& settings) {
+    constexpr std::array<const char*, 3> kKinds = {"rung", "effect", "model"};
+    Json cards = Json::array();
+    for (const Technique* t : techniques_of(settings)) {
+        const shade::Attributes reads = frame::reads(*t);
+        Json names = Json::array();
+        for (const auto& [read, name] :
+             {std::pair(reads.normal, "normal"), std::pair(reads.uv, "texture coordinates"),
+              std::pair(reads.colour, "vertex colour"), std::pair(reads.ray, "ray"),
+              std::pair(reads.position, "position")})
+            if (read) names.push_back(name);
+        cards.push_back({{"axis", t->axis},
+                         {"name", t->name},
+                         {"kind", kKinds[static_cast<std::size_t>(t->kind)]},
+                         {"blurb", t->blurb},
+                         {"source", t->source},
+                         {"reads", names},
+                         {"may_err_more_than", t->may_err_more.than},
+                         {"because", t->may_err_more.reason}});
+    }
+    return json_text(cards);
+}
+
+std::string formats_json(const Settings&) {
+    Json rows = Json::array();
+    for (const io::Format& format : io::formats())
+        rows.push_back({{"kind", "model"},
+                        {"name", format.name},
+                        {"extension", format.extension},
+                        {"description", format.description}});
+    for (const char* name : {"png", "ppm", "pam", "raw"})
+        rows.push_back({{"kind", "picture"}, {"name", name}});
+    for (const image::NamedPixelFormat& named : image::pixel_formats())
+        rows.push_back({{"kind", "pixels"}, {"name", named.name}});
+    return json_text(rows);
+}
+
+std::string targets_json(const Settings&) {
+    Json rows = Json::array();
+    for (const simd::Target& target : simd::targets())
+        rows.push_back(
+            {{"name", target.name}, {"supported", target.supported}, {"chosen", target.chosen}});
+    return json_text(rows);
+}
+
+std::string keys_json(const Settings&) {
+    Json rows = Json::array();
+    for (const ActionRow& row : action_rows())
+        rows.push_back({{"action", row.name}, {"keys", row.keys}, {"help", row.help}});
+    return json_text(rows);
+}
+
+std::string options_json(const Settings&) {
+    Json rows = Json::array();
+    for (const Option& option : options()) {
+        Json commands = Json::array();
+        for (const NamedCommand& row : kCommands)
+            if (belongs(option, row.command)) commands.push_back(row.name);
+        rows.push_back({{"name", option.name},
+                        {"letter", option.letter != 0 ? std::string(1, option.letter) : ""},
+                        {"value", value_text(option)},
+                        {"default", option.default_text},
+                        {"commands", commands},
+                        {"repeats", option.repeats},
+                        {"help", option.help}});
+        if (option.max > option.min) {
+            rows.back()["min"] = option.min;
+            rows.back()["max"] = option.max;
+        }
+    }
+    return json_text(rows);
+}
+
+} // namespace scanout::app

@@ -1,0 +1,129 @@
+#include "app/render_run.h"
+
+#include "app/message.h"
+#include "app/progress_bar.h"
+#include "app/reference.h"
+#include "base/stopwatch.h"
+#include "frame/blank_picture.h"
+#include "frame/plan/ignored_options.h"
+#include "image/hash.h"
+#include "trace/render.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace scanout::app {
+
+int pictures(const Settings& s) {
+    return std::max(s.turntable, 1);
+}
+
+RenderRun::RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
+                     Jobs& jobs)
+    : settings_(settings), format_(format), scene_(model.scene),
+      camera_(camera_of(settings, model)), plan_(frame::facts(scene_, settings.frame.shadow_plane)),
+      jobs_(jobs), renderer_(jobs) {}
+
+Result<void> RenderRun::draw(int index, RunReport& report) {
+    scene::Pose pose;
+    pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
+    TRY(const scene::View view, scene::make_view(scene_.mesh, settings_.model, pose, camera_, {},
+                                                 settings_.frame.width, settings_.frame.height));
+    TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
+    if (index == 0) tell(*plan, report);
+    if (settings_.reference) return draw_reference(index, view, *plan, report);
+    const image::Image* picture = nullptr;
+    for (int repeat = 0; repeat < settings_.frames; ++repeat) {
+        picture = &renderer_.render(scene_, view, *plan);
+        if (settings_.json)
+            report.frames.push_back({index, hash_of(*picture), picture->width(), picture->height(),
+                                     renderer_.stats(), covered_pixels(*picture)});
+    }
+    tell_if_blank(view, *plan, *picture, report);
+    return finish(*picture, index, report);
+}
+
+Result<void> RenderRun::draw_reference(int index, const scene::View& view,
+                                       const frame::FramePlan& plan, RunReport& report) {
+    TRY(const trace::Look look, look_of(plan));
+    TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
+    if (index == 0) warn(left_out_of_reference(scene_), settings_, report.warnings);
+    const Stopwatch watch;
+    std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
+    TRY(const trace::Reference made,
+        trace::render(scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
+                      {settings_.reference_samples > 0
+                           ? static_cast<std::uint32_t>(settings_.reference_samples)
+                           : trace::kMostSamples}));
+    bar.reset();
+    if (settings_.verbose)
+        say(fmt::format("{:.1f} samples a pixel, standard error {:.3f} codes, {} pixels above "
+                        "{} codes",
+                        static_cast<double>(made.samples) / static_cast<double>(made.error.size()),
+                        made.noise, made.unsure(), trace::kErrorWanted));
+    if (settings_.json) {
+        frame::FrameStats stats;
+        stats.total_ms = watch.milliseconds();
+        report.frames.push_back({index, hash_of(made.image), made.image.width(),
+                                 made.image.height(), stats, covered_pixels(made.image)});
+        report.references.push_back({made.samples, made.noise, made.unsure()});
+    }
+    return finish(made.image, index, report);
+}
+
+Result<void> RenderRun::finish(const image::Image& picture, int index, RunReport& report) {
+    if (settings_.hash && settings_.json != "-")
+        fmt::print("{}\n", image::hash_text(hash_of(picture)));
+    return settings_.output.empty() ? Result<void>() : write(picture, index, report);
+}
+
+void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
+    if (settings_.verbose)
+        for (const frame::Decision& decision : plan.decisions)
+            say(to_string(decision));
+    warn(frame::ignored_options(plan), settings_, report.warnings);
+}
+void RenderRun::tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
+                              const image::Image& picture, RunReport& report) {
+    const auto why = frame::why_blank(scene_, view, camera_.up, plan, renderer_.stats(), picture);
+    if (!why) return;
+    drew_a_blank_ = true;
+    if (std::exchange(told_blank_, true)) return; // of several pictures, once
+    warn({*why}, settings_, report.warnings);
+}
+
+std::uint64_t RenderRun::hash_of(const image::Image& picture) const {
+    if (settings_.pixel_format) return image::frame_hash(displayed(picture, settings_));
+    return image::frame_hash(picture);
+}
+
+std::size_t RenderRun::covered_pixels(const image::Image& picture) const {
+    const auto pixels = picture.pixels();
+    return static_cast<std::size_t>(
+        std::count_if(pixels.begin(), pixels.end(), [&](const image::Rgba8& pixel) {
+            return pixel != settings_.frame.background;
+        }));
+}
+
+Result<void> RenderRun::write(const image::Image& picture, int index, RunReport& report) {
+    const Stopwatch watch;
+    // What a display shows goes into its bytes and comes out of them unchanged.
+    const image::Image* written = &picture;
+    image::Image shown;
+    if (const auto& display = settings_.pixel_format;
+        display && (format_ != PictureFormat::raw || dithers_unasked(settings_, *display))) {
+        shown = displayed(picture, settings_);
+        written = &shown;
+    }
+    TRY(const image::Bytes bytes, encode(*written, format_, settings_.pixel_format));
+    if (index == 0) report.encode_ms = watch.milliseconds();
+    const std::string path = numbered(settings_.output, index, pictures(settings_));
+    TRY_VOID(write_picture(path, bytes));
+    if (settings_.verbose)
+        say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", path, bytes.size(),
+                        renderer_.stats().total_ms));
+    return {};
+}
+
+} // namespace scanout::app

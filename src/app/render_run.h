@@ -1,0 +1,51 @@
+// Draws the pictures of one model, in order, and writes and counts each.
+#pragma once
+
+#include "app/model_file.h"
+#include "app/picture.h"
+#include "app/report.h"
+#include "app/settings.h"
+#include "base/jobs.h"
+#include "frame/plan/plan_cache.h"
+#include "frame/renderer.h"
+
+#include <string>
+
+namespace scanout::app {
+
+// How many pictures a model gets.
+int pictures(const Settings& settings);
+
+class RenderRun {
+public:
+    RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model, Jobs& jobs);
+    RenderRun(const RenderRun&) = delete; // references into it
+    RenderRun& operator=(const RenderRun&) = delete;
+
+    // Appends to the report what was drawn.
+    Result<void> draw(int index, RunReport& report);
+    // Was one of the pictures its background everywhere?
+    bool drew_a_blank() const { return drew_a_blank_; }
+
+private:
+    Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
+                                RunReport& report);
+    Result<void> finish(const image::Image& picture, int index, RunReport& report);
+    void tell(const frame::FramePlan& plan, RunReport& report) const;
+    void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
+                       const image::Image& picture, RunReport& report);
+    std::uint64_t hash_of(const image::Image& picture) const;
+    std::size_t covered_pixels(const image::Image& picture) const;
+    Result<void> write(const image::Image& picture, int index, RunReport& report);
+
+    const Settings& settings_;
+    PictureFormat format_;
+    const scene::Scene& scene_;
+    scene::CameraOptions camera_;
+    frame::PlanCache plan_;
+    Jobs& jobs_;
+    frame::Renderer renderer_;
+    bool told_blank_ = false, drew_a_blank_ = false;
+};
+
+} // namespace scanout::app
