@@ -2,6 +2,7 @@
 
 #include "io/cursor.h"
 #include "io/text.h"
+#include "io/vertex_colours.h"
 
 #include <algorithm>
 #include <array>
@@ -291,8 +292,10 @@ void MtlReader::colour(std::string_view name, Vec3& colour) {
         g = *given_g;
         b = *given_b;
     }
-    for (int c = 0; c < 3; ++c)
-        colour[c] = static_cast<float>(between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMaxNumber));
+    for (int c = 0; c < 3; ++c) {
+        const double value = between(name, c == 0 ? *r : c == 1 ? g : b, 0, kMaxNumber);
+        colour[c] = value < kDarkest ? 0 : static_cast<float>(value);
+    }
 }
 
 // Reads one "-option arguments" at the cursor. Returns false, and stays, when there is none.

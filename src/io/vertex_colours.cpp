@@ -32,7 +32,9 @@ bool are_bytes(std::vector<Vec3>& colours) {
 
 void decode_vertex_colours(std::vector<Vec3>& colours, const std::string& path,
                            Warnings& warnings) {
-    each_channel(colours, [](float& value) { value = value > 0 ? value : 0; }); // NaN, too
+    // Near black a value's light is a thirteenth of it. NaN is black, too.
+    constexpr auto kDarkestCode = static_cast<float>(16 * kDarkest);
+    each_channel(colours, [](float& value) { value = value > kDarkestCode ? value : 0; });
     const bool bytes = are_bytes(colours);
     if (bytes)
         warnings.add("vertex colours",

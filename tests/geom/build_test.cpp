@@ -299,6 +299,7 @@ TEST(Build, JoinsMinusZeroAndZero) {
     EXPECT_EQ(build(polygons).mesh.position.size(), 4u);
 }
 
+// HARD-CASES 58
 TEST(Build, LeavesOutWhatIsNotFiniteAndCountsIt) {
     PolygonMesh polygons = cube();
     polygons.positions.push_back({NAN, 0, 0});

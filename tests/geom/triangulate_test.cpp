@@ -298,6 +298,7 @@ RC_GTEST_PROP(Triangulate, AnyOutlineGivesAllTrianglesOfARing, (std::uint32_t se
     RC_ASSERT(fault_of_topology(p.size(), triangles_of(p)) == "");
 }
 
+// HARD-CASES 52
 RC_GTEST_PROP(Triangulate, TheAreaOfASimplePolygonIsKept, (std::uint32_t seed)) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> distance(0.1, 1), offset(-1e3, 1e3);

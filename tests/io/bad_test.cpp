@@ -176,6 +176,7 @@ TEST(Bad, FilesThatRepeatOneFaultWithoutEndAreReadInTime) {
     EXPECT_TRUE(load_soundly(folder.write("m.obj", continued), warnings));
 }
 
+// HARD-CASES 62
 TEST(Bad, AFileOfZerosLargerThanMemoryIsRefusedAtOnce) {
     const Folder folder;
     const std::string path = folder.write("sparse.obj", "");

@@ -115,6 +115,7 @@ const Case kCases[] = {
     {"1_000", kNot},
 };
 
+// HARD-CASES 59
 TEST(Number, EveryFormIsReadAsStrtodReadsItOrRefused) {
     for (const Case& c : kCases) {
         double value = 42;

@@ -240,6 +240,7 @@ TEST(Obj, AFaceMayNameVerticesThatComeLater) {
     EXPECT_EQ(corners(r.mesh()), (Corners{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}));
 }
 
+// HARD-CASES 61
 TEST(Obj, IndicesThatNameNothingCostTheirElementAndNoOther) {
     for (const char* bad : {"0",
                             "5",

@@ -56,6 +56,7 @@ Triple nearly_collinear(Points& p, int exponents) {
     return {a, b, c};
 }
 
+// HARD-CASES 54
 TEST(Orient2d, HasTheExactSignOnNearlyCollinearPointsOfAGrid) {
     Points p(1);
     int naive_faults = 0;

@@ -30,6 +30,13 @@ double slack(const DepthSlope& slope, float depth) {
     return depth_bias({.constant = 2, .slope_scale = 1.0 / 64, .clamp = most}, depth, steepest);
 }
 
+// Does a point lie in the diamond |x| + |y| <= 1/2 about the centre of its pixel?
+bool in_diamond(std::int64_t x, std::int64_t y) {
+    constexpr std::int64_t kCentre = kSubpixel / 2;
+    const auto off = [](std::int64_t v) { return std::abs((v & (kSubpixel - 1)) - kCentre); };
+    return off(x) + off(y) <= kCentre;
+}
+
 } // namespace
 
 // The line's depth is known on the line, the supporting triangle's at samples up to a pixel beside
@@ -70,10 +77,13 @@ void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& suppor
     }
 }
 
-// Draws one pixel for every pixel centre that the line passes on its longer axis, both ends
-// included; an exact division finds the pixel on the other axis. These are the pixels of Bresenham
-// 1965, in closed form ([Compendium 2.1], [Primer 4.1]): no error adds up, and any part of a line
-// can be drawn alone.
+// Draws the pixels whose diamonds |x| + |y| <= 1/2 the line touches: the diamond-exit rule
+// (HARD-CASES R13, R14) but for the last pixel, which that rule leaves out. So the pixels do not
+// depend on the line's direction, and joined lines leave no gap (HARD-CASES 49, P10). On the longer
+// axis a line touches the diamond of each centre that it passes, and that of an end that lies in
+// one. An exact division finds the pixel on the other axis: these are the pixels of Bresenham 1965
+// in closed form ([Compendium 2.1], [Primer 4.1]); no error adds up, and any part of a line can be
+// drawn alone (HARD-CASES 50).
 void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
     check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
@@ -96,12 +106,14 @@ void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
     const std::int64_t rise = std::int64_t{minor[hi]} - minor[lo];
     const int first = along_x ? box.x0 : box.y0, last = along_x ? box.x1 : box.y1;
     for (int pixel = first; pixel < last; ++pixel) {
-        const std::int64_t along = std::int64_t{pixel} * kSubpixel + kSubpixel / 2 - major[lo];
-        if (along < 0 || along > length) continue;
+        const std::int64_t centre = std::int64_t{pixel} * kSubpixel + kSubpixel / 2 - major[lo],
+                           along = std::clamp<std::int64_t>(centre, 0, length);
+        if (along != centre && !in_diamond(major[lo] + along, minor[along == 0 ? lo : hi]))
+            continue;
         const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
         const auto other = static_cast<int>(across >> kSubpixelBits);
         const double t = static_cast<double>(along) / static_cast<double>(length);
-        const double middle = pixel + 0.5;
+        const double middle = static_cast<double>(major[lo] + along) / kSubpixel;
         const double beside = (minor[lo] + static_cast<double>(rise) * t) / kSubpixel;
         const double depth = s.depth[lo] * (1 - t) + s.depth[hi] * t;
         if (along_x)

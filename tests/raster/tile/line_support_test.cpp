@@ -5,6 +5,7 @@
 #include "raster/exact.h"
 #include "support/meshes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -312,15 +313,23 @@ TEST(LineOnFace, OfTheFarSideDoesNotShineThroughWhereTrianglesMeet) {
         for (Vec3& p : surface.position)
             p = turned(p);
         geom::Mesh mesh = surface;
-        for (const Vec3& other :
-             {Vec3(-far.x, far.y, far.z), Vec3(far.x, -far.y, far.z), Vec3(far.x, far.y, -far.z)})
-            add_line_between(mesh, turned(far), turned(other));
-        geom::find_line_faces(mesh);
         const scene::View view = view_of(turn % 4 < 2);
+        const ScreenTransform screen(view, kFaceSide, kFaceSide);
+        std::vector<std::size_t> ends; // pixels
+        for (const Vec3& other :
+             {Vec3(-far.x, far.y, far.z), Vec3(far.x, -far.y, far.z), Vec3(far.x, far.y, -far.z)}) {
+            add_line_between(mesh, turned(far), turned(other));
+            const ClipVertex end = screen.to_clip(turned(other));
+            ends.push_back(static_cast<std::size_t>(end.y / end.w) * kFaceSide +
+                           static_cast<std::size_t>(end.x / end.w));
+        }
+        geom::find_line_faces(mesh);
         const Planes whole = draw_planes(jobs, mesh, view, kFaceSide, kFaceSide, 4),
                      bare = draw_planes(jobs, surface, view, kFaceSide, kFaceSide, 4);
+        // The other ends are corners of faces that are seen: their own pixels may show the line.
         for (std::size_t i = 0; i < whole.ids.size(); ++i)
-            through += bare.ids[i] != kNoPrimitive && whole.ids[i] != bare.ids[i] ? 1 : 0;
+            if (std::find(ends.begin(), ends.end(), i / 4) == ends.end())
+                through += bare.ids[i] != kNoPrimitive && whole.ids[i] != bare.ids[i] ? 1 : 0;
         hidden += count(jobs, mesh, view, 4).hidden;
     }
     EXPECT_EQ(through, 0);

@@ -1,8 +1,8 @@
-#include "raster/exact.h"
+#include "raster/lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 #include <type_traits>
 
 #include <gtest/gtest.h>
@@ -12,7 +12,6 @@ namespace {
 
 constexpr int kSegmentSide = kTileSize;
 constexpr image::Rect kSegmentArea{0, 0, kSegmentSide, kSegmentSide};
-using Pixels = std::set<std::pair<int, int>>;
 
 Segment segment(const Corner& a, const Corner& b, double depth_a = 0.5, double depth_b = 0.5) {
     return {{a.x, b.x}, {a.y, b.y}, {depth_a, depth_b}, 9};
@@ -39,16 +38,23 @@ std::int64_t floor_of(Int128 numerator, Int128 denominator) {
 }
 
 // Every pixel centre on the longer axis that the segment passes, and the pixel that its exact point
-// there falls into.
+// there falls into; and the pixel of an end that lies in its diamond.
 Pixels exact_pixels(Corner a, Corner b) {
     Pixels out;
     const std::int64_t dx = b.x - a.x, dy = b.y - a.y;
     const bool steep = std::abs(dy) > std::abs(dx);
-    if (dx == 0 && dy == 0) {
-        const auto x = static_cast<int>(floor_of(a.x, 256)),
-                   y = static_cast<int>(floor_of(a.y, 256));
-        if (x >= 0 && y >= 0 && x < kSegmentSide && y < kSegmentSide) out.insert({x, y});
-    }
+    const auto add_end = [&](const Corner& end, bool always) {
+        const auto x = static_cast<int>(floor_of(end.x, 256)),
+                   y = static_cast<int>(floor_of(end.y, 256));
+        if (x < 0 || y < 0 || x >= kSegmentSide || y >= kSegmentSide) return;
+        const int off = std::abs(end.x - x * 256 - 128) + std::abs(end.y - y * 256 - 128);
+        const int centre = (steep ? y : x) * 256 + 128;
+        const auto [low, high] = steep ? std::minmax(a.y, b.y) : std::minmax(a.x, b.x);
+        const bool passed = low <= centre && centre <= high;
+        if (always || (!passed && off <= 128)) out.insert({x, y});
+    };
+    add_end(a, dx == 0 && dy == 0);
+    add_end(b, false);
     for (int pixel = 0; pixel < kSegmentSide && (dx != 0 || dy != 0); ++pixel) {
         const std::int64_t centre = pixel * 256 + 128;
         const std::int64_t from = steep ? a.y : a.x, to = steep ? b.y : b.x;
@@ -78,7 +84,7 @@ Corner random_end(Random& random, int kind) {
     }
 }
 
-TEST(Segment, CoversOnePixelForEveryPixelCentreItPasses) {
+TEST(Segment, CoversOnePixelForEveryPixelCentreItPassesAndTheDiamondsOfItsEnds) {
     Random random(1);
     VisibilityTile tile;
     for (int i = 0; i < 40000; ++i) {

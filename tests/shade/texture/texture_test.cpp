@@ -211,6 +211,7 @@ TEST(Texture, CoordinatesWithoutSenseReadATexelOfTheTexture) {
     }
 }
 
+// HARD-CASES 37
 TEST(Texture, AnyBitsAreCoordinatesOfTexelsInAnyMap) {
     // A run under the address sanitizer sees every read outside the texture.
     Random random(8);
