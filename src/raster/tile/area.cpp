@@ -3,6 +3,7 @@
 #include "raster/check_lanes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 
 namespace scanout::raster {
@@ -52,16 +53,9 @@ void AreaTile::add(const raster::ClippedTriangle& clipped) {
     sources_.push_back(source);
 }
 
-void AreaTile::finish() {
-    std::sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
-        return std::tie(a.id, a.order) < std::tie(b.id, b.order);
-    });
-    for (std::size_t i = 0; i < sources_.size(); ++i)
-        draw(static_cast<std::int32_t>(i));
-}
-
-// Inserts a triangle into the pixels that it touches.
-void AreaTile::draw(std::int32_t source) {
+// Calls use(number of the pixel, the source in it) for the pixels that a triangle touches.
+template <class Use>
+void AreaTile::for_pixels(std::int32_t source, Use&& use) {
     const Source& s = sources_[static_cast<std::size_t>(source)];
     for (int y = std::max(s.box.y0, area_.y0); y < s.box.y1; ++y)
         for (int x = std::max(s.box.x0, area_.x0); x < s.box.x1; ++x) {
@@ -72,8 +66,35 @@ void AreaTile::draw(std::int32_t source) {
                 touched = touched && e.at + (std::max(right, 0.0) + std::max(down, 0.0)) > 0;
                 whole = whole && e.at + (std::min(right, 0.0) + std::min(down, 0.0)) >= 0;
             }
-            if (touched) insert(pixel(x, y), {source, depth_of(s, edge), edge, whole});
+            if (touched) use(at(x, y), Incoming{source, depth_of(s, edge), edge, whole});
         }
+}
+
+// Triangles behind one that covers all of a pixel are left out there: of a stack of layers few are
+// cut into cells, whatever their order in the file.
+void AreaTile::finish() {
+    std::sort(sources_.begin(), sources_.end(), [](const Source& a, const Source& b) {
+        return std::tie(a.id, a.order) < std::tie(b.id, b.order);
+    });
+    covered_.assign(pixels_.size(), 0);
+    const auto all = static_cast<std::int32_t>(sources_.size());
+    for (std::int32_t i = 0; i < all; ++i)
+        for_pixels(i, [&](std::size_t pixel, const Incoming& incoming) {
+            if (incoming.whole)
+                covered_[pixel] = std::max(covered_[pixel], range_of(incoming.depth).low);
+        });
+    for (std::int32_t i = 0; i < all; ++i)
+        for_pixels(i, [&](std::size_t pixel, const Incoming& incoming) {
+            if (range_of(incoming.depth).high >= covered_[pixel]) insert(pixels_[pixel], incoming);
+        });
+}
+
+// Of a pixel, and beyond all rounding.
+AreaTile::Range AreaTile::range_of(const Linear& depth) {
+    const double right = depth.x * kSubpixel, down = depth.y * kSubpixel;
+    const double margin = 0x1p-30 * (std::abs(depth.at) + (std::abs(right) + std::abs(down)));
+    return {depth.at + (std::min(right, 0.0) + std::min(down, 0.0)) - margin,
+            depth.at + (std::max(right, 0.0) + std::max(down, 0.0)) + margin};
 }
 
 // Exact at the pixel's corner, but for one rounding.
@@ -87,7 +108,7 @@ std::array<AreaTile::Linear, 3> AreaTile::edges_in(const Source& s, int x, int y
 }
 
 void AreaTile::fill(int x, int y, std::uint32_t id) {
-    filled_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))] = id;
+    filled_[at(x, y)] = id;
 }
 
 AreaTile::Linear AreaTile::depth_of(const Source& s, const std::array<Linear, 3>& edge) {
@@ -248,13 +269,13 @@ void AreaTile::take(PixelCells& cells, std::size_t index, const Incoming& incomi
 
 std::span<const AreaFragment> AreaTile::fragments(int x, int y) {
     found_.clear();
-    const auto at = static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
-    if (filled_[at] != kNoPrimitive) {
-        found_.push_back({filled_[at], 1.0F, kSubpixel / 2, kSubpixel / 2});
+    const std::size_t pixel = at(x, y);
+    if (filled_[pixel] != kNoPrimitive) {
+        found_.push_back({filled_[pixel], 1.0F, kSubpixel / 2, kSubpixel / 2});
         return found_;
     }
     sums_.clear();
-    for (const Cell& cell : pixels_[at]) {
+    for (const Cell& cell : pixels_[pixel]) {
         if (cell.source < 0) continue;
         const std::uint32_t id = sources_[static_cast<std::size_t>(cell.source)].id;
         auto sum =

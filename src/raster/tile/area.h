@@ -80,12 +80,9 @@ private:
         CellVertex middle{0, 0};
     };
 
-    PixelCells& pixel(int x, int y) {
-        return pixels_[static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0))];
+    std::size_t at(int x, int y) const {
+        return static_cast<std::size_t>((y - area_.y0) * kTileSize + (x - area_.x0));
     }
-    void draw(std::int32_t source);
-    static Linear depth_of(const Source& source, const std::array<Linear, 3>& edge);
-    std::array<Linear, 3> edges_in(const Source& source, int x, int y) const;
     // A source in a pixel.
     struct Incoming {
         std::int32_t source;
@@ -93,6 +90,14 @@ private:
         std::array<Linear, 3> edge;
         bool whole; // it covers all of the pixel
     };
+    template <class Use>
+    void for_pixels(std::int32_t source, Use&& use);
+    static Linear depth_of(const Source& source, const std::array<Linear, 3>& edge);
+    std::array<Linear, 3> edges_in(const Source& source, int x, int y) const;
+    struct Range {
+        double low, high;
+    };
+    static Range range_of(const Linear& depth);
     static void insert(PixelCells& cells, const Incoming& incoming);
     static void take(PixelCells& cells, std::size_t index, const Incoming& incoming);
     enum class Side : std::uint8_t { inside, outside, unclear };
@@ -105,6 +110,7 @@ private:
     image::Rect area_;
     std::vector<Source> sources_;
     std::vector<PixelCells> pixels_;
+    std::vector<double> covered_; // the greatest depth behind which a triangle hides all of a pixel
     std::vector<std::uint32_t> filled_; // by a line or point; else kNoPrimitive
     std::vector<AreaFragment> found_;
     std::vector<std::pair<std::uint32_t, Sum>> sums_; // by id, in the order of the cells
