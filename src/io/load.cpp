@@ -126,17 +126,21 @@ Result<ReadModel> read_ply_model(std::string_view file, const std::string& path,
     append(model.materials, ply.face_colours);
     model.times.materials = watch.milliseconds();
     count(model, std::move(ply.polygons), ply.skipped);
+    model.face_lines = std::move(ply.face_lines);
+    model.position_lines = std::move(ply.position_lines);
     return model;
 }
 
 Result<ReadModel> read_off_model(std::string_view file, const std::string& path, Warnings& warnings,
-                                 const std::function<bool(double)>& progress, const Reading&) {
+                                 const std::function<bool(double)>& progress, const Reading& how) {
     const Stopwatch watch;
-    TRY(OffFile off, read_off(file, path, warnings, progress));
+    TRY(OffFile off, read_off(file, path, warnings, progress, how));
     ReadModel model;
     model.times.parse = watch.milliseconds();
     append(model.materials, off.face_colours);
     count(model, std::move(off.polygons), off.skipped);
+    model.face_lines = std::move(off.face_lines);
+    model.position_lines = std::move(off.position_lines);
     return model;
 }
 

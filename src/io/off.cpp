@@ -49,9 +49,9 @@ std::optional<Keyword> keyword_of(std::string_view word) {
 class OffReader {
 public:
     OffReader(std::string_view file, const std::string& path, Warnings& warnings,
-              const std::function<bool(double)>& progress)
+              const std::function<bool(double)>& progress, bool notes_lines)
         : begin_(file.data()), size_(file.size()), path_(path), warnings_(warnings),
-          progress_(progress), at_(file) {}
+          progress_(progress), notes_lines_(notes_lines), at_(file) {}
 
     Result<OffFile> read();
 
@@ -71,6 +71,9 @@ private:
     void end_statement();
     bool number(double& value);
     void rest_of_numbers();
+    void note_line(std::vector<std::uint32_t>& lines) const {
+        if (notes_lines_) lines.push_back(static_cast<std::uint32_t>(at_.line));
+    }
     void bad(std::string_view what, std::string_view fault);
     Result<> report() const;
     Result<OffFile> finish();
@@ -80,6 +83,7 @@ private:
     const std::string& path_;
     Warnings& warnings_;
     const std::function<bool(double)>& progress_;
+    bool notes_lines_; // Reading::lines
     Cursor at_;
     Keyword keyword_;
     std::uint64_t vertices_told_ = 0, faces_told_ = 0;
@@ -172,6 +176,7 @@ Result<> OffReader::vertices() {
 
 void OffReader::vertex() {
     geom::PolygonMesh& m = out_.polygons;
+    note_line(out_.position_lines);
     std::span<const double> left(numbers_);
     const auto take = [&](std::size_t count) {
         const auto taken = left.first(count);
@@ -248,6 +253,7 @@ void OffReader::face() {
         m.line_material.push_back(-1);
         return;
     }
+    note_line(out_.face_lines);
     m.face_begin.push_back(static_cast<std::uint32_t>(m.corners.size()));
     m.face_material.push_back(face_colour(behind.subspan(corners.size())));
     for (std::size_t k = 0; k < corners.size(); ++k)
@@ -298,10 +304,10 @@ bool is_off(std::string_view file) {
 }
 
 Result<OffFile> read_off(std::string_view file, const std::string& path, Warnings& warnings,
-                         const std::function<bool(double)>& progress) {
+                         const std::function<bool(double)>& progress, const Reading& how) {
     if (const auto reason = not_a_text_model(file))
         return fail(Exit::unreadable, "{}: {}", path, *reason);
-    return OffReader(file, path, warnings, progress).read();
+    return OffReader(file, path, warnings, progress, how.lines).read();
 }
 
 } // namespace scanout::io

@@ -27,9 +27,11 @@ constexpr std::size_t kReportRows = 65536;
 class PlyReader {
 public:
     PlyReader(std::string_view file, const PlyHeader& header, const std::string& path,
-              Warnings& warnings, const std::function<bool(double)>& progress, Jobs& jobs)
+              Warnings& warnings, const std::function<bool(double)>& progress, Jobs& jobs,
+              bool notes_lines)
         : header_(header), path_(path), warnings_(warnings), progress_(progress), jobs_(jobs),
-          size_(file.size()), body_(file, header) {
+          notes_lines_(notes_lines && header.encoding == PlyEncoding::ascii), size_(file.size()),
+          body_(file, header) {
         out_.textures = header.textures;
     }
 
@@ -52,6 +54,7 @@ private:
     bool vertex_index(double value, std::int32_t& index) const;
     void bad_row(const PlyElement& element, std::size_t row, std::string_view fault);
     std::string place(const PlyElement& element, std::size_t row) const;
+    std::uint32_t line() const { return static_cast<std::uint32_t>(body_.line()); }
     void drop_faces_without_vertices();
     Result<PlyFile> finish();
 
@@ -60,6 +63,7 @@ private:
     Warnings& warnings_;
     const std::function<bool(double)>& progress_;
     Jobs& jobs_;
+    bool notes_lines_;
     std::size_t size_;
     PlyBody body_;
     PlyFile out_;
@@ -213,6 +217,10 @@ Result<> PlyReader::vertices(const PlyElement& e) {
             if (!row.list(p).empty()) first_of_each[p] = row.list(p)[0];
         make_vertices(*columns, i + 1); // rows with a fault between are vertices that are missing
         store_vertex(*columns, i, first_of_each.data());
+        if (notes_lines_) {
+            out_.position_lines.resize(i, line());
+            out_.position_lines.push_back(line());
+        }
         return {};
     }));
     if (!ended_) make_vertices(*columns, std::min<std::uint64_t>(e.count, size_));
@@ -266,6 +274,7 @@ Result<> PlyReader::faces(const PlyElement& e) {
             m.corners.push_back(corner);
         }
         m.face_begin.push_back(static_cast<std::uint32_t>(begin));
+        if (notes_lines_) out_.face_lines.push_back(line());
         std::int32_t material = one_texture ? 0 : -1;
         if (texture && row.scalar(*texture) >= 0 &&
             row.scalar(*texture) < static_cast<double>(out_.textures.size()))
@@ -312,6 +321,7 @@ Result<> PlyReader::strips(const PlyElement& e) {
                                 "{}: has more than {} corners: cut the model into parts", path_,
                                 kMaxPlyCorners);
                 m.face_begin.push_back(static_cast<std::uint32_t>(m.corners.size()));
+                if (notes_lines_) out_.face_lines.push_back(line());
                 m.face_material.push_back(out_.textures.size() == 1 && has_uvs_ ? 0 : -1);
                 const bool turned = length % 2 == 1;
                 for (const std::int32_t v :
@@ -365,12 +375,14 @@ void PlyReader::drop_faces_without_vertices() {
         for (std::size_t c = begin; c < end; ++c)
             m.corners[corners++] = m.corners[c];
         m.face_begin[kept] = static_cast<std::uint32_t>(to);
+        if (notes_lines_) out_.face_lines[kept] = out_.face_lines[f];
         m.face_material[kept++] = m.face_material[f];
     }
     out_.skipped += m.faces() - kept;
     m.corners.resize(corners);
     m.face_begin.resize(kept);
     m.face_material.resize(kept);
+    if (notes_lines_) out_.face_lines.resize(kept);
     std::vector<std::uint32_t> ends;
     for (std::size_t i = 0; i + 1 < m.line_vertices.size(); i += 2)
         if (m.line_vertices[i] < m.positions.size() && m.line_vertices[i + 1] < m.positions.size())
@@ -399,7 +411,7 @@ Result<PlyFile> read_ply(std::string_view file, const std::string& path, Warning
     std::optional<Jobs> alone;
     Jobs& jobs = how.jobs != nullptr ? *how.jobs : alone.emplace(1);
     TRY(const PlyHeader header, read_ply_header(file, path, warnings));
-    return PlyReader(file, header, path, warnings, progress, jobs).read();
+    return PlyReader(file, header, path, warnings, progress, jobs, how.lines).read();
 }
 
 } // namespace scanout::io

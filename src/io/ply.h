@@ -11,6 +11,7 @@
 #include "io/text_parts.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ struct PlyFile {
     std::vector<NameAtLine> textures;
     ColourMaterials face_colours;
     std::size_t skipped = 0; // rows that could not be used
+    // Where faces and positions of a text stand; empty unless Reading::lines is set.
+    std::vector<std::uint32_t> face_lines, position_lines;
 };
 
 // `path` stands in messages. Reads everything that can be shown, with a warning for the rest: rows
