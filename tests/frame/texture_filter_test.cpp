@@ -120,7 +120,14 @@ TEST(TextureFilter, AnisotropicKeepsWithinItsErrorUpToTheHorizonAndEveryRungIsBe
         std::cout << name << " RMSE " << rmse << std::endl;
         EXPECT_LT(rmse, before) << name;
         before = rmse;
-        EXPECT_LE(rmse, name == "anisotropic_16" ? 0.015 : 1);
+        // As measured, and 1 %: a probe less than a rung has is more. HARD-CASES 40 asks for 0.015.
+        for (const auto& [rung, least] : {std::pair{"anisotropic_2", 0.0423},
+                                          {"anisotropic_4", 0.02068},
+                                          {"anisotropic_8", 0.01306},
+                                          {"anisotropic_16", 0.01233}})
+            if (name == rung) {
+                EXPECT_LE(rmse, least * 1.01) << name;
+            }
         RecordProperty(name, testing::PrintToString(rmse));
     }
 }
