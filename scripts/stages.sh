@@ -4,12 +4,13 @@
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm avx3 walk growth package)
+long_stages=(lint analyze faults arm avx3 walk growth coverage fuzz_long package)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [counts]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
     [avx3]="build test avx3" [walk]="build test" [growth]="build test" [package]="build package"
+    [coverage]="build test clang coverage" [fuzz_long]="build test clang coverage"
 )
 
 # Property tests (rapidcheck) draw the same cases each time, so that a commit's outcome is its own. `./test walk` draws
@@ -196,25 +197,64 @@ stage_tsan() {
     run_ctest tsan -R '^cli\.replay$'
 }
 
+readers=(obj mtl stl ply off gzip image)
+
 # Each reader 25 seconds, one on each core; a crash, a hang or 1 GB is a failure.
 stage_fuzz() {
     configure_asan
-    build asan fuzz_obj fuzz_mtl fuzz_stl fuzz_ply fuzz_off fuzz_image
+    build asan "${readers[@]/#/fuzz_}"
     local name
-    for name in obj mtl stl ply off image; do
+    for name in "${readers[@]}"; do
         while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
-        check fuzz "$name" &
+        check fuzz asan "$name" -max_total_time=25 &
     done
     wait
 }
 
+# fuzz FOLDER READER LIMIT...: prints how many inputs it was given, and of how many kinds.
 fuzz() {
-    local log=build/asan/fuzz-$1.log corpus=build/asan/corpus-$1 status=0
+    local folder=build/$1 name=$2 status=0
+    local log=$folder/fuzz-$name.log corpus=$folder/corpus-$name
     mkdir -p "$corpus"
-    "build/asan/tests/fuzz/fuzz_$1" -max_total_time=25 -rss_limit_mb=1024 -timeout=10 \
-        -artifact_prefix="build/asan/fuzz-$1-" "$corpus" "tests/fuzz/seeds/$1" >"$log" 2>&1 || status=$?
-    if [ $status = 0 ]; then tail -n 1 "$log"; else tail -n 60 "$log"; fi
+    "$folder/tests/fuzz/fuzz_$name" "${@:3}" -rss_limit_mb=1024 -timeout=10 -print_final_stats=1 \
+        -artifact_prefix="$folder/fuzz-$name-" "$corpus" "tests/fuzz/seeds/$name" >"$log" 2>&1 || status=$?
+    if [ $status = 0 ]; then
+        echo "$name: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") inputs," \
+            "$(grep -oE 'cov: [0-9]+' "$log" | tail -n 1 | tr -d 'cov: ') edges"
+    else
+        tail -n 60 "$log"
+    fi
     [ $status = 0 ] # libFuzzer ends with 77 where it finds something, which is no skipped test
+}
+
+configure_coverage() { configure coverage asan "${sanitized[@]}" -DSCANOUT_FUZZ=ON -DSCANOUT_COVERAGE=ON; }
+
+# What the readers' tests and seeds go through: 95 % of the lines of src/io and 90 % of its branches.
+stage_coverage() {
+    configure_coverage
+    build coverage "${readers[@]/#/fuzz_}" test_io
+    rm -rf build/coverage/profiles
+    export LLVM_PROFILE_FILE=$root/build/coverage/profiles/%4m.profraw
+    run_modules coverage io
+    local name
+    for name in "${readers[@]}"; do
+        check fuzz coverage "$name" -runs=0
+    done
+    check python3 -B scripts/coverage.py build/coverage --lines
+}
+
+# Each reader $FUZZ_RUNS inputs, or 10^7: hours. The corpus stays, and the next run goes on from it.
+stage_fuzz_long() {
+    configure_coverage
+    build coverage "${readers[@]/#/fuzz_}" test_io
+    export LLVM_PROFILE_FILE=$root/build/coverage/profiles/%4m.profraw
+    local name
+    for name in "${readers[@]}"; do
+        while [ "$(jobs -rp | wc -l)" -ge "$(nproc)" ]; do wait -n || true; done
+        check fuzz coverage "$name" -runs="${FUZZ_RUNS:-10000000}" &
+    done
+    wait
+    check python3 -B scripts/coverage.py build/coverage
 }
 
 stage_guests() {
