@@ -229,7 +229,8 @@ fuzz() {
 
 configure_coverage() { configure coverage asan "${sanitized[@]}" -DSCANOUT_FUZZ=ON -DSCANOUT_COVERAGE=ON; }
 
-# What the readers' tests and seeds go through: 95 % of the lines of src/io and 90 % of its branches.
+# What the readers' tests and 20 000 inputs made of the seeds go through: 95 % of the lines of src/io and 90 % of its
+# branches. (The seeds alone reach 89.3 %.)
 stage_coverage() {
     configure_coverage
     build coverage "${readers[@]/#/fuzz_}" test_io
@@ -238,7 +239,7 @@ stage_coverage() {
     run_modules coverage io
     local name
     for name in "${readers[@]}"; do
-        check fuzz coverage "$name" -runs=0
+        check fuzz coverage "$name" -runs=20000 -seed=1
     done
     check python3 -B scripts/coverage.py build/coverage --lines
 }
