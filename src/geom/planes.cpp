@@ -21,7 +21,7 @@ void PlaneSet::add(const DVec3& a, const DVec3& b, const DVec3& c) {
                    std::abs(other.offset - plane.offset) < kSame;
         }))
         return;
-    if (planes_.size() < kMaxPlanes) {
+    if (planes_.size() < most_) {
         planes_.push_back(plane);
         return;
     }

@@ -24,6 +24,8 @@ inline double height(const DVec4& point, const Plane& plane) {
 class PlaneSet {
 public:
     static constexpr std::size_t kMaxPlanes = 64;
+    PlaneSet() = default;
+    explicit PlaneSet(std::size_t most) : most_(most) {}
     // The plane through three points, towards the side from which they wind counter-clockwise;
     // without an area they have none. Planes a 2^-20th apart are one.
     void add(const DVec3& a, const DVec3& b, const DVec3& c);
@@ -31,6 +33,7 @@ public:
     const std::vector<Plane>& planes() const { return planes_; }
 
 private:
+    std::size_t most_ = kMaxPlanes;
     std::vector<Plane> planes_;
     bool too_many_ = false;
 };

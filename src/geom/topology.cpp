@@ -245,6 +245,9 @@ std::vector<Box> convex_components(const Mesh& mesh, DisjointSets& components,
         PlaneSet planes;
         Box box;
     };
+    // Every vertex is compared with every plane.
+    constexpr std::size_t kFewTriangles = 4096, kManyPlanes = 1024;
+    const std::size_t most = mesh.triangles() <= kFewTriangles ? kManyPlanes : PlaneSet::kMaxPlanes;
     std::vector<Convex> found;
     const auto find = [&](std::uint32_t vertex) {
         const std::uint32_t root = components.root(vertex);
@@ -258,7 +261,8 @@ std::vector<Box> convex_components(const Mesh& mesh, DisjointSets& components,
         auto convex = find(v[0]);
         if (convex == found.end()) {
             if (found.size() == MeshTopology::kMaxConvex) return {};
-            convex = found.insert(convex, {components.root(v[0]), {}, {DVec3(t.a), DVec3(t.a)}});
+            convex = found.insert(
+                convex, {components.root(v[0]), PlaneSet(most), {DVec3(t.a), DVec3(t.a)}});
         }
         convex->planes.add(DVec3(t.a), DVec3(t.b), DVec3(t.c));
         if (convex->planes.too_many()) return {};

@@ -29,8 +29,8 @@ struct MeshTopology {
     std::size_t reversed_triangles = 0;
     bool flat = false; // all triangles lie in one plane
     // If no component casts a shadow on itself, the boxes of the components: each lies in one
-    // plane, or is closed, wound outwards, and no part of it rises above any of its (few) planes.
-    // Empty for many components.
+    // plane, or is closed, wound outwards, and no part of it rises above any of its planes.
+    // Empty for many components, or many planes.
     std::vector<Box> convex_components;
     // In a flat mesh and in convex components: triangles with a normal other than the face's own.
     // Such normals let light show on faces that turn away from it.

@@ -1,4 +1,5 @@
 // Plans the shadow pass: whether there is one, its technique, and the triangles that cast shadows.
+#include "frame/facts/map_facts.h"
 #include "frame/plan/planner.h"
 #include "rows.h"
 
@@ -10,15 +11,15 @@
 namespace scanout::frame {
 namespace {
 
-// Does light show on some face that turns away from it? Such a face lies in its own shadow.
+// Does light show on some face that turns away from it? Such a face lies in its own shadow. Smooth
+// normals do not count: they let light go over a body's edge as if it were round, which is meant.
 bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
     const auto leans = [&](shade::Map map) {
         const auto asked = plan.options.effects.find(map_effect(map));
         return facts.mapped_triangles[map] > 0 &&
                (asked == plan.options.effects.end() || asked->second);
     };
-    return facts.topology.smooth_triangles > 0 || plan.sides == shade::Sides::file ||
-           leans(shade::kNormalMap) || leans(shade::kBumpMap);
+    return plan.sides == shade::Sides::file || leans(shade::kNormalMap) || leans(shade::kBumpMap);
 }
 
 // Seen from inside, a convex body's near side lies between the lights and its far side.
@@ -112,7 +113,10 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : !floor ? "no triangle lies flat on a side of the model's box, to project shadows onto"
                  : fmt::format("{} light{}: {}", casting.lights,
                                casting.lights == 1 ? " casts" : "s cast", casting.names);
-    const bool possible = casting.lights > 0 && throws && floor && at_pixels; // it can be forced on
+    // What is convex and shaded as if it were round has none, though faces of it turn away from the
+    // light that their normals receive. Else it can be forced on.
+    const bool round = !falls && facts.topology.smooth_triangles > 0;
+    const bool possible = casting.lights > 0 && throws && floor && at_pixels && !round;
     const bool called = possible && falls;
     if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
     if (called && facts.alpha.blended_triangles > 0)

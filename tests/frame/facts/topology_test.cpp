@@ -258,7 +258,7 @@ TEST(MeshTopology, WhatIsFlatOrConvexThrowsNoShadowOnItself) {
     ASSERT_EQ(bodies.size(), 2U) << "one may shade the other";
     EXPECT_EQ(bodies[0].low, DVec3(-0.25));
     EXPECT_EQ(bodies[1].high.y, double{0.1F});
-    EXPECT_TRUE(geom::topology(sphere()).convex_components.empty()) << "not known: too many planes";
+    EXPECT_TRUE(geom::topology(sphere()).convex_components.empty()) << "rounded: not convex";
     test::add_square(cube, 0.25F, 0.75F);
     EXPECT_EQ(geom::topology(cube).convex_components.size(), 3U);
     for (std::size_t i = 0; i < geom::MeshTopology::kMaxConvex - 2; ++i)
