@@ -17,12 +17,12 @@ import arguments
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 FRAMES = { # name: what `scanout render` draws
-    "hidden": "{folder}/field.obj --cull back --frames 32", # clusters wait from the second frame on
-    "textured": "models/spot/spot.obj --camera 150,20",
+    "hidden": "{folder}/field.obj --cull back --camera 0,0 --frames 32 --samples 1", # clusters wait from the second frame on
+    "textured": "models/spot/spot.obj --camera 150,20 --samples 1",
     "samples": "models/spot/spot.obj --camera 150,20 --samples 8",
-    "shadow_map": "models/rabbit/rabbit.obj --camera 30,10 --light directional:-1,2,2 --shadow map_pcf", # and highlights
-    "shadow_volume": "models/cornell_box/cornell_box.obj --camera 180,0 --light point:278,500,280 --shadow volume",
-    "layers": "models/knot/knot.obj --view iso --effect blending=on --transparency exact",
+    "shadow_map": "models/rabbit/rabbit.obj --camera 30,10 --light directional:-1,2,2 --shadow map_pcf --samples 1", # and highlights
+    "shadow_volume": "models/cornell_box/cornell_box.obj --camera 180,0 --light point:278,500,280 --shadow volume --samples 1",
+    "layers": "models/knot/knot.obj --view iso --effect blending=on --transparency exact --samples 1",
 }
 WITHIN = 0.02
 

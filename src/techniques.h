@@ -14,7 +14,7 @@
 #define SCANOUT_MAP(X)                                                                             \
     X(diffuse)                                                                                     \
     X(opacity) X(normal) X(bump) X(specular) X(gloss) X(roughness) X(metalness) X(emission)
-#define SCANOUT_LIGHT(X) X(ambient) X(directional) X(point) X(spot)
+#define SCANOUT_LIGHT(X) X(ambient) X(hemisphere) X(directional) X(point) X(spot)
 #define SCANOUT_SHADOW(X) X(attached) X(projected) X(map) X(map_pcf) X(map_soft) X(volume)
 #define SCANOUT_REFLECTION(X)                                                                      \
     X(lambert) X(toon) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)

@@ -68,7 +68,7 @@ public:
 
 private:
     Result<void> examine() {
-        const scene::CameraOptions camera = camera_of(settings_, model_);
+        const scene::CameraOptions camera = fitted_camera_of(settings_, model_);
         TRY(const scene::View view, scene::make_view(model_.scene.mesh, settings_.model, {}, camera,
                                                      {}, report_.width, report_.height));
         constexpr double kMostGap = 0.01;  // of coarse depth formats: surfaces, not planes

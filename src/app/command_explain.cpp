@@ -32,8 +32,8 @@ Result<Exit> run_explain(const Settings& settings) {
     Jobs jobs(settings.threads);
     TRY(LoadedModel model, load_model_with_messages(settings.arguments.front(), settings, jobs));
     TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, settings.model, {}, camera_of(settings, model), {},
-                         settings.frame.width, settings.frame.height));
+        scene::make_view(model.scene.mesh, settings.model, {}, fitted_camera_of(settings, model),
+                         {}, settings.frame.width, settings.frame.height));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     std::optional<ProgressBar> bar(std::in_place, "explaining " + model.scene.path, settings.quiet);
     measure::ExplainOptions how;

@@ -194,8 +194,8 @@ Result<Exit> run_frontier(const Settings& settings) {
     TRY(const LoadedModel model,
         load_model_with_messages(settings.arguments.front(), settings, jobs));
     TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, settings.model, {}, camera_of(settings, model), {},
-                         settings.frame.width, settings.frame.height));
+        scene::make_view(model.scene.mesh, settings.model, {}, fitted_camera_of(settings, model),
+                         {}, settings.frame.width, settings.frame.height));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     TRY(const FrontierReport report, FrontierRun(settings, model, view, jobs).measured());
     const std::vector<std::string> outputs = outputs_of(settings);

@@ -72,8 +72,9 @@ Result<void> check_files(const Settings& s) {
 Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& model, Jobs& jobs,
                                          std::vector<std::string>& warnings) {
     const frame::SceneFacts facts = frame::facts(model.scene, s.frame.shadow_plane);
-    TRY(const scene::View view, scene::make_view(model.scene.mesh, s.model, {}, camera_of(s, model),
-                                                 {}, s.frame.width, s.frame.height));
+    TRY(const scene::View view,
+        scene::make_view(model.scene.mesh, s.model, {}, fitted_camera_of(s, model), {},
+                         s.frame.width, s.frame.height));
     std::string bar_of;
     std::optional<ProgressBar> bar;
     const auto progress = [&](std::string_view doing, double fraction) {

@@ -20,11 +20,11 @@ std::string text_of(const DMat3& m) {
 }
 
 std::string text_of(const scene::Light& l) {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(l.kind),
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", static_cast<int>(l.kind),
                        static_cast<int>(l.frame), text_of(l.towards), text_of(l.position),
                        l.target ? text_of(*l.target) : "centre", l.inner_degrees, l.outer_degrees,
-                       text_of(DVec3(l.colour)), l.power, l.size, static_cast<int>(l.shape),
-                       l.casts, escaped(l.name));
+                       text_of(DVec3(l.colour)), text_of(DVec3(l.ground)), l.power, l.size,
+                       static_cast<int>(l.shape), l.casts, escaped(l.name));
 }
 
 std::string text_of(const scene::View& v) {

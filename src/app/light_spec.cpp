@@ -47,6 +47,11 @@ Result<void> read_colour(Light& light, std::string_view text) {
     light.colour = {srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)};
     return {};
 }
+Result<void> read_ground(Light& light, std::string_view text) {
+    TRY(const image::Rgba8 code, parse_colour(text));
+    light.ground = {srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)};
+    return {};
+}
 Result<void> read_power(Light& light, std::string_view text) {
     TRY(light.power, number_between(text, 0, scene::kMaxPower));
     return {};
@@ -92,14 +97,25 @@ Result<void> read_cone(Light& light, std::string_view text) {
     return {};
 }
 
-enum class Lights : std::uint8_t { all, directed, spots };
+enum class Lights : std::uint8_t { all, hemispheres, turned, directed, spots };
 struct Field {
     std::string_view name;
     Result<void> (*read)(Light&, std::string_view);
     Lights of = Lights::directed;
     bool is_of(LightKind kind) const {
-        return of == Lights::all || kind == LightKind::spot ||
-               (of == Lights::directed && kind != LightKind::ambient);
+        switch (of) {
+        case Lights::all:
+            return true;
+        case Lights::hemispheres:
+            return kind == LightKind::hemisphere;
+        case Lights::turned:
+            return kind != LightKind::ambient;
+        case Lights::directed:
+            return !is_ambient(kind);
+        case Lights::spots:
+            break;
+        }
+        return kind == LightKind::spot;
     }
 };
 constexpr auto kFields = std::to_array<Field>({{"colour", read_colour, Lights::all},
@@ -109,7 +125,8 @@ constexpr auto kFields = std::to_array<Field>({{"colour", read_colour, Lights::a
                                                {"size", read_size},
                                                {"shape", read_shape},
                                                {"shadow", read_shadow},
-                                               {"frame", read_frame},
+                                               {"frame", read_frame, Lights::turned},
+                                               {"ground", read_ground, Lights::hemispheres},
                                                {"to", read_target, Lights::spots},
                                                {"cone", read_cone, Lights::spots}});
 
@@ -140,6 +157,13 @@ Result<Light> read_kind(std::string_view word, std::string_view value) {
         if (!value.empty()) TRY_VOID(read_power(light, value));
         return light;
     }
+    if (word == "hemisphere") {
+        light.kind = LightKind::hemisphere;
+        light.casts = false;
+        light.power = scene::default_lights().back().power;
+        TRY(light.towards, direction(value));
+        return light;
+    }
     if (word == "camera") {
         light.frame = LightFrame::camera;
         light.casts = false;
@@ -151,8 +175,9 @@ Result<Light> read_kind(std::string_view word, std::string_view value) {
     for (const LightKind kind : {LightKind::directional, LightKind::point, LightKind::spot})
         if (word == name_of(kind)) light.kind = kind;
     if (word != name_of(light.kind)) {
-        const std::array<std::string_view, 8> known = {"none",        "key",   "fill", "ambient",
-                                                       "directional", "point", "spot", "camera"};
+        const std::array<std::string_view, 9> known = {"none",    "key",        "fill",
+                                                       "ambient", "hemisphere", "directional",
+                                                       "point",   "spot",       "camera"};
         return fail(Exit::usage, "there is no light '{}'{}; choose one of {}", word,
                     did_you_mean(word, known), fmt::join(known, " "));
     }
@@ -168,9 +193,10 @@ Result<Light> read_kind(std::string_view word, std::string_view value) {
 Result<Light> read_light(std::string_view spec) {
     std::string_view rest = spec;
     const std::string_view word = take(rest);
-    const bool has_value = rest.substr(0, rest.find(':')).find('=') == std::string_view::npos;
+    const bool has_value =
+        !rest.empty() && rest.substr(0, rest.find(':')).find('=') == std::string_view::npos;
     for (const Light& known : scene::default_lights()) {
-        if (known.name != word || known.kind == LightKind::ambient) continue;
+        if (known.name != word || (has_value && known.kind == LightKind::hemisphere)) continue;
         Light light = known;
         while (!rest.empty())
             TRY_VOID(read_field(light, take(rest)));
@@ -199,7 +225,7 @@ void number_name(Light& light, const std::vector<Light>& others) {
 } // namespace
 
 Result<void> add_light(std::vector<Light>& lights, bool first, std::string_view spec) {
-    const auto is_ambient = [](const Light& light) { return light.kind == LightKind::ambient; };
+    const auto is_ambient = [](const Light& light) { return scene::is_ambient(light.kind); };
     if (spec == "none") {
         lights.clear();
         return {};

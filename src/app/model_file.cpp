@@ -5,6 +5,7 @@
 #include "app/progress_bar.h"
 #include "base/stopwatch.h"
 #include "io/load.h"
+#include "scene/fit.h"
 
 namespace scanout::app {
 
@@ -22,6 +23,7 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
         std::uint64_t{1'000'000} * static_cast<std::uint64_t>(settings.max_memory_mb);
     options.allow_outside = settings.allow_outside;
     options.split_t_vertices = settings.split_t_vertices && source == nullptr; // as the file has it
+    options.unnamed_colour = settings.unnamed_colour;
     options.clamps = settings.frame.wrap == "clamp";
     io::LoadTimes times;
     options.times = &times;
@@ -38,6 +40,12 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
     scene::CameraOptions camera = settings.camera;
     if (!settings.up_given) camera.up = model.up;
     return camera;
+}
+
+scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model) {
+    const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
+    return scene::fitted(model.scene.mesh, settings.model, camera_of(settings, model), aspect,
+                         settings.turntable);
 }
 
 Result<LoadedModel> load_model_with_messages(const std::string& path, const Settings& settings,

@@ -25,6 +25,8 @@ struct LoadedModel {
 
 // The camera that the command line asks for; a model's format says what is up where it does not.
 scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model);
+// The same, where the model fits its picture if nothing says the distance (scene/fit.h).
+scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model);
 
 // `progress` is called with the fraction of the work that is done; false cancels.
 // The path "-" is standard input. `source` is filled when given.

@@ -1,4 +1,5 @@
-// What the viewer saves while something moves: the levels of governor.h as render scales.
+// What the viewer saves while something moves: the levels of governor.h as samples and render
+// scales.
 #pragma once
 
 #include "frame/options.h"
@@ -10,11 +11,13 @@ namespace scanout::app {
 
 struct MotionLevel {
     std::string_view render_scale; // of the axis; "" for the options' own
-    double share = 1;              // of the pixels that the options' own scale draws
+    bool one_sample = false;       // a pixel; else the options' own number
+    double share = 1;              // of the work that the options' own choice takes
 };
 
-// The options as they are, and below them each smaller render scale, the best first. may_scale:
-// false leaves the first one alone.
-std::vector<MotionLevel> motion_levels(const frame::FrameOptions& options, bool may_scale);
+// The options as they are, and below them one sample a pixel, then each smaller render scale, the
+// best first. may_thin, may_scale: false leaves these out.
+std::vector<MotionLevel> motion_levels(const frame::FrameOptions& options, bool may_thin,
+                                       bool may_scale);
 
 } // namespace scanout::app

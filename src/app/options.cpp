@@ -3,6 +3,7 @@
 #include "app/light_spec.h"
 #include "app/nearest.h"
 #include "app/values.h"
+#include "math/srgb.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -103,6 +104,18 @@ Result<void> read_translate(Settings& s, std::string_view text) {
 
 Result<void> read_background(Settings& s, std::string_view text) {
     TRY(s.frame.background, parse_colour(text));
+    return {};
+}
+
+Result<void> read_base_colour(Settings& s, std::string_view text) {
+    if (const Result<double> grey = parse_real(text)) {
+        if (*grey < 0 || *grey > 1)
+            return fail(Exit::usage, "wants a linear grey from 0 to 1, not {}", text);
+        s.unnamed_colour = Vec3(static_cast<float>(*grey));
+        return {};
+    }
+    TRY(const image::Rgba8 code, parse_colour(text));
+    s.unnamed_colour = Vec3(srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b));
     return {};
 }
 
@@ -282,7 +295,7 @@ constexpr std::array kOptions = std::to_array<Option>({
 
     {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kLoad, Parsed(read_size),
      "pixels of the picture; the viewer uses it only without a display"},
-    {"samples", 0, "", "1 2 4 8 16", "1", 0, 0, Group::picture, kDraw,
+    {"samples", 0, "", "1 2 4 8 16", "4", 0, 0, Group::picture, kDraw,
      Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
      "coverage samples a pixel: more make smoother edges; --aa samples_N says the same"},
     axis_option("aa"),
@@ -325,9 +338,9 @@ constexpr std::array kOptions = std::to_array<Option>({
      "the plane NX x + NY y + NZ z = D, in the file's coordinates, on whose triangles --shadow "
      "projected falls; ground: the largest flat side of the model's box"},
     {"light", 0, "SPEC", "", "", 0, 0, Group::picture, kDraw, Parsed(read_light),
-     "instead of key and fill (ambient:0.15 stays until it is named); may be given again: none, "
-     "key, fill, "
-     "ambient:POWER, "
+     "instead of key and fill (hemisphere stays until it or ambient is named); may be given again: "
+     "none, key, fill, hemisphere, "
+     "ambient:POWER, hemisphere:X,Y,Z (where its sky is; goes on with :ground=#rrggbb), "
      "directional:X,Y,Z (where it comes from), point:X,Y,Z, spot:X,Y,Z:to=X,Y,Z:cone=INNER,OUTER "
      "in the file's coordinates, camera:X,Y,Z (fixed to the camera); each may go on with "
      ":colour= :power= :size= (radius in the file's unit; of a directional light in degrees, up to "
@@ -344,7 +357,7 @@ constexpr std::array kOptions = std::to_array<Option>({
 
     {"view", 0, "", kViews, "", 0, 0, Group::camera, kLoad, Choice(choose_view),
      "look from a named side"},
-    {"camera", 0, "AZ,EL[,DISTANCE]", "", "0,0", 0, 0, Group::camera, kLoad, Parsed(read_camera),
+    {"camera", 0, "AZ,EL[,DISTANCE]", "", "30,20", 0, 0, Group::camera, kLoad, Parsed(read_camera),
      "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
      "degrees "
      "up (-90 to 90), from DISTANCE bounding radii (default: the model just fits)"},
@@ -379,6 +392,8 @@ constexpr std::array kOptions = std::to_array<Option>({
      Choice([](Settings& s, std::size_t i) { s.split_t_vertices = i == 0; }),
      "vertices that lie within other faces' edges: split makes them corners of those faces, keep "
      "leaves the gaps (default split)"},
+    {"base-colour", 0, "COLOUR", "", "0.6", 0, 0, Group::model, kDraw, Parsed(read_base_colour),
+     "colour of what the file gives no material: #rrggbb, a name, or a linear grey from 0 to 1"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
      "scale the model about its centre, first"},
     {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_rotate),
@@ -570,6 +585,11 @@ Result<void> apply(const Option& option, std::string_view text, Settings& settin
     if (!applied) return fail(applied.error().exit, "--{} {}", option.name, applied.error().what);
     if (const std::string_view axis = axis_of(option); !axis.empty())
         settings.named_axes.emplace(axis);
+    // A number of samples that nobody asks for goes with another way to smooth edges.
+    const auto asks_samples = [](const GivenOption& given) { return given.name == "samples"; };
+    if (option.name == "aa" && !frame::is_auto(text) &&
+        std::none_of(settings.given.begin(), settings.given.end(), asks_samples))
+        settings.frame.samples = 1;
     settings.given.push_back({std::string(option.name), std::string(text)});
     return {};
 }

@@ -22,8 +22,8 @@ int pictures(const Settings& s) {
 RenderRun::RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
                      Jobs& jobs)
     : settings_(settings), format_(format), scene_(model.scene),
-      camera_(camera_of(settings, model)), plan_(frame::facts(scene_, settings.frame.shadow_plane)),
-      jobs_(jobs), renderer_(jobs) {}
+      camera_(fitted_camera_of(settings, model)),
+      plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs) {}
 
 Result<void> RenderRun::draw(int index, RunReport& report) {
     scene::Pose pose;

@@ -55,6 +55,21 @@ struct GivenOption {
     std::string name, text; // without dashes; text: "" for a switch
 };
 
+// What is drawn where nobody asks for anything.
+inline frame::FrameOptions looks() {
+    frame::FrameOptions options;
+    options.samples = 4;
+    options.lights = scene::default_lights();
+    return options;
+}
+
+inline scene::CameraOptions stands() {
+    scene::CameraOptions camera;
+    camera.azimuth_degrees = 30;
+    camera.elevation_degrees = 20;
+    return camera;
+}
+
 struct Settings {
     Command command = Command::view;
     std::vector<GivenOption> given;     // in the order of the table of options
@@ -62,7 +77,7 @@ struct Settings {
     std::vector<std::string> notes;     // on the options, to be said before the command runs
     bool no_config = false;             // the user's options for every run were left out
 
-    frame::FrameOptions frame;
+    frame::FrameOptions frame = looks();
     std::set<std::string, std::less<>> named_axes; // of techniques, that the command line names
     bool holds_budget = true; // while the viewer's picture moves; false: --budget none
     measure::Limits limits;   // --budget, --max-error: the other axes' rungs are chosen
@@ -71,8 +86,9 @@ struct Settings {
     int max_memory_mb = 0; // that loading a model, or its reference, may take; 0: what is available
     bool allow_outside = false; // of the model's folder
     bool split_t_vertices = true;
-    scene::CameraOptions camera;
-    std::string named_view; // --view; already in `camera`
+    scene::CameraOptions camera = stands();
+    Vec3 unnamed_colour{scene::kUnnamedGrey}; // --base-colour
+    std::string named_view;                   // --view; already in `camera`
     bool camera_given = false, light_given = false, up_given = false;
 
     std::string target = "auto"; // SIMD target

@@ -44,6 +44,7 @@ Result<void> ViewSession::load(bool again) {
         slot_.put_error(model.error().what);
         return {};
     }
+    viewer_.take_file(again);
     if (!settings_.up_given) viewer_.take_up_of_file(model->up);
     slot_.put(*std::move(model), settings_.frame);
     chosen_.reset();

@@ -16,7 +16,8 @@ void ViewSession::set_motion_levels() {
     level_ = 0;
     if (steady_ || !settings_.holds_budget) return;
     set_frame_options();
-    levels_ = motion_levels(frame_options_, settings_.named_axes.count("render_scale") == 0);
+    levels_ = motion_levels(frame_options_, settings_.named_axes.count("aa") == 0,
+                            settings_.named_axes.count("render_scale") == 0);
     std::vector<double> shares;
     for (const MotionLevel& level : levels_)
         shares.push_back(level.share);
@@ -74,8 +75,10 @@ void ViewSession::set_frame_options(int level) {
     put_asked_frame_options(frame_options_);
     if (const measure::KnownPoint* const point = chosen_point())
         frame_options_ = measure::with(std::move(frame_options_), point->rungs);
-    if (level > 0)
-        frame_options_.render_scale = levels_[static_cast<std::size_t>(level)].render_scale;
+    if (level == 0) return;
+    const MotionLevel& saving = levels_[static_cast<std::size_t>(level)];
+    if (saving.one_sample) frame_options_.samples = 1;
+    if (!saving.render_scale.empty()) frame_options_.render_scale = saving.render_scale;
 }
 
 Result<void> ViewSession::render(int level) {

@@ -1,6 +1,7 @@
 #include "app/viewer.h"
 
 #include "base/check.h"
+#include "scene/fit.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -26,6 +27,22 @@ scene::UpAxis next_axis(scene::UpAxis up) {
     return kCycle[static_cast<std::size_t>(here + 1) % kCycle.size()];
 }
 
+// Neither moved nor zoomed.
+scene::Pose turned_alone(const scene::Pose& pose) {
+    scene::Pose turned;
+    turned.yaw = pose.yaw;
+    turned.pitch = pose.pitch;
+    turned.roll = pose.roll;
+    return turned;
+}
+scene::Orbit turned_alone(const scene::Orbit& orbit) {
+    scene::Orbit turned;
+    turned.azimuth = orbit.azimuth;
+    turned.elevation = orbit.elevation;
+    turned.roll = orbit.roll;
+    return turned;
+}
+
 } // namespace
 
 Viewer::Viewer(const Settings& settings, int width, int height, int files)
@@ -46,6 +63,13 @@ void Viewer::take_up_of_file(scene::UpAxis up) {
     start_.up = up;
 }
 
+void Viewer::take_file(bool again) {
+    fits_.clear();
+    if (again) return;
+    state_.look.pose = turned_alone(state_.look.pose);
+    state_.look.orbit = turned_alone(state_.look.orbit);
+}
+
 scene::CameraOptions Viewer::camera() const {
     scene::CameraOptions camera = camera_;
     camera.projection = state_.look.projection;
@@ -55,9 +79,19 @@ scene::CameraOptions Viewer::camera() const {
     return scene::fitted_from(angles.azimuth_degrees, angles.elevation_degrees, camera);
 }
 
+const scene::CameraOptions& Viewer::fitted_camera(const geom::Mesh& mesh) const {
+    const FitKey key{state_.look.view, state_.look.projection, state_.look.up};
+    const auto known =
+        std::find_if(fits_.begin(), fits_.end(), [&](const Fit& fit) { return fit.key == key; });
+    if (known != fits_.end()) return known->camera;
+    const double aspect = static_cast<double>(width_) / height_;
+    fits_.push_back({key, scene::fitted(mesh, model_, camera(), aspect)});
+    return fits_.back().camera;
+}
+
 Result<scene::View> Viewer::view(const geom::Mesh& mesh) const {
-    return scene::make_view(mesh, model_, state_.look.pose, camera(), state_.look.orbit, width_,
-                            height_);
+    return scene::make_view(mesh, model_, state_.look.pose, fitted_camera(mesh), state_.look.orbit,
+                            width_, height_);
 }
 
 Effect Viewer::apply(const Action& action, const geom::Mesh* mesh) {
@@ -286,12 +320,12 @@ void Viewer::zoom(int levels) {
     level = scene::clamp_zoom(std::int64_t{level} + levels);
 }
 
-// The named views forget how the model and the camera are turned; size and place stay.
+// The named views forget how the model and the camera are turned, moved and zoomed: it fits.
 void Viewer::look_from(int view) {
     Look& look = state_.look;
     look.view = view;
-    look.pose.yaw = look.pose.pitch = look.pose.roll = 0;
-    look.orbit.azimuth = look.orbit.elevation = look.orbit.roll = 0;
+    look.pose = {};
+    look.orbit = {};
 }
 
 // The orbit adds to the camera's own elevation; together they stop at the poles.

@@ -57,6 +57,10 @@ public:
     // The axis that a file that is shown from now on has upwards; the user's own choice stays.
     void take_up_of_file(scene::UpAxis up);
 
+    // Another file is on show, or, `again`, the same one after a change: it fits anew, turned as
+    // the one before. To be called before view() sees its mesh.
+    void take_file(bool again);
+
     // How many pages the plan on the display has, one at least: X goes through them.
     void set_explain_pages(int pages) { explain_pages_ = pages; }
 
@@ -84,7 +88,8 @@ public:
 
 private:
     Effect carry_out(const Action& action, const geom::Mesh* mesh);
-    scene::CameraOptions camera() const;
+    scene::CameraOptions camera() const; // before the model is fitted
+    const scene::CameraOptions& fitted_camera(const geom::Mesh& mesh) const;
     static std::int64_t moved(std::int64_t pan, double by_units);
     void remember(const Look& before);
     void undo();
@@ -136,6 +141,18 @@ private:
         double units_per_pixel = 0;
     };
     std::optional<Drag> drag_;
+    // Where the camera stands for the present file to fit, by what that depends on: found once.
+    struct FitKey {
+        int view;
+        scene::Projection projection;
+        scene::UpAxis up;
+        friend bool operator==(const FitKey&, const FitKey&) = default;
+    };
+    struct Fit {
+        FitKey key;
+        scene::CameraOptions camera;
+    };
+    mutable std::vector<Fit> fits_;
 };
 
 } // namespace scanout::app

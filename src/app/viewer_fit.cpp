@@ -1,5 +1,6 @@
 // F: zooms and centres the model so that it just fits the picture, in its present rotation.
 #include "app/viewer.h"
+#include "scene/fit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +9,7 @@
 namespace scanout::app {
 namespace {
 
-constexpr double kFill = 0.95; // of the picture's half width or height
-constexpr int kPasses = 6;     // perspective changes as the model moves: each pass comes closer
+constexpr int kPasses = 6; // perspective changes as the model moves: each pass comes closer
 
 // The extent of the vertices in the picture: -1 to 1 is from edge to edge.
 struct Extent {
@@ -17,7 +17,7 @@ struct Extent {
     double bottom = left, top = -left;
 
     double half_size() const { return std::max(right - left, top - bottom) / 2; }
-    bool fits() const { return std::max({-left, right, -bottom, top}) <= kFill; }
+    bool fits() const { return std::max({-left, right, -bottom, top}) <= scene::kFitFill; }
 };
 
 // Returns nothing where a vertex is too near to the eye, or where there is none.
@@ -43,7 +43,7 @@ int levels_to_fill(double half_size) {
     int low = -scene::kMaxZoomLevel, high = scene::kMaxZoomLevel;
     while (low < high) {
         const int middle = low + (high - low + 1) / 2;
-        if (scene::zoom_scale(middle) * half_size <= kFill)
+        if (scene::zoom_scale(middle) * half_size <= scene::kFitFill)
             low = middle;
         else
             high = middle - 1;

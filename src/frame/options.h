@@ -47,7 +47,7 @@ struct FrameOptions {
     int shadow_size = 1024;                // side of a shadow map, texels
     int shadow_filter = 3;                 // side of a filtered shadow's kernel, texels
     std::optional<FilePlane> shadow_plane; // receives projected shadows; none: the ground
-    std::vector<scene::Light> lights = scene::default_lights(); // at most scene::kMaxLights
+    std::vector<scene::Light> lights = scene::plain_lights(); // at most scene::kMaxLights
     double alpha_cut = 0.5;      // a cut-out surface shows where alpha is at least this
     int max_fragments = 1 << 16; // limit of a list of blended ones; changes no bit of the picture
     int bits = 8;                // bits of the narrowest channel of the display or file

@@ -22,7 +22,7 @@ std::vector<scene::Material> ColourMaterials::materials() const {
         const auto linear = [&](int shift) {
             return srgb_decode(static_cast<std::uint8_t>(colours_[i] >> shift & 0xff));
         };
-        materials[i].diffuse = Vec3(linear(16), linear(8), linear(0));
+        materials[i] = scene::unnamed_material(Vec3(linear(16), linear(8), linear(0)));
     }
     return materials;
 }

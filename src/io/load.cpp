@@ -216,7 +216,7 @@ void light_vertex_colours_whole(ReadModel& model) {
                 material = white;
                 used = true;
             }
-    if (used) model.materials.materials.emplace_back().diffuse = Vec3(1);
+    if (used) model.materials.materials.push_back(scene::unnamed_material(Vec3(1)));
 }
 
 // Rounding to a few decimals moves vertices off the edges that they lie in, and the background
@@ -272,6 +272,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     scene.revision = ++loaded;
     scene.mesh = std::move(built.mesh);
     scene.materials = std::move(model.materials.materials);
+    scene.unnamed = scene::unnamed_material(options.unnamed_colour);
     scene.textures = std::move(model.materials.textures);
     scene.counts = model.counts;
     scene.counts.faces -= built.skipped_faces;

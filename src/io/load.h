@@ -48,9 +48,10 @@ struct LoadOptions {
     bool split_t_vertices = true;
     bool allow_outside =
         false; // libraries and textures outside of the model's folder are read, too
-    ModelFormat* format_read = nullptr; // filled when given
-    ModelSource* source = nullptr;      // filled when given
-    std::optional<ModelFormat> format;  // given: what the file is, whatever it looks like
+    Vec3 unnamed_colour{scene::kUnnamedGrey}; // linear, of what the file gives no material
+    ModelFormat* format_read = nullptr;       // filled when given
+    ModelSource* source = nullptr;            // filled when given
+    std::optional<ModelFormat> format;        // given: what the file is, whatever it looks like
 };
 
 // The format is told by the content and, where that says nothing, by the extension (any case);

@@ -82,6 +82,7 @@ void add(const Material& m, ContentHasher& hash) {
 std::uint64_t content_hash(const Scene& scene) {
     ContentHasher hash;
     add(scene.mesh, hash);
+    add(scene.unnamed, hash);
     hash.value(scene.materials.size());
     for (const Material& material : scene.materials)
         add(material, hash);

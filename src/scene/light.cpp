@@ -58,33 +58,50 @@ struct Placer {
 } // namespace
 
 bool is_black(const Light& light) {
-    return !(light.power > 0) || light.colour == Vec3(0);
+    const bool no_ground = light.kind != LightKind::hemisphere || light.ground == Vec3(0);
+    return !(light.power > 0) || (light.colour == Vec3(0) && no_ground);
 }
 
 std::string_view name_of(LightKind kind) {
-    constexpr std::array<std::string_view, kLightKinds> kNames = {"ambient", "directional", "point",
-                                                                  "spot"};
+    constexpr std::array<std::string_view, kLightKinds> kNames = {"ambient", "hemisphere",
+                                                                  "directional", "point", "spot"};
     return kNames[static_cast<std::size_t>(kind)];
 }
 
+namespace {
+
+// Fixed to the camera; casts no shadow.
+Light on_camera(const char* name, const DVec3& towards, double power,
+                LightKind kind = LightKind::directional) {
+    Light light;
+    light.name = name;
+    light.kind = kind;
+    light.frame = LightFrame::camera;
+    light.towards = towards;
+    light.power = power;
+    light.casts = false;
+    return light;
+}
+
+} // namespace
+
 const std::vector<Light>& default_lights() {
+    // Far enough to the side that the shade of a round body shows. Together they are at most white.
+    static const std::vector<Light> lights = {
+        on_camera("key", {-5, 5, 4}, 0.8), on_camera("fill", {6, -2, 3}, 0.08),
+        on_camera("hemisphere", {0, 1, 0}, 0.18, LightKind::hemisphere)};
+    return lights;
+}
+
+const std::vector<Light>& plain_lights() {
     static const std::vector<Light> lights = [] {
-        // Whole-number directions with whole-number lengths: 7.
-        Light key, fill, ambient;
-        key.name = "key";
-        key.frame = LightFrame::camera;
-        key.towards = {-2, 3, 6};
-        key.power = 0.80;
-        key.casts = false;
-        fill = key;
-        fill.name = "fill";
-        fill.towards = {6, -2, 3};
-        fill.power = 0.15;
+        Light ambient;
         ambient.name = "ambient";
         ambient.kind = LightKind::ambient;
         ambient.power = 0.15;
         ambient.casts = false;
-        return std::vector<Light>{key, fill, ambient};
+        return std::vector<Light>{on_camera("key", {-2, 3, 6}, 0.80),
+                                  on_camera("fill", {6, -2, 3}, 0.15), ambient};
     }();
     return lights;
 }
@@ -94,9 +111,15 @@ ViewLight in_view(const Light& light, const View& view, const geom::Mesh& mesh) 
     ViewLight placed;
     placed.kind = light.kind;
     placed.shape = light.shape;
-    placed.casts = light.casts && light.kind != LightKind::ambient;
-    placed.colour = Vec3(DVec3(light.colour) * std::clamp(light.power, 0.0, kMaxPower));
+    placed.casts = light.casts && !is_ambient(light.kind);
+    const double power = std::clamp(light.power, 0.0, kMaxPower);
+    placed.colour = Vec3(DVec3(light.colour) * power);
     if (light.kind == LightKind::ambient) return placed;
+    if (light.kind == LightKind::hemisphere) {
+        placed.ground = Vec3(DVec3(light.ground) * power);
+        placed.towards = Vec3(placer.direction(light.towards));
+        return placed;
+    }
     if (light.kind == LightKind::directional) {
         placed.towards = Vec3(placer.direction(light.towards));
         const double rim = std::clamp(light.size, 0.0, kMaxRimDegrees);

@@ -19,8 +19,10 @@
 
 namespace scanout::scene {
 
-enum class LightKind : std::uint8_t { ambient, directional, point, spot };
-inline constexpr int kLightKinds = 4;
+// ambient and hemisphere: from everywhere; a hemisphere's colour goes from that of its sky,
+// straight on, to that of its ground on what faces away.
+enum class LightKind : std::uint8_t { ambient, hemisphere, directional, point, spot };
+inline constexpr int kLightKinds = 5;
 // What a light is fixed to. world: to the model's file. camera: to the camera, axes x right, y up,
 // z towards the eye; positions are in bounding radii from the eye.
 enum class LightFrame : std::uint8_t { world, camera };
@@ -30,12 +32,15 @@ struct Light {
     std::string name;
     LightKind kind = LightKind::directional;
     LightFrame frame = LightFrame::world;
-    DVec3 towards{0, 0, 1};      // directional: from the surface to the light; any length but 0
+    // directional: from the surface to the light; hemisphere: to the middle of its sky. Any length
+    // but 0.
+    DVec3 towards{0, 0, 1};
     DVec3 position{0};           // point, spot
     std::optional<DVec3> target; // spot: the point it aims at; none: the model's centre
     double inner_degrees = 20,
            outer_degrees = 30; // spot: full inside, nothing outside; half angles
-    Vec3 colour{1};            // linear
+    Vec3 colour{1};            // linear; of a hemisphere's sky
+    Vec3 ground{0.25F};        // linear; of a hemisphere
     double power = 1;
     // Radius of the sphere or half the side of the square, in the units of the position;
     // directional: degrees from its middle to its rim. 0: a point.
@@ -54,9 +59,17 @@ inline constexpr float kAmbient = 0.15F; // of Kd
 bool is_black(const Light& light);
 std::string_view name_of(LightKind kind);
 
-// A key light from above left and a weaker fill from the right, both fixed to the camera and behind
-// the eye; and ambient light.
+// Light from everywhere, so that it throws no shadow.
+inline bool is_ambient(LightKind kind) {
+    return kind == LightKind::ambient || kind == LightKind::hemisphere;
+}
+
+// The look of a model where nobody asks for another one: a strong key light from above left, a weak
+// fill from the right, and light from the sky and, less, from the ground; all fixed to the camera.
 const std::vector<Light>& default_lights();
+// As little as shows a form: a key light from above left and a weaker fill from the right, both
+// fixed to the camera and behind the eye; and ambient light.
+const std::vector<Light>& plain_lights();
 
 // A light's movement by the user: about the model's centre, or about the eye for a light fixed to
 // the camera; up is the world's or the camera's. Integers, so that forth and back end where they
@@ -77,8 +90,9 @@ LightPlace place_of(const Light& light, UpAxis up, const geom::Mesh& mesh);
 // A light in view space, made once a frame; lengths are times to_floats(view), like positions of
 // lanes.
 struct ViewLight {
-    Vec3 towards{0, 0, 1}; // directional: unit, from the surface to the light
+    Vec3 towards{0, 0, 1}; // directional, hemisphere: unit, as Light says
     Vec3 colour{1};        // linear; times the power
+    Vec3 ground{0};        // likewise; of a hemisphere
     LightKind kind = LightKind::directional;
     Vec3 position{0};    // point, spot
     float reach = 1;     // distance at which `colour` arrives

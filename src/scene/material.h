@@ -77,6 +77,16 @@ struct Material {
     MaterialMap map_bump, map_normal, map_displacement, map_decal, map_reflection;
 };
 
+// What a file gives no material: this colour, with a soft highlight, so that forms show.
+inline constexpr float kUnnamedGrey = 0.6F;
+inline Material unnamed_material(const Vec3& colour = Vec3(kUnnamedGrey)) {
+    Material material;
+    material.diffuse = colour;
+    material.specular = Vec3(0.15F);
+    material.shininess = 20;
+    return material;
+}
+
 // By the name in the file; those that are not drawn are read for reports alone.
 struct NamedMap {
     std::string_view name;

@@ -25,6 +25,8 @@ struct Scene {
     std::string path;
     geom::Mesh mesh;
     std::vector<Material> materials;
+    // Of what the file gives no material; io::load makes it unnamed_material().
+    Material unnamed;
     std::vector<Texture> textures;
     ModelCounts counts;
     // Renderers may cache data of a scene while this stays the same; 0: they cache nothing. Two

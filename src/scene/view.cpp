@@ -180,6 +180,7 @@ CameraOptions fitted_from(double azimuth_degrees, double elevation_degrees, Came
     camera.azimuth_degrees = azimuth_degrees;
     camera.elevation_degrees = elevation_degrees;
     camera.distance = 0;
+    camera.shift = DVec2(0);
     camera.eye.reset();
     camera.target.reset();
     return camera;
@@ -229,14 +230,15 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     const DMat3 posed = rotation_z(units_to_degrees(pose.roll)) *
                         rotation_x(units_to_degrees(pose.pitch)) * rotation *
                         rotation_y(units_to_degrees(pose.yaw));
+    const DVec3 shift(camera.shift.x, camera.shift.y, 0);
     View view;
     view.linear = posed * placed * up * (zoom_scale(pose.zoom) / mesh.radius);
-    view.translation = rotation * (model.translate - stand.target) +
-                       pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
-                       pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - DVec3(0, 0, distance);
+    view.translation =
+        rotation * (model.translate - stand.target) + pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
+        pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - shift - DVec3(0, 0, distance);
     view.world_axes = rotation * up;
     view.world_origin = rotation * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
-                        DVec3(0, 0, distance);
+                        shift - DVec3(0, 0, distance);
     TRY_VOID(check_size(view, distance));
     set_normal_matrix(view);
     // The model's sphere in view space lies within `radius` of its centre: |linear p| <= 3 max |p|.

@@ -27,6 +27,7 @@ struct ModelTransform {
 struct CameraOptions {
     double azimuth_degrees = 0, elevation_degrees = 0;
     double distance = 0; // bounding radii; 0: the sphere just fits the narrower side of the picture
+    DVec2 shift{0};      // of the eye and what it looks at: to the right and up, bounding radii
     double fov_degrees = 45; // vertical
     Projection projection = Projection::perspective;
     UpAxis up = UpAxis::plus_y;
@@ -34,7 +35,8 @@ struct CameraOptions {
     std::optional<DVec3> eye, target;
 };
 
-// The same camera at these angles, as far away as fits the model: in place of its eye and target.
+// The same camera at these angles, where the model fits (scene/fit.h): in place of its eye and
+// target.
 CameraOptions fitted_from(double azimuth_degrees, double elevation_degrees, CameraOptions camera);
 
 // The named views: azimuth and elevation in degrees. front back left right top bottom iso.

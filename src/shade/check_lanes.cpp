@@ -135,6 +135,8 @@ void check_lanes(const ShadingBlock& b, const FrameState& frame, const Stage& st
     if (b.lit && stage.pass == Pass::shadow) check_light(b, frame, nullptr, name);
     for (int c = 0; c < 3; ++c)
         check_value(b.ambient[c], "colour", "ambient light", 0, name);
+    for (int c = 0; c < 3 && b.hemispheres; ++c)
+        check(b.from_hemispheres[c], count, "colour of a hemisphere", name);
     const auto scales_by = [&](Map map) {
         return (stage.needs.maps & bit_of(map)) != 0 && b.map[map].texture != nullptr;
     };

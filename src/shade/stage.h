@@ -184,6 +184,9 @@ struct ShadingBlock {
     // Written by the light stages: what comes from everywhere (linear), and one entry a light of
     // the frame for those that FrameState::varies names.
     Vec3 ambient{0};
+    // What comes from hemispheres on top of it, by items: where `hemispheres`.
+    bool hemispheres = false;
+    alignas(64) float from_hemispheres[3][kPaddedBlock];
     std::vector<BlockLight> light;
     const TileShadow* shadow = nullptr;     // set with the tile, in frames that count shadows
     const BlendedPixels* blended = nullptr; // set with the tile, where surfaces blend
@@ -233,6 +236,7 @@ struct FrameState {
     bool orthographic = false;                // then every ray is (0, 0, -1)
     Attributes attributes;                    // what this frame's plan reads
     Vec3 ambient{0};                          // of all ambient lights together
+    std::span<const scene::ViewLight> hemispheres;
     std::span<const scene::ViewLight> lights; // the others
     // Of each light: differs from item to item, as do points, spots and all that is shadowed.
     // Empty: none does.

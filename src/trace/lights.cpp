@@ -82,12 +82,29 @@ double PlacedLight::end() const {
     return is_far() ? INFINITY : 1;
 }
 
+static Hemisphere hemisphere_of(const scene::ViewLight& light) {
+    return {unit_of(DVec3(light.towards)), DVec3(light.colour), DVec3(light.ground)};
+}
+
+// Of a sky that is as bright everywhere, and a ground likewise: the surface sees (1 + cos) / 2 of
+// the sky.
+DVec3 PlacedLights::ambient_on(const DVec3& normal) const {
+    DVec3 sum = ambient;
+    for (const Hemisphere& h : hemispheres) {
+        const double seen = std::clamp((1 + dot3(normal, h.up)) / 2, 0.0, 1.0);
+        sum = sum + h.sky * seen + h.ground * (1 - seen);
+    }
+    return sum;
+}
+
 PlacedLights placed(const std::vector<scene::Light>& lights, const scene::View& view,
                     const geom::Mesh& mesh) {
     PlacedLights all;
     for (const scene::Light& light : lights) {
         if (light.kind == scene::LightKind::ambient)
             all.ambient = all.ambient + DVec3(scene::in_view(light, view, mesh).colour);
+        else if (light.kind == scene::LightKind::hemisphere)
+            all.hemispheres.push_back(hemisphere_of(scene::in_view(light, view, mesh)));
         else if (!scene::is_black(light))
             all.others.emplace_back(light, view, mesh);
     }

@@ -32,8 +32,17 @@ private:
     DVec3 position_, across_, up_; // of the square's sides
 };
 
+// Light from a sky and from the ground, which mix by the cosine of the surface's slope.
+struct Hemisphere {
+    DVec3 up{0, 1, 0}; // unit
+    DVec3 sky{0}, ground{0};
+};
+
 struct PlacedLights {
-    DVec3 ambient{0};
+    DVec3 ambient{0}; // the same everywhere
+    std::vector<Hemisphere> hemispheres;
+    // All that comes from everywhere, on a surface of this unit normal.
+    DVec3 ambient_on(const DVec3& normal) const;
     std::vector<PlacedLight> others;
 };
 PlacedLights placed(const std::vector<scene::Light>& lights, const scene::View& view,

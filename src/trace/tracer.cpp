@@ -64,10 +64,10 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
         }
         arrivals[count++] = arrival;
     }
-    const DVec3 light =
-        (reflection(surface, eye, lights_.ambient, std::span(arrivals).first(count)) +
-         world_.emission(hit)) *
-        look_.exposure;
+    const DVec3 light = (reflection(surface, eye, lights_.ambient_on(surface.normal),
+                                    std::span(arrivals).first(count)) +
+                         world_.emission(hit)) *
+                        look_.exposure;
     for (int c = 0; c < 3; ++c)
         seen.light[c] = tone_(light[c], look_.white);
     return seen;

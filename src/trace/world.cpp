@@ -76,7 +76,7 @@ std::size_t World::of_list(std::uint32_t triangle) const {
 
 const scene::Material& World::material(std::uint32_t triangle) const {
     const std::int32_t number = scene_->mesh.material[triangle];
-    return number < 0 ? default_ : scene_->materials[static_cast<std::size_t>(number)];
+    return number < 0 ? scene_->unnamed : scene_->materials[static_cast<std::size_t>(number)];
 }
 
 DVec2 World::uv(const Hit& hit) const {

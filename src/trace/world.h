@@ -58,7 +58,6 @@ private:
     const scene::View* view_;
     const Look* look_;
     Bvh bvh_;
-    scene::Material default_;
     std::vector<std::uint8_t> left_out_, casters_;
     bool has_holes_ = false;
 };

@@ -176,7 +176,7 @@ TEST(FrontierKey, EachOptionOfThePictureChangesIt) {
                                       : !option.choices.empty() ? last
                                                                 : "none";
         ASSERT_TRUE(apply(option, text, s)) << option.name;
-        ASSERT_FALSE(s.frame == frame::FrameOptions()) << option.name;
+        ASSERT_FALSE(s.frame == Settings().frame) << option.name;
         EXPECT_TRUE(keys.insert(key_of(s)).second || option.name == "samples" ||
                     option.name == "aa")
             << option.name;

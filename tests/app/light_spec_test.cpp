@@ -42,16 +42,37 @@ std::string refusal(const std::string& spec) {
 }
 
 TEST(LightSpec, TheFirstReplacesTheDefaultLightsButNotTheAmbientOne) {
-    EXPECT_EQ(names(lights_of({})), (std::vector<std::string>{"key", "fill", "ambient"}));
-    EXPECT_EQ(names(lights_of({"point:1,2,3"})), (std::vector<std::string>{"ambient", "point"}));
+    EXPECT_EQ(names(lights_of({})), (std::vector<std::string>{"key", "fill", "hemisphere"}));
+    EXPECT_EQ(names(lights_of({"point:1,2,3"})), (std::vector<std::string>{"hemisphere", "point"}));
     EXPECT_EQ(names(lights_of({"point:1,2,3", "point:2,2,3", "key", "key"})),
-              (std::vector<std::string>{"ambient", "point", "point 2", "key", "key 2"}));
+              (std::vector<std::string>{"hemisphere", "point", "point 2", "key", "key 2"}));
     EXPECT_EQ(lights_of({"ambient:0.4", "key"})[0].power, 0.4);
     EXPECT_EQ(lights_of({"key", "ambient"}).back().power, double{scene::kAmbient});
     EXPECT_TRUE(lights_of({"none"}).empty());
     EXPECT_EQ(names(lights_of({"none", "fill"})), std::vector<std::string>{"fill"});
     EXPECT_EQ(lights_of({"key", "fill", "ambient:0.15"})[1].towards,
               scene::default_lights()[1].towards);
+}
+
+TEST(LightSpec, AHemisphereTakesThePlaceOfWhatComesFromEverywhere) {
+    EXPECT_EQ(lights_of({"key", "fill", "hemisphere"}), scene::default_lights());
+    const std::vector<Light> lights =
+        lights_of({"ambient:0.2", "hemisphere:0,0,1:ground=#ff0000:power=0.5"});
+    ASSERT_EQ(lights.size(), 1U);
+    EXPECT_EQ(lights[0].kind, LightKind::hemisphere);
+    EXPECT_EQ(lights[0].frame, LightFrame::world);
+    EXPECT_EQ(lights[0].towards, DVec3(0, 0, 1));
+    EXPECT_EQ(lights[0].ground, Vec3(1, 0, 0));
+    EXPECT_EQ(lights[0].power, 0.5);
+    EXPECT_FALSE(lights[0].casts);
+    EXPECT_EQ(lights_of({"hemisphere:power=0.3"})[0].frame, LightFrame::camera);
+    EXPECT_THAT(refusal("hemisphere:0,0,0"), HasSubstr("no direction"));
+    EXPECT_THAT(refusal("hemisphere:0,1,0:size=1"), HasSubstr("hemisphere lights have"));
+    EXPECT_THAT(refusal("point:1,2,3:ground=#ffffff"), HasSubstr("point lights have"));
+    // The lights of before are still to be had.
+    const std::vector<Light> before = lights_of(
+        {"camera:-2,3,6:power=0.8:name=key", "camera:6,-2,3:power=0.15:name=fill", "ambient:0.15"});
+    EXPECT_EQ(before, scene::plain_lights());
 }
 
 TEST(LightSpec, ReadsEveryField) {

@@ -34,9 +34,9 @@ auto values(const Settings& s) {
     return std::tuple(s.frame.width, s.frame.height, s.frame.samples, s.frame.background,
                       s.frame.cull, s.frame.texture, s.frame.reflection, s.camera.azimuth_degrees,
                       s.camera.elevation_degrees, s.camera.distance, s.camera.fov_degrees,
-                      s.camera.projection, s.camera.up, s.model.scale, s.model.rotate_degrees,
-                      s.model.translate, s.threads, s.target, s.frames, s.backend, s.max_difference,
-                      s.max_pixels);
+                      s.camera.projection, s.camera.up, s.unnamed_colour, s.model.scale,
+                      s.model.rotate_degrees, s.model.translate, s.threads, s.target, s.frames,
+                      s.backend, s.max_difference, s.max_pixels);
 }
 
 TEST(Options, TheDefaultOfEachIsWhatAnUntouchedRunUses) {
@@ -49,6 +49,44 @@ TEST(Options, TheDefaultOfEachIsWhatAnUntouchedRunUses) {
         ++held;
     }
     EXPECT_GT(held, 15);
+}
+
+// The look of the design, where nobody asks for another one.
+TEST(Options, WithoutAnyAreTheLook) {
+    const Settings s = *parse({"render", "a.obj", "-o", "a.png"});
+    EXPECT_EQ(s.frame.samples, 4);
+    EXPECT_EQ(s.camera.azimuth_degrees, 30);
+    EXPECT_EQ(s.camera.elevation_degrees, 20);
+    EXPECT_EQ(s.camera.distance, 0) << "it fits";
+    EXPECT_EQ(s.frame.lights, scene::default_lights());
+    EXPECT_EQ(s.unnamed_colour, Vec3(0.6F));
+}
+
+TEST(Options, AWayToSmoothEdgesTakesThePlaceOfTheSamplesThatNobodyAskedFor) {
+    const auto samples = [](std::vector<std::string> more) {
+        std::vector<std::string> words = {"render", "a.obj", "-o", "a.png"};
+        words.insert(words.end(), more.begin(), more.end());
+        return parse(std::move(words))->frame.samples;
+    };
+    EXPECT_EQ(samples({"--aa", "area"}), 1);
+    EXPECT_EQ(samples({"--aa", "auto"}), 4);
+    EXPECT_EQ(samples({"--samples", "8", "--aa", "area"}), 8) << "which the plan refuses";
+    EXPECT_EQ(samples({"--aa", "area", "--samples", "8"}), 8);
+}
+
+TEST(Options, TheBaseColourIsAGreyOrAColour) {
+    const auto base = [](const char* text) {
+        return parse({"render", "a.obj", "-o", "a.png", "--base-colour", text})->unnamed_colour;
+    };
+    EXPECT_EQ(base("0.8"), Vec3(0.8F)) << "linear";
+    EXPECT_EQ(base("0"), Vec3(0));
+    EXPECT_EQ(base("#ff0000"), Vec3(1, 0, 0));
+    EXPECT_EQ(base("white"), Vec3(1));
+    for (const char* bad : {"1.5", "-0.1", "nan", "", "reddish"})
+        EXPECT_NE(error_of({"render", "a.obj", "-o", "a.png", "--base-colour", bad})
+                      .find("--base-colour"),
+                  std::string::npos)
+            << bad;
 }
 
 TEST(Options, ThePlaneOfProjectedShadowsIsTheGroundOrFourNumbers) {

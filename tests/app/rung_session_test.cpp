@@ -37,7 +37,7 @@ protected:
         options.height = height;
         options.lights = Viewer(settings, width, height, 1).lights(model.scene.mesh);
         const scene::View view = *scene::make_view(model.scene.mesh, settings.model, {},
-                                                   settings.camera, {}, width, height);
+                                                   fitted(model), {}, width, height);
         const std::string key = frontier_key(scene::content_hash(model.scene), view, options,
                                              free_axes(settings), jobs.threads());
         ASSERT_TRUE(FrontierCache::of_user()->keep(key, frontier));

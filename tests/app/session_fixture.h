@@ -4,6 +4,7 @@
 #include "app/view_session.h"
 #include "image/codec.h"
 #include "port/headless.h"
+#include "scene/fit.h"
 #include "support/temporary_folder.h"
 
 #include <chrono>
@@ -123,6 +124,10 @@ protected:
             ViewSession::create(settings, {display, input, jobs, {}, {}, script, true}));
         return session->run();
     }
+    scene::CameraOptions fitted(const LoadedModel& model) const {
+        return scene::fitted(model.scene.mesh, settings.model, settings.camera,
+                             static_cast<double>(width) / height);
+    }
     // What a picture for the same settings is drawn from.
     struct Planned {
         LoadedModel model;
@@ -135,7 +140,7 @@ protected:
         options.width = width;
         options.height = height;
         const scene::View view = *scene::make_view(model.scene.mesh, settings.model, pose,
-                                                   settings.camera, {}, width, height);
+                                                   fitted(model), {}, width, height);
         frame::FramePlan plan = *frame::plan(options, frame::facts(model.scene), view);
         return {std::move(model), view, std::move(plan)};
     }

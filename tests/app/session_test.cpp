@@ -163,6 +163,7 @@ TEST_F(Session, APictureThatShowsNothingSaysWhy) {
     width = 640; // room for the message
     const image::Image empty(width, height, settings.frame.background);
     settings.arguments = {folder.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 1 0 1\nf 1 2 3\n")};
+    settings.camera.elevation_degrees = 0;
     EXPECT_EQ(last_frame({{300ms, {quit()}}}),
               with_message(empty, "a flat model, seen from its edge: turn it, or press 9"));
     settings.camera.elevation_degrees = 90;

@@ -318,8 +318,8 @@ TEST(Viewer, FFitsTheModelIntoThePictureFromWhereverItIs) {
                 left = std::min(left, x), right = std::max(right, x);
                 bottom = std::min(bottom, y), top = std::max(top, y);
             }
-            EXPECT_GT(std::min({left / 320, -right / 320, bottom / 240, -top / 240}), -0.951);
-            EXPECT_GT(std::max((right - left) / 640, (top - bottom) / 480), 0.92) << "no smaller";
+            EXPECT_GT(std::min({left / 320, -right / 320, bottom / 240, -top / 240}), -0.901);
+            EXPECT_GT(std::max((right - left) / 640, (top - bottom) / 480), 0.87) << "no smaller";
             EXPECT_NEAR(left + right, 0, 6) << "in the middle";
             EXPECT_NEAR(bottom + top, 0, 6);
             bench.act(Id::undo);
@@ -371,6 +371,53 @@ TEST(Viewer, NamedViewsLookFromTheSideOfTheirName) {
         const DVec3 seen = bench.view().linear * row.towards_eye; // of a model of radius 1
         EXPECT_NEAR(seen.z, 1, 1e-12) << row_of(row.id).name;
     }
+}
+
+// The vertices in the picture: -1 to 1 is from edge to edge.
+double widest_in(const geom::Mesh& mesh, const scene::View& view) {
+    double widest = 0;
+    for (const Vec3& vertex : mesh.position) {
+        const DVec3 p = view.linear * DVec3(vertex) + view.translation;
+        const double away = view.projection == scene::Projection::perspective ? -p.z : 1;
+        widest = std::max({widest, std::abs(p.x) / (away * view.half_width),
+                           std::abs(p.y) / (away * view.half_height)});
+    }
+    return widest;
+}
+
+TEST(Viewer, TheModelFitsAtTheStartAndInEveryNamedViewWhateverWasBefore) {
+    for (const bool orthographic : {false, true}) {
+        Bench bench;
+        if (orthographic) bench.act(Id::toggle_projection);
+        EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
+        for (const Id view : {Id::view_front, Id::view_top, Id::view_iso}) {
+            for (const Id away : {Id::scale_up, Id::move_left, Id::toggle_drive, Id::scale_up,
+                                  Id::move_up, Id::roll_left, Id::toggle_drive})
+                bench.act(away);
+            bench.act(view);
+            EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
+        }
+        bench.act(Id::reset);
+        EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
+    }
+}
+
+TEST(Viewer, TheNextFileFitsAnewAndStaysTurned) {
+    Bench bench;
+    const scene::View first = bench.view();
+    bench.act(Id::rotate_left);
+    bench.act(Id::scale_up);
+    bench.act(Id::move_left);
+    for (Vec3& vertex : bench.mesh.position)
+        vertex = vertex * 0.5F;
+    const int yaw = bench.look().pose.yaw;
+    bench.viewer.take_file(true);
+    EXPECT_NE(bench.look().pose.zoom, 0) << "the same file again: the user's place stays";
+    bench.viewer.take_file(false);
+    EXPECT_EQ(bench.look().pose.zoom, 0);
+    EXPECT_EQ(bench.look().pose.pan_x, 0);
+    EXPECT_EQ(bench.look().pose.yaw, yaw);
+    EXPECT_LT(bench.view().target_distance, first.target_distance * 0.6);
 }
 
 TEST(Viewer, FilesGoRoundAndASingleFileStays) {
@@ -550,12 +597,13 @@ TEST(ViewerLights, TheLineNamesTheOneThatIsSelected) {
     EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80), "");
     bench.act(Id::light_next);
     EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80),
-              "light 1 of 3: key  azimuth -18  elevation 25  power 0.8");
+              "light 1 of 3: key  azimuth -51  elevation 38  power 0.8");
     EXPECT_EQ(bench.viewer.light_line(bench.mesh, 54), // one letter less than it has
-              "light 1 of 3: key  az -18  el 25  power 0.8");
+              "light 1 of 3: key  az -51  el 38  power 0.8");
     bench.act(Id::light_next);
     bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80), "light 3 of 3: ambient  power 0.15");
+    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80),
+              "light 3 of 3: hemisphere  azimuth 0  elevation 90  power 0.18");
     Settings dark;
     dark.frame.lights.clear();
     Bench none(dark);

@@ -5,7 +5,7 @@ counts. Skipped (77) where the assets are absent.
 
 What a file calls for (HARD-CASES Z6):
 texture   a triangle with coordinates and a material whose map_Kd is there
-highlight a material with Ks not black and Ns above 0
+highlight a material with Ks not black and Ns above 0, or no material: that is a grey with a soft one
 cut_out   an alpha of 0 in places, and else 1; blending: an alpha between them. Alpha is d, times that of the texels of
           map_Kd. Tr alone is 1 - d, but Tr 1 alone is what exporters write of opaque materials.
 emission  a material with Ke not black
@@ -128,7 +128,7 @@ def called_for(path):
     for (name, has_uv), triangles in used.items():
         material = known.get(name) or Material({}, folder)
         count["texture"] += triangles if has_uv and material.texture else 0
-        count["highlight"] += triangles if material.highlight else 0
+        count["highlight"] += triangles if material.highlight or name not in known else 0
         count["cut_out"] += triangles if material.cut_out else 0
         count["blending"] += triangles if material.blended else 0
         count["emission"] += triangles if material.emission else 0

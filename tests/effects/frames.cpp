@@ -11,6 +11,7 @@
 #include "image/hash.h"
 #include "io/load.h"
 #include "raster/screen/primitive.h"
+#include "scene/fit.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -136,7 +137,10 @@ Result<Subject> load(std::vector<std::string> arguments) {
     s.settings = line.settings;
     Warnings warnings;
     TRY(s.scene, io::load(s.settings.arguments.at(0), {}, warnings));
-    TRY(s.view, scene::make_view(s.scene.mesh, s.settings.model, {}, s.settings.camera, {},
+    const double aspect = static_cast<double>(s.settings.frame.width) / s.settings.frame.height;
+    const scene::CameraOptions camera =
+        scene::fitted(s.scene.mesh, s.settings.model, s.settings.camera, aspect);
+    TRY(s.view, scene::make_view(s.scene.mesh, s.settings.model, {}, camera, {},
                                  s.settings.frame.width, s.settings.frame.height));
     s.facts = frame::facts(s.scene, s.settings.frame.shadow_plane);
     if (!simd::choose_target(s.settings.target))

@@ -83,20 +83,39 @@ TEST(LightInView, OfTheWorldDoesNotTurnWithTheModel) {
 
 TEST(LightInView, OfTheCameraDoesNotMoveAtAll) {
     const geom::Mesh mesh = model();
-    for (const Light& light : default_lights()) {
+    std::vector<Light> all = plain_lights();
+    all.insert(all.end(), default_lights().begin(), default_lights().end());
+    for (const Light& light : all) {
         EXPECT_FALSE(light.casts);
         const ViewLight from_front = in_view(light, view_from(mesh, camera(0, 0)), mesh);
         const ViewLight from_above = in_view(light, view_from(mesh, camera(77, 55)), mesh);
         EXPECT_EQ(from_front.towards, from_above.towards);
     }
     // Whole-number directions, rounded once.
-    const ViewLight key = in_view(default_lights()[0], View(), mesh);
+    const ViewLight key = in_view(plain_lights()[0], View(), mesh);
     EXPECT_EQ(key.towards, Vec3(-2.0F / 7, 3.0F / 7, 6.0F / 7));
     EXPECT_EQ(key.colour, Vec3(0.8F));
-    const ViewLight fill = in_view(default_lights()[1], View(), mesh);
+    const ViewLight fill = in_view(plain_lights()[1], View(), mesh);
     EXPECT_EQ(fill.towards, Vec3(6.0F / 7, -2.0F / 7, 3.0F / 7));
     EXPECT_EQ(fill.colour, Vec3(0.15F));
-    EXPECT_EQ(in_view(default_lights()[2], View(), mesh).colour, Vec3(kAmbient));
+    EXPECT_EQ(in_view(plain_lights()[2], View(), mesh).colour, Vec3(kAmbient));
+}
+
+// The look of the design: a key from above left that outshines all else, a weak fill from the other
+// side, and more light from the sky than from the ground.
+TEST(DefaultLights, AreAKeyAFillAndAHemisphereThatAreWhiteTogetherAtMost) {
+    const std::vector<Light>& lights = default_lights();
+    ASSERT_EQ(lights.size(), 3U);
+    const Light &key = lights[0], &fill = lights[1], &hemisphere = lights[2];
+    EXPECT_LT(key.towards.x, 0);
+    EXPECT_GT(key.towards.y, 0);
+    EXPECT_GT(key.towards.z, 0) << "behind the eye";
+    EXPECT_GT(fill.towards.x, 0);
+    EXPECT_LT(fill.power, key.power / 4);
+    EXPECT_EQ(hemisphere.kind, LightKind::hemisphere);
+    EXPECT_EQ(hemisphere.towards, DVec3(0, 1, 0));
+    EXPECT_GT(hemisphere.colour.x, 2 * hemisphere.ground.x);
+    EXPECT_LE(key.power + fill.power + hemisphere.power, 1.07);
 }
 
 TEST(LightInView, IsAsBrightAtTheModelsCentreAsItsPowerSays) {

@@ -80,8 +80,10 @@ protected:
         raster::VisibilityTile tile;
         tile.reset(geometry.tile_area(0), samples);
         geometry.draw(0, tile);
+        const scene::Material unnamed;
         GatherInput in;
         in.mesh = &mesh_;
+        in.unnamed = &unnamed;
         in.keys.mesh = &mesh_;
         in.geometry = &geometry;
         in.transform = &transform;

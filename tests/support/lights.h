@@ -1,4 +1,4 @@
-// The default key and fill as a frame sees them, for tests that ask for the formula.
+// The plain key and fill as a frame sees them, for tests that ask for the formula.
 #pragma once
 
 #include "scene/light.h"
@@ -10,7 +10,7 @@ namespace scanout::test {
 inline const std::vector<scene::ViewLight>& key_and_fill() {
     static const std::vector<scene::ViewLight> lights = [] {
         std::vector<scene::ViewLight> made;
-        for (const scene::Light& light : scene::default_lights())
+        for (const scene::Light& light : scene::plain_lights())
             if (light.kind == scene::LightKind::directional)
                 made.push_back(in_view(light, scene::View(), geom::Mesh()));
         return made;

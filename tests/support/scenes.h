@@ -363,6 +363,7 @@ inline std::vector<Shot> golden_shots() {
         shots.push_back(std::move(s));
     const scene::Light ambient = light_of(scene::LightKind::ambient, 0.15);
     shots.push_back(stage("light_ambient", {light_of(scene::LightKind::ambient, 0.6)}));
+    shots.push_back(stage("light_hemisphere", {light_of(scene::LightKind::hemisphere, 0.6)}));
     for (const auto kind :
          {scene::LightKind::directional, scene::LightKind::point, scene::LightKind::spot})
         shots.push_back(

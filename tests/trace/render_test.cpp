@@ -104,6 +104,35 @@ TEST(Reference, OfALitSphereIsTheFormula) {
     EXPECT_GT(compared, 400);
 }
 
+TEST(Reference, OfASphereUnderASkyIsTheFormula) {
+    scene::Scene s;
+    s.mesh = test::empty_mesh();
+    s.materials = {{}};
+    s.materials[0].diffuse = Vec3(0.5F);
+    test::add_sphere(s.mesh, Vec3(0), 0.9F, 512, 256, 0);
+    scene::Light sky;
+    sky.kind = scene::LightKind::hemisphere;
+    sky.frame = scene::LightFrame::camera;
+    sky.towards = {1, 2, 2};
+    sky.ground = Vec3(0.125F);
+    Look l = look(32);
+    l.lights = {sky};
+    const Reference r = traced(s, straight_on(), l);
+    int compared = 0;
+    for (int y = 0; y < 32; ++y)
+        for (int x = 0; x < 32; ++x) {
+            const double px = (x + 0.5) / 16 - 1, py = 1 - (y + 0.5) / 16;
+            if (std::hypot(px, py) > 0.78) continue; // the facets' rim is another place
+            expect_code(r, x, y, mean_over(x, y, 32, [&](double a, double b) {
+                            const double c = std::sqrt(0.81 - a * a - b * b);
+                            const double seen = (1 + (a + 2 * b + 2 * c) / 2.7) / 2;
+                            return 0.5 * (seen + 0.125 * (1 - seen));
+                        }));
+            ++compared;
+        }
+    EXPECT_GT(compared, 400);
+}
+
 TEST(Reference, OfATexturedPlaneIsTheMeanOfWhatThePixelShows) {
     scene::Scene s;
     s.mesh = test::empty_mesh();

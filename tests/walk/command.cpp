@@ -116,13 +116,13 @@ std::vector<std::string> CommandMaker::make(const ModelPlace& model, Random& ran
         std::string light = kind + ":";
         if (kind == "ambient")
             light += fmt::format("{:.3g}", random.unit());
-        else if (kind == "directional")
+        else if (kind == "directional" || kind == "hemisphere")
             light += vector_text(random.in_cube(1));
         else
             light += vector_text(place_about(model, random));
         if (kind == "spot")
             light += fmt::format(":cone={:.3g},{:.3g}", random.in(0, 30), random.in(30, 89));
-        if (kind != "ambient" && chance(random, 0.2))
+        if (kind != "ambient" && kind != "hemisphere" && chance(random, 0.2))
             light += fmt::format(":size={:.3g}", kind == "directional"
                                                      ? random.in(0, 20)
                                                      : model.radius * random.in(0, 0.3));

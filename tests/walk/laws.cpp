@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "frame/renderer.h"
 #include "image/hash.h"
+#include "scene/fit.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -140,8 +141,10 @@ Verdict judge(const std::vector<std::string>& arguments, const WalkModel& model,
     const auto line = app::parse_command_line(arguments);
     if (!line) return refused(line.error());
     const app::Settings& s = line->settings;
-    const auto view = scene::make_view(model.scene.mesh, s.model, {}, s.camera, {}, s.frame.width,
-                                       s.frame.height);
+    const double aspect = static_cast<double>(s.frame.width) / s.frame.height;
+    const auto view = scene::make_view(model.scene.mesh, s.model, {},
+                                       scene::fitted(model.scene.mesh, s.model, s.camera, aspect),
+                                       {}, s.frame.width, s.frame.height);
     if (!view) return refused(view.error());
     const Frame frame(s, model, *view);
     const auto plan = frame.plan();

@@ -28,6 +28,7 @@ public:
         MaterialSet set(uses_.size() + 1, false);
         for (std::size_t i = 0; i < uses_.size(); ++i)
             set[i] = calls(scene_.materials[i]);
+        set.back() = calls(scene_.unnamed);
         sets.emplace(effect, std::move(set));
         return count(calls);
     }
@@ -36,6 +37,7 @@ public:
         std::size_t triangles = 0;
         for (std::size_t i = 0; i < uses_.size(); ++i)
             if (calls(scene_.materials[i])) triangles += uses_[i];
+        if (calls(scene_.unnamed)) triangles += unnamed_;
         return triangles;
     }
 
@@ -48,7 +50,7 @@ public:
         float diffuse = 0, colour = mesh.colour.empty() ? 1.0F : 0.0F;
         for (std::size_t i = 0; i < uses_.size(); ++i)
             if (uses_[i] > 0) diffuse = std::max(diffuse, largest(diffuse_of(scene_.materials[i])));
-        if (unnamed_ > 0) diffuse = std::max(diffuse, largest(diffuse_of(scene::Material())));
+        if (unnamed_ > 0) diffuse = std::max(diffuse, largest(diffuse_of(scene_.unnamed)));
         for (const Vec3& c : mesh.colour)
             colour = std::max(colour, largest(c));
         return std::min(diffuse * colour, 1.0F);

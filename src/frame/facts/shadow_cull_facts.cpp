@@ -66,7 +66,7 @@ bool plane_between_from(const DVec3& place, const ViewBox& a, const ViewBox& b, 
 bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLight& light,
                           const scene::View& view, const ShadowMapTexels& map) {
     if (boxes.size() < 2) return true;
-    if (light.kind == scene::LightKind::ambient) return true;
+    if (is_ambient(light.kind)) return true;
     const int texels = map.filter + 4;
     const double inner = map.size / 4.0 - texels; // inner part of one of six views (light_views)
     if (!is_known(view) || light.size > 0 || inner < 1) return false;

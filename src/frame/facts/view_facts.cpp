@@ -19,7 +19,7 @@ scene::ViewLight in_view(const scene::Light& light, const scene::View& view,
 LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
                        const SceneFacts& facts, const scene::View& view) {
     LightFacts found;
-    const bool casts = light.casts && light.kind != scene::LightKind::ambient;
+    const bool casts = light.casts && !is_ambient(light.kind);
     const bool may_miss = light.kind == scene::LightKind::spot && view.near_distance > 0;
     if (!casts && !may_miss) return found;
     const scene::ViewLight placed = in_view(light, view, facts);

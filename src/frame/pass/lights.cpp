@@ -12,6 +12,10 @@ FrameLights::FrameLights(const FramePlan& plan, const scene::View& view, const g
             ambient_ = ambient_ + light.colour;
             continue;
         }
+        if (light.kind == scene::LightKind::hemisphere) {
+            hemispheres_[hemisphere_count_++] = light;
+            continue;
+        }
         light.source = static_cast<std::uint32_t>(i);
         lights_[count_++] = light;
         if (light.kind != scene::LightKind::directional) set_varies(count_ - 1);
@@ -26,6 +30,7 @@ void FrameLights::set_varies(std::size_t light) {
 void FrameLights::describe(shade::FrameState& frame) const {
     frame.ambient = ambient_;
     frame.lights = lights();
+    frame.hemispheres = {hemispheres_.data(), hemisphere_count_};
     if (some_varies_) frame.varies = {varies_.data(), count_};
 }
 

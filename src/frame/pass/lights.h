@@ -24,8 +24,10 @@ public:
 
 private:
     Vec3 ambient_{0};
-    std::array<scene::ViewLight, scene::kMaxLights> lights_; // without the ambient ones
+    std::array<scene::ViewLight, scene::kMaxLights> lights_; // without those from everywhere
     std::size_t count_ = 0;
+    std::array<scene::ViewLight, scene::kMaxLights> hemispheres_;
+    std::size_t hemisphere_count_ = 0;
     std::array<bool, scene::kMaxLights> varies_{};
     bool some_varies_ = false;
 };

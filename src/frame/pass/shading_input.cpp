@@ -48,6 +48,7 @@ void ShadingInput::set_gather(const ShadingSource& from) {
     in.transform = &from.transform;
     in.set_view(view);
     in.materials = from.scene.materials;
+    in.unnamed = &from.scene.unnamed;
     in.textures = from.scene.textures;
     in.mips = &from.mips;
     in.wrap = plan.wrap;

@@ -102,6 +102,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     gather.transform = &transform;
     gather.set_view(from.view);
     gather.materials = in.scene.materials;
+    gather.unnamed = &in.scene.unnamed;
     gather.textures = in.scene.textures;
     gather.mips = &in.mips;
     gather.wrap = in.plan.wrap;

@@ -93,7 +93,7 @@ void add_choice(const FramePlan& plan, const Decision& d, Lines& lines) {
 }
 
 bool has_size(const scene::Light& light) {
-    return light.size > 0 && light.kind != scene::LightKind::ambient && !is_black(light);
+    return light.size > 0 && !is_ambient(light.kind) && !is_black(light);
 }
 bool casts_with_size(const FramePlan& plan) {
     return std::any_of(plan.lights.begin(), plan.lights.end(),
@@ -109,10 +109,13 @@ std::string why_sharp(const FramePlan& plan, bool casts) {
 
 // Lights that the user put there, and their sizes.
 void add_lights(const FramePlan& plan, Lines& lines) {
-    const std::vector<scene::Light>&given = plan.options.lights,
-          &defaults = scene::default_lights();
+    const auto is_in = [](const scene::Light& light, const std::vector<scene::Light>& lights) {
+        return std::find(lights.begin(), lights.end(), light) != lights.end();
+    };
+    const std::vector<scene::Light>& given = plan.options.lights;
     for (const scene::Light& light : given) {
-        if (is_black(light) || std::find(defaults.begin(), defaults.end(), light) != defaults.end())
+        if (is_black(light) || is_in(light, scene::default_lights()) ||
+            is_in(light, scene::plain_lights()))
             continue;
         const std::string effect = fmt::format("{}_light", name_of(light.kind));
         const Decision& d = *plan.decision(effect);

@@ -82,7 +82,7 @@ Result<void> plan_reflection(Planner& planner, FramePlan& plan, const SceneFacts
                          : fmt::format("{} and {}", glossy->card.name, physical->card.name),
         lobes > 0 && glossy->highlight && has_directed_light(plan),
         lobes > 0 && !has_directed_light(plan)
-            ? kNoDirection
+            ? kNoHighlight
             : fmt::format(
                   "{} of {} triangles have a highlight (Ks and Ns above 0, with their maps{})",
                   lobes, facts.triangles,
@@ -156,7 +156,7 @@ void plan_sides(Planner& planner, FramePlan& plan, const SceneFacts& facts, cons
     const std::size_t reversed = facts.topology.reversed_triangles;
     auto [needed, because] =
         why_unlit(plan, facts) != nullptr ? std::pair(false, std::string(why_unlit(plan, facts)))
-        : !has_directed_light(plan)       ? std::pair(false, std::string(kNoDirection))
+        : !normals_matter(plan)           ? std::pair(false, std::string(kNoDirection))
         : reversed > 0 ? std::pair(true, fmt::format("the normals of {} of {} triangles point to "
                                                      "their back",
                                                      reversed, facts.triangles))
@@ -194,6 +194,11 @@ bool by_ks_alone(const FramePlan& plan) {
 }
 
 bool has_directed_light(const FramePlan& plan) {
+    return std::any_of(plan.lights.begin(), plan.lights.end(),
+                       [](const scene::Light& light) { return !is_ambient(light.kind); });
+}
+
+bool normals_matter(const FramePlan& plan) {
     return std::any_of(plan.lights.begin(), plan.lights.end(), [](const scene::Light& light) {
         return light.kind != scene::LightKind::ambient;
     });
@@ -208,7 +213,7 @@ Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& fac
     plan_sides(planner, plan, facts, view);
     TRY_VOID(plan_reflection(planner, plan, facts, *shading));
     TRY_VOID(plan_shadows(planner, plan, facts, view, of_lights, *shading));
-    const bool directed = has_directed_light(plan);
+    const bool directed = normals_matter(plan);
     const bool lit = why_unlit(plan, facts) == nullptr;
     planner.choice("shading", lit ? shading->card.name : "off", asked,
                    !lit        ? why_unlit(plan, facts)

@@ -64,7 +64,7 @@ struct Casting {
         in_maps.assign(plan.lights.size(), raster::Facing::any);
         for (std::size_t i = 0; i < in_maps.size(); ++i) {
             const scene::Light& light = plan.lights[i];
-            if (!light.casts || light.kind == scene::LightKind::ambient) continue;
+            if (!light.casts || is_ambient(light.kind)) continue;
             names += (names.empty() ? "" : ", ") + light.name;
             ++lights;
             sized += light.size > 0 ? 1 : 0;

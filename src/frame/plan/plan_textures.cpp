@@ -157,7 +157,7 @@ Result<void> plan_texture(Planner& planner, FramePlan& plan, const SceneFacts& f
 }
 
 void plan_maps(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
-    const bool directed = facts.triangles == 0 || has_directed_light(plan);
+    const bool directed = facts.triangles == 0 || normals_matter(plan);
     const bool pixels = !plan.attributes.vertices && directed,
                coordinates = has_coordinates(plan, facts);
     const Decision* highlight = plan.decision("highlight");

@@ -68,8 +68,11 @@ bool some_light_shines(const FrameOptions& options);
 // Does the user have physical materials reflect by Ks and Ns, as the others do?
 bool by_ks_alone(const FramePlan& plan);
 inline constexpr const char* kNoLight = "no light shines";
-// Some light comes from a side. Ambient light alone is the same however a surface is turned.
+// Some light has a direction, and so a highlight: what comes from everywhere has none.
 bool has_directed_light(const FramePlan& plan); // after plan_light
+inline constexpr const char* kNoHighlight = "no light that has a direction shines";
+// Some light differs by how a surface is turned. Ambient light is the same.
+bool normals_matter(const FramePlan& plan); // after plan_light
 inline constexpr const char* kNoDirection = "no light comes from a side: normals do not matter";
 // Lights, sides, reflection, and how often they are evaluated.
 Result<void> plan_light(Planner& planner, FramePlan& plan, const SceneFacts& facts,

@@ -45,6 +45,7 @@ void BlockBuilder::begin(const Task& task, const BlendedPixels* blended) {
     ShadingBlock& b = *block_;
     b.blended = blended;
     b.ambient = Vec3(0);
+    b.hemispheres = false;
     if (frame.attributes.vertices && vertex_lighting_ == nullptr) {
         vertex_lighting_ = std::make_unique<VertexLighting>();
         b.vertex_lighting = vertex_lighting_.get();

@@ -8,11 +8,6 @@ namespace scanout::shade {
 
 using raster::kSubpixel;
 
-static const scene::Material& default_material() {
-    static const scene::Material material;
-    return material;
-}
-
 BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& material) {
     const scene::TextureMap& options = material.*map_slots()[map].map;
     return {&in.textures[static_cast<std::size_t>(options.texture)], &options,
@@ -21,7 +16,7 @@ BoundMap bound_map(const GatherInput& in, Map map, const scene::Material& materi
 }
 
 const scene::Material& GatherInput::material(std::int32_t index) const {
-    return index >= 0 ? materials[static_cast<std::size_t>(index)] : default_material();
+    return index >= 0 ? materials[static_cast<std::size_t>(index)] : *unnamed;
 }
 
 // Does a clipped triangle cover the point (1/256 pixel)?

@@ -40,6 +40,7 @@ struct GatherInput {
     const scene::View* view = nullptr;
     double unit = 1; // scene::to_floats of the view
     std::span<const scene::Material> materials;
+    const scene::Material* unnamed = nullptr; // of the scene
     std::span<const scene::Texture> textures;
     const MipChains* mips = nullptr;
     std::optional<Wrap> wrap; // of every map; else as each says
@@ -56,7 +57,7 @@ struct GatherInput {
         view = &of;
         unit = scene::to_floats(of);
     }
-    const scene::Material& material(std::int32_t index) const; // -1: the default material
+    const scene::Material& material(std::int32_t index) const; // -1: the unnamed one
 };
 
 // A map of a material, ready to be read: it has a texture.

@@ -90,6 +90,7 @@ void ggx_run(ShadingBlock& b, const FrameState& frame) {
     find_mirrors(b, m);
     const F32 one = 1.0F;
     const std::size_t light_count = frame.lights.size();
+    const Ambient ambient = ambient_of(b);
     for (int i = 0; i < b.count; i += kLanes) {
         const Vec3F32 eye = eye_at(b, frame, i), normal = load_vec3<Vec3F32>(b.normal, i);
         const F32 alpha = load<F32>(m.alpha + i), alpha2 = alpha * alpha;
@@ -98,7 +99,7 @@ void ggx_run(ShadingBlock& b, const FrameState& frame) {
         const F32 n_e = minimum(maximum(dot(normal, eye), F32(0x1p-10F)), one);
         const F32 leaves = one - schlick(n_e);
         // Part of the albedo that comes back, and what comes back without it.
-        Vec3F32 tinted = everywhere<Vec3F32>(b.ambient), plain = splat(F32(0.0F));
+        Vec3F32 tinted = ambient_at(b, ambient, i), plain = splat(F32(0.0F));
         for (std::size_t k = 0; k < light_count; ++k) {
             const Light l = light_at(b, frame, k, i);
             const F32 n_l = minimum(maximum(dot(normal, l.towards), F32(0.0F)), one);

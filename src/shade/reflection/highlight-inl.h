@@ -93,7 +93,7 @@ HWY_NOINLINE void light_lanes(ShadingBlock& b, const FrameState& frame, const Hi
                               const Gloss& of_items, int first, int end) {
     const std::size_t light_count = frame.lights.size();
     const Gloss gloss = of_items; // no store writes to it
-    const Vec3F32 ambient = ambient_of(b);
+    const Ambient ambient = ambient_of(b);
     alignas(64) float eyes[3][kPaddedBlock];
     for (int i = first; i < end; i += kLanes) {
         store_vec3(eye_at(b, frame, i), eyes, i);

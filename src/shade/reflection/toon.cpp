@@ -32,11 +32,11 @@ SIMD_INLINE F32 hard_highlight(const Vec3F32& normal, const Vec3F32& eye, const 
 template <bool kHighlight>
 HWY_NOINLINE void toon(ShadingBlock& b, const FrameState& frame) {
     const std::size_t light_count = b.lit ? frame.lights.size() : 0;
-    const Vec3F32 ambient = ambient_of(b);
+    const Ambient ambient = ambient_of(b);
     for (int i = 0; i < b.count; i += kLanes) {
         const Vec3F32 normal = load_vec3<Vec3F32>(b.normal, i);
         const Vec3F32 eye = kHighlight ? eye_at(b, frame, i) : normal;
-        Vec3F32 diffuse = ambient, mirrored = splat(F32(0.0F));
+        Vec3F32 diffuse = ambient_at(b, ambient, i), mirrored = splat(F32(0.0F));
         for (std::size_t k = 0; k < light_count; ++k) {
             const Light light = light_at(b, frame, k, i);
             const F32 cosine = dot(normal, light.towards);

@@ -46,6 +46,7 @@ public:
         b.model = block.model;
         b.eye = light_.eye;
         b.ambient = Vec3(0);
+        b.hemispheres = false;
         b.light.resize(frame.varies.empty() ? 0 : frame.lights.size());
         b.count = 0;
     }

@@ -61,9 +61,11 @@ scene::View view_from_origin() {
 GatherInput input_of(const geom::Mesh& mesh, const scene::View& view,
                      const raster::ScreenTransform& transform, const Drawn& drawn,
                      std::span<const Stage* const> stages, const FrameState& frame) {
+    static const scene::Material unnamed;
     GatherInput in;
     in.mesh = &mesh;
     in.keys.mesh = &mesh;
+    in.unnamed = &unnamed;
     in.set_view(view);
     in.geometry = &drawn.geometry;
     in.transform = &transform;

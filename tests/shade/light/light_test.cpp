@@ -196,6 +196,48 @@ TEST(Light, WrittenToTheLanesReflectsAsWhenItIsTheSameEverywhere) {
     }
 }
 
+// The sky's share is (1 + cos) / 2: all of it straight up, half of it from the side.
+TEST(Light, OfAHemisphereGoesFromItsSkyToItsGround) {
+    Random random(5);
+    ViewLight day = light_at(LightKind::hemisphere, Vec3(0)), dusk = day;
+    day.towards = {0.6F, 0.8F, 0};
+    day.ground = {0.1F, 0.2F, 0.05F};
+    dusk.towards = {0, 0, -1};
+    dusk.colour = {0.3F, 0.1F, 0};
+    dusk.ground = Vec3(0);
+    Lit lit({});
+    const std::vector<ViewLight> both = {day, dusk};
+    lit.frame.hemispheres = both;
+    for (int i = 0; i < kPaddedBlock; ++i) {
+        const DVec3 n = i == 0   ? DVec3(0.6, 0.8, 0)
+                        : i == 1 ? DVec3(-0.6, -0.8, 0)
+                                 : random.in_cube(1);
+        for (int c = 0; c < 3; ++c)
+            lit.block->normal[c][i] = static_cast<float>(n[c] / std::sqrt(dot3(n, n)));
+    }
+    lit.run("hemisphere");
+    lit.block->ambient = Vec3(0.25F);
+    run_stage("reflection", "lambert", *lit.block, lit.frame);
+    for (int i = 0; i < kBlockSize; ++i)
+        for (int c = 0; c < 3; ++c) {
+            double arrives = 0.25;
+            for (const ViewLight& light : both) {
+                double cosine = 0;
+                for (int k = 0; k < 3; ++k)
+                    cosine += double{lit.block->normal[k][i]} * double{light.towards[k]};
+                arrives += double{light.colour[c]} * (1 + cosine) / 2 +
+                           double{light.ground[c]} * (1 - cosine) / 2;
+            }
+            EXPECT_NEAR(lit.block->colour[c][i], arrives, 1e-6) << i;
+        }
+    lit.frame.hemispheres = std::span(both).first(1);
+    lit.run("hemisphere");
+    for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(lit.block->from_hemispheres[c][0], day.colour[c], 1e-6);
+        EXPECT_NEAR(lit.block->from_hemispheres[c][1], day.ground[c], 1e-6);
+    }
+}
+
 TEST(Light, ThatIsAmbientIsTheFrames) {
     Lit lit({});
     lit.frame.ambient = {0.1F, 0.2F, 0.3F};
