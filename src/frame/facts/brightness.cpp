@@ -45,13 +45,20 @@ double greatest(const std::vector<DVec3>& lights) {
 
 } // namespace
 
-double greatest_light(std::span<const scene::Light> lights) {
+double greatest_light(std::span<const scene::Light> lights, const Surroundings& surroundings) {
     double brightest = 0;
     for (int channel = 0; channel < 3; ++channel) {
-        double sum = 0;
-        for (const scene::Light& light : lights)
-            if (light.kind != scene::LightKind::directional)
-                sum += double{light.colour[channel]} * light.power;
+        double sum = 0, lamps = 0, of_camera = 0;
+        for (const scene::Light& light : lights) {
+            const double arrives = double{light.colour[channel]} * light.power;
+            if (light.kind == scene::LightKind::ambient)
+                sum += arrives;
+            else if (light.kind == scene::LightKind::hemisphere)
+                sum += double{std::max(light.colour[channel], light.ground[channel])} * light.power;
+            else if (light.kind != scene::LightKind::directional)
+                (light.frame == scene::LightFrame::world ? lamps : of_camera) += arrives;
+        }
+        sum += of_camera + std::max(lamps, lamp_light(lights, surroundings, channel));
         for (const scene::LightFrame frame : {scene::LightFrame::world, scene::LightFrame::camera})
             sum += greatest(vectors(lights, frame, channel));
         brightest = std::max(brightest, sum);

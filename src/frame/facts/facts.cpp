@@ -97,6 +97,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
                                             [](const Vec3& c) { return c == Vec3(1); });
     facts.shadow_plane =
         shadow_plane ? find_shadow_plane(mesh, *shadow_plane) : find_shadow_plane(mesh);
+    facts.surroundings = surroundings_of(mesh);
     const MapFacts maps(scene);
     facts.textured_surfaces = textured_surfaces(scene);
     for (TexturedSurface& surface : facts.textured_surfaces)

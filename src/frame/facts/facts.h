@@ -6,6 +6,7 @@
 #include "frame/facts/back_faces.h"
 #include "frame/facts/minification.h"
 #include "frame/facts/shadow_plane.h"
+#include "frame/facts/surroundings.h"
 #include "frame/options.h"
 #include "scene/scene.h"
 
@@ -43,6 +44,7 @@ struct SceneFacts {
     float brightest = 1, brightest_mapped = 1;
     bool black_by_maps = false; // no diffuse reflection: materials with a Kd have a black map
     ShadowPlane shadow_plane;
+    Surroundings surroundings; // of lamps
 
     // The materials that call for an effect, by the effect's name in the plan. `explain` counts
     // the pixels that show one of them.

@@ -87,7 +87,8 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     const bool pictures =
         plan.source == nullptr && (plan.attributes.maps & shade::bit_of(shade::kDiffuseMap)) != 0;
     const double brightest = double{pictures ? facts.brightest_mapped : facts.brightest} *
-                             greatest_light(plan.lights) * double{plan.exposure};
+                             greatest_light(plan.lights, facts.surroundings) *
+                             double{plan.exposure};
     const bool bright = brightest > kBright && facts.triangles > 0;
     TRY(const shade::ToneStage* const tone,
         choose(shade::tone::kRows, options.tone,
@@ -99,7 +100,7 @@ Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Pla
     });
     planner.choice("tone", tone->card.name, options.tone,
                    fmt::format("diffuse light is at most {:.2f}{}{}{}", brightest,
-                               lamps ? " about the model's centre, nearer to a lamp more" : "",
+                               lamps ? " but close to a lamp" : "",
                                plan.decision("emission")->on() ? ", Ke comes on top of it" : "",
                                burns ? ", and highlights may burn out" : ""),
                    !(tone->exact_below_white && !lamps && nothing_bends(plan, facts, brightest)));

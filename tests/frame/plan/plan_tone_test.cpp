@@ -101,6 +101,58 @@ TEST(Tone, ALittleMoreLightChangesThePictureALittle) {
     EXPECT_TRUE(clamped && rolled);
 }
 
+// As in a box with a lamp below its lid: most of the lid gets more light than the model's centre.
+TEST(Tone, ALampsOwnSurroundingsCount) {
+    test::Shot s = test::shot("lid");
+    geom::Mesh& mesh = s.scene.mesh;
+    mesh.radius = 1;
+    test::add_quad(
+        mesh,
+        {{{-0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}, {0.5F, 0.5F, -0.5F}, {-0.5F, 0.5F, -0.5F}}},
+        {0, -1, 0}, -1);
+    test::add_quad(
+        mesh,
+        {{{-0.5F, -0.5F, 0.5F}, {0.5F, -0.5F, 0.5F}, {0.5F, -0.5F, -0.5F}, {-0.5F, -0.5F, -0.5F}}},
+        {0, 1, 0}, -1);
+    const Surroundings surroundings = surroundings_of(mesh);
+    ASSERT_GT(surroundings.cells.size(), 100U);
+    for (const SurfaceCell& cell : surroundings.cells) {
+        EXPECT_NEAR(std::abs(cell.place.y), 0.5, 1e-5);
+        EXPECT_NEAR(std::abs(cell.normal.y), 1, 1e-9);
+    }
+    scene::Light lamp;
+    lamp.kind = scene::LightKind::point;
+    lamp.position = {0, 0.25, 0};
+    lamp.power = 0.5;
+    const std::vector<scene::Light> lights = {lamp};
+    // Straight above it, a quarter away: 16 times as bright as one bounding radius away.
+    const double most = greatest_light(lights, surroundings);
+    EXPECT_GT(most, 0.5 * 16 * 0.5);
+    EXPECT_LT(most, 0.5 * 16);
+    EXPECT_EQ(greatest_light(lights), 0.5) << "of surfaces that are not known";
+    s.options.lights = lights;
+    const auto plan = frame::plan(s.options, facts(s.scene));
+    EXPECT_EQ(plan->decision("tone")->technique, "shoulder") << plan->decision("tone")->because;
+    EXPECT_GT(plan->white, 3);
+    // No order of triangles, and no way to cut the same surface into them.
+    std::reverse(mesh.index.begin(), mesh.index.end());
+    EXPECT_EQ(surroundings_of(mesh).cells.size(), surroundings.cells.size());
+    EXPECT_EQ(greatest_light(lights, surroundings_of(mesh)), most);
+    // A lamp on the camera, and one far away, are as at the centre.
+    std::vector<scene::Light> other = {lamp};
+    other[0].frame = scene::LightFrame::camera;
+    EXPECT_EQ(greatest_light(other, surroundings), 0.5);
+    other[0].frame = scene::LightFrame::world;
+    other[0].position = {0, 1e6, 0};
+    EXPECT_NEAR(greatest_light(other, surroundings), 0.5, 1e-5);
+    // A spot that shines elsewhere.
+    other = {lamp};
+    other[0].kind = scene::LightKind::spot;
+    other[0].target = DVec3(0, -0.5, 0);
+    other[0].outer_degrees = 30;
+    EXPECT_LT(greatest_light(other, surroundings), most / 4);
+}
+
 TEST(Tone, TheMostLightIsThatOfTheWorstDirection) {
     EXPECT_EQ(greatest_light({}), 0);
     scene::Light ambient;
