@@ -56,6 +56,12 @@ Result<void> read_camera(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_shift(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 2, 2));
+    s.camera.shift = {numbers[0], numbers[1]};
+    return {};
+}
+
 Result<void> read_eye(Settings& s, std::string_view text) {
     TRY(s.camera.eye, parse_vector(text));
     return {};
@@ -296,7 +302,10 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"size", 's', "WxH", "", "1280x720", 0, 0, Group::picture, kLoad, Parsed(read_size),
      "pixels of the picture; the viewer uses it only without a display"},
     {"samples", 0, "", "1 2 4 8 16", "4", 0, 0, Group::picture, kDraw,
-     Choice([](Settings& s, std::size_t i) { s.frame.samples = 1 << i; }),
+     Choice([](Settings& s, std::size_t i) {
+         s.frame.samples = 1 << i;
+         s.frame.samples_asked = true;
+     }),
      "coverage samples a pixel: more make smoother edges; --aa samples_N says the same"},
     axis_option("aa"),
     axis_option("render-scale"),
@@ -361,6 +370,9 @@ constexpr std::array kOptions = std::to_array<Option>({
      "look from AZ degrees around (counter-clockwise seen from above, 0 is the front) and EL "
      "degrees "
      "up (-90 to 90), from DISTANCE bounding radii (default: the model just fits)"},
+    {"shift", 0, "X,Y", "", "0,0", 0, 0, Group::camera, kLoad, Parsed(read_shift),
+     "move the camera to the right and up, in bounding radii; with --camera's DISTANCE: a model "
+     "that is made to fit is centred"},
     {"eye", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kLoad, Parsed(read_eye),
      "put the eye there, in the model file's coordinates; wants --look-at"},
     {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kLoad, Parsed(read_look_at),

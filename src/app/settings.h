@@ -59,6 +59,7 @@ struct GivenOption {
 inline frame::FrameOptions looks() {
     frame::FrameOptions options;
     options.samples = 4;
+    options.samples_asked = false;
     options.lights = scene::default_lights();
     return options;
 }

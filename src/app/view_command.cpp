@@ -79,7 +79,7 @@ scene::ModelTransform transform_of(const DMat3& placed, const DVec3& given_scale
     return transform;
 }
 
-// A camera without roll that looks at the model's centre along the present line of sight.
+// A camera without roll that looks along the present line of sight from beside the world's origin.
 scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
                                const Settings& settings, scene::UpAxis up) {
     const DVec3 back(to_view[0][2], to_view[1][2], to_view[2][2]); // towards the eye, world
@@ -95,6 +95,7 @@ scene::CameraOptions camera_of(const scene::View& view, const DMat3& to_view,
     camera.distance = view.projection == scene::Projection::perspective
                           ? view.target_distance
                           : view.half_height * cos_degrees(half_fov) / sin_degrees(half_fov);
+    camera.shift = DVec2(-view.world_origin.x, -view.world_origin.y); // lamps stay where they are
     return camera;
 }
 
@@ -113,7 +114,8 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     const DMat3 to_world = up * transpose(plain->world_axes); // from view space
     scene::ModelTransform model = transform_of(
         to_world * now->linear * transpose(up) * double{mesh.radius}, settings.model.scale);
-    model.translate = to_world * (now->translation + DVec3(0, 0, camera.distance));
+    model.translate =
+        to_world * (now->translation + DVec3(camera.shift.x, camera.shift.y, camera.distance));
     std::string text =
         given_options(settings) +
         fmt::format("--size {}x{} --camera {},{},{} --projection {} --up {} --cull {}",
@@ -122,6 +124,7 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
                     name_of(look.projection), name_of(look.up), name_of(look.cull));
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
+    text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));
     return text + fmt::format(" --scale {} --rotate {} --translate {}", triple(model.scale),
                               triple(model.rotate_degrees), triple(model.translate));
 }

@@ -129,6 +129,7 @@ TEST_F(AccuracySession, OnceConvergedNoFrameIsDrawnAndTheProcessSleeps) {
 }
 
 TEST_F(AccuracySession, WhatTheUserNamedStays) {
+    settings.frame.samples = 1;
     for (const bool off : {false, true}) {
         settings.converge = off ? Converge::off : Converge::automatic;
         settings.frame.aa = off ? "auto" : "samples_2";

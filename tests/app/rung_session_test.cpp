@@ -43,9 +43,11 @@ protected:
         ASSERT_TRUE(FrontierCache::of_user()->keep(key, frontier));
     }
     image::Image rendered_with(const std::string& aa) {
+        const frame::FrameOptions before = settings.frame;
         settings.frame.aa = aa;
+        settings.frame.samples = 1;
         const image::Image picture = rendered({});
-        settings.frame.aa = "auto";
+        settings.frame = before;
         return picture;
     }
 };

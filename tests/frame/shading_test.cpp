@@ -198,6 +198,7 @@ TEST(Shading, FetchesWhatTheRungReadsAndNothingElse) {
         Shot s = stage("stage", {light_of(scene::LightKind::point, 1),
                                  light_of(scene::LightKind::ambient, 0.1)});
         s.options.shading = rung;
+        s.options.tone = "clamp"; // no stage of its own
         return *frame::plan(s.options, frame::facts(s.scene));
     };
     for (const char* rung : {"flat", "gouraud"}) {

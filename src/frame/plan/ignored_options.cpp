@@ -80,6 +80,7 @@ void add_choice(const FramePlan& plan, const Decision& d, Lines& lines) {
     const std::string asked = asked_for(plan.options, d.effect);
     if (is_auto(asked) || asked == "none") return;
     const bool by_number = d.effect == "aa" && is_auto(plan.options.aa);
+    if (by_number && !plan.options.samples_asked) return;
     const std::string option = by_number ? fmt::format("--samples {}", plan.options.samples)
                                          : fmt::format("--{} {}", option_of(d.effect), asked);
     const bool texture = d.effect == "source" || d.effect == "wrap" || d.effect == "mapping";
