@@ -23,6 +23,16 @@ bool is_unseen(const FramePlan& plan, std::int32_t material) {
            modes[static_cast<std::size_t>(material + 1)] == raster::AlphaMode::nothing;
 }
 
+// In the model's own coordinates: turned ones are rounded. A height below 2^-40 of the sides is
+// none.
+bool has_no_area(const geom::Mesh& mesh, std::size_t triangle) {
+    const auto at = [&](std::size_t k) {
+        return DVec3(mesh.position[mesh.index[3 * triangle + k]]);
+    };
+    const DVec3 u = at(1) - at(0), v = at(2) - at(0), n = cross3(u, v);
+    return dot3(n, n) <= 0x1p-80 * dot3(u, u) * dot3(v, v);
+}
+
 Triangles sorted_out(const scene::Scene& scene, const scene::View& view, const FramePlan& plan) {
     constexpr double kEdgeOn = 0x1p-24; // sine of the angle between the line of sight and a face
     const geom::Mesh& mesh = scene.mesh;
@@ -35,7 +45,7 @@ Triangles sorted_out(const scene::Scene& scene, const scene::View& view, const F
         const DVec3 sight =
             view.projection == scene::Projection::orthographic ? DVec3(0, 0, -1) : a;
         const double away = dot3(n, sight) * (view.mirrored ? -1 : 1);
-        if (dot3(n, n) == 0) {
+        if (has_no_area(mesh, i)) {
             ++found.without_area;
         } else if (is_unseen(plan, mesh.material[i])) {
             ++found.unseen;

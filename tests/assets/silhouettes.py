@@ -87,7 +87,7 @@ def draw(assets, scanout, out, entry, path):
     eye = eye_of(up, azimuth, elevation, focal, distance)
     picture = os.path.join(out, name + ".png")
     text = lambda v: ",".join(repr(x) for x in v)
-    command = [scanout, "render", path, "-o", picture, "--size", "512x512", "--fov", "30", "--up", up.lower(),
+    command = [scanout, "render", path, "-o", picture, "--size", "512x512", "--samples", "1", "--fov", "30", "--up", up.lower(),
                "--eye=" + text(eye), "--look-at=" + text(focal), "--background", "#0102fe"]
     subprocess.run(command, check=True, stderr=subprocess.DEVNULL)
     return read_png(picture)[2]

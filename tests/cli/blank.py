@@ -19,9 +19,9 @@ WAYS = [[], ["--view", "top"], ["--view", "right"], ["--view", "back", "--cull",
 
 FLAT = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\n"
 MODELS = {  # name: (text, options, what its line must say)
-    "on_the_ground": (FLAT + "f 1 2 3 4\n", [], "--view top"),
+    "on_the_ground": (FLAT + "f 1 2 3 4\n", ["--view", "front"], "--view top"),
     "upright": ("v 0 -1 -1\nv 0 1 -1\nv 0 1 1\nv 0 -1 1\nf 1 2 3 4\n", ["--view", "top"], "--view right"),
-    "z_up": ("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n", ["--up", "z"], "--view top"),
+    "z_up": ("v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n", ["--up", "z", "--view", "front"], "--view top"),
     "no_area": ("v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 1 2\n", [], "has an area"),
     "seen_from_behind": (FLAT + "f 1 2 3 4\n", ["--view", "top", "--cull", "back"], "--cull none"),
     "never": (FLAT + "f 1 2 3 4\n", ["--view", "top", "--depth-test", "never"], "--depth-test never"),

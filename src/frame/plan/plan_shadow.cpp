@@ -114,8 +114,10 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
                  : fmt::format("{} light{}: {}", casting.lights,
                                casting.lights == 1 ? " casts" : "s cast", casting.names);
     // What is convex and shaded as if it were round has none, though faces of it turn away from the
-    // light that their normals receive. Else it can be forced on.
-    const bool round = !falls && facts.topology.smooth_triangles > 0;
+    // light that their normals receive. Likewise a highlight goes over an edge as far as its lobe
+    // reaches. Else it can be forced on.
+    const bool round =
+        !falls && (facts.topology.smooth_triangles > 0 || facts.specular_triangles > 0);
     const bool possible = casting.lights > 0 && throws && floor && at_pixels && !round;
     const bool called = possible && falls;
     if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
