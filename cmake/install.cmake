@@ -26,7 +26,7 @@ install(FILES packaging/scanout.thumbnailer DESTINATION ${CMAKE_INSTALL_DATADIR}
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME scanout)
-set(CPACK_PACKAGE_CONTACT "the scanout authors <scanout@packages.debian.org>")
+set(CPACK_PACKAGE_CONTACT "the scanout authors <scanout@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "3D model viewer and renderer for the Linux console")
 set(CPACK_PACKAGE_DESCRIPTION
     "scanout shows OBJ, STL, PLY and OFF models on a text console and draws\n\
