@@ -27,11 +27,21 @@ std::int64_t whole(double x, double unit) {
     return static_cast<std::int64_t>(x * unit + (x < 0 ? -0.5 : 0.5));
 }
 
+// Coordinates are within -1 and 1, where no doubled area is above 12. Sums stop below what a number
+// holds, so that their order does not matter even then.
+std::int64_t whole_area(double area) {
+    return whole(std::min(area, 16.0), kAreaUnit);
+}
+void add_area(std::int64_t& sum, std::int64_t area) {
+    constexpr std::int64_t kMost = std::int64_t{1} << 62;
+    sum = std::min(sum + area, kMost);
+}
+
 class Collector {
 public:
     explicit Collector(const geom::Mesh& mesh) : mesh_(mesh) {
         for (std::size_t t = 0; t < mesh.triangles(); ++t)
-            total_ += whole(doubled_area(corners_of(t)), kAreaUnit);
+            add_area(total_, whole_area(doubled_area(corners_of(t))));
         for (std::size_t t = 0; t < mesh.triangles() && total_ > 0; ++t)
             add(t);
     }
@@ -63,6 +73,7 @@ private:
             corners[k] = DVec3(mesh_.position[mesh_.index[3 * triangle + k]]);
         return corners;
     }
+    static double within(double coordinate) { return std::clamp(coordinate, -1.0, 1.0); }
     static double doubled_area(const Corners& c) {
         return length(cross3(c[1] - c[0], c[2] - c[0]));
     }
@@ -90,15 +101,15 @@ private:
     void add_part(const DVec3& place, const DVec3& normal, double area) {
         int key = 0, steepest = 0;
         for (int c = 0; c < 3; ++c) {
-            const double at = (place[c] + 1) / 2 * kGrid; // coordinates are within -1 and 1
-            key = key * kGrid + std::clamp(static_cast<int>(at), 0, kGrid - 1);
+            const double at = (within(place[c]) + 1) / 2 * kGrid;
+            key = key * kGrid + std::min(static_cast<int>(at), kGrid - 1);
             if (std::abs(normal[c]) > std::abs(normal[steepest])) steepest = c;
         }
         Sums& sums = sums_[(key * 3 + steepest) * 2 + (normal[steepest] < 0 ? 1 : 0)];
-        sums.area += whole(area, kAreaUnit);
+        add_area(sums.area, whole_area(area));
         ++sums.count;
         for (int c = 0; c < 3; ++c) {
-            sums.place[static_cast<std::size_t>(c)] += whole(place[c], kUnit);
+            sums.place[static_cast<std::size_t>(c)] += whole(within(place[c]), kUnit);
             sums.normal[static_cast<std::size_t>(c)] += whole(normal[c], kUnit);
         }
     }
@@ -172,7 +183,7 @@ double lamp_light(std::span<const scene::Light> lights, const Surroundings& surr
         for (const Lamp& lamp : lamps)
             sum += lamp.at(cell) * double{lamp.light.colour[channel]};
         lit.push_back({sum, cell.area});
-        rest += cell.area;
+        add_area(rest, cell.area);
     }
     rest /= kShare;
     std::sort(lit.begin(), lit.end(), [](const Lit& a, const Lit& b) { return a.light > b.light; });
