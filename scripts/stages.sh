@@ -164,7 +164,7 @@ sanitized=(-DCMAKE_CXX_COMPILER=clang++-14 "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1
 # the hashes and the pictures go through the same code. The last lines judge milliseconds and megabytes of the program.
 numbers=(
     raster.{ExactCoverage,Guard.A,Guard.Tri,Guard.Its,Depth,P1/,P2/,Row17/,ClippedTriangle.Covers,Clip.TheTwoSides}
-    raster.{Coverage.ATurned,Coverage.AFan,Homogeneous.AMesh} geom.{Build.Progress,SpatialOrder.SaysHowFar}
+    raster.{Coverage.ATurned,Coverage.AFan,Homogeneous.AMesh,P9,P10,Row50} geom.{Build.Progress,SpatialOrder.SaysHowFar}
     frame.{'Shadow\..*RaysSay',AntiAliasing,Metamorphic.Scaling,Minification,ItemsShaded,P4/,P11/,All/BlendingModes}
     frame.{Transparency.TheLength,Transparency.AMaterial,Outline.IsWhere,TwoSided.Decided,ShadowEdgeOn,DisjointShadows}
     frame.{FrontFaceShadows.OfAClosed,IgnoredOptions.WhatIs,Blending.OfTwoHundred,OcclusionHistory}
