@@ -30,7 +30,7 @@ struct FilePlane {
 
 struct FrameOptions {
     int width = 1280, height = 720;
-    int samples = 1; // a pixel: 1, 2, 4, 8, 16
+    int samples = 1;           // a pixel: 1, 2, 4, 8, 16
     bool samples_asked = true; // false: a default, of which nobody is told that it changes nothing
     Cull cull = Cull::none;
     image::Rgba8 background{48, 51, 56, 255};

@@ -225,9 +225,8 @@ std::optional<double> OwnMeasurer::shadows(const frame::FrameOptions& options) {
     open = without = one;
     open.effects["shadow"] = false;
     without.lights.clear();
-    std::copy_if(
-        one.lights.begin(), one.lights.end(), std::back_inserter(without.lights),
-        [](const scene::Light& l) { return !l.casts || is_ambient(l.kind); });
+    std::copy_if(one.lights.begin(), one.lights.end(), std::back_inserter(without.lights),
+                 [](const scene::Light& l) { return !l.casts || is_ambient(l.kind); });
     const auto shadowed = draw(one), lit = draw(open), dark = draw(without);
     if (!shadowed || !lit || !dark) return std::nullopt;
     const auto& truth = answers(lit_, [](const Oracle& o, int x, int y) {

@@ -232,10 +232,10 @@ enum class Sides : std::uint8_t {
 
 // What all blocks of a frame share.
 struct FrameState {
-    float normal_matrix[3][3] = {};           // object -> view, row major
-    bool orthographic = false;                // then every ray is (0, 0, -1)
-    Attributes attributes;                    // what this frame's plan reads
-    Vec3 ambient{0};                          // of all ambient lights together
+    float normal_matrix[3][3] = {}; // object -> view, row major
+    bool orthographic = false;      // then every ray is (0, 0, -1)
+    Attributes attributes;          // what this frame's plan reads
+    Vec3 ambient{0};                // of all ambient lights together
     std::span<const scene::ViewLight> hemispheres;
     std::span<const scene::ViewLight> lights; // the others
     // Of each light: differs from item to item, as do points, spots and all that is shadowed.

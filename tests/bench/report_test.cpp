@@ -53,7 +53,8 @@ TEST(Report, VerdictsSayHowFarOff) {
 
 TEST(Report, ARatioBelowItsGateIsMissed) {
     EXPECT_THAT(missed_bounds(kLit, of_ratio(4)), IsEmpty());
-    EXPECT_THAT(missed_bounds(kLit, of_ratio(3.9)), ElementsAre(HasSubstr("lit: 3.90x, the gate is 4x")));
+    EXPECT_THAT(missed_bounds(kLit, of_ratio(3.9)),
+                ElementsAre(HasSubstr("lit: 3.90x, the gate is 4x")));
     EXPECT_THAT(missed_bounds(kFree, of_ratio(0.5)), IsEmpty());
 }
 
@@ -61,14 +62,15 @@ TEST(Report, AFirstFrameIsMissedWhereItIsLateOrNoProcessDrewIt) {
     Duel late = of_ratio(4), none = of_ratio(4);
     late.first = 2.01;
     none.first = 0;
-    EXPECT_THAT(missed_bounds(kLit, late), ElementsAre(HasSubstr("lit: the first frame takes 2.01")));
+    EXPECT_THAT(missed_bounds(kLit, late),
+                ElementsAre(HasSubstr("lit: the first frame takes 2.01")));
     EXPECT_THAT(missed_bounds(kLit, none), ElementsAre(HasSubstr("lit: not judged")));
     EXPECT_THAT(missed_bounds(kDepth,
-                       [&] {
-                           Duel depth = of_ratio(5);
-                           depth.first = 0;
-                           return depth;
-                       }()),
+                              [&] {
+                                  Duel depth = of_ratio(5);
+                                  depth.first = 0;
+                                  return depth;
+                              }()),
                 IsEmpty());
     Report r;
     r.duels.emplace_back(kLit, none);

@@ -150,7 +150,8 @@ public:
     }
     // Through a sample; every vertex on the screen is on the grid once it is snapped.
     std::array<Vec3, 3> strip() {
-        const Pixels sample{random_.whole(0, kClippedSide - 1) + 0.5, random_.whole(0, kClippedSide - 1) + 0.5};
+        const Pixels sample{random_.whole(0, kClippedSide - 1) + 0.5,
+                            random_.whole(0, kClippedSide - 1) + 0.5};
         const Pixels start = inside();
         const Pixels snapped{snap(start.x), snap(start.y)};
         const double length = std::hypot(sample.x - start.x, sample.y - start.y);
@@ -179,7 +180,9 @@ public:
 
 private:
     double distance() { return kNear * 1.01 * std::exp2(random_.unit() * std::log2(kind_.ratio)); }
-    Pixels inside() { return {random_.in(-10, kClippedSide + 10), random_.in(-10, kClippedSide + 10)}; }
+    Pixels inside() {
+        return {random_.in(-10, kClippedSide + 10), random_.in(-10, kClippedSide + 10)};
+    }
     Pixels far(double third) {
         const double angle = (third + random_.in(-0.45, 0.45)) * 2.0943951;
         const double reach = std::exp2(random_.in(15.6, 20));

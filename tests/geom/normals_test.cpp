@@ -91,7 +91,8 @@ DVec3 by_definition(const std::vector<DVec3>& ring, std::size_t face, double cre
     const auto normal = [&](std::size_t i) {
         const DVec3 c = cross3(ring[i], ring[(i + 1) % n]);
         const auto whole = [](double x) { return std::round(x * 0x1p30) * 0x1p-30; };
-        return DVec3(whole(c.x / length_of(c)), whole(c.y / length_of(c)), whole(c.z / length_of(c)));
+        return DVec3(whole(c.x / length_of(c)), whole(c.y / length_of(c)),
+                     whole(c.z / length_of(c)));
     };
     DVec3 sum(0);
     for (std::size_t i = 0; i < n; ++i) {

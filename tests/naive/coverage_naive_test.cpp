@@ -65,8 +65,10 @@ Hits naive_hits(const SnappedMesh& mesh, int x0, int y0) {
         const Wound w(mesh.corners(t));
         const auto [left, right] = std::minmax({w.v[0].x, w.v[1].x, w.v[2].x});
         const auto [top, bottom] = std::minmax({w.v[0].y, w.v[1].y, w.v[2].y});
-        for (int y = std::max(y0, top >> 8); y < std::min(y0 + kCoverageSide, (bottom >> 8) + 1); ++y)
-            for (int x = std::max(x0, left >> 8); x < std::min(x0 + kCoverageSide, (right >> 8) + 1); ++x) {
+        for (int y = std::max(y0, top >> 8); y < std::min(y0 + kCoverageSide, (bottom >> 8) + 1);
+             ++y)
+            for (int x = std::max(x0, left >> 8);
+                 x < std::min(x0 + kCoverageSide, (right >> 8) + 1); ++x) {
                 bool inside = true;
                 for (std::size_t i = 0; i < 3 && inside; ++i) {
                     const auto e = Method::edge(w.v[i], w.v[(i + 1) % 3], x, y);
@@ -100,8 +102,9 @@ std::vector<SnappedMesh> sliver_fans(int count, int margin) {
     Random random(1);
     std::vector<SnappedMesh> fans;
     for (int i = 0; i < count; ++i)
-        fans.push_back(fan({random.whole(0, kCoverageSide * 256), random.whole(0, kCoverageSide * 256)}, 20000,
-                           around(kCoverageSide, margin)));
+        fans.push_back(
+            fan({random.whole(0, kCoverageSide * 256), random.whole(0, kCoverageSide * 256)}, 20000,
+                around(kCoverageSide, margin)));
     return fans;
 }
 std::vector<SnappedMesh> grids() {
@@ -128,7 +131,8 @@ TEST(NaiveCoverage, AFloatPlaneLosesSamplesByTheThousandAtLargeOffsetsAndOursDoe
 TEST(NaiveCoverage, Int32OverflowsOnTrianglesWiderThan128PixelsAndOursDoesNot) {
     std::vector<SnappedMesh> fans;
     for (int i = 0; i < 8; ++i)
-        fans.push_back(fan({30 * 256 + 128, 30 * 256 + 128}, 8, around(kCoverageSide, 200 + 30 * i)));
+        fans.push_back(
+            fan({30 * 256 + 128, 30 * 256 + 128}, 8, around(kCoverageSide, 200 + 30 * i)));
     expect_naive_fails<Int32>("wide", fans, 0, 0, 1);
 }
 

@@ -29,7 +29,7 @@ struct TransparencyInput {
     std::span<const Stage* const> stages; // find alpha
     FrameState frame;                     // of those stages
     float cut = 0.5F;                     // least alpha that is drawn
-    std::size_t max_fragments = 0;       // of a list; what is drawn does not depend on it
+    std::size_t max_fragments = 0;        // of a list; what is drawn does not depend on it
 };
 
 struct GatherInput {
