@@ -1,4 +1,4 @@
-// Everything that the command line can say, as values. options.cpp is the only writer.
+// Everything that the command line can say, as values. The table of options is the only writer.
 #pragma once
 
 #include "frame/options.h"

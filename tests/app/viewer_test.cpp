@@ -1,5 +1,4 @@
-#include "app/viewer.h"
-#include "triangle_mesh.h"
+#include "viewer_bench.h"
 
 #include <cmath>
 #include <cstring>
@@ -9,19 +8,6 @@
 
 namespace scanout::app {
 namespace {
-
-using Id = ActionId;
-
-struct Bench {
-    explicit Bench(const Settings& settings = {}) : viewer(settings, 640, 480, 3) {}
-    Effect act(Id id, std::array<int, 3> numbers = {}) {
-        return viewer.apply({id, numbers, {}, false}, &mesh);
-    }
-    const Look& look() const { return viewer.state().look; }
-    scene::View view() const { return *viewer.view(mesh); }
-    geom::Mesh mesh = test::triangle_mesh();
-    Viewer viewer;
-};
 
 struct Pair {
     Id forth, back;
@@ -284,50 +270,6 @@ TEST(Viewer, AKeyThatCanDoNothingSaysWhy) {
     EXPECT_EQ(single.answer(), "there is one file only");
 }
 
-// The corners of the triangle, in pixels from the picture's middle.
-std::vector<std::pair<double, double>> corners(const Bench& bench) {
-    const scene::View view = bench.view();
-    std::vector<std::pair<double, double>> places;
-    for (const Vec3& v : bench.mesh.position) {
-        const DVec3 seen = view.linear * DVec3(v.x, v.y, v.z) + view.translation;
-        const double distance = view.projection == scene::Projection::perspective ? -seen.z : 1;
-        places.emplace_back(320 * seen.x / (distance * view.half_width),
-                            240 * seen.y / (distance * view.half_height));
-    }
-    return places;
-}
-
-TEST(Viewer, FFitsTheModelIntoThePictureFromWhereverItIs) {
-    for (const Id projection : {Id::rotate_left, Id::toggle_projection})
-        for (const bool camera : {false, true}) {
-            Bench bench;
-            bench.act(projection);
-            if (camera) bench.act(Id::toggle_drive);
-            bench.act(Id::rotate_up);
-            bench.act(Id::roll_left);
-            for (int i = 0; i < 40; ++i)
-                bench.act(Id::move_right);
-            for (int i = 0; i < 50; ++i)
-                bench.act(Id::scale_up);
-            const Look lost = bench.look();
-            bench.act(Id::fit);
-            EXPECT_EQ(bench.viewer.answer(), "");
-            EXPECT_EQ(bench.look().pose.roll, lost.pose.roll) << "turned as it was";
-            EXPECT_EQ(bench.look().orbit.elevation, lost.orbit.elevation);
-            double left = 0, right = 0, bottom = 0, top = 0;
-            for (const auto& [x, y] : corners(bench)) {
-                left = std::min(left, x), right = std::max(right, x);
-                bottom = std::min(bottom, y), top = std::max(top, y);
-            }
-            EXPECT_GT(std::min({left / 320, -right / 320, bottom / 240, -top / 240}), -0.901);
-            EXPECT_GT(std::max((right - left) / 640, (top - bottom) / 480), 0.87) << "no smaller";
-            EXPECT_NEAR(left + right, 0, 6) << "in the middle";
-            EXPECT_NEAR(bottom + top, 0, 6);
-            bench.act(Id::undo);
-            EXPECT_EQ(bench.look(), lost);
-        }
-}
-
 TEST(Viewer, TheTurntableTurnsByStepsHoweverTheyAreCut) {
     Bench once, often;
     once.act(Id::toggle_turntable);
@@ -372,53 +314,6 @@ TEST(Viewer, NamedViewsLookFromTheSideOfTheirName) {
         const DVec3 seen = bench.view().linear * row.towards_eye; // of a model of radius 1
         EXPECT_NEAR(seen.z, 1, 1e-12) << row_of(row.id).name;
     }
-}
-
-// The vertices in the picture: -1 to 1 is from edge to edge.
-double widest_in(const geom::Mesh& mesh, const scene::View& view) {
-    double widest = 0;
-    for (const Vec3& vertex : mesh.position) {
-        const DVec3 p = view.linear * DVec3(vertex) + view.translation;
-        const double away = view.projection == scene::Projection::perspective ? -p.z : 1;
-        widest = std::max({widest, std::abs(p.x) / (away * view.half_width),
-                           std::abs(p.y) / (away * view.half_height)});
-    }
-    return widest;
-}
-
-TEST(Viewer, TheModelFitsAtTheStartAndInEveryNamedViewWhateverWasBefore) {
-    for (const bool orthographic : {false, true}) {
-        Bench bench;
-        if (orthographic) bench.act(Id::toggle_projection);
-        EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
-        for (const Id view : {Id::view_front, Id::view_back, Id::view_iso}) { // it is flat
-            for (const Id away : {Id::scale_up, Id::move_left, Id::toggle_drive, Id::scale_up,
-                                  Id::move_up, Id::roll_left, Id::toggle_drive})
-                bench.act(away);
-            bench.act(view);
-            EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
-        }
-        bench.act(Id::reset);
-        EXPECT_NEAR(widest_in(bench.mesh, bench.view()), 0.9, 1e-9);
-    }
-}
-
-TEST(Viewer, TheNextFileFitsAnewAndStaysTurned) {
-    Bench bench;
-    const scene::View first = bench.view();
-    bench.act(Id::rotate_left);
-    bench.act(Id::scale_up);
-    bench.act(Id::move_left);
-    for (Vec3& vertex : bench.mesh.position)
-        vertex = vertex * 0.5F;
-    const int yaw = bench.look().pose.yaw;
-    bench.viewer.take_file(true);
-    EXPECT_NE(bench.look().pose.zoom, 0) << "the same file again: the user's place stays";
-    bench.viewer.take_file(false);
-    EXPECT_EQ(bench.look().pose.zoom, 0);
-    EXPECT_EQ(bench.look().pose.pan_x, 0);
-    EXPECT_EQ(bench.look().pose.yaw, yaw);
-    EXPECT_LT(bench.view().target_distance, first.target_distance * 0.6);
 }
 
 TEST(Viewer, FilesGoRoundAndASingleFileStays) {
@@ -507,111 +402,6 @@ RC_GTEST_PROP(Viewer, NoSequenceOfActionsMakesACameraThatSeesNothing, (bool no_m
 }
 
 // ---- Lights
-
-TEST(ViewerLights, AreThoseOfTheCommandLineUntilTheyAreMoved) {
-    Bench bench;
-    EXPECT_EQ(bench.viewer.lights(bench.mesh), scene::default_lights());
-    bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.state().light, 0);
-    EXPECT_EQ(bench.viewer.lights(bench.mesh), scene::default_lights());
-    bench.act(Id::rotate_left);
-    const std::vector<scene::Light> moved = bench.viewer.lights(bench.mesh);
-    EXPECT_NE(moved[0].towards, scene::default_lights()[0].towards);
-    EXPECT_EQ(moved[1], scene::default_lights()[1]);
-    EXPECT_EQ(bench.look().pose, scene::Pose()) << "the model stays";
-}
-
-TEST(ViewerLights, AreSelectedInTurnAndLetGoByEscape) {
-    Bench bench;
-    for (const int expected : {0, 1, 2, 0}) {
-        bench.act(Id::light_next);
-        EXPECT_EQ(bench.viewer.state().light, expected);
-    }
-    bench.act(Id::toggle_help);
-    EXPECT_EQ(bench.act(Id::close), Effect::none);
-    EXPECT_EQ(bench.viewer.state().light, 0) << "the help goes first";
-    EXPECT_EQ(bench.act(Id::close), Effect::none);
-    EXPECT_EQ(bench.viewer.state().light, -1);
-    EXPECT_EQ(bench.act(Id::close), Effect::quit);
-    bench.act(Id::rotate_left);
-    EXPECT_NE(bench.look().pose.yaw, 0) << "the keys turn the model again";
-}
-
-TEST(ViewerLights, ForthAndBackIsTheIdentityAndUndoBringsThemBack) {
-    Bench bench;
-    bench.act(Id::light_next);
-    const Look start = bench.look();
-    for (const auto& [forth, back] : {std::pair{Id::rotate_left, Id::rotate_right},
-                                      {Id::rotate_up, Id::rotate_down},
-                                      {Id::scale_up, Id::scale_down}}) {
-        for (int i = 0; i < 5; ++i)
-            bench.act(forth);
-        EXPECT_FALSE(bench.look() == start);
-        for (int i = 0; i < 5; ++i)
-            bench.act(back);
-        EXPECT_TRUE(bench.look() == start);
-    }
-    bench.act(Id::scale_up);
-    EXPECT_GT(bench.viewer.lights(bench.mesh)[0].power, 0.8);
-    bench.act(Id::undo);
-    EXPECT_TRUE(bench.look() == start);
-    bench.act(Id::rotate_up);
-    bench.act(Id::reset);
-    EXPECT_TRUE(bench.look() == start);
-    EXPECT_EQ(bench.viewer.state().light, 0) << "it stays selected";
-}
-
-TEST(ViewerLights, StopAtThePoles) {
-    Bench bench;
-    bench.act(Id::light_next);
-    for (int i = 0; i < 100; ++i)
-        bench.act(Id::rotate_up);
-    const auto elevation = [&] {
-        return place_of(bench.viewer.lights(bench.mesh)[0], scene::UpAxis::plus_y, bench.mesh)
-            .elevation_degrees;
-    };
-    EXPECT_NEAR(elevation(), 90, 0.01);
-    bench.act(Id::rotate_down);
-    EXPECT_NEAR(elevation(), 85, 0.01) << "no dead way back";
-}
-
-TEST(ViewerLights, ADragIsTheSameInOneStepAndInMany) {
-    Bench one, many;
-    for (Bench* bench : {&one, &many}) {
-        bench->act(Id::light_next);
-        bench->act(Id::drag_begin);
-    }
-    one.act(Id::drag_rotate, {120, -40, 0});
-    for (int i = 1; i <= 40; ++i)
-        many.act(Id::drag_rotate, {3 * i, -i, 0});
-    EXPECT_TRUE(one.look() == many.look());
-    EXPECT_EQ(one.look().pose, scene::Pose());
-    EXPECT_GT(one.look().lights[0].azimuth, 0);   // right
-    EXPECT_GT(one.look().lights[0].elevation, 0); // and up
-    one.act(Id::drag_end);
-    one.act(Id::undo);
-    EXPECT_EQ(one.look().lights[0], scene::LightMove());
-}
-
-TEST(ViewerLights, TheLineNamesTheOneThatIsSelected) {
-    Bench bench;
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80), "");
-    bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80),
-              "light 1 of 3: key  azimuth -51  elevation 38  power 0.8");
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 54), // one letter less than it has
-              "light 1 of 3: key  az -51  el 38  power 0.8");
-    bench.act(Id::light_next);
-    bench.act(Id::light_next);
-    EXPECT_EQ(bench.viewer.light_line(bench.mesh, 80),
-              "light 3 of 3: hemisphere  azimuth 0  elevation 90  power 0.18");
-    Settings dark;
-    dark.frame.lights.clear();
-    Bench none(dark);
-    none.act(Id::light_next);
-    EXPECT_EQ(none.viewer.state().light, -1);
-    EXPECT_EQ(none.viewer.light_line(none.mesh, 80), "");
-}
 
 } // namespace
 } // namespace scanout::app

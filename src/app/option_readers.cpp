@@ -1,0 +1,195 @@
+#include "app/option_readers.h"
+
+#include "app/light_spec.h"
+#include "app/nearest.h"
+#include "app/values.h"
+#include "math/srgb.h"
+#include "simd/targets.h"
+
+#include <algorithm>
+
+namespace scanout::app {
+
+std::vector<std::string_view> words_in(std::string_view text) {
+    std::vector<std::string_view> found;
+    while (!text.empty()) {
+        const std::size_t space = std::min(text.find(' '), text.size());
+        if (space > 0) found.push_back(text.substr(0, space));
+        text.remove_prefix(std::min(space + 1, text.size()));
+    }
+    return found;
+}
+
+Result<void> read_size(Settings& s, std::string_view text) {
+    TRY(const Size size, parse_size(text));
+    s.frame.width = size.width;
+    s.frame.height = size.height;
+    return {};
+}
+
+Result<void> read_camera(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 2, 3));
+    if (numbers.size() == 3 && numbers[2] <= 0)
+        return fail(Exit::usage, "the distance must be above 0, not {}", numbers[2]);
+    if (numbers[1] < -90 || numbers[1] > 90)
+        return fail(Exit::usage, "the elevation must be -90 to 90 degrees, not {}", numbers[1]);
+    s.camera.azimuth_degrees = numbers[0];
+    s.camera.elevation_degrees = numbers[1];
+    s.camera.distance = numbers.size() == 3 ? numbers[2] : 0;
+    s.camera_given = true;
+    return {};
+}
+
+Result<void> read_shift(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 2, 2));
+    s.camera.shift = {numbers[0], numbers[1]};
+    return {};
+}
+
+Result<void> read_eye(Settings& s, std::string_view text) {
+    TRY(s.camera.eye, parse_vector(text));
+    return {};
+}
+
+Result<void> read_look_at(Settings& s, std::string_view text) {
+    TRY(s.camera.target, parse_vector(text));
+    return {};
+}
+
+// --target is the point that the camera looks at when it has commas, else a SIMD target.
+Result<void> read_target(Settings& s, std::string_view text) {
+    if (text.find(',') != std::string_view::npos) return read_look_at(s, text);
+    const std::vector<simd::Target> targets = simd::targets();
+    std::vector<std::string_view> known = {"auto"};
+    for (const simd::Target& target : targets) {
+        known.push_back(target.name);
+        if (target.name == text && !target.supported)
+            return fail(Exit::usage,
+                        "{}: this processor lacks it; `scanout list targets` prints its own", text);
+    }
+    if (std::find(known.begin(), known.end(), text) == known.end())
+        return fail(Exit::usage, "there is no '{}'{}; `scanout list targets` prints this program's",
+                    text, did_you_mean(text, known));
+    s.target = text;
+    return {};
+}
+
+Result<void> read_scale(Settings& s, std::string_view text) {
+    TRY(const std::vector<double> numbers, parse_list(text, 1, 3));
+    if (numbers.size() == 2) return fail(Exit::usage, "wants one number, or three; not '{}'", text);
+    const bool one = numbers.size() == 1;
+    s.model.scale = DVec3(numbers[0], numbers[one ? 0 : 1], numbers[one ? 0 : 2]);
+    return {};
+}
+
+Result<void> read_rotate(Settings& s, std::string_view text) {
+    TRY(s.model.rotate_degrees, parse_vector(text));
+    return {};
+}
+
+Result<void> read_translate(Settings& s, std::string_view text) {
+    TRY(s.model.translate, parse_vector(text));
+    return {};
+}
+
+Result<void> read_background(Settings& s, std::string_view text) {
+    TRY(s.frame.background, parse_colour(text));
+    return {};
+}
+
+Result<void> read_base_colour(Settings& s, std::string_view text) {
+    if (const Result<double> grey = parse_real(text)) {
+        if (*grey < 0 || *grey > 1)
+            return fail(Exit::usage, "wants a linear grey from 0 to 1, not {}", text);
+        s.unnamed_colour = Vec3(static_cast<float>(*grey));
+        return {};
+    }
+    TRY(const image::Rgba8 code, parse_colour(text));
+    s.unnamed_colour = Vec3(srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b));
+    return {};
+}
+
+Result<void> read_effect(Settings& s, std::string_view text) {
+    const std::size_t equals = text.find('=');
+    const std::string_view state = equals == std::string_view::npos ? "" : text.substr(equals + 1);
+    if (state != "on" && state != "off" && state != "auto")
+        return fail(Exit::usage, "wants NAME=on, NAME=off or NAME=auto, not '{}'", text);
+    const std::string name(text.substr(0, equals));
+    if (state == "auto")
+        s.frame.effects.erase(name);
+    else
+        s.frame.effects[name] = state == "on";
+    return {};
+}
+
+Result<void> read_shadow_plane(Settings& s, std::string_view text) {
+    s.frame.shadow_plane.reset();
+    if (text == "ground") return {};
+    const auto numbers = parse_list(text, 4, 4);
+    if (!numbers)
+        return fail(Exit::usage, "wants ground or four numbers NX,NY,NZ,D, not '{}'", text);
+    const std::vector<double>& n = *numbers;
+    if (n[0] == 0 && n[1] == 0 && n[2] == 0)
+        return fail(Exit::usage, "the plane's normal NX,NY,NZ must not be 0,0,0: '{}'", text);
+    s.frame.shadow_plane = {DVec3(n[0], n[1], n[2]), n[3]};
+    return {};
+}
+
+Result<void> read_model_format(Settings& s, std::string_view text) {
+    TRY(s.model_format, io::format_named(text));
+    return {};
+}
+
+Result<void> read_light(Settings& s, std::string_view text) {
+    TRY_VOID(add_light(s.frame.lights, !s.light_given, text));
+    s.light_given = true;
+    return {};
+}
+
+Result<void> read_pixel_format(Settings& s, std::string_view text) {
+    TRY(s.pixel_format, image::pixel_format(text));
+    s.pixel_format_name = text;
+    s.frame.bits = image::min_bits(*s.pixel_format);
+    return {};
+}
+
+Result<void> read_json(Settings& s, std::string_view text) {
+    s.json = text.empty() ? "-" : std::string(text);
+    return {};
+}
+
+Result<void> read_axis(Settings& s, std::string_view text) {
+    std::string axis(text);
+    std::replace(axis.begin(), axis.end(), '-', '_'); // as the options spell it
+    s.axes.push_back(std::move(axis));
+    return {};
+}
+
+Result<void> read_budget(Settings& s, std::string_view text) {
+    s.limits.wall_ms.reset();
+    s.holds_budget = text != "none";
+    if (!s.holds_budget) return {};
+    TRY(s.limits.wall_ms, parse_time(text));
+    return {};
+}
+
+Result<void> read_max_error(Settings& s, std::string_view text) {
+    TRY(const double codes, parse_real(text));
+    if (codes < 0 || codes > 255) return fail(Exit::usage, "must be 0 to 255, not {}", text);
+    s.limits.error = codes;
+    return {};
+}
+
+Result<void> read_limit(Settings& s, std::string_view text) {
+    TRY(s.limit, parse_real(text));
+    return {};
+}
+
+void choose_view(Settings& s, std::size_t index) {
+    s.named_view = words_in(kViews)[index];
+    const std::optional<scene::NamedView> view = scene::named_view(s.named_view);
+    s.camera.azimuth_degrees = view->azimuth_degrees;
+    s.camera.elevation_degrees = view->elevation_degrees;
+}
+
+} // namespace scanout::app
