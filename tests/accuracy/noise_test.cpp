@@ -62,7 +62,8 @@ Noise noise_of(const Shot& s, std::uint32_t samples) {
 
 struct Row {
     Shot shot;
-    double within; // the share of pixels, at least
+    double within;      // the share of pixels, at least
+    double said = 0.85; // of the real noise, at least
 };
 
 void expect_noise(std::vector<Row> rows, std::uint32_t samples, double low, double high) {
@@ -70,7 +71,7 @@ void expect_noise(std::vector<Row> rows, std::uint32_t samples, double low, doub
         row.shot.options.width = std::min(row.shot.options.width, 40);
         row.shot.options.height = std::min(row.shot.options.height, 40);
         const Noise noise = noise_of(row.shot, samples);
-        EXPECT_GE(noise.said, low * noise.real) << row.shot.name;
+        EXPECT_GE(noise.said, std::min(low, row.said) * noise.real) << row.shot.name;
         EXPECT_LE(noise.said, high * noise.real) << row.shot.name;
         EXPECT_GE(noise.within, row.within) << row.shot.name;
     }
@@ -80,7 +81,7 @@ std::vector<Row> rows() {
     return {{test::shipped("spot/spot.obj", 40, 30), 0.9},
             {test::shipped("suzanne/suzanne.obj", 40, 30), 0.85},
             {test::cornell_box(32, 0), 0.9},
-            {test::cornell_box(32, 60), 0.85},
+            {test::cornell_box(32, 60), 0.85, 0.8}, // 0.82 of 16 pictures: a soft shadow's edge
             {test::panes("panes", "auto"), 0.9},
             {test::star("a star"), 0.85},
             {test::noisy_floor("a floor", "auto"), 0.9}};
@@ -88,7 +89,7 @@ std::vector<Row> rows() {
 
 // Six pictures tell the real noise of the few pixels that make most of it to about a tenth.
 TEST(ReferenceNoise, IsAsLargeAsItSays) {
-    expect_noise(rows(), 512, 0.8, 1.25);
+    expect_noise(rows(), 512, 0.85, 1.25);
 }
 
 // Of as few samples as --quick takes, errors do not yet fall evenly.
