@@ -117,15 +117,16 @@ TEST_F(Stepwise, AStepEndsSoonAfterItsTime) {
     look.width = look.height = 400;
     Jobs jobs(2);
     auto made = make(false, kMostSamples);
-    auto longest = 0ns;
+    std::vector<std::chrono::steady_clock::duration> late;
     for (int i = 0; i < 50; ++i) {
         const auto until = std::chrono::steady_clock::now() + 2ms;
         made->step(jobs, until);
-        longest =
-            std::max<std::chrono::nanoseconds>(longest, std::chrono::steady_clock::now() - until);
+        late.push_back(std::chrono::steady_clock::now() - until);
     }
     EXPECT_FALSE(made->finished());
-    EXPECT_LT(longest, 500ms) << "a busy machine; the picture takes longer by far";
+    // But for five: other work may hold up a few.
+    std::ranges::nth_element(late, late.begin() + 45);
+    EXPECT_LT(late[45], 500ms) << "a busy machine; the picture takes longer by far";
 }
 
 TEST_F(Stepwise, ALateStepBeginsNoWorkOfTheNextStage) {
