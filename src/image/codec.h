@@ -14,10 +14,13 @@ namespace scanout::image {
 
 using Bytes = std::vector<std::uint8_t>;
 
-// PNG, 8 bits, RGB when every alpha is 255, else RGBA. Same bytes for the same picture. An empty
-// picture has no PNG (Exit::internal).
+// if_needed: RGB when every alpha is 255, else RGBA.
+enum class PngAlpha : std::uint8_t { if_needed, always };
+
+// PNG, 8 bits. Same bytes for the same picture. An empty picture has no PNG (Exit::internal).
 // description: UTF-8 text stored in the file (PNG 3, 11.3.3); empty: none.
-Result<Bytes> encode_png(const Image& image, const std::string& description = {});
+Result<Bytes> encode_png(const Image& image, const std::string& description = {},
+                         PngAlpha alpha = PngAlpha::if_needed);
 Bytes encode_ppm(const Image& image); // P6: alpha is dropped
 Bytes encode_pam(const Image& image); // P7, RGB_ALPHA
 

@@ -169,10 +169,11 @@ void write_rows(Writer& writer, const Image& image) {
 
 } // namespace
 
-Result<Bytes> encode_png(const Image& image, const std::string& description) {
+Result<Bytes> encode_png(const Image& image, const std::string& description, PngAlpha alpha) {
     if (image.empty()) return fail(Exit::internal, "a picture without pixels cannot become a PNG");
     const auto full = [](const Rgba8& pixel) { return pixel.a == 255; };
-    const bool opaque = std::all_of(image.pixels().begin(), image.pixels().end(), full);
+    const bool opaque = alpha == PngAlpha::if_needed &&
+                        std::all_of(image.pixels().begin(), image.pixels().end(), full);
     Writer writer;
     writer.file.reserve(image.pixels().size_bytes() / 8);
     std::string text = description; // libpng wants to be able to write to it

@@ -40,6 +40,7 @@ Result<Stand> stand_of(const geom::Mesh& mesh, const CameraOptions& camera, cons
         stand.azimuth = camera.azimuth_degrees;
         stand.elevation = camera.elevation_degrees;
         stand.distance = camera.distance > 0 ? camera.distance : fit_distance;
+        if (camera.pivot) stand.target = up * radii_from_centre(mesh, *camera.pivot);
         return stand;
     }
     if (!camera.eye || !camera.target)

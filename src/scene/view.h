@@ -31,7 +31,9 @@ struct CameraOptions {
     double fov_degrees = 45; // vertical
     Projection projection = Projection::perspective;
     UpAxis up = UpAxis::plus_y;
-    // In file coordinates; both or neither. They replace azimuth, elevation and distance.
+    std::optional<DVec3>
+        pivot; // what it looks at, in file coordinates; default: the model's centre
+    // In file coordinates; both or neither. They replace azimuth, elevation, distance and pivot.
     std::optional<DVec3> eye, target;
 };
 
