@@ -16,10 +16,12 @@ if(SCANOUT_PROGRAM)
   find_package(CLI11 CONFIG REQUIRED)         # libcli11-dev
   find_package(nlohmann_json CONFIG REQUIRED) # nlohmann-json3-dev
   find_package(embree 3 CONFIG REQUIRED)      # libembree-dev
-  pkg_check_modules(DRM REQUIRED IMPORTED_TARGET libdrm)        # libdrm-dev
-  pkg_check_modules(SEAT REQUIRED IMPORTED_TARGET libseat)      # libseat-dev
-  pkg_check_modules(INPUT REQUIRED IMPORTED_TARGET libinput)    # libinput-dev
-  pkg_check_modules(UDEV REQUIRED IMPORTED_TARGET libudev)      # libudev-dev
-  pkg_check_modules(EVDEV REQUIRED IMPORTED_TARGET libevdev)    # libevdev-dev
   pkg_check_modules(XKB REQUIRED IMPORTED_TARGET xkbcommon)     # libxkbcommon-dev
+  if(SCANOUT_DISPLAYS)
+    pkg_check_modules(DRM REQUIRED IMPORTED_TARGET libdrm)        # libdrm-dev
+    pkg_check_modules(SEAT REQUIRED IMPORTED_TARGET libseat)      # libseat-dev
+    pkg_check_modules(INPUT REQUIRED IMPORTED_TARGET libinput)    # libinput-dev
+    pkg_check_modules(UDEV REQUIRED IMPORTED_TARGET libudev)      # libudev-dev
+    pkg_check_modules(EVDEV REQUIRED IMPORTED_TARGET libevdev)    # libevdev-dev
+  endif()
 endif()

@@ -42,8 +42,9 @@ if(SCANOUT_SANITIZE)
   target_link_options(scanout_flags INTERFACE -fsanitize=${SCANOUT_SANITIZE})
 endif()
 
-# scanout_module(<name> [DIR <path>] [NO_AXES] [DEPENDS <module>...] [LIBS <target>...])
-# Sources are every .cpp in the folder and, unless NO_AXES, in its axis folders. A module may depend
+# scanout_module(<name> [DIR <path>] [NO_AXES] [FOLDERS <folder>...] [DEPENDS <module>...] [LIBS <target>...])
+# Sources are every .cpp in the folder and in the named folders in it; where none is named, in all: those of axes. With
+# NO_AXES in none. A module may depend
 # only on modules declared before it: an upward edge stops the configuration.
 #
 # Half of the time for a file that is no kernel went into reading headers: those of libraries that most files include
@@ -52,17 +53,21 @@ endif()
 set(SCANOUT_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <memory> <optional> <span> <string>
     <string_view> <utility> <vector> <fmt/format.h> <glm/mat3x3.hpp> <glm/mat4x4.hpp> <tl/expected.hpp>)
 function(scanout_module name)
-  cmake_parse_arguments(A "NO_AXES" "DIR" "DEPENDS;LIBS" ${ARGN})
+  cmake_parse_arguments(A "NO_AXES" "DIR" "FOLDERS;DEPENDS;LIBS" ${ARGN})
   if(NOT A_DIR)
     set(A_DIR src/${name})
   endif()
   set(patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*.cpp)
-  if(NOT A_NO_AXES)
+  set(chosen)
+  if(A_FOLDERS)
+    list(TRANSFORM A_FOLDERS REPLACE "(.+)" "${PROJECT_SOURCE_DIR}/${A_DIR}/\\1/*.cpp" OUTPUT_VARIABLE folders)
+    file(GLOB chosen CONFIGURE_DEPENDS ${folders})
+  elseif(NOT A_NO_AXES)
     list(APPEND patterns ${PROJECT_SOURCE_DIR}/${A_DIR}/*/*.cpp)
   endif()
   file(GLOB sources CONFIGURE_DEPENDS ${patterns})
   if(sources)
-    add_library(scanout_${name} STATIC ${sources})
+    add_library(scanout_${name} STATIC ${sources} ${chosen}) # units of the others do not depend on the choice
     scanout_unity(scanout_${name} 12 ${sources})
     set(scope PUBLIC)
   else()

@@ -38,7 +38,7 @@ Result<std::unique_ptr<Session>> Session::open(bool device_is_named) {
                                       "/dev/fb*): use `scanout render`, or "
                                       "--backend headless");
     std::unique_ptr<Session> session(new Session);
-    TRY(session->signals_, Signals::create());
+    TRY(session->signals_, port::Signals::create());
     TRY(session->seat_, open_seat(session->notes_));
     session->epoll_ = Fd(::epoll_create1(EPOLL_CLOEXEC));
     if (!session->epoll_.valid()) return fail(Exit::internal, "epoll: {}", std::strerror(errno));

@@ -5,7 +5,7 @@
 #include "platform/console_input.h"
 #include "platform/libinput.h"
 #include "platform/seat.h"
-#include "platform/signals.h"
+#include "port/signals.h"
 #include "platform/terminal.h"
 #include "port/input.h"
 
@@ -57,7 +57,7 @@ private:
     Result<void> resume();
 
     Fd epoll_;
-    Signals signals_;
+    port::Signals signals_;
     std::unique_ptr<Seat> seat_;
     std::unique_ptr<Libinput> libinput_;
     std::unique_ptr<ConsoleInput> terminal_;

@@ -10,12 +10,15 @@ libraries_core=(
 )
 libraries_test=(libgtest-dev libgmock-dev librapidcheck-dev libmpfr-dev libgmp-dev)
 
+# Without displays (SCANOUT_DISPLAYS=OFF).
+packages_headless=(
+    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev libembree-dev libxkbcommon-dev
+)
 packages_build=(
-    g++ cmake ninja-build pkg-config "${libraries_core[@]}" libcli11-dev nlohmann-json3-dev libembree-dev
-    libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev libxkbcommon-dev
+    "${packages_headless[@]}" libdrm-dev libseat-dev libinput-dev libudev-dev libevdev-dev
     xkb-data # read when the viewer starts
 )
-packages_test=("${libraries_test[@]}" ccache patch python3)
+packages_test=("${libraries_test[@]}" ccache patch python3 python3-jsonschema parallel)
 packages_package=(dpkg-dev file debootstrap lintian)
 packages_bench=(libbenchmark-dev libegl-dev libopengl-dev libgl1-mesa-dri linux-perf valgrind binutils python3)
 packages_clang=(clang-14 libclang-rt-14-dev)

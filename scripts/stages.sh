@@ -90,6 +90,7 @@ stage_cli() {
     build test
     run_ctest test -L cli
     check check_run
+    check check_headless
 }
 
 # The instructions of six fixed frames against those kept in bench/counts, in the release that ./run builds.
@@ -104,6 +105,25 @@ stage_effects() {
     configure test release
     build test
     run_ctest test -L effects
+}
+
+# The program without displays: it draws the same, needs none of their libraries, and says what it lacks.
+check_headless() {
+    use_cache
+    cmake --preset release -B build/headless -DSCANOUT_DISPLAYS=OFF >build/headless.log 2>&1 || {
+        cat build/headless.log
+        return 1
+    }
+    ninja --quiet -C build/headless scanout || return 1
+    local program status=0
+    if ldd build/headless/scanout | grep -E 'libdrm|libinput|libseat|libudev|libevdev'; then return 1; fi
+    for program in test headless; do
+        "build/$program/scanout" render models/spot/spot.obj --hash --json=build/headless/$program.json >build/headless/$program.hash ||
+            return 1
+    done
+    cmp build/headless/test.hash build/headless/headless.hash || return 1
+    build/headless/scanout view models/spot/spot.obj 2>build/headless/view.log || status=$?
+    [ $status = 5 ] && grep -q SCANOUT_DISPLAYS build/headless/view.log
 }
 
 # ./run without arguments, in a folder of its own: where there is no display it must leave a picture.

@@ -1,15 +1,15 @@
 // scanout list WHAT: lists what this machine and this program have, on standard output.
 #include "app/bindings.h"
 #include "app/commands.h"
+#include "app/displays.h"
 #include "app/lists.h"
 #include "app/nearest.h"
 #include "app/option_text.h"
+#include "app/picture.h"
 #include "app/report.h"
 #include "frame/catalogue.h"
 #include "image/pixel_format.h"
 #include "io/load.h"
-#include "platform/drm/display.h"
-#include "platform/linux-fb/display.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -17,42 +17,6 @@
 
 namespace scanout::app {
 namespace {
-
-void list_displays(const Settings& settings) {
-    for (const drm::CardInfo& card : drm::list_cards()) {
-        if (!is_wanted(settings, card.path)) continue;
-        const auto used = std::count_if(card.connectors.begin(), card.connectors.end(),
-                                        [](const drm::ConnectorInfo& c) { return c.connected; });
-        fmt::print("drm    {}  {}  {}\n", card.path, card.driver,
-                   card.problem.empty()
-                       ? fmt::format("{} of {} connectors in use", used, card.connectors.size())
-                       : card.problem);
-    }
-    for (const linux_fb::FrameBufferInfo& fb : linux_fb::list_frame_buffers())
-        if (is_wanted(settings, fb.path))
-            fmt::print("fbdev  {}  {}  {}\n", fb.path, fb.id,
-                       fb.problem.empty()
-                           ? fmt::format("{}x{} {}", fb.width, fb.height, image::name_of(fb.format))
-                           : fb.problem);
-    fmt::print("headless  in memory, with --backend headless\n");
-}
-
-void list_connectors(const Settings& settings) {
-    for (const drm::CardInfo& card : drm::list_cards())
-        for (const drm::ConnectorInfo& connector : card.connectors)
-            if (is_wanted(settings, card.path))
-                fmt::print("{}  {}  {}\n", card.path, connector.name,
-                           connector.connected ? "connected" : "not connected");
-}
-
-void list_modes(const Settings& settings) {
-    for (const drm::CardInfo& card : drm::list_cards())
-        for (const drm::ConnectorInfo& connector : card.connectors)
-            for (const drm::ModeInfo& mode : connector.modes)
-                if (is_wanted(settings, card.path))
-                    fmt::print("{}  {}  {}x{}@{:.0f}{}\n", card.path, connector.name, mode.width,
-                               mode.height, mode.refresh_hz, mode.preferred ? "  preferred" : "");
-}
 
 std::string exception_of(const Technique& t) {
     if (t.may_err_more.than.empty()) return "";
@@ -80,7 +44,8 @@ void list_formats(const Settings&) {
     fmt::print("Models:\n");
     for (const io::Format& format : io::formats())
         fmt::print("  {:<10} {}\n", format.extension, format.description);
-    fmt::print("Pictures, written:\n  png ppm pam raw\nPixel formats of displays:\n ");
+    fmt::print(
+        "Pictures, written:\n  png ppm pam raw, moving: apng y4m\nPixel formats of displays:\n ");
     for (const image::NamedPixelFormat& named : image::pixel_formats())
         fmt::print(" {}", named.name);
     fmt::print("\n");

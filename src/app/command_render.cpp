@@ -9,9 +9,11 @@
 #include "app/render_run.h"
 #include "app/report.h"
 #include "base/check.h"
+#include "scene/shared_camera.h"
 #include "simd/targets.h"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -20,13 +22,43 @@
 namespace scanout::app {
 namespace {
 
+// The pictures of the whole run, shards of others included.
+int all_pictures(const Settings& s) {
+    return static_cast<int>(s.arguments.size()) * pictures(s);
+}
+// Is it drawn by this shard?
+bool is_drawn(const Settings& s, int model, int index) {
+    return !s.shard || (model * pictures(s) + index) % s.shard->count == s.shard->index;
+}
+
+// All pictures go into one file.
+bool in_one_file(const Settings& s, PictureFormat format) {
+    return s.sheet || format == PictureFormat::apng || format == PictureFormat::y4m;
+}
+
+Result<void> check_pair(const Settings& s) {
+    if (!s.pair) return {};
+    if (s.arguments.size() != 2)
+        return fail(Exit::usage, "--pair draws two models, not {}", s.arguments.size());
+    const scene::ModelTransform& m = s.model;
+    if (s.turntable > 1 || m.scale != DVec3(1) || m.rotate_degrees != DVec3(0) ||
+        m.translate != DVec3(0))
+        return fail(Exit::usage, "--pair draws models where they lie in their files: leave "
+                                 "--turntable, --scale, --rotate and --translate out");
+    if (s.limits.any())
+        return fail(Exit::usage, "--pair draws both with the same rungs: name them in place of {}",
+                    s.limits.wall_ms ? "--budget" : "--max-error");
+    return {};
+}
+
 // Everything that can be wrong about the command line is said before the model is read.
 Result<PictureFormat> check_render(const Settings& s) {
     const std::size_t models = s.arguments.size();
     if (models == 0)
         return fail(Exit::usage, "name a model to draw, as in `scanout render "
                                  "models/spot/spot.obj -o spot.png`");
-    if (models > 1 && !s.output.empty() && !has_name(s.output))
+    TRY_VOID(check_pair(s));
+    if (models > 1 && !s.output.empty() && !has_name(s.output) && !s.sheet)
         return fail(Exit::usage, "{}: {} models want {{name}} in the name, as in {{name}}.png",
                     s.output, models);
     if (models > 1 && std::count(s.arguments.begin(), s.arguments.end(), "-") > 0)
@@ -40,6 +72,15 @@ Result<PictureFormat> check_render(const Settings& s) {
                     "where should the picture go? say -o picture.png, or --hash, or --json");
     }
     TRY(const PictureFormat format, picture_format(s.output, s.picture_format));
+    if (s.sheet && (has_name(s.output) || has_number(s.output)))
+        return fail(Exit::usage, "{}: --sheet makes one picture: leave {} out of its name",
+                    s.output, has_name(s.output) ? "{name}" : "{n}");
+    if (s.shard && in_one_file(s, format))
+        return fail(Exit::usage,
+                    "--shard {}/{} draws a part of the pictures; write a file each, "
+                    "as in -o '{{name}}-{{n}}.png'",
+                    s.shard->index + 1, s.shard->count);
+    TRY_VOID(check_output_size(s, format, all_pictures(s)));
     if (s.output == "-") {
         if (s.json == "-" || s.hash)
             return fail(Exit::usage, "the picture takes standard output; {}",
@@ -47,18 +88,23 @@ Result<PictureFormat> check_render(const Settings& s) {
         if (::isatty(STDOUT_FILENO) == 1)
             return fail(Exit::usage,
                         "standard output is a terminal; say -o picture.png, or pipe it on");
-        if (pictures(s) > 1 && format == PictureFormat::png)
+        if (pictures(s) > 1 && format == PictureFormat::png && !s.sheet)
             return fail(Exit::usage,
-                        "several pictures in one stream: say --format ppm, pam or raw");
-    } else if (pictures(s) > 1 && !has_number(s.output)) {
-        return fail(Exit::usage, "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png",
-                    s.output, pictures(s));
+                        "several pictures in one stream: say --format y4m, apng, ppm, pam or raw");
+    } else if (pictures(s) > 1 && !has_number(s.output) && !in_one_file(s, format)) {
+        return fail(
+            Exit::usage,
+            "{}: {} pictures want {{n}} in the name, as in turn-{{n}}.png; or an animation, "
+            "as in turn.apng",
+            s.output, pictures(s));
     }
     return format;
 }
 
-Result<void> check_files(const Settings& s) {
-    for (int index = 0; index < pictures(s); ++index) { // whose names differ from each other
+Result<void> check_files(const Settings& s, PictureFormat format) {
+    if (s.sheet) return check_outputs(s.arguments, {s.json.value_or(""), s.output});
+    const int files = in_one_file(s, format) ? 1 : pictures(s); // of a model
+    for (int index = 0; index < files; ++index) { // whose names differ from each other
         std::vector<std::string> outputs = {s.json.value_or("")};
         for (const std::string& model : s.arguments)
             outputs.push_back(numbered(named(s.output, model), index, pictures(s)));
@@ -69,12 +115,12 @@ Result<void> check_files(const Settings& s) {
 
 // Rungs that meet --budget and --max-error, by the first picture. Where there is nothing to choose
 // by, a warning, and the picture is drawn as it is asked for; limits that are missed are an error.
-Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& model, Jobs& jobs,
+Result<std::optional<Chosen>> choose_for(const Settings& s, const LoadedModel& model,
+                                         const scene::CameraOptions& camera, Jobs& jobs,
                                          std::vector<std::string>& warnings) {
     const frame::SceneFacts facts = frame::facts(model.scene, s.frame.shadow_plane);
     TRY(const scene::View view,
-        scene::make_view(model.scene.mesh, s.model, {}, fitted_camera_of(s, model), {},
-                         s.frame.width, s.frame.height));
+        scene::make_view(model.scene.mesh, s.model, {}, camera, {}, s.frame.width, s.frame.height));
     std::string bar_of;
     std::optional<ProgressBar> bar;
     const auto progress = [&](std::string_view doing, double fraction) {
@@ -102,64 +148,128 @@ struct Rendered {
     bool blank = false; // one of its pictures shows nothing of it
 };
 
-// `settings`: with this model alone, and with its own output.
-Result<Rendered> render_model(Settings settings, PictureFormat format, Jobs& jobs,
-                              std::uint64_t start_bytes) {
-    TRY(const LoadedModel model,
-        load_model_with_messages(settings.arguments.front(), settings, jobs));
-    CHECK(simd::choose_target(settings.target)); // read_target let only these through
-    Rendered rendered;
-    RunReport& report = rendered.report;
-    report.model_path = model.scene.path;
-    report.counts = model.scene.counts;
-    report.load_ms = model.load_ms;
-    report.load_times = model.load_times;
-    report.warnings = model.warnings;
-    report.start_bytes = start_bytes;
-    report.threads = jobs.threads();
-    if (settings.limits.any()) {
-        TRY(report.chosen, choose_for(settings, model, jobs, report.warnings));
-        if (report.chosen)
-            settings.frame = measure::with(std::move(settings.frame), report.chosen->point.rungs);
+// The pictures of a run, model by model.
+class Run {
+public:
+    Run(const Settings& all, PictureFormat format, std::uint64_t start_bytes)
+        : all_(all), format_(format), start_bytes_(start_bytes), jobs_(all.threads) {
+        if (all.sheet && !all.output.empty()) sheet_ = make_output(all, format);
     }
-    RenderRun run(settings, format, model, jobs);
-    for (int index = 0; index < pictures(settings); ++index)
-        TRY_VOID(run.draw(index, report));
-    rendered.blank = run.drew_a_blank();
-    return rendered;
-}
 
-Settings only(const Settings& all, const std::string& model) {
-    Settings one = all;
-    one.arguments = {model};
-    one.output = named(all.output, model);
-    return one;
-}
+    Result<Exit> draw_all() {
+        if (all_.pair) return draw_pair();
+        for (std::size_t i = 0; i < all_.arguments.size(); ++i) {
+            if (!draws_of(static_cast<int>(i))) continue;
+            const Settings one = only(i);
+            Result<LoadedModel> model = load_model_with_messages(one.arguments.front(), one, jobs_);
+            const Result<Rendered> rendered =
+                model ? draw(one, static_cast<int>(i), *model, fitted_camera_of(one, *model))
+                      : tl::unexpected(model.error());
+            TRY_VOID(note(rendered));
+        }
+        return finish();
+    }
+
+private:
+    bool draws_of(int model) const {
+        for (int index = 0; index < pictures(all_); ++index)
+            if (is_drawn(all_, model, index)) return true;
+        return false;
+    }
+
+    // The settings with this model alone, and with its own output.
+    Settings only(std::size_t model) const {
+        Settings one = all_;
+        one.arguments = {all_.arguments[model]};
+        one.output = named(all_.output, all_.arguments[model]);
+        return one;
+    }
+
+    // Both are in memory: the camera is of both.
+    Result<Exit> draw_pair() {
+        const Settings settings[] = {only(0), only(1)};
+        TRY(const LoadedModel first,
+            load_model_with_messages(all_.arguments[0], settings[0], jobs_));
+        TRY(const LoadedModel second,
+            load_model_with_messages(all_.arguments[1], settings[1], jobs_));
+        const double aspect = static_cast<double>(all_.frame.width) / all_.frame.height;
+        const auto [of_first, of_second] = scene::shared_cameras(
+            first.scene.mesh, second.scene.mesh, camera_of(all_, first), aspect);
+        if (is_drawn(all_, 0, 0)) TRY_VOID(note(draw(settings[0], 0, first, of_first)));
+        if (is_drawn(all_, 1, 0)) TRY_VOID(note(draw(settings[1], 1, second, of_second)));
+        return finish();
+    }
+
+    Result<Rendered> draw(Settings settings, int number, const LoadedModel& model,
+                          const scene::CameraOptions& camera) {
+        CHECK(simd::choose_target(settings.target)); // read_target let only these through
+        Rendered rendered;
+        RunReport& report = rendered.report;
+        report.model_path = model.scene.path;
+        report.counts = model.scene.counts;
+        report.load_ms = model.load_ms;
+        report.load_times = model.load_times;
+        report.warnings = model.warnings;
+        report.start_bytes = start_bytes_;
+        report.threads = jobs_.threads();
+        if (settings.limits.any()) {
+            TRY(report.chosen, choose_for(settings, model, camera, jobs_, report.warnings));
+            if (report.chosen)
+                settings.frame =
+                    measure::with(std::move(settings.frame), report.chosen->point.rungs);
+        }
+        const std::unique_ptr<PictureOutput> own =
+            sheet_ || settings.output.empty() ? nullptr : make_output(settings, format_);
+        PictureOutput* const output = own ? own.get() : sheet_.get();
+        RenderRun run(settings, format_, model, camera, output, jobs_);
+        for (int index = 0; index < pictures(settings); ++index)
+            if (is_drawn(all_, number, index)) TRY_VOID(run.draw(index, report));
+        if (own) TRY_VOID(own->finish());
+        rendered.blank = run.drew_a_blank();
+        return rendered;
+    }
+
+    // A model that cannot be drawn ends a run of one; of several, the others are drawn
+    // nevertheless.
+    Result<void> note(const Result<Rendered>& rendered) {
+        if (rendered) {
+            reports_.push_back(rendered->report);
+            if (all_.fail_if_empty && rendered->blank && exit_ == Exit::ok) exit_ = Exit::hazards;
+            return {};
+        }
+        if (all_.arguments.size() == 1) return tl::unexpected(rendered.error());
+        say("scanout: " + rendered.error().what);
+        if (exit_ == Exit::ok || exit_ == Exit::hazards) exit_ = rendered.error().exit;
+        return {};
+    }
+
+    Result<Exit> finish() {
+        if (sheet_ && !reports_.empty()) TRY_VOID(sheet_->finish());
+        if (all_.json)
+            TRY_VOID(write_report(all_, all_.arguments.size() == 1 && !reports_.empty()
+                                            ? to_json(reports_.front())
+                                            : to_json(reports_)));
+        return exit_;
+    }
+
+    const Settings& all_;
+    PictureFormat format_;
+    std::uint64_t start_bytes_;
+    Jobs jobs_;
+    std::unique_ptr<PictureOutput> sheet_; // of all models; null: each has outputs of its own
+    std::vector<RunReport> reports_;
+    Exit exit_ = Exit::ok;
+};
 
 } // namespace
 
-Result<Exit> run_render(const Settings& settings, std::uint64_t start_bytes) {
+Result<Exit> run_render(const Settings& given, std::uint64_t start_bytes) {
+    Settings settings = given;
+    if (settings.pair && !settings.sheet && !has_name(settings.output))
+        settings.sheet = SheetGrid{2, 1};
     TRY(const PictureFormat format, check_render(settings));
-    TRY_VOID(check_files(settings));
-    Jobs jobs(settings.threads);
-    std::vector<RunReport> reports;
-    Exit exit = Exit::ok;
-    for (const std::string& model : settings.arguments) {
-        const Result<Rendered> rendered =
-            render_model(only(settings, model), format, jobs, start_bytes);
-        if (!rendered) {
-            if (settings.arguments.size() == 1) return tl::unexpected(rendered.error());
-            say("scanout: " + rendered.error().what); // the others are drawn nevertheless
-            if (exit == Exit::ok || exit == Exit::hazards) exit = rendered.error().exit;
-            continue;
-        }
-        reports.push_back(rendered->report);
-        if (settings.fail_if_empty && rendered->blank && exit == Exit::ok) exit = Exit::hazards;
-    }
-    if (settings.json)
-        TRY_VOID(write_report(settings, settings.arguments.size() == 1 ? to_json(reports.front())
-                                                                       : to_json(reports)));
-    return exit;
+    TRY_VOID(check_files(settings, format));
+    return Run(settings, format, start_bytes).draw_all();
 }
 
 } // namespace scanout::app

@@ -1,15 +1,14 @@
-// scanout view: opens a display (DRM, then the frame buffer) and runs the viewer on it.
+// scanout view: opens a display and runs the viewer on it.
 #include "app/commands.h"
+#include "app/displays.h"
 #include "app/files.h"
 #include "app/message.h"
 #include "app/model_file.h"
 #include "app/option_conflicts.h"
 #include "app/view_session.h"
 #include "base/check.h"
-#include "platform/drm/display.h"
-#include "platform/linux-fb/display.h"
-#include "platform/session.h"
 #include "port/headless.h"
+#include "port/signals.h"
 #include "simd/targets.h"
 
 #include <csignal>
@@ -72,7 +71,7 @@ Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint6
     const image::PixelFormat format = settings.pixel_format.value_or(image::PixelFormat{});
     TRY(port::HeadlessDisplay display,
         port::HeadlessDisplay::create(settings.frame.width, settings.frame.height, format));
-    TRY(console::Signals signals, console::Signals::create());
+    TRY(port::Signals signals, port::Signals::create());
     if (settings.replay.empty() && !settings.quiet)
         say("scanout: headless: nothing is shown; Ctrl-C ends it (--replay FILE plays actions)");
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
@@ -88,51 +87,15 @@ Result<Commands> show_headless(const Settings& settings, Tapes tapes, std::uint6
                 "headless", start_bytes);
 }
 
-struct OpenDisplay {
-    std::unique_ptr<port::Display> display;
-    const char* backend = "";
-};
-
-// Opens the first display that works. Reports those refused before it with --verbose; if none
-// works, the refusals are the error.
-Result<OpenDisplay> open_display(const Settings& s, console::Seat& seat) {
-    const bool names_fb = s.device.starts_with("/dev/fb");
-    const bool names_drm = !s.device.empty() && !names_fb;
-    std::string refused;
-    const auto refuse = [&](const char* name, const Error& error) {
-        if (s.verbose) say(fmt::format("{}: {}", name, error.what));
-        refused += fmt::format("{}{}: {}", refused.empty() ? "" : "; ", name, error.what);
-    };
-    if (s.backend != Backend::fbdev && !names_fb) {
-        auto display = drm::create({s.device, s.connector, s.mode}, seat);
-        if (display) return OpenDisplay{*std::move(display), "drm"};
-        refuse("DRM", display.error());
-    }
-    if (s.backend != Backend::drm && !names_drm) {
-        linux_fb::Options options;
-        if (names_fb) options.device = s.device;
-        auto display = linux_fb::create(options, seat);
-        if (display) return OpenDisplay{*std::move(display), "fbdev"};
-        refuse("framebuffer", display.error());
-    }
-    return fail(Exit::no_display, "no display: {}; `scanout render` draws without one", refused);
-}
-
 Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uint64_t start_bytes) {
-    TRY(const std::unique_ptr<console::Session> session,
-        console::Session::open(!settings.device.empty()));
-    TRY(const OpenDisplay open, open_display(settings, session->seat()));
-    TRY_VOID(session->open_input());
-    if (settings.verbose)
-        for (const std::string& note : session->notes())
-            say(note);
+    TRY(const std::unique_ptr<OpenConsole> console, open_console(settings));
     CHECK(simd::choose_target(settings.target)); // read_target let only these through
     Jobs jobs(settings.threads); // threads only now: the seat's server is a fork of this process
-    const auto suspend = [&](std::vector<port::Event>& events) { return session->suspend(events); };
+    const auto suspend = [&](std::vector<port::Event>& events) { return console->suspend(events); };
     return show(settings,
-                {*open.display, *session, jobs, suspend, std::move(tapes.recorder),
+                {console->display(), console->input(), jobs, suspend, std::move(tapes.recorder),
                  std::move(tapes.script), false},
-                open.backend, start_bytes);
+                console->backend(), start_bytes);
 }
 
 } // namespace

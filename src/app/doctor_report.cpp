@@ -189,7 +189,7 @@ std::string doctor_json(const DoctorReport& report) {
                          {"unused", m.unused},         {"one_sided", m.one_sided},
                          {"not_kept", report.not_kept}};
     }
-    return json_text(json);
+    return json_text(versioned(json));
 }
 
 std::string doctor_sarif(const DoctorReport& report) {

@@ -129,7 +129,7 @@ std::string to_json(const FrontierReport& report) {
                        {"frontier", frontier},
                        {"warnings", report.warnings},
                        {"version", SCANOUT_VERSION}};
-    return json_text(json);
+    return json_text(versioned(json));
 }
 
 std::string frontier_csv(const FrontierReport& report) {

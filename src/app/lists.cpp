@@ -4,11 +4,10 @@
 #include "app/json_text.h"
 #include "app/option_text.h"
 #include "app/options.h"
+#include "app/picture.h"
 #include "frame/catalogue.h"
 #include "image/pixel_format.h"
 #include "io/load.h"
-#include "platform/drm/display.h"
-#include "platform/linux-fb/display.h"
 #include "simd/targets.h"
 
 #include <algorithm>
@@ -19,10 +18,6 @@ namespace scanout::app {
 
 using Json = nlohmann::ordered_json;
 
-bool is_wanted(const Settings& settings, const std::string& device) {
-    return settings.device.empty() || settings.device == device;
-}
-
 std::vector<const Technique*> techniques_of(const Settings& settings) {
     std::vector<const Technique*> found = frame::techniques();
     if (settings.arguments.size() < 2) return found;
@@ -32,53 +27,6 @@ std::vector<const Technique*> techniques_of(const Settings& settings) {
                                [&](const Technique* t) { return t->axis != axis; }),
                 found.end());
     return found;
-}
-
-std::string displays_json(const Settings& settings) {
-    Json rows = Json::array();
-    for (const drm::CardInfo& card : drm::list_cards())
-        if (is_wanted(settings, card.path))
-            rows.push_back({{"backend", "drm"},
-                            {"device", card.path},
-                            {"driver", card.driver},
-                            {"problem", card.problem}});
-    for (const linux_fb::FrameBufferInfo& fb : linux_fb::list_frame_buffers())
-        if (is_wanted(settings, fb.path))
-            rows.push_back({{"backend", "fbdev"},
-                            {"device", fb.path},
-                            {"driver", fb.id},
-                            {"problem", fb.problem},
-                            {"width", fb.width},
-                            {"height", fb.height},
-                            {"pixel_format", fb.problem.empty() ? image::name_of(fb.format) : ""}});
-    rows.push_back({{"backend", "headless"}, {"device", ""}, {"driver", ""}, {"problem", ""}});
-    return json_text(rows);
-}
-
-std::string connectors_json(const Settings& settings) {
-    Json rows = Json::array();
-    for (const drm::CardInfo& card : drm::list_cards())
-        for (const drm::ConnectorInfo& connector : card.connectors)
-            if (is_wanted(settings, card.path))
-                rows.push_back({{"device", card.path},
-                                {"connector", connector.name},
-                                {"connected", connector.connected}});
-    return json_text(rows);
-}
-
-std::string modes_json(const Settings& settings) {
-    Json rows = Json::array();
-    for (const drm::CardInfo& card : drm::list_cards())
-        for (const drm::ConnectorInfo& connector : card.connectors)
-            for (const drm::ModeInfo& mode : connector.modes)
-                if (is_wanted(settings, card.path))
-                    rows.push_back({{"device", card.path},
-                                    {"connector", connector.name},
-                                    {"width", mode.width},
-                                    {"height", mode.height},
-                                    {"hz", mode.refresh_hz},
-                                    {"preferred", mode.preferred}});
-    return json_text(rows);
 }
 
 std::string techniques_json(const Settings& settings) {
@@ -111,7 +59,7 @@ std::string formats_json(const Settings&) {
                         {"name", format.name},
                         {"extension", format.extension},
                         {"description", format.description}});
-    for (const char* name : {"png", "ppm", "pam", "raw"})
+    for (const std::string_view name : kPictureFormats)
         rows.push_back({{"kind", "picture"}, {"name", name}});
     for (const image::NamedPixelFormat& named : image::pixel_formats())
         rows.push_back({{"kind", "pixels"}, {"name", named.name}});

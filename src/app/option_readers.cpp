@@ -7,6 +7,7 @@
 #include "simd/targets.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace scanout::app {
 
@@ -177,6 +178,33 @@ Result<void> read_max_error(Settings& s, std::string_view text) {
     TRY(const double codes, parse_real(text));
     if (codes < 0 || codes > 255) return fail(Exit::usage, "must be 0 to 255, not {}", text);
     s.limits.error = codes;
+    return {};
+}
+
+// Two whole numbers with a mark between them: "4x3", "1/8".
+static Result<std::pair<int, int>> two_numbers(std::string_view text, char mark, int most) {
+    const std::size_t at = text.find(mark);
+    if (at != std::string_view::npos) {
+        const auto first = parse_integer(text.substr(0, at)),
+                   second = parse_integer(text.substr(at + 1));
+        if (first && second && *first >= 1 && *second >= 1 && *first <= most && *second <= most)
+            return std::pair(static_cast<int>(*first), static_cast<int>(*second));
+    }
+    return fail(Exit::usage, "wants two numbers from 1 to {} with {} between them, not '{}'", most,
+                mark, text);
+}
+
+Result<void> read_sheet(Settings& s, std::string_view text) {
+    TRY(const auto cells, two_numbers(text, 'x', 1000));
+    s.sheet = SheetGrid{cells.first, cells.second};
+    return {};
+}
+
+Result<void> read_shard(Settings& s, std::string_view text) {
+    TRY(const auto part, two_numbers(text, '/', 1'000'000));
+    if (part.first > part.second)
+        return fail(Exit::usage, "wants I/N with I from 1 to N, not '{}'", text);
+    s.shard = Shard{part.first - 1, part.second};
     return {};
 }
 

@@ -32,6 +32,8 @@ Result<void> read_json(Settings& s, std::string_view text);
 Result<void> read_axis(Settings& s, std::string_view text);
 Result<void> read_budget(Settings& s, std::string_view text);
 Result<void> read_max_error(Settings& s, std::string_view text);
+Result<void> read_sheet(Settings& s, std::string_view text);
+Result<void> read_shard(Settings& s, std::string_view text);
 Result<void> read_limit(Settings& s, std::string_view text);
 void choose_view(Settings& s, std::size_t index);
 

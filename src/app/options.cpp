@@ -80,13 +80,28 @@ constexpr std::array kOptions = std::to_array<Option>({
      Text([](Settings& s) -> std::string& { return s.output; }),
      "where the picture goes; - is standard output; {n} in the name is its number, {name} the "
      "model's name: of several models each gets a file"},
-    {"format", 0, "", "png ppm pam raw", "", 0, 0, Group::output, kRender,
+    {"format", 0, "", "png ppm pam raw apng y4m", "", 0, 0, Group::output, kRender,
      Choice([](Settings& s, std::size_t i) {
-         constexpr std::array kFormats = {PictureFormat::png, PictureFormat::ppm,
-                                          PictureFormat::pam, PictureFormat::raw};
+         constexpr std::array kFormats = {PictureFormat::png,  PictureFormat::ppm,
+                                          PictureFormat::pam,  PictureFormat::raw,
+                                          PictureFormat::apng, PictureFormat::y4m};
          s.picture_format = kFormats[i];
      }),
-     "the file's format, where its extension does not say it"},
+     "the file's format, where its extension does not say it; apng (an animated PNG) and y4m "
+     "(video, "
+     "uncompressed) hold all pictures of a turntable"},
+    {"fps", 0, "N", "", "30", 1, 1000, Group::output, kRender,
+     Integer([](Settings& s) -> int& { return s.fps; }), "pictures a second of apng and y4m"},
+    {"sheet", 0, "CxR", "", "", 0, 0, Group::output, kRender, Parsed(read_sheet),
+     "draw all pictures of the run into one, C columns and R rows of --size with their names"},
+    {"pair", 0, "", "", "", 0, 0, Group::output, kRender,
+     Switch([](Settings& s) -> bool& { return s.pair; }),
+     "draw two models by one camera, each where it lies in its file: side by side, or to a file "
+     "each "
+     "where -o has {name}"},
+    {"shard", 0, "I/N", "", "", 0, 0, Group::output, kRender, Parsed(read_shard),
+     "draw each Nth picture of the run alone, from the Ith on: N runs with I from 1 to N share the "
+     "work and draw the same bits as one"},
     {"pixel-format", 0, "NAME", "", "", 0, 0, Group::output, kView | kRender | kExplain,
      Parsed(read_pixel_format),
      "the pixels of a display (`list formats`): raw files hold its bytes; other pictures, hashes "

@@ -2,9 +2,9 @@
 
 #include "app/files.h"
 #include "base/write_file.h"
+#include "image/animation.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <csignal>
 #include <cstring>
@@ -12,18 +12,9 @@
 namespace scanout::app {
 namespace {
 
-struct Extension {
-    std::string_view text;
-    PictureFormat format;
-};
-constexpr std::array kExtensions = {
-    Extension{"png", PictureFormat::png}, Extension{"ppm", PictureFormat::ppm},
-    Extension{"pam", PictureFormat::pam}, Extension{"raw", PictureFormat::raw}};
-
 std::string_view text_of(PictureFormat format) {
-    for (const Extension& known : kExtensions)
-        if (known.format == format) return known.text;
-    return "";
+    return format == PictureFormat::by_name ? ""
+                                            : kPictureFormats[static_cast<std::size_t>(format) - 1];
 }
 
 // Blocks the signals that would end the program, during its lifetime.
@@ -68,14 +59,16 @@ std::optional<PictureFormat> format_of_name(std::string_view path) {
     std::string extension(dot == std::string_view::npos ? "" : path.substr(dot + 1));
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    for (const Extension& known : kExtensions)
-        if (known.text == extension) return known.format;
-    return std::nullopt;
+    const auto* const known = std::find(kPictureFormats.begin(), kPictureFormats.end(), extension);
+    if (known == kPictureFormats.end()) return std::nullopt;
+    return static_cast<PictureFormat>(known - kPictureFormats.begin() + 1);
 }
 
 Result<PictureFormat> picture_format(const std::string& path, PictureFormat asked) {
     const std::optional<PictureFormat> named = format_of_name(path);
-    if (named && asked != PictureFormat::by_name && *named != asked)
+    const bool animated =
+        named == PictureFormat::png && asked == PictureFormat::apng; // is a PNG, too
+    if (named && asked != PictureFormat::by_name && *named != asked && !animated)
         return fail(Exit::usage,
                     "{}: the name says {}, --format says {}; leave --format out, or "
                     "change the name",
@@ -83,7 +76,8 @@ Result<PictureFormat> picture_format(const std::string& path, PictureFormat aske
     if (asked != PictureFormat::by_name) return asked;
     if (path == "-") return PictureFormat::png;
     if (named) return *named;
-    return fail(Exit::usage, "{}: the name does not end in .png, .ppm, .pam or .raw; say --format",
+    return fail(Exit::usage,
+                "{}: the name does not end in .png, .ppm, .pam, .raw, .apng or .y4m; say --format",
                 path);
 }
 
@@ -108,11 +102,27 @@ Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
         return image::encode_pam(picture);
     case PictureFormat::raw:
         return raw_bytes(picture, pixel_format);
+    case PictureFormat::apng: {
+        image::AnimatedPng animation(1);
+        TRY_VOID(animation.add(picture));
+        return animation.file();
+    }
+    case PictureFormat::y4m: {
+        const std::string header = image::y4m_header(picture.width(), picture.height(), 1);
+        image::Bytes bytes(header.begin(), header.end());
+        const image::Bytes frame = image::y4m_frame(picture);
+        bytes.insert(bytes.end(), frame.begin(), frame.end());
+        return bytes;
+    }
     case PictureFormat::by_name:
     case PictureFormat::png:
         break;
     }
     return image::encode_png(picture);
+}
+
+int pictures(const Settings& s) {
+    return std::max(s.turntable, 1);
 }
 
 static std::string replaced(std::string name, std::string_view mark, const std::string& text) {

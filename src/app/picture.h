@@ -6,11 +6,16 @@
 #include "image/codec.h"
 #include "image/image.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 namespace scanout::app {
+
+// In the order of PictureFormat, which begins with by_name.
+inline constexpr std::array<std::string_view, 6> kPictureFormats = {"png", "ppm",  "pam",
+                                                                    "raw", "apng", "y4m"};
 
 // The format of the name's extension, in any case; nothing for other names.
 std::optional<PictureFormat> format_of_name(std::string_view path);
@@ -26,9 +31,13 @@ bool dithers_unasked(const Settings& settings, const image::PixelFormat& format)
 // The picture as the display of --pixel-format shows it; unchanged without one.
 image::Image displayed(const image::Image& picture, const Settings& settings);
 
-// The file's bytes. raw: the bytes of --pixel-format, or RGBA8, rows from the top without padding.
+// The file's bytes; of apng and y4m, a file of one picture. raw: the bytes of --pixel-format, or
+// RGBA8, rows from the top without padding.
 Result<image::Bytes> encode(const image::Image& picture, PictureFormat format,
                             const std::optional<image::PixelFormat>& pixel_format);
+
+// How many pictures a model gets.
+int pictures(const Settings& settings);
 
 // `name` with {n} replaced by the number, padded to as many digits as count - 1 has.
 std::string numbered(const std::string& name, int number, int count);

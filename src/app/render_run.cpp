@@ -1,6 +1,8 @@
 #include "app/render_run.h"
 
+#include "app/files.h"
 #include "app/message.h"
+#include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/reference.h"
 #include "base/stopwatch.h"
@@ -15,15 +17,11 @@
 
 namespace scanout::app {
 
-int pictures(const Settings& s) {
-    return std::max(s.turntable, 1);
-}
-
 RenderRun::RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
-                     Jobs& jobs)
-    : settings_(settings), format_(format), scene_(model.scene),
-      camera_(fitted_camera_of(settings, model)),
-      plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs) {}
+                     const scene::CameraOptions& camera, PictureOutput* output, Jobs& jobs)
+    : settings_(settings), format_(format), scene_(model.scene), camera_(camera),
+      plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs),
+      output_(output) {}
 
 Result<void> RenderRun::draw(int index, RunReport& report) {
     scene::Pose pose;
@@ -31,7 +29,7 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
     TRY(const scene::View view, scene::make_view(scene_.mesh, settings_.model, pose, camera_, {},
                                                  settings_.frame.width, settings_.frame.height));
     TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
-    if (index == 0) tell(*plan, report);
+    if (first_) tell(*plan, report);
     if (settings_.reference) return draw_reference(index, view, *plan, report);
     const image::Image* picture = nullptr;
     for (int repeat = 0; repeat < settings_.frames; ++repeat) {
@@ -48,7 +46,7 @@ Result<void> RenderRun::draw_reference(int index, const scene::View& view,
                                        const frame::FramePlan& plan, RunReport& report) {
     TRY(const trace::Look look, look_of(plan));
     TRY_VOID(check_reference_fits(scene_, look.width, look.height, settings_.max_memory_mb));
-    if (index == 0) warn(left_out_of_reference(scene_), settings_, report.warnings);
+    if (first_) warn(left_out_of_reference(scene_), settings_, report.warnings);
     const Stopwatch watch;
     std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
     TRY(const trace::Reference made,
@@ -75,7 +73,9 @@ Result<void> RenderRun::draw_reference(int index, const scene::View& view,
 Result<void> RenderRun::finish(const image::Image& picture, int index, RunReport& report) {
     if (settings_.hash && settings_.json != "-")
         fmt::print("{}\n", image::hash_text(hash_of(picture)));
-    return settings_.output.empty() ? Result<void>() : write(picture, index, report);
+    if (output_ != nullptr) TRY_VOID(write(picture, index, report));
+    first_ = false;
+    return {};
 }
 
 void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
@@ -116,14 +116,19 @@ Result<void> RenderRun::write(const image::Image& picture, int index, RunReport&
         shown = displayed(picture, settings_);
         written = &shown;
     }
-    TRY(const image::Bytes bytes, encode(*written, format_, settings_.pixel_format));
-    if (index == 0) report.encode_ms = watch.milliseconds();
-    const std::string path = numbered(settings_.output, index, pictures(settings_));
-    TRY_VOID(write_picture(path, bytes));
-    if (settings_.verbose)
-        say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", path, bytes.size(),
+    const double converted_ms = watch.milliseconds();
+    TRY(const PictureOutput::Written done, output_->add(*written, index, caption_of(index)));
+    if (first_) report.encode_ms = converted_ms + done.encode_ms;
+    if (settings_.verbose && !done.path.empty())
+        say(fmt::format("wrote {} ({} bytes, {:.1f} ms)", done.path, done.bytes,
                         renderer_.stats().total_ms));
     return {};
+}
+
+std::string RenderRun::caption_of(int index) const {
+    const std::string name = file_name_of(scene_.path);
+    if (pictures(settings_) == 1) return name;
+    return fmt::format("{} {:.4g} degrees", name, 360.0 * index / pictures(settings_));
 }
 
 } // namespace scanout::app

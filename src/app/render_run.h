@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/model_file.h"
-#include "app/picture.h"
+#include "app/picture_output.h"
 #include "app/report.h"
 #include "app/settings.h"
 #include "base/jobs.h"
@@ -13,12 +13,11 @@
 
 namespace scanout::app {
 
-// How many pictures a model gets.
-int pictures(const Settings& settings);
-
 class RenderRun {
 public:
-    RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model, Jobs& jobs);
+    // output: null where no picture is kept.
+    RenderRun(const Settings& settings, PictureFormat format, const LoadedModel& model,
+              const scene::CameraOptions& camera, PictureOutput* output, Jobs& jobs);
     RenderRun(const RenderRun&) = delete; // references into it
     RenderRun& operator=(const RenderRun&) = delete;
 
@@ -38,6 +37,8 @@ private:
     std::size_t covered_pixels(const image::Image& picture) const;
     Result<void> write(const image::Image& picture, int index, RunReport& report);
 
+    std::string caption_of(int index) const;
+
     const Settings& settings_;
     PictureFormat format_;
     const scene::Scene& scene_;
@@ -45,6 +46,8 @@ private:
     frame::PlanCache plan_;
     Jobs& jobs_;
     frame::Renderer renderer_;
+    PictureOutput* output_;
+    bool first_ = true; // no picture of this model was drawn yet
     bool told_blank_ = false, drew_a_blank_ = false;
 };
 

@@ -166,13 +166,13 @@ static Json run_json(const RunReport& report) {
 }
 
 std::string to_json(const RunReport& report) {
-    return json_text(run_json(report));
+    return json_text(versioned(run_json(report)));
 }
 
 std::string to_json(const std::vector<RunReport>& reports) {
     Json runs = Json::array();
     for (const RunReport& report : reports)
-        runs.push_back(run_json(report));
+        runs.push_back(versioned(run_json(report)));
     return json_text(runs);
 }
 
@@ -187,20 +187,20 @@ std::string to_json(const Comparison& compared, const Settings& settings,
     if (settings.metric != Metric::none)
         tolerance = {{"metric", text_of(settings.metric)},
                      {"limit", settings.limit ? Json(*settings.limit) : Json()}};
-    return json_text({{"same", compared.same(settings)},
-                      {"same_size", d.same_size},
-                      {"max_difference", d.max_difference},
-                      {"differing_pixels", d.differing_pixels},
-                      {"over_tolerance", d.over_tolerance},
-                      {"mean_flip", figure(compared.figure(Metric::flip))},
-                      {"rmse", figure(compared.figure(Metric::rmse))},
-                      {"rmse_codes", figure(compared.figure(Metric::rmse_codes))},
-                      {"psnr", figure(compared.figure(Metric::psnr))},
-                      {"ssim", figure(compared.figure(Metric::ssim))},
-                      {"share_off_by_more_than_one", figure(compared.metrics.share_off)},
-                      {"tolerance", tolerance},
-                      {"written", written},
-                      {"version", SCANOUT_VERSION}});
+    return json_text(versioned({{"same", compared.same(settings)},
+                                {"same_size", d.same_size},
+                                {"max_difference", d.max_difference},
+                                {"differing_pixels", d.differing_pixels},
+                                {"over_tolerance", d.over_tolerance},
+                                {"mean_flip", figure(compared.figure(Metric::flip))},
+                                {"rmse", figure(compared.figure(Metric::rmse))},
+                                {"rmse_codes", figure(compared.figure(Metric::rmse_codes))},
+                                {"psnr", figure(compared.figure(Metric::psnr))},
+                                {"ssim", figure(compared.figure(Metric::ssim))},
+                                {"share_off_by_more_than_one", figure(compared.metrics.share_off)},
+                                {"tolerance", tolerance},
+                                {"written", written},
+                                {"version", SCANOUT_VERSION}}));
 }
 
 std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
@@ -224,7 +224,7 @@ std::string to_json(const LoadedModel& model, const measure::Explanation& e) {
         json["cpu_ms"] = rounded(e.cost->cpu_ms);
         json["instructions"] = e.cost->instructions ? Json(*e.cost->instructions) : Json(nullptr);
     }
-    return json_text(json);
+    return json_text(versioned(json));
 }
 
 Result<void> write_report(const Settings& settings, const std::string& json) {

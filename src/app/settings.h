@@ -42,7 +42,7 @@ inline constexpr std::array kCommands = {
     NamedCommand{"generate", Command::generate}};
 
 // How a picture is written.
-enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw };
+enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw, apng, y4m };
 // What compare measures: a figure of image/metrics.h, image/compare.h or image/flip.h.
 enum class Metric : std::uint8_t { none, rmse, rmse_codes, psnr, max, flip, ssim };
 // Whether the viewer's picture converges to the reference when all is still; automatic: unless the
@@ -53,6 +53,16 @@ enum class Backend : std::uint8_t { automatic, drm, fbdev, headless };
 // An option as it stood on the command line.
 struct GivenOption {
     std::string name, text; // without dashes; text: "" for a switch
+};
+
+// The cells of a contact sheet.
+struct SheetGrid {
+    int columns = 1, rows = 1;
+};
+
+// One part of a run: of all pictures, numbered from 0, those whose number is index modulo count.
+struct Shard {
+    int index = 0, count = 1;
 };
 
 // What is drawn where nobody asks for anything.
@@ -107,6 +117,10 @@ struct Settings {
     int reference_samples = 0;  // a pixel of the reference, at most; 0: what the command takes
     int turntable = 0;          // pictures in a full turn; 0: one picture
     int frames = 1;             // how often each picture is drawn, for times
+    int fps = 30;               // pictures a second of an animation
+    std::optional<SheetGrid> sheet;
+    std::optional<Shard> shard;
+    bool pair = false; // two models by one camera
 
     Backend backend = Backend::automatic;
     std::string device, connector, mode;

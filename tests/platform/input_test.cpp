@@ -1,7 +1,6 @@
-// Devices, keys and signals -> events.
+// Devices and keys -> events.
 #include "platform/keyboard.h"
 #include "platform/libinput.h"
-#include "platform/signals.h"
 #include "platform/terminal.h"
 #include "platform/translate.h"
 
@@ -198,21 +197,6 @@ RC_GTEST_PROP(TerminalKeys, any_bytes_give_balanced_keys, (const std::string& by
     RC_ASSERT(events.size() % 2 == 0U);
     for (std::size_t i = 0; i < events.size(); ++i)
         RC_ASSERT(events[i].pressed == (i % 2 == 0));
-}
-
-TEST(Signals, ThatEndAProgramAreQuitEventsAndTheStopKeyIsSuspend) {
-    auto signals = Signals::create();
-    ASSERT_TRUE(signals);
-    const auto next = [&](int signal) {
-        ::kill(::getpid(), signal);
-        std::vector<port::Event> events;
-        EXPECT_TRUE(signals->dispatch(events));
-        EXPECT_EQ(events.size(), 1U) << signal;
-        return events.empty() ? port::EventKind::motion : events[0].kind;
-    };
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
-        EXPECT_EQ(next(signal), port::EventKind::quit) << signal;
-    EXPECT_EQ(next(SIGTSTP), port::EventKind::suspend);
 }
 
 } // namespace

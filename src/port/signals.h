@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-namespace scanout::console {
+namespace scanout::port {
 
-class Signals final : public port::Input {
+class Signals final : public Input {
 public:
     // Blocks the signals in the calling thread; threads made afterwards inherit that, so create it
     // before any thread.
@@ -19,7 +19,7 @@ public:
 
     Signals() = default;
     int event_fd() const override { return fd_.get(); }
-    Result<void> dispatch(std::vector<port::Event>& events) override;
+    Result<void> dispatch(std::vector<Event>& events) override;
     std::string description() const override { return "signals"; }
 
 private:
@@ -27,4 +27,4 @@ private:
     Fd fd_;
 };
 
-} // namespace scanout::console
+} // namespace scanout::port

@@ -1,4 +1,4 @@
-#include "platform/signals.h"
+#include "port/signals.h"
 
 #include <cerrno>
 #include <cstring>
@@ -7,7 +7,7 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
-namespace scanout::console {
+namespace scanout::port {
 
 Result<Signals> Signals::create() {
     sigset_t set;
@@ -21,14 +21,14 @@ Result<Signals> Signals::create() {
     return Signals(std::move(fd));
 }
 
-Result<void> Signals::dispatch(std::vector<port::Event>& events) {
+Result<void> Signals::dispatch(std::vector<Event>& events) {
     signalfd_siginfo info{};
     while (::read(fd_.get(), &info, sizeof info) == sizeof info) {
-        port::Event event;
-        event.kind = info.ssi_signo == SIGTSTP ? port::EventKind::suspend : port::EventKind::quit;
+        Event event;
+        event.kind = info.ssi_signo == SIGTSTP ? EventKind::suspend : EventKind::quit;
         events.push_back(event);
     }
     return {};
 }
 
-} // namespace scanout::console
+} // namespace scanout::port
