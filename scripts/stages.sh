@@ -4,12 +4,13 @@
 
 ci_stages=(unit golden cli counts effects bits asan tsan guests fuzz)
 # By name only.
-long_stages=(lint analyze faults arm avx3 walk growth coverage fuzz_long package)
+long_stages=(lint analyze faults arm avx3 walk growth assets coverage fuzz_long package)
 declare -A stage_needs=(
     [unit]="build test" [golden]="build test" [cli]="build test" [effects]="build test counts" [counts]="build test counts" [bits]="build test clang"
     [asan]="build test clang" [tsan]="build test clang" [guests]="build guests" [fuzz]="build test clang"
     [lint]="build test lint" [analyze]="build test lint" [faults]="build test" [arm]="build test arm"
-    [avx3]="build test avx3" [walk]="build test" [growth]="build test" [package]="build package"
+    [avx3]="build test avx3" [walk]="build test" [growth]="build test"
+    [assets]="build test clang" [package]="build package"
     [coverage]="build test clang coverage" [fuzz_long]="build test clang coverage"
 )
 
@@ -349,6 +350,19 @@ stage_growth() {
     configure test release
     build test scanout
     check python3 -B tests/growth/growth.py build/test/scanout
+}
+
+# Every file of the asset set through render, doctor and explain: of a release within its limits, then of a build with
+# sanitizers in a minute each.
+stage_assets() {
+    local assets=$root/../shared/assets
+    configure test release
+    build test scanout
+    check python3 -B tests/assets/outcomes.py build/test/scanout "$assets"
+    [ -d "$assets" ] || return 0
+    configure_asan
+    build asan scanout
+    check python3 -B tests/assets/outcomes.py build/asan/scanout "$assets" --seconds 60 --megabytes 0
 }
 
 # The Debian package: lintian, and a chroot with nothing but Debian's base; root alone can make one.
