@@ -7,6 +7,7 @@
 #include "measure/framed_views.h"
 #include "raster/coverage/depth_rule.h"
 #include "rows.h"
+#include "scene/fit.h"
 
 #include <algorithm>
 #include <atomic>
@@ -171,13 +172,15 @@ Result<HazardPixels> hazard_pixels(const scene::Scene& scene, const scene::Scene
     TRY(out.here, counter.count(how.camera, how.model, "here"));
     scene::ModelTransform framed = how.model;
     framed.translate = DVec3(0);
+    const double aspect = static_cast<double>(how.frame.width) / how.frame.height;
     const std::vector<FramedView>& views = framed_views();
     for (const FramedView& view : views) {
         if (how.progress)
             how.progress(static_cast<double>(out.framed.size()) /
                          static_cast<double>(views.size()));
-        const scene::CameraOptions camera =
-            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera);
+        const scene::CameraOptions camera = scene::fitted(
+            scene.mesh, framed,
+            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera), aspect);
         TRY(PixelsOfView pixels, counter.count(camera, framed, view.name));
         out.framed.push_back(std::move(pixels));
     }

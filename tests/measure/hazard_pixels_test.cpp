@@ -6,6 +6,7 @@
 #include "geom/mend_seams.h"
 #include "measure/framed_views.h"
 #include "measure/hazard_pixels.h"
+#include "scene/fit.h"
 
 #include <array>
 #include <cmath>
@@ -73,8 +74,10 @@ TEST(HazardPixels, CountsTheBackgroundThatATJunctionShowsAsPicturesDo) {
     ASSERT_EQ(pixels->framed.size(), 26U);
     for (const std::size_t i : {1U, 24U}) {
         const FramedView& view = framed_views()[i];
-        const scene::CameraOptions camera =
-            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera);
+        // As `scanout render` frames the view of that name.
+        const scene::CameraOptions camera = scene::fitted(
+            cracked.mesh, how.model,
+            scene::fitted_from(view.azimuth_degrees, view.elevation_degrees, how.camera), 9.0 / 7);
         EXPECT_EQ(pixels->framed[i].background,
                   pixels_lost(picture(cracked, how, camera), picture(whole, how, camera)))
             << framed_views()[i].name;
