@@ -1,5 +1,5 @@
-// The table of contents: every axis, and on each its techniques: rungs cheapest first. One name = one
-// row of src/<module>/<axis> = one entry everywhere: command line, lists, goldens, tests.
+// The table of contents: every axis, and on each its techniques: rungs cheapest first. One name =
+// one row of src/<module>/<axis> = one entry everywhere: command line, lists, goldens, tests.
 #pragma once
 
 #define SCANOUT_INTERPOLATE(X) X(affine) X(affine_16) X(affine_8) X(adaptive) X(perspective)
@@ -26,14 +26,14 @@
     X(equal) X(always) X(never) X(less) X(less_equal) X(greater_equal) X(greater)
 #define SCANOUT_BLEND(X) X(none) X(over) X(add) X(subtract) X(multiply) X(screen)
 #define SCANOUT_STENCIL(X) X(none) X(outline) X(overdraw)
+#define SCANOUT_EDGES(X) X(none) X(feature) X(all)
 #define SCANOUT_TRANSPARENCY(X) X(cut_out) X(sorted) X(exact)
 #define SCANOUT_AA(X)                                                                              \
     X(none)                                                                                        \
     X(samples_2)                                                                                   \
     X(samples_4)                                                                                   \
     X(samples_8) X(samples_16) X(tent) X(gaussian) X(supersampling_2) X(supersampling_4) X(area)
-#define SCANOUT_RENDER_SCALE(X)                                                                    \
-    X(quarter) X(third) X(half) X(two_thirds) X(three_quarters) X(full)
+#define SCANOUT_RENDER_SCALE(X) X(quarter) X(third) X(half) X(two_thirds) X(three_quarters) X(full)
 #define SCANOUT_EXPOSURE(X) X(none) X(stops)
 #define SCANOUT_TONE(X) X(clamp) X(shoulder) X(filmic)
 #define SCANOUT_BLEND_SPACE(X) X(encoded) X(linear)
@@ -79,6 +79,9 @@
       "how blended surfaces mix with the background (`list techniques`); auto: over")       \
     X(frame, stencil, SCANOUT_STENCIL, Stencil, asked,                                             \
       "mark pixels: draw a line around the model, or show how many surfaces cover each pixel "     \
+      "(`list techniques`); auto: none")                                                           \
+    X(frame, edges, SCANOUT_EDGES, Edges, asked,                                                   \
+      "draw the edges of faces over the shading: all of them, or where the surface ends or bends " \
       "(`list techniques`); auto: none")                                                           \
     X(shade, transparency, SCANOUT_TRANSPARENCY, Transparency, asked,                              \
       "how transparent surfaces are drawn (`list techniques`); auto: exact, and cut_out where "    \

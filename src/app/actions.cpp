@@ -31,6 +31,9 @@ std::string up_text(State s) {
 std::string cull_text(State s) {
     return std::string(name_of(s.look.cull));
 }
+std::string edges_text(State s) {
+    return s.look.edges;
+}
 std::string light_text(State s) {
     return s.light < 0 ? "" : fmt::format("light {}", s.light + 1);
 }
@@ -84,6 +87,7 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
     {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text, "faces left out"},
+    {Id::edges_next, "edges_next", "E", "E", "edges over the shading", 0, false, edges_text, "edges"},
     {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},
@@ -101,8 +105,8 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::print_view, "print_view", "K", "K", "this view as a command"},
     {Id::toggle_help, "toggle_help", "H ?", "H ?", "this help"},
     {Id::close, "close", "Escape", "Esc", "close the open panel, else quit"},
-    {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C", "quit"},
-    {Id::suspend, "suspend", "Ctrl+Z", "Ctrl+Z", "suspend; fg comes back"},
+    {Id::quit, "quit", "Q Ctrl+C", "Q Ctrl+C Ctrl+Z", "quit, suspend"},
+    {Id::suspend, "suspend", "Ctrl+Z", "", "suspend; fg comes back"},
     {Id::drag_begin, "drag_begin", "", "", "a mouse button goes down"},
     {Id::drag_rotate, "drag_rotate", "", "Left drag", "rotate", 2},
     {Id::drag_move, "drag_move", "", "Shift/middle drag", "move", 2},

@@ -34,8 +34,8 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 5> kWritten = {"size", "cull", "scale", "rotate",
-                                                          "translate"};
+    constexpr std::array<std::string_view, 6> kWritten = {"size",  "cull",   "edges",
+                                                          "scale", "rotate", "translate"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
 }
 
@@ -122,6 +122,7 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
                     viewer.width(), viewer.height(), number(camera.azimuth_degrees),
                     number(camera.elevation_degrees), number(camera.distance),
                     name_of(look.projection), name_of(look.up), name_of(look.cull));
+    if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
     text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));

@@ -21,9 +21,11 @@ bool ViewSession::converges(const Settings& settings) {
 
 AccuracyView::Asked ViewSession::asked() const {
     const ViewerState& state = viewer_.state();
-    // The rungs that keys chose are what the user wants to see, as those of the command line are.
-    const bool chosen = settings_.converge == Converge::automatic && rungs_.point() != nullptr;
-    return {converges_ && !chosen, state.error_map, state.split, state.split_x};
+    // The rungs that keys chose are what the user wants to see, as those of the command line are;
+    // so are edges, which the reference does not draw.
+    const bool chosen = rungs_.point() != nullptr, annotated = state.look.edges != "none";
+    const bool kept = settings_.converge == Converge::automatic && (chosen || annotated);
+    return {converges_ && !kept, state.error_map, state.split, state.split_x};
 }
 
 // Nothing else is to be done, and the picture is such that there can be a reference.

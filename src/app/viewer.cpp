@@ -1,6 +1,7 @@
 #include "app/viewer.h"
 
 #include "base/check.h"
+#include "frame/catalogue.h"
 #include "scene/fit.h"
 
 #include <algorithm>
@@ -27,6 +28,13 @@ scene::UpAxis next_axis(scene::UpAxis up) {
     return kCycle[static_cast<std::size_t>(here + 1) % kCycle.size()];
 }
 
+// The technique after this one on its axis, in the order of techniques.h.
+std::string next_on(std::string_view axis, std::string_view now) {
+    const std::vector<std::string_view> names = frame::names_on(axis);
+    const auto here = std::find(names.begin(), names.end(), now);
+    return std::string(here == names.end() || here + 1 == names.end() ? names[0] : here[1]);
+}
+
 // Neither moved nor zoomed.
 scene::Pose turned_alone(const scene::Pose& pose) {
     scene::Pose turned;
@@ -51,6 +59,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
+    if (!frame::is_auto(settings.frame.edges)) start_.edges = settings.frame.edges;
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
     state_.pointer.x = width / 2;
@@ -258,6 +267,9 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
         return;
     case ActionId::cull_next:
         look.cull = static_cast<frame::Cull>((static_cast<int>(look.cull) + 1) % 3);
+        return;
+    case ActionId::edges_next:
+        look.edges = next_on("edges", look.edges);
         return;
     case ActionId::toggle_turntable:
         look.turntable = !look.turntable;

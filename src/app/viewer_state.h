@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 
 namespace scanout::app {
 
@@ -19,6 +20,7 @@ struct Look {
     scene::Projection projection = scene::Projection::perspective;
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
+    std::string edges = "none"; // over the shading: a technique of that axis
     bool turntable = false;
     std::array<scene::LightMove, scene::kMaxLights> lights{}; // of the frame's lights
     friend bool operator==(const Look&, const Look&) = default;

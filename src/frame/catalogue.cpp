@@ -1,6 +1,7 @@
 #include "frame/catalogue.h"
 
 #include "frame/anti_aliasing.h"
+#include "frame/edges.h"
 #include "frame/render_scale.h"
 #include "frame/stencil.h"
 #include "image/convolution.h"

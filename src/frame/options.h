@@ -49,6 +49,9 @@ struct FrameOptions {
     int shadow_filter = 3;                 // side of a filtered shadow's kernel, texels
     std::optional<FilePlane> shadow_plane; // receives projected shadows; none: the ground
     std::vector<scene::Light> lights = scene::plain_lights(); // at most scene::kMaxLights
+    double edge_angle = 30; // degrees: a bend of more is a feature edge
+    int line_width = 1;     // of lines and edges, pixels
+    int point_size = 1;
     double alpha_cut = 0.5;      // a cut-out surface shows where alpha is at least this
     int max_fragments = 1 << 16; // limit of a list of blended ones; changes no bit of the picture
     int bits = 8;                // bits of the narrowest channel of the display or file
@@ -77,6 +80,7 @@ std::string option_of(std::string_view axis); // the command line's name of it, 
 
 inline constexpr int kMinShadowSize = 64, kMaxShadowSize = 8192, kMaxShadowFilter = 15;
 inline constexpr int kMaxSide = 16384;
+inline constexpr int kMaxLineWidth = 64; // and size of a point, pixels
 inline constexpr double kMaxStops = 20;
 
 } // namespace scanout::frame

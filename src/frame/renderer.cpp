@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "base/stopwatch.h"
 #include "frame/cleared_tiles.h"
+#include "frame/pass/annotations.h"
 #include "frame/pass/lights.h"
 #include "frame/pass/shading_input.h"
 #include "frame/pass/shadow_pass.h"
@@ -114,14 +115,18 @@ struct Renderer::State {
 
     void draw_tile(const Frame& frame, int tile, TileWorker& worker);
     void draw_marked_tile(const Frame& frame, int tile, TileWorker& worker);
+    bool is_empty(int tile) const { // nothing may touch it
+        return geometry.is_empty(tile) && (annotations == nullptr || !annotations->has_lines(tile));
+    }
     void draw_frame(const FrameInput& input);
     void count_frame(const FrameInput& input);
     void filter_tiles(const Frame& frame);
     image::Image& shown(const FramePlan& plan);
     void prepare_workers(bool transparent, bool areas);
     void count_work();
-    std::unique_ptr<ShadowPass> shadows;  // while a plan runs them
-    std::unique_ptr<StencilBuffer> marks; // likewise
+    std::unique_ptr<ShadowPass> shadows;         // while a plan runs them
+    std::unique_ptr<StencilBuffer> marks;        // likewise
+    std::unique_ptr<AnnotationPass> annotations; // likewise
     FrameStats stats;
 };
 
@@ -188,20 +193,25 @@ static void shade_larger(const raster::Geometry& geometry, int tile, const image
         shade::resolve_area(worker.sums, in.output, in.background, area, picture);
 }
 
-// Visibility at a tile's samples: opaque and alpha-tested triangles, then lines.
-static void draw_samples(raster::Geometry& geometry, int tile, const shade::GatherInput& in,
-                         TileWorker& worker) {
+// Visibility at a tile's samples: opaque and alpha-tested triangles, then lines: the mesh's, and
+// annotations, where there are any.
+static void draw_samples(raster::Geometry& geometry, const AnnotationPass* annotations, int tile,
+                         const shade::GatherInput& in, TileWorker& worker) {
     geometry.draw_triangles(tile, worker.visibility, &worker.deferred);
     const shade::TransparencyInput* transparency = in.transparency;
     if (transparency != nullptr && transparency->cut_out != nullptr)
         worker.transparency->cut_out(geometry, tile, in, worker.visibility);
     const bool elsewhere =
         transparency != nullptr && transparency->opaque_blended; // lines lie on opaque_base
-    geometry.draw_lines(tile,
-                        elsewhere
-                            ? worker.transparency->opaque_base(geometry, tile, worker.visibility)
-                            : worker.visibility,
-                        worker.visibility);
+    const raster::VisibilityTile& base =
+        elsewhere ? worker.transparency->opaque_base(geometry, tile, worker.visibility)
+                  : worker.visibility;
+    const bool own = geometry.has_lines(tile);
+    const bool added = annotations != nullptr && annotations->has_lines(tile);
+    if (!own && !added) return;
+    worker.visibility.keep_support(base);
+    if (own) geometry.draw_lines(tile, geometry.line_support(), worker.visibility);
+    if (added) annotations->draw(tile, geometry, worker.visibility);
 }
 
 void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
@@ -209,12 +219,12 @@ void Renderer::State::draw_tile(const Frame& f, int tile, TileWorker& worker) {
     const image::Rect samples = geometry.tile_area(tile);
     const image::Rect area = {samples.x0 / aa.scale, samples.y0 / aa.scale, samples.x1 / aa.scale,
                               samples.y1 / aa.scale};
-    const bool empty = f.visibility == nullptr && geometry.is_empty(tile);
+    const bool empty = f.visibility == nullptr && is_empty(tile);
     if (!empty || !cleared.is_cleared(tile)) clear(area, f.plan.options.background, back_buffer);
     cleared.set_cleared(tile, empty);
     if (empty) return;
     worker.visibility.reset(samples, aa.samples, f.plan.depth_rule);
-    draw_samples(geometry, tile, f.in, worker);
+    draw_samples(geometry, annotations.get(), tile, f.in, worker);
     if (f.visibility != nullptr) copy_samples(worker.visibility, *f.visibility);
     const bool blends = f.in.transparency != nullptr && f.in.transparency->blended != nullptr;
     if (f.shadows != nullptr && (blends || aa.exact || !worker.visibility.empty()))
@@ -237,7 +247,7 @@ void Renderer::State::draw_marked_tile(const Frame& f, int tile, TileWorker& wor
     if (worker.transparency != nullptr) worker.transparency->note_pixels(&blended);
     draw_tile(f, tile, worker);
     if (worker.transparency != nullptr) worker.transparency->note_pixels(nullptr);
-    if (geometry.is_empty(tile)) return;
+    if (is_empty(tile)) return;
     if (f.plan.aa->exact)
         mark_visible(worker.areas, *marks);
     else
@@ -302,6 +312,7 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     const AntiAliasing& aa = *plan.aa;
     const ShadingInput shading(
         {input.scene, input.view, plan, input.lights, geometry, input.transform, mips,
+         annotations != nullptr ? &annotations->lines() : nullptr,
          input.shadows != nullptr ? input.shadows->lights().data() : nullptr, input.linear});
     prepare_workers(!plan.transparency.alpha_modes.empty(), aa.exact);
     std::optional<shade::ReconstructionFilter> filter;
@@ -370,7 +381,16 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     const bool occludes = plan.transparency.alpha_modes.empty() && !aa.exact &&
                           plan.depth_rule.is_default() && plan.stencil == nullptr;
     if (occludes) options.occlusion = &s.occlusion;
+    options.all_vertices = plan.annotations.any();
+    options.line_width = o.line_width > 1 ? o.line_width * aa.scale : 1;
+    options.point_size = o.point_size > 1 ? o.point_size * aa.scale : 1;
     s.geometry.run(s.jobs, scene.mesh, transform, options);
+    if (!plan.annotations.any())
+        s.annotations.reset();
+    else if (s.annotations == nullptr)
+        s.annotations = std::make_unique<AnnotationPass>();
+    if (s.annotations != nullptr)
+        s.annotations->run(s.jobs, scene, plan, transform, options, aa.scale);
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =
@@ -411,6 +431,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     }
     s.count_work();
     s.stats.stencil_bytes = s.marks != nullptr ? s.marks->bytes() : 0;
+    s.stats.annotation_bytes = s.annotations != nullptr ? s.annotations->bytes() : 0;
     s.stats.mipmap_bytes = s.mips.bytes();
     s.stats.splat_bytes = s.splats.bytes();
     return picture;

@@ -29,10 +29,11 @@ struct FrameStats {
     // tile needed; each worker that meets such a part holds as much. Independent of threads and
     // tile order.
     std::size_t blend_list_bytes = 0;
-    std::uint64_t shadow_bytes = 0;  // held by the shadow pass
-    std::uint64_t stencil_bytes = 0; // held; 0 where nothing is marked
-    std::uint64_t mipmap_bytes = 0;  // held; 0 where no texture is minified
-    std::uint64_t splat_bytes = 0;   // held for filters that reach into neighbours; 0 without
+    std::uint64_t shadow_bytes = 0;     // held by the shadow pass
+    std::uint64_t stencil_bytes = 0;    // held; 0 where nothing is marked
+    std::uint64_t annotation_bytes = 0; // held; 0 where nothing is drawn over the shading
+    std::uint64_t mipmap_bytes = 0;     // held; 0 where no texture is minified
+    std::uint64_t splat_bytes = 0;      // held for filters that reach into neighbours; 0 without
 };
 
 // Visibility at every sample of a frame: [(sample * height + y) * width + x]. With supersampling,

@@ -23,7 +23,7 @@ std::size_t material_of(const geom::Mesh& mesh, std::uint32_t id, std::size_t no
         material = mesh.material[id];
     else if (id - triangles < lines)
         material = mesh.line_material[id - triangles];
-    else
+    else if (id - triangles - lines < mesh.points())
         material = mesh.point_material[id - triangles - lines];
     return material < 0 ? none : static_cast<std::size_t>(material);
 }

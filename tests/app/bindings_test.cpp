@@ -87,6 +87,7 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"5", "toggle_projection"},
                                                         {"Y", "up_axis_next"},
                                                         {"C", "cull_next"},
+                                                        {"E", "edges_next"},
                                                         {"I", "toggle_info"},
                                                         {"X", "toggle_explain"},
                                                         {"V", "toggle_error_map"},

@@ -421,6 +421,10 @@ inline std::vector<Shot> golden_shots() {
         shots.back().camera.azimuth_degrees = 20;
         shots.back().options.stencil = name;
     }
+    for (const std::string& name : names_on("edges")) {
+        shots.push_back(solids("edges_" + name));
+        shots.back().options.edges = name;
+    }
     add_output_shots(shots);
     add_anti_aliasing_shots(shots);
     add_interpolation_shots(shots);

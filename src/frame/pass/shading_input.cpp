@@ -43,7 +43,8 @@ void ShadingInput::set_gather(const ShadingSource& from) {
     const scene::View& view = from.view;
     shade::GatherInput& in = gather_;
     in.mesh = &from.scene.mesh;
-    in.keys = {&from.scene.mesh, plan.only_material};
+    in.keys = {&from.scene.mesh, plan.annotations.any() ? std::nullopt : plan.only_material};
+    in.added = from.added;
     in.geometry = &from.geometry;
     in.transform = &from.transform;
     in.set_view(view);

@@ -26,6 +26,7 @@ struct ShadingSource {
     const raster::Geometry& geometry;
     const raster::ScreenTransform& transform;
     const shade::MipChains& mips;
+    const shade::AddedLines* added = nullptr;    // null: none
     const shade::LightShadow* shadows = nullptr; // of each light; null: none casts
     shade::LinearPicture* linear = nullptr;      // also filled, unless null
 };

@@ -4,6 +4,7 @@
 
 #include "base/result.h"
 #include "frame/anti_aliasing.h"
+#include "frame/edges.h"
 #include "frame/facts/facts.h"
 #include "frame/options.h"
 #include "frame/stencil.h"
@@ -63,6 +64,14 @@ struct ShadowPlan {
     friend bool operator==(const ShadowPlan&, const ShadowPlan&) = default;
 };
 
+// What is drawn over the shading, to show how the model is built.
+struct AnnotationPlan {
+    const Edges* edges = nullptr; // null: none
+    double edge_angle = 0;        // degrees, of feature edges
+    bool any() const { return edges != nullptr; }
+    friend bool operator==(const AnnotationPlan&, const AnnotationPlan&) = default;
+};
+
 struct FramePlan {
     FrameOptions options; // its size is what is drawn, which is enlarged where it is less:
     int shown_width = 0, shown_height = 0; // of the picture
@@ -85,7 +94,8 @@ struct FramePlan {
     float white = 1;                                 // the light that a tone curve makes 1
     TransparencyPlan transparency;
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
-    raster::DepthRule depth_rule;     // which of several surfaces is visible
+    AnnotationPlan annotations;
+    raster::DepthRule depth_rule; // which of several surfaces is visible
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};
     // As in MaterialSet: 1 where maps leave no highlight, whatever the material says. Empty:

@@ -88,15 +88,18 @@ image::Rect pixel_bounds(const Triangle& t, int width, int height, const SampleE
 image::Rect pixel_bounds(const Segment& s, int width, int height) {
     const auto [min_x, max_x] = std::minmax(s.x[0], s.x[1]);
     const auto [min_y, max_y] = std::minmax(s.y[0], s.y[1]);
-    return clamped(floor_pixel(min_x), floor_pixel(min_y), floor_pixel(max_x) + 1,
-                   floor_pixel(max_y) + 1, width, height);
+    const std::int32_t wider = (s.width - 1) * (kSubpixel / 2);
+    const std::int32_t x = is_along_x(s) ? 0 : wider, y = is_along_x(s) ? wider : 0;
+    return clamped(floor_pixel(min_x - x), floor_pixel(min_y - y), floor_pixel(max_x + x) + 1,
+                   floor_pixel(max_y + y) + 1, width, height);
 }
 
-// A square one pixel wide about the point, drawn by the triangle rules, covers the one pixel whose
-// centre c satisfies x - 1/2 <= c < x + 1/2 (HARD-CASES R16).
+// A square of n pixels about the point, drawn by the triangle rules, covers the pixels whose
+// centres c satisfy x - n/2 <= c < x + n/2 (HARD-CASES R16).
 image::Rect pixel_bounds(const Point& p, int width, int height) {
-    const int x = floor_pixel(p.x - 1), y = floor_pixel(p.y - 1);
-    return clamped(x, y, x + 1, y + 1, width, height);
+    const std::int32_t before = (p.size - 1) * (kSubpixel / 2) + 1;
+    const int x = floor_pixel(p.x - before), y = floor_pixel(p.y - before);
+    return clamped(x, y, x + p.size, y + p.size, width, height);
 }
 
 } // namespace scanout::raster

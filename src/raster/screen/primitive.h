@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 
 namespace scanout::raster {
@@ -34,12 +35,14 @@ struct Segment {
     std::array<std::int32_t, 2> x, y;
     std::array<double, 2> depth;
     std::uint32_t id;
+    int width = 1; // pixels, across its longer axis
 };
 
 struct Point {
     std::int32_t x, y;
     double depth;
     std::uint32_t id;
+    int size = 1; // pixels
 };
 
 // The three edge functions E_i = a_i x + b_i y + c_i (x, y in 1/256 pixel), positive inside, exact
@@ -77,6 +80,11 @@ struct SetUp {
     bool clockwise;
 };
 std::optional<SetUp> set_up(const std::array<ScreenVertex, 3>& vertex, std::uint32_t id);
+
+// A segment is drawn pixel by pixel along its longer axis, x if both are as long.
+inline bool is_along_x(const Segment& s) {
+    return std::abs(std::int64_t{s.x[1]} - s.x[0]) >= std::abs(std::int64_t{s.y[1]} - s.y[0]);
+}
 
 // The pixels that may hold a sample of the primitive, within a picture of the given size; empty
 // when no sample can lie in the triangle's box.

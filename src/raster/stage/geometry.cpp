@@ -35,6 +35,10 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
              options.areas ? SampleExtent{} : extent_of(sample_pattern(options.samples)),
              options.areas ? std::span<const SampleOffset>() : sample_pattern(options.samples)};
     mesh_ = &mesh;
+    first_line_ =
+        options.first_line > 0 ? options.first_line : static_cast<std::uint32_t>(mesh.triangles());
+    line_width_ = options.line_width;
+    point_size_ = options.point_size;
     transform_ = transform;
     alpha_modes_.assign(options.alpha_modes.begin(), options.alpha_modes.end());
     deferred_drawn_ = 0;
@@ -46,7 +50,7 @@ void Geometry::run(Jobs& jobs, const geom::Mesh& mesh, const ScreenTransform& tr
 
     // Lines and points are few and belong to no cluster: with them all vertices are needed.
     const bool others = !options.triangles_only && mesh.lines() + mesh.points() > 0;
-    vertex_stage_.begin(mesh, *transform_, mesh.clusters.empty() || others);
+    vertex_stage_.begin(mesh, *transform_, mesh.clusters.empty() || others || options.all_vertices);
     occlusion_.begin(options.occlusion, mesh.clusters.cluster.size());
     find_visible_clusters(jobs);
     vertex_stage_.transform(jobs);
@@ -250,7 +254,8 @@ void Geometry::bin_segment(WorkerBins& worker, std::uint32_t segment) const {
     const Segment s{{v[0].x, v[1].x},
                     {v[0].y, v[1].y},
                     {v[0].depth, v[1].depth},
-                    static_cast<std::uint32_t>(mesh_->triangles()) + segment};
+                    first_line_ + segment,
+                    line_width_};
     const auto number = static_cast<std::uint32_t>(worker.segments.size());
     worker.segments.push_back(s);
     grid_.for_tiles(pixel_bounds(s, width_, height_),
@@ -261,7 +266,7 @@ void Geometry::bin_point(WorkerBins& worker, std::uint32_t point) const {
     const ScreenVertex& v = vertices()[mesh_->point_index[point]];
     if (!v.on_screen()) return;
     const Point p{v.x, v.y, v.depth,
-                  static_cast<std::uint32_t>(mesh_->triangles() + mesh_->lines()) + point};
+                  first_line_ + static_cast<std::uint32_t>(mesh_->lines()) + point, point_size_};
     const auto number = static_cast<std::uint32_t>(worker.points.size());
     worker.points.push_back(p);
     grid_.for_tiles(pixel_bounds(p, width_, height_),

@@ -39,6 +39,10 @@ struct GeometryOptions {
     // Of the default material, then of each material of the scene. Empty: all are opaque.
     std::span<const AlphaMode> alpha_modes = {};
     bool triangles_only = false; // no lines, no points
+    bool all_vertices = false;   // are transformed, for lines that another mesh has
+    // The id of the mesh's first line; 0: the triangles' ids come before it.
+    std::uint32_t first_line = 0;
+    int line_width = 1, point_size = 1; // pixels
     // The occlusion history of the view. If given, clusters that were occluded are deferred, and
     // tiles are drawn by draw() or draw_triangles() into a VisibilityTile, by the default depth
     // rule. Not with alpha modes.
@@ -59,7 +63,11 @@ public:
     void draw(int tile, VisibilityTile& out, DeferredTriangles* scratch = nullptr);
     // The same in two steps: triangles, then lines and points on the triangles that are visible.
     void draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* scratch = nullptr);
-    void draw_lines(int tile, const VisibilityTile& visible, VisibilityTile& out) const;
+    bool has_lines(int tile) const; // lines or points may touch it
+    // The tile must hold the triangles as its support.
+    void draw_lines(int tile, const LineSupport& support, VisibilityTile& out) const;
+    LineSupport line_support() const { return {*mesh_, vertices(), *transform_}; }
+    std::uint32_t first_line() const { return first_line_; }
     // Triangles with this alpha mode that may touch the tile, by id.
     void of_mode(int tile, AlphaMode mode, std::vector<std::uint32_t>& out) const;
     // Draws one triangle; returns the pixels that it may have changed, none if it is not visible.
@@ -118,6 +126,8 @@ private:
     void bin_point(WorkerBins& worker, std::uint32_t point) const;
 
     int width_ = 0, height_ = 0, down_ = 0; // pixels; rows of tiles
+    std::uint32_t first_line_ = 0;
+    int line_width_ = 1, point_size_ = 1;
     TileGrid grid_{};
     CullOptions cull_;
     const geom::Mesh* mesh_ = nullptr;         // of the last run

@@ -44,7 +44,9 @@ void Geometry::draw(int tile, AreaTile& out) const {
 
 void Geometry::draw(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
     draw_triangles(tile, out, scratch);
-    draw_lines(tile, out, out);
+    if (!has_lines(tile)) return;
+    out.keep_support(out);
+    draw_lines(tile, line_support(), out);
 }
 
 void Geometry::draw_triangles(int tile, VisibilityTile& out, DeferredTriangles* scratch) {
@@ -138,15 +140,16 @@ void Geometry::draw_deferred(int tile, VisibilityTile& out, DeferredTriangles& d
             out.draw_small(list_of(deferred.small[kind], static_cast<SmallKind>(kind)));
 }
 
-void Geometry::draw_lines(int tile, const VisibilityTile& visible, VisibilityTile& out) const {
-    if (mesh_->lines() == 0 && mesh_->points() == 0) return;
+bool Geometry::has_lines(int tile) const {
+    if (mesh_->lines() == 0 && mesh_->points() == 0) return false;
     const auto at = static_cast<std::size_t>(tile);
-    const auto has_none = [&](const WorkerBins& worker) {
-        return worker.bins[at].segments.empty() && worker.bins[at].points.empty();
-    };
-    if (std::all_of(workers_.begin(), workers_.end(), has_none)) return;
-    out.keep_support(visible);
-    const LineSupport support(*mesh_, vertices(), *transform_);
+    return std::any_of(workers_.begin(), workers_.end(), [&](const WorkerBins& worker) {
+        return !worker.bins[at].segments.empty() || !worker.bins[at].points.empty();
+    });
+}
+
+void Geometry::draw_lines(int tile, const LineSupport& support, VisibilityTile& out) const {
+    const auto at = static_cast<std::size_t>(tile);
     for (const WorkerBins& worker : workers_) {
         for (const std::uint32_t i : worker.bins[at].segments)
             out.draw_line(worker.segments[i], support);

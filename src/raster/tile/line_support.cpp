@@ -6,20 +6,19 @@
 
 namespace scanout::raster {
 
-bool LineSupport::has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) const {
+// By position: faces that share a position need not share the vertex.
+bool LineSupport::has_vertex_at(std::uint32_t triangle, const Vec3& at) const {
     const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
-    // By position: faces that share a position need not share the vertex.
-    const Vec3& at = mesh_->position[vertex];
     return mesh_->position[index[0]] == at || mesh_->position[index[1]] == at ||
            mesh_->position[index[2]] == at;
 }
 
-// Does the vertex lie in the triangle's plane, up to the rounding of its floats? A coordinate
+// Does the point lie in the triangle's plane, up to the rounding of its floats? A coordinate
 // stands for all numbers that round to it; the bound is how far these can move (p - a) . normal.
-bool LineSupport::in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const {
+bool LineSupport::in_plane_of(std::uint32_t triangle, const Vec3& point) const {
     const std::uint32_t* index = mesh_->index.data() + std::size_t{triangle} * 3;
     const DVec3 a(mesh_->position[index[0]]), b(mesh_->position[index[1]]),
-        c(mesh_->position[index[2]]), p(mesh_->position[vertex]);
+        c(mesh_->position[index[2]]), p(point);
     const auto size = [](const DVec3& v) {
         return DVec3(std::abs(v.x), std::abs(v.y), std::abs(v.z));
     };
@@ -46,13 +45,14 @@ bool LineSupport::is_of(std::uint32_t triangle, std::span<const std::uint32_t> f
 
 LineSupport::Contact LineSupport::contact(std::uint32_t triangle, std::uint32_t primitive) const {
     if (mesh_ == nullptr) return Contact::none;
-    const std::size_t line = primitive - mesh_->triangles();
-    if (line >= mesh_->lines()) {
-        const std::uint32_t point = mesh_->point_index[line - mesh_->lines()];
-        return in_plane_of(triangle, point) ? Contact::holds : Contact::none;
+    const std::size_t line = primitive - first_line_;
+    if (line >= lines_->lines()) {
+        const std::uint32_t point = lines_->point_index[line - lines_->lines()];
+        return in_plane_of(triangle, lines_->position[point]) ? Contact::holds : Contact::none;
     }
-    const std::uint32_t* end = mesh_->line_index.data() + line * 2;
-    const std::span<const std::uint32_t> faces = mesh_->line_faces.of(line); // first triangles
+    const std::uint32_t* index = lines_->line_index.data() + line * 2;
+    const std::array end = {lines_->position[index[0]], lines_->position[index[1]]};
+    const std::span<const std::uint32_t> faces = lines_->line_faces.of(line); // first triangles
     if (is_of(triangle, faces) || (in_plane_of(triangle, end[0]) && in_plane_of(triangle, end[1])))
         return Contact::holds;
     const bool beside = std::any_of(faces.begin(), faces.end(), [&](std::uint32_t first) {
@@ -91,7 +91,7 @@ std::array<ClipVertex, 3> LineSupport::vertices_of(std::uint32_t triangle) const
 // vertex? end: the ends of the line on the face. For a large polygon only the line's own ends are
 // tested, not all its vertices.
 bool LineSupport::continues(std::uint32_t triangle, std::uint32_t first,
-                            const std::uint32_t* end) const {
+                            const std::array<Vec3, 2>& end) const {
     constexpr std::uint32_t kMax = 8; // triangles of a face
     if ((winding(vertices_of(triangle)) > 0) != (winding(vertices_of(first)) > 0)) return false;
     if (has_vertex_at(triangle, end[0]) || has_vertex_at(triangle, end[1])) return true;
@@ -100,9 +100,17 @@ bool LineSupport::continues(std::uint32_t triangle, std::uint32_t first,
     for (; t < mesh_->triangles() && mesh_->face[t] == mesh_->face[first]; ++t) {
         if (t - first == kMax) return false;
         for (std::size_t k = 0; k < 3; ++k)
-            meet = meet || has_vertex_at(triangle, mesh_->index[std::size_t{t} * 3 + k]);
+            meet = meet ||
+                   has_vertex_at(triangle, mesh_->position[mesh_->index[std::size_t{t} * 3 + k]]);
     }
     return meet;
+}
+
+bool LineSupport::faces_are_culled(std::uint32_t segment) const {
+    const std::span<const std::uint32_t> faces = lines_->line_faces.of(segment - first_line_);
+    return !faces.empty() && std::all_of(faces.begin(), faces.end(), [&](std::uint32_t first) {
+        return (winding(vertices_of(first)) > 0) == (*hidden_ == Winding::clockwise);
+    });
 }
 
 bool LineSupport::covers(std::uint32_t triangle, double x, double y) const {

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace scanout::raster {
@@ -20,12 +21,24 @@ struct DepthSlope {
 
 class LineSupport {
 public:
+    enum class Winding : std::uint8_t { counter_clockwise, clockwise };
     // Supports no line: all triangles are treated as touching none.
     LineSupport() = default;
     // The vertices of the mesh on the screen; all three must outlive the support.
     LineSupport(const geom::Mesh& mesh, std::span<const ScreenVertex> vertices,
                 const ScreenTransform& transform)
-        : mesh_(&mesh), vertices_(vertices), transform_(&transform) {}
+        : mesh_(&mesh), lines_(&mesh), first_line_(static_cast<std::uint32_t>(mesh.triangles())),
+          vertices_(vertices), transform_(&transform) {}
+    // Supports the lines and points of another mesh, with ids from first_line on; their faces are
+    // those of this one. hidden: which winding on the screen is culled of these.
+    LineSupport of(const geom::Mesh& lines, std::uint32_t first_line,
+                   std::optional<Winding> hidden) const {
+        LineSupport other = *this;
+        other.lines_ = &lines;
+        other.first_line_ = first_line;
+        other.hidden_ = hidden;
+        return other;
+    }
 
     enum class Contact : std::uint8_t {
         none,
@@ -35,6 +48,11 @@ public:
     // primitive: the id of a segment or a point.
     Contact contact(std::uint32_t triangle, std::uint32_t primitive) const;
 
+    // Is the segment, by its id, part of culled faces alone?
+    bool is_culled(std::uint32_t segment) const {
+        return hidden_.has_value() && faces_are_culled(segment);
+    }
+
     // The slope of the snapped triangle; of the unclipped triangle, where it leaves the screen.
     DepthSlope slope(std::uint32_t triangle) const;
 
@@ -42,14 +60,19 @@ public:
     bool covers(std::uint32_t triangle, double x, double y) const;
 
 private:
+    bool faces_are_culled(std::uint32_t segment) const;
     bool is_of(std::uint32_t triangle, std::span<const std::uint32_t> first) const;
-    bool in_plane_of(std::uint32_t triangle, std::uint32_t vertex) const;
-    bool has_vertex_at(std::uint32_t triangle, std::uint32_t vertex) const;
-    bool continues(std::uint32_t triangle, std::uint32_t first, const std::uint32_t* end) const;
+    bool in_plane_of(std::uint32_t triangle, const Vec3& point) const;
+    bool has_vertex_at(std::uint32_t triangle, const Vec3& point) const;
+    bool continues(std::uint32_t triangle, std::uint32_t first,
+                   const std::array<Vec3, 2>& end) const;
     // Vertices before the divide, in pixels times w; vertices on the screen as they were snapped.
     std::array<ClipVertex, 3> vertices_of(std::uint32_t triangle) const;
 
     const geom::Mesh* mesh_ = nullptr;
+    const geom::Mesh* lines_ = nullptr; // whose lines and points they are
+    std::uint32_t first_line_ = 0;      // the id of the first
+    std::optional<Winding> hidden_;
     std::span<const ScreenVertex> vertices_;
     const ScreenTransform* transform_ = nullptr;
 };

@@ -87,23 +87,31 @@ void VisibilityTile::write_fragment(const Fragment& f, const LineSupport& suppor
 void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
     check_lanes(s);
     const image::Rect box = inside(pixel_bounds(s, area_.x1, area_.y1));
-    if (box.empty()) return;
+    if (box.empty() || support.is_culled(s.id)) return;
     SupportAt under;
-    const std::int64_t dx = std::int64_t{s.x[1]} - s.x[0], dy = std::int64_t{s.y[1]} - s.y[0];
-    const bool along_x = std::abs(dx) >= std::abs(dy);
-    const std::int64_t length = along_x ? std::abs(dx) : std::abs(dy);
-    if (length == 0) {
-        write_fragment({s.x[0] >> kSubpixelBits, s.y[0] >> kSubpixelBits,
-                        s.x[0] / double{kSubpixel}, s.y[0] / double{kSubpixel},
-                        std::max(s.depth[0], s.depth[1]), s.id},
-                       support, under);
-        return;
-    }
+    const bool along_x = is_along_x(s);
+    const std::int64_t wider = std::int64_t{s.width - 1} * (kSubpixel / 2);
+    // The pixels beside each other across the line.
+    const auto write_across = [&](std::int64_t along, std::int64_t across, Fragment f) {
+        const auto first = static_cast<int>((across - wider) >> kSubpixelBits);
+        for (int other = first; other < first + s.width; ++other) {
+            f.x = static_cast<int>(along_x ? along : other);
+            f.y = static_cast<int>(along_x ? other : along);
+            write_fragment(f, support, under);
+        }
+    };
     // Walks from the end with the lower coordinate, independently of the file's order.
     const auto& major = along_x ? s.x : s.y;
     const auto& minor = along_x ? s.y : s.x;
     const std::size_t lo = major[0] <= major[1] ? 0 : 1, hi = 1 - lo;
-    const std::int64_t rise = std::int64_t{minor[hi]} - minor[lo];
+    const std::int64_t length = std::int64_t{major[hi]} - major[lo],
+                       rise = std::int64_t{minor[hi]} - minor[lo];
+    if (length == 0) {
+        write_across(major[0] >> kSubpixelBits, minor[0],
+                     {0, 0, s.x[0] / double{kSubpixel}, s.y[0] / double{kSubpixel},
+                      std::max(s.depth[0], s.depth[1]), s.id});
+        return;
+    }
     const int first = along_x ? box.x0 : box.y0, last = along_x ? box.x1 : box.y1;
     for (int pixel = first; pixel < last; ++pixel) {
         const std::int64_t centre = std::int64_t{pixel} * kSubpixel + kSubpixel / 2 - major[lo],
@@ -111,15 +119,12 @@ void VisibilityTile::draw_line(const Segment& s, const LineSupport& support) {
         if (along != centre && !in_diamond(major[lo] + along, minor[along == 0 ? lo : hi]))
             continue;
         const std::int64_t across = minor[lo] + floor_divide(along * rise, length);
-        const auto other = static_cast<int>(across >> kSubpixelBits);
         const double t = static_cast<double>(along) / static_cast<double>(length);
         const double middle = static_cast<double>(major[lo] + along) / kSubpixel;
         const double beside = (minor[lo] + static_cast<double>(rise) * t) / kSubpixel;
         const double depth = s.depth[lo] * (1 - t) + s.depth[hi] * t;
-        if (along_x)
-            write_fragment({pixel, other, middle, beside, depth, s.id}, support, under);
-        else
-            write_fragment({other, pixel, beside, middle, depth, s.id}, support, under);
+        write_across(pixel, across,
+                     {0, 0, along_x ? middle : beside, along_x ? beside : middle, depth, s.id});
     }
 }
 
@@ -128,9 +133,10 @@ void VisibilityTile::draw_point(const Point& p, const LineSupport& support) {
     const image::Rect box = inside(pixel_bounds(p, area_.x1, area_.y1));
     if (box.empty()) return;
     SupportAt under;
-    write_fragment(
-        {box.x0, box.y0, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id}, support,
-        under);
+    for (int y = box.y0; y < box.y1; ++y)
+        for (int x = box.x0; x < box.x1; ++x)
+            write_fragment({x, y, p.x / double{kSubpixel}, p.y / double{kSubpixel}, p.depth, p.id},
+                           support, under);
 }
 
 } // namespace scanout::raster

@@ -5,6 +5,7 @@
 #include "image/image.h"
 #include "raster/stage/geometry.h"
 #include "scene/view.h"
+#include "shade/gather/added_lines.h"
 #include "shade/gather/block_pixels.h"
 #include "shade/gather/shading_key.h"
 #include "shade/mip/mip_chain.h"
@@ -34,7 +35,8 @@ struct TransparencyInput {
 
 struct GatherInput {
     const geom::Mesh* mesh = nullptr;
-    ShadingKeys keys; // of the mesh
+    ShadingKeys keys;                  // of the mesh
+    const AddedLines* added = nullptr; // beside the mesh's; null: none
     const raster::Geometry* geometry = nullptr;
     const raster::ScreenTransform* transform = nullptr;
     const scene::View* view = nullptr;

@@ -46,6 +46,7 @@ Vec3 line_colour(const GatherInput& in, std::size_t line, int x, int y) {
 
 Vec3 unlit_colour(const GatherInput& in, const scene::Material& material, std::uint32_t id, int x,
                   int y) {
+    if (in.added != nullptr && id >= in.added->first_id) return in.added->colour(id);
     if (!in.frame->attributes.colour) return material.diffuse;
     const geom::Mesh& mesh = *in.mesh;
     const std::size_t line = id - mesh.triangles();

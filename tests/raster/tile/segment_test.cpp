@@ -183,6 +183,67 @@ TEST(Point, IsASquareOfOnePixelByTheTriangleRules) {
     }
 }
 
+// Its pixels are those of a line of one pixel that is moved across, pixel by pixel, about its
+// middle.
+TEST(Segment, OfAWidthIsAsManyPixelsAcrossAboutTheLine) {
+    Random random(8);
+    VisibilityTile tile;
+    std::size_t drawn = 0;
+    for (int i = 0; i < 4000; ++i) {
+        Segment s = segment({random.whole(0, 64 * 256), random.whole(0, 64 * 256)},
+                            {random.whole(0, 64 * 256), random.whole(0, 64 * 256)});
+        const int width = random.whole(1, 7);
+        s.width = width;
+        const Pixels got = pixels(s, tile);
+        const auto column = [&](const std::pair<int, int>& p) {
+            return is_along_x(s) ? std::pair{p.first, p.second} : std::pair{p.second, p.first};
+        };
+        std::map<int, std::set<int>> by_column;
+        for (const auto& p : got)
+            by_column[column(p).first].insert(column(p).second);
+        Segment thin = s;
+        thin.width = 1;
+        std::set<int> columns;
+        for (const auto& p : pixels(thin, tile)) {
+            const auto [along, across] = column(p);
+            columns.insert(along);
+            for (int other = across - (width - 1) / 2; other <= across + (width - 1) / 2; ++other)
+                if (other >= 0 && other < kSegmentSide) {
+                    ASSERT_TRUE(by_column[along].count(other)) << i;
+                }
+        }
+        for (const auto& [along, across] : by_column) {
+            ASSERT_TRUE(columns.count(along) != 0 || *across.begin() == 0 ||
+                        *across.rbegin() == kSegmentSide - 1)
+                << i;
+            const bool whole = *across.begin() > 0 && *across.rbegin() < kSegmentSide - 1;
+            if (whole) {
+                ASSERT_EQ(across.size(), static_cast<std::size_t>(width)) << i;
+            }
+        }
+        drawn += got.size();
+    }
+    EXPECT_GT(drawn, 100'000U);
+}
+
+TEST(Point, OfASizeIsASquareOfItAboutThePoint) {
+    Random random(9);
+    VisibilityTile tile;
+    for (int i = 0; i < 4000; ++i) {
+        Point p{random.whole(0, 64 * 256), random.whole(0, 64 * 256), 0.5, 9, random.whole(1, 6)};
+        Pixels square;
+        for (int y = 0; y < kSegmentSide; ++y)
+            for (int x = 0; x < kSegmentSide; ++x) {
+                const auto is_in = [&](int pixel, int at) {
+                    const int off = 2 * (pixel * 256 + 128 - at);
+                    return -p.size * 256 <= off && off < p.size * 256;
+                };
+                if (is_in(x, p.x) && is_in(y, p.y)) square.insert({x, y});
+            }
+        ASSERT_EQ(pixels(p, tile), square) << i;
+    }
+}
+
 TEST(Bounds, OfSegmentsAndPointsHoldTheirPixelsAndStayInThePicture) {
     Random random(7);
     VisibilityTile tile;

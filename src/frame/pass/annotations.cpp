@@ -1,0 +1,89 @@
+#include "frame/pass/annotations.h"
+
+#include "frame/edges.h"
+#include "geom/edge_lines.h"
+#include "math/transcendental.h"
+#include "raster/culling/cull.h"
+
+namespace scanout::frame {
+namespace {
+
+// Of what the model's triangles reflect, by their materials and vertices alone: maps are not read.
+float mean_luminance(const scene::Scene& scene) {
+    const auto luminance = [](const Vec3& c) {
+        return double{0.2126} * c.x + double{0.7152} * c.y + double{0.0722} * c.z;
+    };
+    std::vector<std::int64_t> triangles(scene.materials.size() + 1); // of each material
+    for (const std::int32_t material : scene.mesh.material)
+        ++triangles[static_cast<std::size_t>(material + 1)];
+    double sum = 0;
+    std::int64_t count = 0;
+    for (std::size_t m = 0; m < triangles.size(); ++m) {
+        const scene::Material& material = m == 0 ? scene.unnamed : scene.materials[m - 1];
+        sum += luminance(material.diffuse) * static_cast<double>(triangles[m]);
+        count += triangles[m];
+    }
+    return count > 0 ? static_cast<float>(sum / static_cast<double>(count)) : 0;
+}
+
+// Black, or white on a model so dark that black would not show.
+Vec3 contrasting(const scene::Scene& scene) {
+    constexpr float kDark = 0.05F; // under a quarter of white's code
+    return Vec3(mean_luminance(scene) < kDark ? 1.0F : 0.0F);
+}
+
+} // namespace
+
+void AnnotationPass::make(const scene::Scene& scene, const AnnotationPlan& plan) {
+    mesh_ = {};
+    lines_.colours.clear();
+    const auto colour_new_lines = [&](const Vec3& colour) {
+        mesh_.line_material.resize(mesh_.lines(), static_cast<std::int32_t>(lines_.colours.size()));
+        lines_.colours.push_back(colour);
+    };
+    if (plan.edges != nullptr) {
+        std::optional<double> feature_cosine;
+        if (plan.edges->of == Edges::Of::features) feature_cosine = cos_degrees(plan.edge_angle);
+        geom::add_edge_lines(scene.mesh, feature_cosine, mesh_);
+        colour_new_lines(contrasting(scene));
+    }
+}
+
+void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan& plan,
+                         const raster::ScreenTransform& transform,
+                         const raster::GeometryOptions& options, int scale) {
+    const Key key{scene.revision, plan.annotations};
+    if (key_ != key || scene.revision == 0) make(scene, plan.annotations);
+    key_ = key;
+    const geom::Mesh& mesh = scene.mesh;
+    lines_.first_id = static_cast<std::uint32_t>(mesh.triangles() + mesh.lines() + mesh.points());
+    lines_.mesh = &mesh_;
+    raster::GeometryOptions own = options;
+    own.alpha_modes = {};
+    own.occlusion = nullptr;
+    own.first_line = lines_.first_id;
+    own.line_width = plan.options.line_width * scale;
+    own.point_size = plan.options.point_size * scale;
+    geometry_.run(jobs, mesh_, transform, own);
+    raster::CullOptions cull;
+    cull.keep = options.keep;
+    cull.mirrored = options.mirrored;
+    culled_.reset();
+    if (!raster::keeps_facing(cull, true)) culled_ = raster::LineSupport::Winding::clockwise;
+    if (!raster::keeps_facing(cull, false))
+        culled_ = raster::LineSupport::Winding::counter_clockwise;
+}
+
+void AnnotationPass::draw(int tile, const raster::Geometry& scene,
+                          raster::VisibilityTile& out) const {
+    geometry_.draw_lines(tile, scene.line_support().of(mesh_, lines_.first_id, culled_), out);
+}
+
+std::uint64_t AnnotationPass::bytes() const {
+    const auto of = [](const auto& list) { return list.capacity() * sizeof(list[0]); };
+    return of(mesh_.position) + of(mesh_.line_index) + of(mesh_.line_material) +
+           of(mesh_.line_faces.list) + of(mesh_.line_faces.begin) + of(mesh_.line_faces.triangle) +
+           of(mesh_.point_index) + of(mesh_.point_material);
+}
+
+} // namespace scanout::frame
