@@ -6,11 +6,13 @@
 #include "app/option_names.h"
 #include "app/option_text.h"
 #include "app/options.h"
+#include "app/view_file.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <deque>
 #include <set>
+#include <utility>
 
 #include <unistd.h>
 
@@ -136,6 +138,15 @@ void note_repetition(const Given& given, std::vector<std::string>& notes) {
                                     given.option->name, given.texts.size(), given.texts.back()));
 }
 
+// The options of the view that a file holds; a state that is not there yet has none.
+Result<void> add_view(const std::string& path, bool may_be_missing,
+                      std::vector<StandingPlace>& standing) {
+    if (may_be_missing && !exists(path)) return {};
+    TRY(StandingPlace view, read_view(path));
+    standing.push_back(std::move(view));
+    return {};
+}
+
 Result<Settings> parse_words(Command command, std::vector<std::string> words,
                              const std::vector<std::string>& files,
                              const ReadStanding& read_standing) {
@@ -162,10 +173,14 @@ Result<Settings> parse_words(Command command, std::vector<std::string> words,
     std::set<std::string_view> names;
     for (const Given& one : given)
         if (!one.texts.empty()) names.insert(one.option->name);
+    std::vector<StandingPlace> standing;
     if (read_standing && names.count("no-config") == 0) {
-        TRY(const std::vector<StandingPlace> standing, read_standing());
-        TRY_VOID(apply_standing(standing, names, settings));
+        TRY(standing, read_standing());
     }
+    for (const Given& one : given)
+        if (!one.texts.empty() && (one.option->name == "like" || one.option->name == "state"))
+            TRY_VOID(add_view(one.texts.back(), one.option->name == "state", standing));
+    TRY_VOID(apply_standing(standing, names, settings));
     for (const Given& one : given) {
         if (one.texts.empty()) continue;
         note_repetition(one, settings.notes);

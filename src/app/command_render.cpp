@@ -3,6 +3,7 @@
 #include "app/commands.h"
 #include "app/files.h"
 #include "app/message.h"
+#include "app/model_arguments.h"
 #include "app/model_file.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
@@ -265,6 +266,7 @@ private:
 
 Result<Exit> run_render(const Settings& given, std::uint64_t start_bytes) {
     Settings settings = given;
+    TRY(settings.arguments, models_of(given.arguments));
     if (settings.pair && !settings.sheet && !has_name(settings.output))
         settings.sheet = SheetGrid{2, 1};
     TRY(const PictureFormat format, check_render(settings));

@@ -3,8 +3,10 @@
 #include "app/displays.h"
 #include "app/files.h"
 #include "app/message.h"
+#include "app/model_arguments.h"
 #include "app/model_file.h"
 #include "app/option_conflicts.h"
+#include "app/view_file.h"
 #include "app/view_session.h"
 #include "base/check.h"
 #include "port/headless.h"
@@ -22,7 +24,7 @@ namespace {
 Result<void> check_view(const Settings& s) {
     if (s.arguments.empty())
         return fail(Exit::usage, "name a model to show, as in `scanout models/spot/spot.obj`");
-    if (s.arguments.size() == 1 && s.arguments.front() != "-")
+    if (s.arguments.size() == 1 && s.arguments.front() != "-" && !s.watch)
         TRY_VOID(check_readable(s.arguments.front()));
     if (!s.replay.empty()) TRY_VOID(check_readable(s.replay));
     if (s.pixel_format && s.backend != Backend::headless)
@@ -40,7 +42,7 @@ struct Tapes {
 Result<Tapes> open_tapes(const Settings& settings) {
     std::vector<std::string> inputs = settings.arguments;
     inputs.push_back(settings.replay);
-    TRY_VOID(check_outputs(inputs, {settings.record, settings.json.value_or("")}));
+    TRY_VOID(check_outputs(inputs, {settings.record, settings.json.value_or(""), settings.state}));
     Tapes tapes;
     if (!settings.replay.empty()) {
         TRY(tapes.script, load_script(settings.replay));
@@ -64,6 +66,8 @@ Result<Commands> show(const Settings& settings, SessionParts parts, const char* 
         ViewSession::create(settings, std::move(parts)));
     TRY_VOID(session->run());
     TRY_VOID(write_report(settings, to_json(session->report(start_bytes))));
+    if (const std::string view = session->options(); !settings.state.empty() && !view.empty())
+        TRY_VOID(write_view(settings.state, view));
     return session->noted_commands();
 }
 
@@ -100,7 +104,9 @@ Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uin
 
 } // namespace
 
-Result<Exit> run_view(const Settings& settings, std::uint64_t start_bytes) {
+Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
+    Settings settings = given;
+    TRY(settings.arguments, models_of(given.arguments));
     TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));
     if (const std::string_view steadying = steadying_option(settings);

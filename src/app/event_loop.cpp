@@ -26,12 +26,12 @@ Result<void> watch(const Fd& epoll, int fd) {
 
 } // namespace
 
-Result<EventLoop> EventLoop::create(int display, int input) {
+Result<EventLoop> EventLoop::create(int display, int input, int files) {
     Fd epoll(::epoll_create1(EPOLL_CLOEXEC));
     if (!epoll.valid()) return fail(Exit::internal, "epoll: {}", std::strerror(errno));
     Fd timer(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
     if (!timer.valid()) return fail(Exit::internal, "timerfd: {}", std::strerror(errno));
-    for (const int fd : {timer.get(), display, input})
+    for (const int fd : {timer.get(), display, input, files})
         TRY_VOID(watch(epoll, fd));
     return EventLoop(std::move(epoll), std::move(timer), input);
 }

@@ -14,8 +14,8 @@ class EventLoop {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    // Descriptors below 0 are never readable.
-    static Result<EventLoop> create(int display, int input);
+    // Descriptors below 0 are never readable. `files`: wakes up, as a display does.
+    static Result<EventLoop> create(int display, int input, int files = -1);
 
     // Sleeps until `wake`, but no longer than `patience` milliseconds (-1: without end, 0: not at
     // all). True when the input can be read.

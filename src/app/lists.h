@@ -1,5 +1,5 @@
-// What `scanout list` lists of the program itself, as JSON: an array of objects each. displays.h has
-// what it lists of the machine.
+// What `scanout list` lists of the program itself, as JSON: an array of objects each. displays.h
+// has what it lists of the machine.
 #pragma once
 
 #include "app/settings.h"

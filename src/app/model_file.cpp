@@ -7,6 +7,8 @@
 #include "io/load.h"
 #include "scene/fit.h"
 
+#include <utility>
+
 namespace scanout::app {
 
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
@@ -30,10 +32,13 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     io::ModelFormat format{};
     options.format_read = &format;
     options.source = source;
+    std::vector<std::string> libraries;
+    options.libraries = &libraries;
     TRY(scene::Scene scene, io::load(path, options, warnings));
     // CAD programs and slicers have z up.
     const auto up = format == io::ModelFormat::stl ? scene::UpAxis::plus_z : scene::UpAxis::plus_y;
-    return LoadedModel{std::move(scene), warnings.lines(), watch.milliseconds(), times, up, format};
+    return LoadedModel{std::move(scene), warnings.lines(),    watch.milliseconds(), times, up,
+                       format,           std::move(libraries)};
 }
 
 scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model) {

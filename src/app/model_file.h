@@ -21,6 +21,7 @@ struct LoadedModel {
     io::LoadTimes load_times;                 // its parts
     scene::UpAxis up = scene::UpAxis::plus_y; // of files of its format
     io::ModelFormat format{};
+    std::vector<std::string> libraries; // of materials, that were read
 };
 
 // The camera that the command line asks for; a model's format says what is up where it does not.

@@ -217,6 +217,11 @@ constexpr std::array kOptions = std::to_array<Option>({
      "put the eye there, in the model file's coordinates; wants --look-at"},
     {"look-at", 0, "X,Y,Z", "", "", 0, 0, Group::camera, kLoad, Parsed(read_look_at),
      "look at this point; --target X,Y,Z says the same"},
+    {"like", 0, "FILE", "", "", 0, 0, Group::camera, kDraw,
+     Text([](Settings& s) -> std::string& { return s.like; }),
+     "draw as a screenshot of the viewer shows it (a PNG that holds its command line), or a file "
+     "of "
+     "--state; what the command line says counts before it"},
     {"fov", 0, "DEGREES", "", "45", 0.1, 175, Group::camera, kLoad,
      Real([](Settings& s) -> double& { return s.camera.fov_degrees; }), "vertical field of view"},
     {"projection", 0, "", "perspective orthographic", "perspective", 0, 0, Group::camera, kLoad,
@@ -276,6 +281,14 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"mode", 0, "WxH[@HZ]", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.mode; }),
      "the DRM mode (`list modes`); default: the one that the monitor prefers"},
+    {"watch", 0, "", "", "", 0, 0, Group::display, kView,
+     Switch([](Settings& s) -> bool& { return s.watch; }),
+     "read the shown file again when it, its materials or its textures are written anew; it need "
+     "not "
+     "be there yet"},
+    {"state", 0, "FILE", "", "", 0, 0, Group::display, kView,
+     Text([](Settings& s) -> std::string& { return s.state; }),
+     "begin with the view that the file holds, if it is there, and write the last view into it"},
     {"no-pointer", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.no_pointer; }), "draw no mouse pointer"},
     {"converge", 0, "", "auto on off", "auto", 0, 0, Group::display, kView,

@@ -1,5 +1,5 @@
 // The table of options: one definition each (name, type, default, range, help) that feeds the
-// command line, --help, `scanout list options` and the README.
+// command line, --help, `scanout list options`.
 #pragma once
 
 #include "app/settings.h"

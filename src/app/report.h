@@ -1,4 +1,4 @@
-// What a run reports as JSON: one object a run (README, "JSON").
+// What a run reports as JSON: one object a run (docs/report.schema.json).
 #pragma once
 
 #include "app/budget.h"

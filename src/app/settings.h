@@ -125,6 +125,8 @@ struct Settings {
     Backend backend = Backend::automatic;
     std::string device, connector, mode;
     std::string record, replay;
+    std::string like, state; // files of views (view_file.h)
+    bool watch = false;      // the shown file is read again when it changes
     bool no_pointer = false, no_times = false;
     Converge converge = Converge::automatic;
 

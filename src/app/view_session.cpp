@@ -22,14 +22,21 @@ constexpr int kFlipTimeoutMs = 1100; // a flip that has not come by then will no
 
 Result<std::unique_ptr<ViewSession>> ViewSession::create(const Settings& settings,
                                                          SessionParts parts) {
-    TRY(EventLoop loop, EventLoop::create(parts.display.event_fd(), parts.input.event_fd()));
+    std::optional<FileWatch> watch;
+    if (settings.watch && !parts.instant) {
+        TRY(watch, FileWatch::create());
+    }
+    TRY(EventLoop loop, EventLoop::create(parts.display.event_fd(), parts.input.event_fd(),
+                                          watch ? watch->event_fd() : -1));
     return std::unique_ptr<ViewSession>(
-        new ViewSession(settings, std::move(parts), std::move(loop)));
+        new ViewSession(settings, std::move(parts), std::move(watch), std::move(loop)));
 }
 
-ViewSession::ViewSession(const Settings& settings, SessionParts parts, EventLoop loop)
-    : settings_(settings), parts_(std::move(parts)), loop_(std::move(loop)),
-      steady_(!steadying_option(settings).empty()), converges_(!steady_ && converges(settings)),
+ViewSession::ViewSession(const Settings& settings, SessionParts parts,
+                         std::optional<FileWatch> watch, EventLoop loop)
+    : settings_(settings), parts_(std::move(parts)), watch_(std::move(watch)),
+      loop_(std::move(loop)), steady_(!steadying_option(settings).empty()),
+      converges_(!steady_ && converges(settings)),
       viewer_(settings, parts_.display.info().width, parts_.display.info().height,
               static_cast<int>(settings.arguments.size())),
       binder_(viewer_.width(), viewer_.height(), !settings.no_pointer),
@@ -46,6 +53,7 @@ Result<void> ViewSession::run() {
     while (!quit_) {
         TRY_VOID(follow_display());
         const Time now = std::chrono::steady_clock::now();
+        TRY_VOID(follow_files(now));
         TRY_VOID(advance(now));
         if (quit_) break;
         follow_motion(now);
@@ -274,13 +282,17 @@ Result<void> ViewSession::write_screenshot() {
     return {};
 }
 
-std::string ViewSession::command() const {
+std::string ViewSession::options() const {
     if (slot_.model() == nullptr) return {};
-    const std::string options = view_options(viewer_, settings_, *slot_.mesh());
+    const std::string view = view_options(viewer_, settings_, *slot_.mesh());
     const measure::KnownPoint* const point = chosen_point();
-    const std::string rungs =
-        point != nullptr && !point->rungs.empty() ? " " + point->options() : "";
-    return options.empty() ? "" : view_command(path(), options + rungs);
+    if (view.empty() || point == nullptr || point->rungs.empty()) return view;
+    return view + " " + point->options();
+}
+
+std::string ViewSession::command() const {
+    const std::string shown = options();
+    return shown.empty() ? "" : view_command(path(), shown);
 }
 
 void ViewSession::note_command() {
@@ -368,6 +380,7 @@ Result<void> ViewSession::wait() {
     if (rungs) // at once, or when a thread may have ended
         consider(std::chrono::steady_clock::now() +
                  std::chrono::milliseconds(frontier_.building() ? 5 : 0));
+    if (reload_at_) consider(*reload_at_);
     if (trace) consider(accuracy_.due(std::chrono::steady_clock::now()));
     const int patience = row ? 0 : ready || lost_ ? -1 : kFlipTimeoutMs;
     TRY(const bool input, loop_.sleep(wake, patience));

@@ -9,6 +9,7 @@
 #include "app/composer.h"
 #include "app/event_loop.h"
 #include "app/explain_report.h"
+#include "app/file_watch.h"
 #include "app/frame_log.h"
 #include "app/frame_pacer.h"
 #include "app/governor.h"
@@ -63,13 +64,15 @@ public:
 
     RunReport report(std::uint64_t start_bytes);
     int motion_level() const { return level_; } // of governor.h; 0 when all is still
+    std::string options() const;                // that show the same as now; empty: none do
     // What K noted, for standard output once the console is text again.
     const std::vector<std::string>& noted_commands() const { return noted_commands_; }
 
 private:
     using Time = VirtualClock::Time;
 
-    ViewSession(const Settings& settings, SessionParts parts, EventLoop loop);
+    ViewSession(const Settings& settings, SessionParts parts, std::optional<FileWatch> watch,
+                EventLoop loop);
 
     // Files (view_session_files.cpp).
     const std::string& path() const; // of the model on show
@@ -81,8 +84,10 @@ private:
     bool report_progress(const std::string& doing, double share, Time start);
     void examine(); // for the panel of hazards
     bool wants_to_leave();
+    void watch_files(const LoadedModel& model); // that it was read from
+    Result<void> follow_files(Time now); // with --watch: reads them again when they have changed
     Result<void> write_screenshot();
-    std::string command() const; // that shows the same; empty: none does
+    std::string command() const; // likewise
     void note_command();
 
     // Actions and time.
@@ -163,6 +168,8 @@ private:
 
     const Settings& settings_;
     SessionParts parts_;
+    std::optional<FileWatch> watch_; // none: without --watch
+    std::optional<Time> reload_at_;  // files have changed
     EventLoop loop_;
     bool steady_; // nothing on the screen depends on clock or folder
     bool converges_;

@@ -37,8 +37,9 @@ Result<void> ViewSession::load(bool again) {
     frontier_.stop();
     rungs_.clear();
     clock_.stop(); // the time that loading took does not turn the model
+    if (watch_) watch_files(model ? *model : LoadedModel());
     if (!model) {
-        const bool hopeless = settings_.arguments.size() == 1 && !again;
+        const bool hopeless = settings_.arguments.size() == 1 && !again && !watch_;
         if (hopeless) return tl::unexpected(model.error());
         say("scanout: " + model.error().what);
         slot_.put_error(model.error().what);
@@ -51,6 +52,25 @@ Result<void> ViewSession::load(bool again) {
     TRY_VOID(report_plan());
     if (settings_.limits.any()) TRY_VOID(choose_rungs());
     set_motion_levels();
+    return {};
+}
+
+void ViewSession::watch_files(const LoadedModel& model) {
+    std::vector<std::string> files = model.libraries;
+    files.push_back(path());
+    for (const scene::Texture& texture : model.scene.textures)
+        files.push_back(texture.path);
+    watch_->watch(files);
+}
+
+Result<void> ViewSession::follow_files(Time now) {
+    if (!watch_) return {};
+    constexpr std::chrono::milliseconds kSettles{150}; // exporters write several files
+    if (watch_->take_changes()) reload_at_ = now + kSettles;
+    if (!reload_at_ || now < *reload_at_) return {};
+    reload_at_.reset();
+    TRY_VOID(load(true));
+    if (slot_.model() != nullptr) tell("read again: " + path());
     return {};
 }
 

@@ -21,6 +21,8 @@ enum class PngAlpha : std::uint8_t { if_needed, always };
 // description: UTF-8 text stored in the file (PNG 3, 11.3.3); empty: none.
 Result<Bytes> encode_png(const Image& image, const std::string& description = {},
                          PngAlpha alpha = PngAlpha::if_needed);
+// The description stored in a PNG; "" where it has none. Exit::unreadable for what is no PNG.
+Result<std::string> png_description(std::span<const std::uint8_t> file, const std::string& name);
 Bytes encode_ppm(const Image& image); // P6: alpha is dropped
 Bytes encode_pam(const Image& image); // P7, RGB_ALPHA
 

@@ -14,6 +14,8 @@ namespace scanout::image {
 
 namespace {
 
+constexpr const char* kDescription = "Description"; // the keyword
+
 struct Failure {
     char reason[120] = "";
 };
@@ -110,6 +112,23 @@ Result<Image> decode_png(const Source& file) {
     return image;
 }
 
+Result<std::string> png_description(std::span<const std::uint8_t> file, const std::string& name) {
+    PngReader reader(file);
+    png_textp texts = nullptr;
+    int count = 0;
+    const bool done = guarded(reader.png, [&] {
+        png_set_read_fn(reader.png, &reader, read_bytes);
+        png_set_chunk_malloc_max(reader.png, std::size_t{1} << 20);
+        png_read_info(reader.png, reader.info);
+        count = png_get_text(reader.png, reader.info, &texts, nullptr);
+    });
+    if (!done)
+        return fail(Exit::unreadable, "{}: not a readable PNG: {}", name, reader.failure.reason);
+    for (int i = 0; i < count; ++i)
+        if (std::strcmp(texts[i].key, kDescription) == 0) return std::string(texts[i].text);
+    return std::string();
+}
+
 // ---- writing
 
 namespace {
@@ -137,7 +156,7 @@ void write_bytes(png_structp png, png_bytep bytes, std::size_t count) {
 }
 
 void describe(Writer& writer, std::string& description) {
-    std::string keyword = "Description";
+    std::string keyword = kDescription;
     png_text text{};
     text.compression = PNG_ITXT_COMPRESSION_NONE;
     text.key = keyword.data();

@@ -247,6 +247,7 @@ void close_seams(geom::PolygonMesh& polygons, const std::string& path, Jobs* job
 Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& options,
                                    Warnings& warnings) {
     TRY(ReadModel model, read(path, options, warnings));
+    if (options.libraries != nullptr) *options.libraries = model.materials.libraries;
     if (options.source != nullptr)
         *options.source = {model.polygons, std::move(model.materials.libraries),
                            std::move(model.face_lines), std::move(model.position_lines)};

@@ -51,7 +51,9 @@ struct LoadOptions {
     Vec3 unnamed_colour{scene::kUnnamedGrey}; // linear, of what the file gives no material
     ModelFormat* format_read = nullptr;       // filled when given
     ModelSource* source = nullptr;            // filled when given
-    std::optional<ModelFormat> format;        // given: what the file is, whatever it looks like
+    // Filled when given: paths of the material libraries that were read.
+    std::vector<std::string>* libraries = nullptr;
+    std::optional<ModelFormat> format; // given: what the file is, whatever it looks like
 };
 
 // The format is told by the content and, where that says nothing, by the extension (any case);

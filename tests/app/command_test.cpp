@@ -76,7 +76,7 @@ TEST_F(Program, FilesThatCannotBeUsedAreExitThree) {
     folder.write("bad.txt", "scanout-actions 1\n0 fly\n");
     for (const char* words :
          {"render $d/absent.obj --hash", "render $d/empty.obj --hash", "render $d/model.xyz --hash",
-          "render $d --hash", "render $m -o $d/no/such/folder/x.png", "compare $d/a.png $d/b.png",
+          "explain $d", "render $m -o $d/no/such/folder/x.png", "compare $d/a.png $d/b.png",
           "view $d/absent.obj", "view $m --backend headless --replay $d/absent",
           "view $m --backend headless --replay $d/bad.txt", "render $m -o /dev/full --format ppm"})
         EXPECT_EQ(refused(words), 3) << words;

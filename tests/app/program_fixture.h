@@ -55,7 +55,7 @@ protected:
         return outcome.out;
     }
 
-    test::TemporaryFolder folder;
+    scanout::test::TemporaryFolder folder;
     std::string model = folder.write("model.obj", kTetrahedron);
 };
 
