@@ -4,6 +4,7 @@
 #pragma once
 
 #include "raster/count/stencil_count.h"
+#include "raster/culling/cull.h"
 #include "raster/tile/tile.h"
 #include "scene/light.h"
 
@@ -38,6 +39,9 @@ struct LightShadow {
     std::span<const ShadowMap> maps;
     bool casts = false;
     bool soft = false; // the light has a size
+    // Of a closed mesh that the light stands outside of: the sides of its faces that lie within,
+    // where no light comes. Any: not known.
+    raster::Facing inner = raster::Facing::any;
     scene::LightShape shape = scene::LightShape::sphere;
 };
 
@@ -46,6 +50,7 @@ struct TilePolygons {
     std::span<const raster::StencilTriangle> all;
     std::span<const std::uint32_t> here; // indices into `all`
     raster::StencilWhere where = raster::StencilWhere::behind;
+    float of_body = 0; // ShadowPolygons
 };
 
 // How many polygons of a light's shadows lie over each sample of a tile.

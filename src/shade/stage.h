@@ -97,6 +97,7 @@ struct Primitive {
     float t[3];
     float inverse_w[3]; // of the vertices; 1 where it was clipped: those weights hold it already
     float facing[3];    // the triangle's own normal, towards the eye; object space
+    bool back;          // with `facing`: the eye sees the side from which it winds clockwise
     std::int8_t step;   // of adaptive interpolation (interpolation_step.h); 0: every pixel
     // Of the three vertices; only what the frame's stages read. [component][vertex]; normals in
     // object space, or unit in view space where the frame says vertex_normals.

@@ -78,11 +78,12 @@ std::optional<bool> Probe::is_lit(const Ray& ray) const {
     constexpr std::uint32_t kPoints = 64; // of a light with a size
     const Hit hit = first(ray);
     if (!hit.any()) return std::nullopt;
-    const DVec3 place = ray.from + ray.way * hit.t, facing = world_.facing(hit, ray);
+    const DVec3 seen = ray.from + ray.way * hit.t;
     const ShadowRays shadows(world_);
     bool some_lit = false, some_dark = false;
     for (const PlacedLight& light : lights_.others) {
-        if (!light.casts() || light.at(place).colour == DVec3(0)) continue;
+        if (!light.casts() || light.at(seen).colour == DVec3(0)) continue;
+        const auto [place, facing] = world_.ground(hit, ray, light.at(seen).towards);
         for (std::uint32_t i = 0; i < (light.has_size() ? kPoints : 1); ++i) {
             const DVec2 point = light.has_size() ? stratified(i, 1, 0) : DVec2(0.5);
             const Ray towards = light.towards(place, point);

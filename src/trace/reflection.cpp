@@ -51,6 +51,7 @@ DVec3 with_highlights(const Surface& s, const DVec3& eye, const DVec3& ambient,
 DVec3 blinn_phong(const Surface& s, const DVec3& eye, const DVec3& ambient,
                   std::span<const Arrival> lights) {
     return with_highlights(s, eye, ambient, lights, [&](const DVec3& light) {
+        if (!(dot3(s.normal, light) > 0)) return 0.0;
         return power(half_vector_cosine(s, eye, light), exponent_of(s));
     });
 }

@@ -19,12 +19,11 @@ Tracer::Tracer(const World& world, const Look& look, PlacedLights lights, Tone t
                                srgb_decode(look.background.b)) {}
 
 // Of a light with a size, by several points of it: what reaches a place is summed before the tone
-// curve bends it. Points below the face's plane are not asked: the reflection model, which takes
-// the light's middle, has counted already that they do not shine here. facing: the face's own
-// normal, on the side that is seen.
-double Tracer::lit_share(const PlacedLight& light, int number, const DVec3& place,
-                         const DVec3& facing, std::uint32_t triangle, std::uint32_t index,
-                         std::uint32_t seed) const {
+// curve bends it. Points below the ground's plane are not asked: the reflection model, which takes
+// the light's middle, has counted already that they do not shine here.
+double Tracer::lit_share(const PlacedLight& light, int number, const Ground& ground,
+                         std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const {
+    const auto& [place, facing] = ground;
     if (!light.has_size())
         return shadows_.blocked(light.towards(place, DVec2(0.5)), light.end(), triangle) ? 0 : 1;
     int above = 0, lit = 0;
@@ -44,7 +43,6 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
     Sample seen;
     const DVec3 place = ray.from + ray.way * hit.t, eye = unit_of(-ray.way);
     const Surface surface = world_.surface(hit, ray);
-    const DVec3 facing = world_.facing(hit, ray);
     std::array<Arrival, scene::kMaxLights> arrivals;
     std::size_t count = 0;
     const Reflection reflection = world_.reflection(hit);
@@ -54,7 +52,8 @@ Sample Tracer::shown(const Hit& hit, const Ray& ray, std::uint32_t index,
         if (arrival.colour == DVec3(0)) continue;
         if (look_.shadows && light.casts()) {
             const double share =
-                lit_share(light, static_cast<int>(k), place, facing, hit.triangle, index, seed);
+                lit_share(light, static_cast<int>(k), world_.ground(hit, ray, arrival.towards),
+                          hit.triangle, index, seed);
             if (share == 0) continue;
             if (share != 1)
                 seen.in_doubt =

@@ -84,7 +84,7 @@ private:
     void take(PixelSamples& pixel) const;
     Sample trace(const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
     Sample shown(const Hit& hit, const Ray& ray, std::uint32_t index, std::uint32_t seed) const;
-    double lit_share(const PlacedLight& light, int number, const DVec3& place, const DVec3& facing,
+    double lit_share(const PlacedLight& light, int number, const Ground& ground,
                      std::uint32_t triangle, std::uint32_t index, std::uint32_t seed) const;
     void estimate_error(PixelSamples& pixel) const;
 

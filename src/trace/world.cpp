@@ -132,34 +132,64 @@ DVec3 World::wound(const Hit& hit) const {
     return cross3(c[1] - c[0], c[2] - c[0]);
 }
 
+// The same on the side that the ray meets.
 DVec3 World::facing(const Hit& hit, const Ray& ray) const {
     const DVec3 normal = wound(hit);
     return dot3(normal, ray.way) > 0 ? -normal : normal;
+}
+
+// Of the corners, of any length, on the side that is lit.
+std::array<DVec3, 3> World::normals(const Hit& hit, const Ray& ray) const {
+    const geom::Mesh& mesh = scene_->mesh;
+    std::array<DVec3, 3> normal, in_mesh, place;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t vertex = mesh.index[3 * std::size_t{hit.triangle} + k];
+        place[k] = DVec3(mesh.position[vertex]);
+        in_mesh[k] = DVec3(mesh.normal[vertex]);
+        normal[k] = view_->normal * in_mesh[k];
+    }
+    if (!look_->turned_to_eye) return normal;
+    // All normals of a face together. In the mesh's space: a scale may bend them past the face.
+    const bool from_behind = (dot3(wound(hit), ray.way) > 0) != view_->mirrored;
+    const DVec3 face = cross3(place[1] - place[0], place[2] - place[0]);
+    const auto [least, most] =
+        std::minmax({dot3(in_mesh[0], face), dot3(in_mesh[1], face), dot3(in_mesh[2], face)});
+    const bool reversed = most + least < 0; // by the steepest
+    if (from_behind != reversed)
+        for (DVec3& n : normal)
+            n = -n;
+    return normal;
+}
+
+Ground World::ground(const Hit& hit, const Ray& ray, const DVec3& towards) const {
+    const Ground flat{ray.from + ray.way * hit.t, facing(hit, ray)};
+    const scene::Material& m = material(hit.triangle);
+    if (dot3(flat.facing, towards) > 0 || reads(look_->maps.normal, m.map_normal) ||
+        reads(look_->maps.bump, m.map_bump))
+        return flat;
+    const std::array<DVec3, 3> corner = normals(hit, ray);
+    const DVec3 smooth = unit_of(mixed(corner, hit));
+    if (!(dot3(smooth, towards) > 0 && dot3(smooth, flat.facing) > 0)) return flat;
+    Ground round{flat.place, smooth};
+    for (std::size_t k = 0; k < 3; ++k) {
+        const DVec3 n = unit_of(corner[k], DVec3(0));
+        const double above = dot3(bvh_.corners(hit.triangle)[k] - flat.place, n);
+        round.place = round.place + n * (hit.weight[k] * std::max(above, 0.0));
+    }
+    return round;
 }
 
 Surface World::surface(const Hit& hit, const Ray& ray) const {
     const geom::Mesh& mesh = scene_->mesh;
     const scene::Material& m = material(hit.triangle);
     const MapsRead& maps = look_->maps;
-    std::array<DVec3, 3> normal, in_mesh, colour, place;
+    std::array<DVec3, 3> colour;
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = mesh.index[3 * std::size_t{hit.triangle} + k];
-        place[k] = DVec3(mesh.position[vertex]);
-        in_mesh[k] = DVec3(mesh.normal[vertex]);
-        normal[k] = view_->normal * DVec3(mesh.normal[vertex]);
         colour[k] = mesh.colour.empty() ? DVec3(1) : DVec3(mesh.colour[vertex]);
     }
     Surface s;
-    s.normal = unit_of(mixed(normal, hit));
-    if (look_->turned_to_eye) {
-        // All normals of a face together. In the mesh's space: a scale may bend them past the face.
-        const bool from_behind = (dot3(wound(hit), ray.way) > 0) != view_->mirrored;
-        const DVec3 face = cross3(place[1] - place[0], place[2] - place[0]);
-        const auto [least, most] =
-            std::minmax({dot3(in_mesh[0], face), dot3(in_mesh[1], face), dot3(in_mesh[2], face)});
-        const bool reversed = most + least < 0; // by the steepest
-        if (from_behind != reversed) s.normal = -s.normal;
-    }
+    s.normal = unit_of(mixed(normals(hit, ray), hit));
     lean_by_maps(s.normal, hit, m);
     s.albedo = DVec3(m.diffuse);
     if (look_->vertex_colours) s.albedo = s.albedo * mixed(colour, hit);

@@ -14,6 +14,11 @@
 
 namespace scanout::trace {
 
+// A place, and the normal, of any length, of the plane that hides what lies below it.
+struct Ground {
+    DVec3 place, facing;
+};
+
 class World {
 public:
     // Scene, view and look outlive it. Fails like Bvh::create.
@@ -32,8 +37,10 @@ public:
     bool is_left_out(std::uint32_t triangle) const { return left_out_[triangle] != 0; }
     Surface surface(const Hit& hit, const Ray& ray) const;
     DVec2 uv(const Hit& hit) const; // of a mesh that has them
-    // The triangle's own normal, of any length, on the side that the ray meets.
-    DVec3 facing(const Hit& hit, const Ray& ray) const;
+    // Where a hit asks for the light from a direction. Where the face turns away from it and the
+    // smooth normal does not, the surface is the round one that the normals mean: the place lies on
+    // it, lifted as Hanika 2021 has it, and the normal is the smooth one.
+    Ground ground(const Hit& hit, const Ray& ray, const DVec3& towards) const;
     DVec3 emission(const Hit& hit) const;
     Reflection reflection(const Hit& hit) const;
 
@@ -51,6 +58,8 @@ private:
     DVec4 sampled(const Hit& hit, const scene::TextureMap& map, bool encoded) const;
     double mapped_alpha(const Hit& hit) const;
     DVec3 wound(const Hit& hit) const;
+    DVec3 facing(const Hit& hit, const Ray& ray) const;
+    std::array<DVec3, 3> normals(const Hit& hit, const Ray& ray) const;
     void lean(DVec3& normal, const Hit& hit, const DVec3& given) const;
     void lean_by_maps(DVec3& normal, const Hit& hit, const scene::Material& m) const;
 

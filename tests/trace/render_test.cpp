@@ -104,6 +104,23 @@ TEST(Reference, OfALitSphereIsTheFormula) {
     EXPECT_GT(compared, 400);
 }
 
+TEST(Reference, OfASmoothCoarseSphereLosesNoLightToItsOwnFaces) {
+    scene::Scene s;
+    s.mesh = test::empty_mesh();
+    s.materials = {{}};
+    s.materials[0].diffuse = Vec3(0.5F);
+    s.materials[0].specular = Vec3(0.4F);
+    s.materials[0].shininess = 20;
+    test::add_sphere(s.mesh, Vec3(0), 0.9F, 12, 6, 0);
+    for (const DVec3& towards : {DVec3(1, 0.2, -0.3), DVec3(-1, 1, 0.1), DVec3(0.1, -1, -0.2)}) {
+        Look l = look(32);
+        l.lights = {light_from(towards)};
+        const Reference without = traced(s, straight_on(), l);
+        l.shadows = true;
+        EXPECT_EQ(traced(s, straight_on(), l).image, without.image) << towards.x;
+    }
+}
+
 TEST(Reference, OfASphereUnderASkyIsTheFormula) {
     scene::Scene s;
     s.mesh = test::empty_mesh();

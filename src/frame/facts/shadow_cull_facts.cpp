@@ -86,11 +86,26 @@ bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLig
     return true;
 }
 
-bool only_front_faces_cast(const geom::MeshTopology& topology, const scene::ViewLight& light,
+static bool stands_outside(const geom::MeshTopology& topology, const scene::ViewLight& light,
                            const scene::View& view) {
-    if (!topology.fronts_hide_backs() || !eye_of(view)) return false; // of a flat picture: either
+    if (!eye_of(view)) return false; // of a flat picture: either
     if (light.kind == scene::LightKind::directional) return true;
     return is_known(view) && !may_be_inside(topology, view_about(light, view));
+}
+
+bool only_front_faces_cast(const geom::MeshTopology& topology, const scene::ViewLight& light,
+                           const scene::View& view) {
+    return topology.fronts_hide_backs() && stands_outside(topology, light, view);
+}
+
+raster::Facing inner_sides(const geom::MeshTopology& topology, std::size_t triangles,
+                           const scene::ViewLight& light, const scene::View& view) {
+    using raster::Facing;
+    if (!topology.closed || topology.back_to_back || !stands_outside(topology, light, view))
+        return Facing::any;
+    return topology.inside_out == 0           ? Facing::back
+           : topology.inside_out == triangles ? Facing::front
+                                              : Facing::any;
 }
 
 } // namespace scanout::frame

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "frame/facts/back_faces.h"
+#include "raster/culling/cull.h"
 #include "scene/light.h"
 
 #include <span>
@@ -26,5 +27,11 @@ bool shadows_are_disjoint(std::span<const geom::Box> boxes, const scene::ViewLig
 // position in a view that is not known.
 bool only_front_faces_cast(const geom::MeshTopology& topology, const scene::ViewLight& light,
                            const scene::View& view);
+
+// The sides of faces that no light reaches, because all lie within closed components, outside of
+// which it stands: backs, where those are wound outwards, fronts, where all are wound inwards; any,
+// where that is not known. triangles: of the mesh.
+raster::Facing inner_sides(const geom::MeshTopology& topology, std::size_t triangles,
+                           const scene::ViewLight& light, const scene::View& view);
 
 } // namespace scanout::frame

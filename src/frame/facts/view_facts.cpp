@@ -29,6 +29,7 @@ LightFacts light_facts(const scene::Light& light, const FrameOptions& options,
     found.shadows_disjoint =
         shadows_are_disjoint(facts.topology.convex_components, placed, view, map);
     found.only_front_faces = only_front_faces_cast(facts.topology, placed, view);
+    found.inner = inner_sides(facts.topology, facts.triangles, placed, view);
     return found;
 }
 

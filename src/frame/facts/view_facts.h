@@ -6,6 +6,7 @@
 #include "frame/facts/back_faces.h"
 #include "frame/facts/facts.h"
 #include "frame/options.h"
+#include "raster/culling/cull.h"
 #include "scene/view.h"
 
 #include <array>
@@ -17,6 +18,8 @@ struct LightFacts {
     bool reaches = true;           // some of it falls on the model
     bool shadows_disjoint = true;  // no component casts a shadow on another
     bool only_front_faces = false; // its shadow map needs no back faces
+    // The sides of all faces that lie within closed components, outside of which it stands.
+    raster::Facing inner = raster::Facing::any;
     friend bool operator==(const LightFacts&, const LightFacts&) = default;
 };
 

@@ -84,7 +84,9 @@ void ShadowPass::run(const ShadowScene& in, const raster::ScreenTransform& trans
         shadow.casts = true;
         shadow.shape = light.shape;
         shadow.soft = stage.soft && light.size > 0;
-        const ShadowCaster caster{in.scene.mesh, casters_.casts, light, in.view, transform, grid};
+        shadow.inner = in.plan.shadow.inner[light.source];
+        const ShadowCaster caster{in.scene.mesh, casters_.casts, light,       in.view,
+                                  transform,     grid,           shadow.inner};
         if (volume)
             shadow_volumes(caster, casters_.welded, edges_, polygons_[k]);
         else if (projected)

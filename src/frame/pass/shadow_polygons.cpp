@@ -138,14 +138,16 @@ struct VolumeBuilder {
             outside = outside || place[c] < low[c] || place[c] > high[c];
         return outside;
     }
-    void build() const {
-        const bool fronts_alone = welded.closed && stands_outside();
+    // Of one side alone, or of all faces.
+    void build(raster::Facing sides) const {
+        const double kept = sides == raster::Facing::back ? -1 : 1;
         edges.clear();
         for (std::size_t i = 0; i < mesh.triangles(); ++i) {
             if (casts[i] == 0) continue;
             std::array<std::uint32_t, 3> v = vertex_lighting_of(mesh, welded, i);
             const double front = facing(v);
-            if (!has_edges(v) || front == 0 || (fronts_alone && front < 0)) continue;
+            if (!has_edges(v) || front == 0) continue;
+            if (sides != raster::Facing::any && front * kept < 0) continue;
             if (front < 0) std::swap(v[1], v[2]); // its back faces the light
             add_caps(v, i);
             add_edges(v, edges);
@@ -237,14 +239,19 @@ void shadow_volumes(const ShadowCaster& t, const Welded& welded, std::vector<Sha
                     ShadowPolygons& out) {
     out.clear();
     out.where = raster::StencilWhere::behind;
-    VolumeBuilder{t.mesh, t.casts, welded, t.light, t.view, t.transform, edges, out.triangles}
-        .build();
+    const VolumeBuilder builder{t.mesh, t.casts,     welded, t.light,
+                                t.view, t.transform, edges,  out.triangles};
+    using raster::Facing;
+    const bool outside = welded.closed && builder.stands_outside();
+    builder.build(!outside ? Facing::any : t.inner == Facing::front ? Facing::back : Facing::front);
+    out.of_body = outside ? 1 : 2;
     bin(t.grid, out);
 }
 
 void projected_shadows(const ShadowCaster& t, const ViewPlane& plane, ShadowPolygons& out) {
     out.clear();
     out.where = raster::StencilWhere::everywhere;
+    out.of_body = 0;
     const bool parallel = t.light.kind == scene::LightKind::directional;
     const DVec3 from = parallel ? DVec3(t.light.towards) : place_of(t.light, t.view);
     // A parallel light has a direction but no position: `above` is its elevation, not a height.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "raster/count/infinite_polygon.h"
+#include "raster/culling/cull.h"
 #include "raster/tile/tile.h"
 #include "scene/light.h"
 #include "scene/scene.h"
@@ -30,6 +31,9 @@ struct ShadowCaster {
     const scene::View& view;
     const raster::ScreenTransform& transform;
     const ScreenTiles& grid;
+    // Of a closed mesh that the light stands outside of: the sides that lie within it; any: not
+    // known, and taken to be backs.
+    raster::Facing inner = raster::Facing::any;
 };
 
 // Vertices at one position welded into one (HARD-CASES 45). Depends on the mesh and on which of its
@@ -51,9 +55,12 @@ struct ShadowPolygons {
     std::vector<raster::StencilTriangle> triangles;
     std::vector<std::vector<std::uint32_t>> tiles; // indices of triangles that may touch each tile
     raster::StencilWhere where = raster::StencilWhere::behind;
+    // The volumes of its own body that a face lies in which turns away from the light: that of the
+    // face by which the light has entered the body, and its own, where it has one.
+    float of_body = 0;
 
     shade::TilePolygons in_tile(int tile) const {
-        return {triangles, tiles[static_cast<std::size_t>(tile)], where};
+        return {triangles, tiles[static_cast<std::size_t>(tile)], where, of_body};
     }
     std::size_t bytes() const;
     // Removes the polygons; keeps their memory.
@@ -65,8 +72,8 @@ struct ShadowPolygons {
 // Shadow volumes, counted by depth fail: the triangles as near caps, the silhouette edges extruded
 // from the light to infinity as sides, and the far caps. At a point, the faces behind it that leave
 // a volume minus the faces that enter one are the number of casters between the light and the
-// point. A closed mesh with the light outside needs only its light-facing triangles, any other mesh
-// all; an edge between two of them has no side. `edges` is scratch.
+// point. A closed mesh with the light outside needs only the triangles that turn their outer side
+// to the light, any other mesh all; an edge between two of them has no side. `edges` is scratch.
 void shadow_volumes(const ShadowCaster& caster, const Welded& welded,
                     std::vector<ShadowEdge>& edges, ShadowPolygons& out);
 

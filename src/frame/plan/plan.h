@@ -61,6 +61,8 @@ struct ShadowPlan {
     std::vector<raster::AlphaMode> casters;
     // By light of the plan: the faces that its shadow maps are drawn of.
     std::vector<raster::Facing> in_maps;
+    // Likewise: the sides of faces that lie within closed components (LightFacts::inner).
+    std::vector<raster::Facing> inner;
     friend bool operator==(const ShadowPlan&, const ShadowPlan&) = default;
 };
 

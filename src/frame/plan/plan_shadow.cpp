@@ -11,8 +11,8 @@
 namespace scanout::frame {
 namespace {
 
-// Does light show on some face that turns away from it? Such a face lies in its own shadow. Smooth
-// normals do not count: they let light go over a body's edge as if it were round, which is meant.
+// Does light show on some face that turns away from it, and lies in its own shadow? Smooth normals
+// do not count: they let light go over a body's edge as if it were round (shadow/terminator-inl.h).
 bool is_lit_from_behind(const FramePlan& plan, const SceneFacts& facts) {
     const auto leans = [&](shade::Map map) {
         const auto asked = plan.options.effects.find(map_effect(map));
@@ -58,10 +58,11 @@ struct Casting {
     int lights = 0, sized = 0;
     int outside = 0; // of a closed mesh
     bool directional = false;
-    std::vector<raster::Facing> in_maps; // ShadowPlan
+    std::vector<raster::Facing> in_maps, inner; // ShadowPlan
 
     Casting(const FramePlan& plan, const std::vector<LightFacts>& of_lights) {
         in_maps.assign(plan.lights.size(), raster::Facing::any);
+        inner = in_maps;
         for (std::size_t i = 0; i < in_maps.size(); ++i) {
             const scene::Light& light = plan.lights[i];
             if (!light.casts || is_ambient(light.kind)) continue;
@@ -69,6 +70,7 @@ struct Casting {
             ++lights;
             sized += light.size > 0 ? 1 : 0;
             directional = directional || light.kind == scene::LightKind::directional;
+            inner[i] = of_lights[i].inner;
             if (!of_lights[i].only_front_faces) continue;
             ++outside;
             in_maps[i] = raster::Facing::front;
@@ -113,12 +115,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
         : !floor ? "no triangle lies flat on a side of the model's box, to project shadows onto"
                  : fmt::format("{} light{}: {}", casting.lights,
                                casting.lights == 1 ? " casts" : "s cast", casting.names);
-    // What is convex and shaded as if it were round has none, though faces of it turn away from the
-    // light that their normals receive. Likewise a highlight goes over an edge as far as its lobe
-    // reaches. Else it can be forced on.
-    const bool round =
-        !falls && (facts.topology.smooth_triangles > 0 || facts.specular_triangles > 0);
-    const bool possible = casting.lights > 0 && throws && floor && at_pixels && !round;
+    const bool possible = casting.lights > 0 && throws && floor && at_pixels;
     const bool called = possible && falls;
     if (called && casting.sized > 0) because += fmt::format("; {} with a size", casting.sized);
     if (called && facts.alpha.blended_triangles > 0)
@@ -137,6 +134,7 @@ Result<void> plan_shadows(Planner& planner, FramePlan& plan, const SceneFacts& f
     plan.shadow.stage = stage;
     plan.shadow.plane = facts.shadow_plane;
     plan.shadow.in_maps = casting.in_maps;
+    plan.shadow.inner = casting.inner;
     return {};
 }
 

@@ -1,6 +1,6 @@
-// Blinn-Phong as MTL's illum 2 means it: Lambert plus Ks max(n.h, 0)^Ns for every light, h halfway
-// between light and eye, not normalised for energy; Ns below 1 counts as 1, with Ks Ns for Ks.
-// Blinn 1977, [Primer 7].
+// Blinn-Phong as MTL's illum 2 means it: Lambert plus Ks max(n.h, 0)^Ns for every light before the
+// surface, h halfway between light and eye, not normalised for energy; Ns below 1 counts as 1, with
+// Ks Ns for Ks. Blinn 1977, [Primer 7].
 #include "shade/stage.h"
 
 #define SIMD_FILE "shade/reflection/blinn_phong.cpp"
@@ -12,7 +12,9 @@ SIMD_BEGIN(scanout::shade::reflection)
 
 struct BlinnPhong {
     SIMD_INLINE F32 cosine(const Vec3F32& normal, const Vec3F32& eye, const Vec3F32& light) const {
-        return half_vector_cosine(normal, eye, light);
+        // Light from behind a surface meets none of its mirrors, though n.h may still be near 1.
+        return select(dot(normal, light) > F32(0.0F), half_vector_cosine(normal, eye, light),
+                      F32(0.0F));
     }
     SIMD_INLINE F32 reflectance(F32 lobe, const Vec3F32&, const Vec3F32&, int) const {
         return lobe;

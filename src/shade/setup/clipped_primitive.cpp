@@ -65,10 +65,11 @@ Sorted sort_by_position(const VertexIndices& vertex_index, const geom::Mesh& mes
 class Attributed {
 public:
     // behind: the eye sees the side from which the vertices wind clockwise, in the order of the
-    // file. Sets the primitive's `facing`, if something of it is read.
+    // file. Sets the primitive's `back`, and `facing`, if something of it is read.
     Attributed(Primitive& p, const GatherInput& in, const Sorted& sorted, bool behind)
         : p_(p), in_(in), side_(in.frame->sides == Sides::face && behind ? -1.0 : 1.0) {
         const Sides sides = in.frame->sides;
+        p.back = behind;
         if (sides == Sides::eye || in.frame->attributes.vertices || in.frame->attributes.facing)
             set_facing(p, *in.mesh, sorted.vertex,
                        (behind != sorted.odd) != (sides == Sides::file && behind));

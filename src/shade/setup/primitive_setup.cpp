@@ -39,6 +39,7 @@ SIMD_INLINE void set_edges(const ShadingSetup& t, int lane, Primitive& p) {
 SIMD_INLINE void copy_primitive(const TriangleSource& s, const ShadingSetup& t, int lane,
                                 Primitive& p) {
     set_edges(t, lane, p);
+    if (s.wants_facing()) p.back = t.back[lane] != 0;
     SIMD_FOR (int c = 0; c < 3; ++c) {
         if (s.wants_facing()) p.facing[c] = t.facing[c][lane];
         if (s.wanted.normal) copy_vertices(t.normal[c], lane, p.normal[c]);

@@ -51,6 +51,7 @@ struct ShadingSetup {
     // [component][vertex].
     alignas(64) float side[kPaddedBlock];
     alignas(64) float facing[3][kPaddedBlock];
+    alignas(64) std::int32_t back[kPaddedBlock]; // with `facing`: 1 where the eye sees the back
     alignas(64) float normal[3][3][kPaddedBlock], uv[2][3][kPaddedBlock];
     alignas(64) float colour[3][3][kPaddedBlock];
     alignas(64) float position[3][3][kPaddedBlock];

@@ -280,6 +280,7 @@ SIMD_INLINE void store_sides(const TriangleSource& s, const Windings<D>& behind,
     const Mask<D> flipped =
         s.sides == Sides::file ? behind.of_order ^ behind.of_file : behind.of_order;
     store(select(flipped, Int<D>(1), Int<D>(0)), out.flipped + lane);
+    store(select(behind.of_file, Int<D>(1), Int<D>(0)), out.back + lane);
 }
 
 // A register of triangles in `out`, from `at` on, whose ids are known: how they lie on the screen.

@@ -106,9 +106,9 @@ struct Receiver {
 };
 
 // The lanes from i on, in a map. inside: which stand in it; the others are in its middle.
-SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const ShadingBlock& b,
+SIMD_INLINE Receiver receiver(const ShadowMap& m, const MapPlane& plane, const Places& places,
                               int i, Mask<F32::Tag>& inside) {
-    const Vec3F32 place = transformed(m.rotation, load_vec3<Vec3F32>(b.position, i)) +
+    const Vec3F32 place = transformed(m.rotation, load_vec3<Vec3F32>(places, i)) +
                           everywhere<Vec3F32>(m.translation); // as the light sees it
     const F32 one = 1.0F;
     const F32 middle = 0.5F * static_cast<float>(m.size), half = m.half;
@@ -158,7 +158,8 @@ SIMD_INLINE I32 texel_of(F32 a) {
 
 struct Texel {
     F32 depth; // in the map; its border goes on for ever
-    F32 own;   // of the receiver's plane at the texel's centre
+    F32 own;   // of the receiver's plane at the texel's centre, and what is forgiven there
+    F32 plane; // without that
 };
 // What texels of a column, or of a row, have in common.
 struct Line {
@@ -180,7 +181,7 @@ SIMD_INLINE Texel texel(const Receiver& r, const Line& column, const Line& row, 
     const F32 plane = (r.depth + (column.plane + row.plane)) + r.bias;
     const F32 beyond = minimum(plane, r.nearest) + rise * F32(kBeyond / kRise);
     const F32 own = minimum(plane + rise * r.fold, maximum(beyond, r.depth)) + rise;
-    return {depth, maximum(own, F32(0.0F))};
+    return {depth, maximum(own, F32(0.0F)), plane};
 }
 SIMD_INLINE F32 depth_at(const ShadowMap& m, const Line& column, const Line& row) {
     return gather(m.depth, row.place + column.place);
@@ -358,29 +359,59 @@ SIMD_INLINE F32 hidden_square(const ShadowMap& m, const Receiver& r, int k) {
     }
 }
 
+SIMD_INLINE Mask<F32::Tag> of_inner_side(const LightShadow& shadow, const Facing& facing) {
+    const auto all = F32(0.0F) == F32(0.0F);
+    switch (shadow.inner) {
+    case raster::Facing::back:
+        return facing.back;
+    case raster::Facing::front:
+        return facing.back ^ all;
+    default:
+        return all ^ all;
+    }
+}
+
+// Of a receiver within a closed mesh, for which the light stands outside: does any texel about it
+// lie above its plane? Then it is dark. In the edge where the face that hides it meets its own,
+// texels beyond the edge show what lies outside, and those before it rise so little that a hollow
+// edge might be there, which the light looks into.
+SIMD_INLINE Mask<F32::Tag> hidden_within(const ShadowMap& m, Receiver r) {
+    r.rise_x = r.rise_y = r.aside_x = r.aside_y = F32(0.0F);
+    auto hides = F32(0.0F) > F32(0.0F);
+    for (int y = -1; y <= 1; ++y)
+        for (int x = -1; x <= 1; ++x) {
+            const Texel t = texel_at(m, r, F32(static_cast<float>(x)), F32(static_cast<float>(y)));
+            hides = hides | (t.depth > t.own);
+        }
+    return hides;
+}
+
 // hide(map, receiver, light): the share that is hidden. A lane asks the first map that it stands
 // in; outside of all of them nothing stands between it and the light (HARD-CASES 43).
 template <class Hide>
 SIMD_INLINE void shadow_by_maps(ShadingBlock& b, const FrameState& frame, Hide hide) {
     const auto store_visibility = [&](std::size_t k, int first, int end, const Facing& facing,
-                                      float* visibility) SIMD_LAMBDA {
+                                      const Places& places, float* visibility) SIMD_LAMBDA {
         const LightShadow& shadow = frame.shadows[k];
         const F32 none = -1.0F; // asked no map yet
         for (int i = first; i < end; i += kLanes)
             store(none, visibility + i);
         const auto lit = to_f32(select(facing.lit, F64(1.0), F64(0.0))) >
                          F32(0.5F); // the others lie in their own shadow
+        const auto within = of_inner_side(shadow, facing);
         const std::size_t maps = shadow.maps.size();
         for (std::size_t face = 0; face < maps; ++face) {
             const ShadowMap& m = shadow.maps.data()[face];
             const MapPlane plane = plane_in(m, facing);
             for (int i = first; i < end; i += kLanes) {
                 auto inside = F32(0.0F) < F32(0.0F);
-                Receiver r = receiver(m, plane, b, i, inside);
+                Receiver r = receiver(m, plane, places, i, inside);
                 const F32 before = load<F32>(visibility + i);
                 r.asked = inside & lit & (before < F32(0.0F));
                 if (!any(r.asked)) continue;
-                const F32 visible = F32(1.0F) - hide(m, r, shadow);
+                F32 visible = F32(1.0F) - hide(m, r, shadow);
+                if (any(within & r.asked & (visible > F32(0.0F))))
+                    visible = select(within & hidden_within(m, r), F32(0.0F), visible);
                 store(select(r.asked, visible, before), visibility + i);
             }
         }

@@ -87,14 +87,19 @@ SIMD_INLINE F32 hidden_soft(const ShadowMap& m, const Receiver& r, const LightSh
     const auto wide =
         (lowest < F32(kNone)) & (maximum(wide_x, wide_y) > F32(0.5F * static_cast<float>(filter)));
     if (!any(wide)) return sharp;
-    // A point of the light behind the receiver's plane does not light it.
+    // A point of the light behind the receiver's plane does not light it. What is at least half
+    // as high as the nearest blocker is one, too, whatever is forgiven (Receiver): under a grazing
+    // light that grows with the distance, up to any blocker's height.
     const F32 one = 1.0F, zero = 0.0F;
     F32 hides = 0.0F, shines = 0.0F;
     for (int i = 0; i < lattice.count; ++i) {
         const F32 dx = wide_x * F32(lattice.x[i]), dy = wide_y * F32(lattice.y[i]);
         const auto above = r.per_x * dx + r.per_y * dy <= lowest;
         shines = shines + select(above, one, zero);
-        hides = hides + select(above, hidden(texel_at(m, r, dx, dy)), zero);
+        const Texel t = texel_at(m, r, dx, dy);
+        const auto stands_in =
+            (t.depth > t.own) | ((t.depth > t.plane) & (t.depth - r.depth >= lowest * F32(0.5F)));
+        hides = hides + select(above & stands_in, one, zero);
     }
     return select(wide, hides / maximum(shines, one), sharp);
 }

@@ -10,36 +10,56 @@
 namespace scanout::shade {
 namespace {
 
-// Is the light on the side of the triangle that the eye sees?
-bool lit(const Primitive& t, const FrameState& frame, const scene::ViewLight& light) {
+// The triangle's own normal, towards the eye, in view space.
+DVec3 normal_of(const Primitive& t, const FrameState& frame) {
     const DVec3 facing(t.facing[0], t.facing[1], t.facing[2]);
     DVec3 normal;
     for (int r = 0; r < 3; ++r) {
         const float* row = frame.normal_matrix[r];
         normal[r] = dot3(DVec3(row[0], row[1], row[2]), facing);
     }
+    return normal;
+}
+
+// Is the light on the side of the triangle that the eye sees?
+bool lit(const Primitive& t, const DVec3& normal, const scene::ViewLight& light) {
     if (light.kind == scene::LightKind::directional) return dot3(normal, DVec3(light.towards)) > 0;
     const DVec3 corner(t.position[0][0], t.position[1][0], t.position[2][0]);
     return dot3(normal, DVec3(light.position) - corner) > 0;
+}
+
+// Of an item whose face turns away from the light: does its smooth normal receive it
+// (terminator-inl.h)?
+bool lit_as_round(const ShadingBlock& b, const DVec3& facing, std::size_t k, int item) {
+    if (b.map[kNormalMap].texture != nullptr || b.map[kBumpMap].texture != nullptr) return false;
+    const DVec3 normal(b.normal[0][item], b.normal[1][item], b.normal[2][item]);
+    const auto& towards = b.light[k].towards;
+    return dot3(normal, DVec3(towards[0][item], towards[1][item], towards[2][item])) > 0 &&
+           dot3(normal, facing) > 0;
 }
 
 // The number of a pixel's samples that show the triangle, and of those outside of all shadows.
 struct VisibleSamples {
     int samples = 0, bright = 0;
 };
-VisibleSamples visible_at(const TileShadow& shadow, const float* count, std::uint32_t id, int x,
-                          int y) {
+
+VisibleSamples visible_at(const TileShadow& shadow, const float* count, float most,
+                          std::uint32_t id, int x, int y) {
     const raster::VisibilityTile& tile = *shadow.tile;
     const auto at =
         static_cast<std::size_t>((y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0));
     const std::uint32_t* const ids = tile.ids(0).data();
     const auto end = static_cast<std::size_t>(tile.samples()) * raster::VisibilityTile::kPlane;
     VisibleSamples visible;
+    bool deeper = false;
     for (std::size_t sample = at; sample < end; sample += raster::VisibilityTile::kPlane) {
+        deeper = deeper || count[sample] > most;
         if (ids[sample] != id) continue;
         ++visible.samples;
-        visible.bright += count[sample] == 0 ? 1 : 0;
+        visible.bright += count[sample] <= most ? 1 : 0;
     }
+    // In the edge of the body's face that turns to the light, that one may not be counted.
+    if (most > 0 && deeper) visible.bright = 0;
     return visible;
 }
 
@@ -62,7 +82,7 @@ VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& pol
             count += stencil_at(polygons.all[i], x * raster::kSubpixel + at.x,
                                 y * raster::kSubpixel + at.y, depth, id, polygons.where);
         ++visible.samples;
-        if (count == 0) ++visible.bright;
+        if (count == 0) ++visible.bright; // blended triangles throw none
     }
     return visible;
 }
@@ -89,11 +109,11 @@ VisibleSamples visible_by_area(const TileShadow& shadow, std::size_t k, std::uin
 }
 
 // Of an item's pixel, by samples.
-VisibleSamples visible_by_samples(const ShadingBlock& b, std::size_t k, std::uint32_t id,
-                                  int item) {
+VisibleSamples visible_by_samples(const ShadingBlock& b, std::size_t k, float most,
+                                  std::uint32_t id, int item) {
     const TileShadow& shadow = *b.shadow;
     const int x = b.x[item] >> raster::kSubpixelBits, y = b.y[item] >> raster::kSubpixelBits;
-    const VisibleSamples visible = visible_at(shadow, shadow.count[k], id, x, y);
+    const VisibleSamples visible = visible_at(shadow, shadow.count[k], most, id, x, y);
     if (visible.samples > 0) return visible;
     CHECK(b.blended != nullptr);
     return visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
@@ -116,13 +136,15 @@ void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::si
     const TileShadow& shadow = *b.shadow;
     const std::uint32_t id = run.primitive->id;
     if (!shadow.receives.empty() && shadow.receives[id] == 0) return;
-    if (!lit(*run.primitive, frame, frame.lights[k]))
-        shade_items(b, run, k, [](int) { return VisibleSamples{.samples = 1, .bright = 0}; });
-    else if (shadow.areas)
-        shade_items(b, run, k,
-                    [&](int item) { return visible_by_area(shadow, k, id, b.x[item], b.y[item]); });
-    else
-        shade_items(b, run, k, [&](int item) { return visible_by_samples(b, k, id, item); });
+    const DVec3 normal = normal_of(*run.primitive, frame);
+    const bool face = lit(*run.primitive, normal, frame.lights[k]);
+    const float most = face ? 0 : shadow.polygons[k].of_body;
+    shade_items(b, run, k, [&](int item) {
+        if (!face && !lit_as_round(b, normal, k, item))
+            return VisibleSamples{.samples = 1, .bright = 0};
+        return shadow.areas ? visible_by_area(shadow, k, id, b.x[item], b.y[item])
+                            : visible_by_samples(b, k, most, id, item);
+    });
 }
 
 } // namespace

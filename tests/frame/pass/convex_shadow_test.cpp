@@ -1,7 +1,10 @@
-// A convex body of many faces, as a ball is, throws no shadow on itself: no pass runs for it.
+// A convex body of many faces, as a ball is, throws no shadow on itself: no pass runs for it, and
+// where one does, it takes nothing.
+#include "frame/shadow_shares.h"
 #include "math/rotation.h"
-#include "support/scenes.h"
+#include "math/transcendental.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -11,8 +14,8 @@
 namespace scanout::frame {
 namespace {
 
-// 20 faces of an icosahedron, each cut into four twice.
-geom::Mesh icosphere(bool smooth) {
+// 20 faces of an icosahedron, each cut into four so many times.
+geom::Mesh icosphere(bool smooth, int cuts = 2) {
     std::vector<std::array<DVec3, 3>> faces;
     const double g = (1 + std::sqrt(5.0)) / 2;
     std::vector<DVec3> corners;
@@ -36,7 +39,7 @@ geom::Mesh icosphere(bool smooth) {
                 else
                     faces.push_back({a, c, b});
             }
-    for (int cut = 0; cut < 2; ++cut) {
+    for (int cut = 0; cut < cuts; ++cut) {
         std::vector<std::array<DVec3, 3>> finer;
         for (const auto& [a, b, c] : faces) {
             const DVec3 ab = normalized(a + b), bc = normalized(b + c), ca = normalized(c + a);
@@ -72,6 +75,41 @@ TEST(ConvexShadow, AConvexModelOfManyFacesRunsNoShadowPass) {
         s.options.effects["shadow"] = true;
         EXPECT_EQ(test::draw(s), without) << smooth;
     }
+}
+
+// Faces turn away from the lamp where their normals do not. By the faces alone single triangles
+// would be dark among lit ones (HARD-CASES 74).
+TEST(ConvexShadow, ASmoothBallIsLitAsARoundOneByEveryTechnique) {
+    int lit = 0;
+    for (const int cuts : {0, 1, 2}) {
+        test::Shot s = test::shot("icosphere", 96, 96);
+        s.scene.materials = {test::plain(Vec3(0.7F), Vec3(0.5F), 20)};
+        s.scene.mesh = icosphere(true, cuts);
+        for (const auto kind : {scene::LightKind::directional, scene::LightKind::point}) {
+            for (int turn = 0; turn < 12; ++turn) {
+                scene::Light lamp = test::lamp(kind);
+                lamp.towards = {sin_degrees(turn * 30.0), 0.3, cos_degrees(turn * 30.0)};
+                lamp.position = lamp.towards * 2.0;
+                s.options.lights = {lamp};
+                for (const char* technique : {"map", "map_pcf", "map_soft", "volume"}) {
+                    s.options.lights[0].size = technique != std::string("map_soft")    ? 0
+                                               : kind == scene::LightKind::directional ? 3
+                                                                                       : 0.05;
+                    int dark = 0;
+                    double least = 1;
+                    for (const double share : test::shares(s, technique)) {
+                        if (share < 0) continue;
+                        ++lit;
+                        dark += share != 1 ? 1 : 0;
+                        least = std::min(least, share);
+                    }
+                    EXPECT_EQ(dark, 0) << technique << ' ' << cuts << ' ' << turn << ' '
+                                       << name_of(kind) << ' ' << least;
+                }
+            }
+        }
+    }
+    EXPECT_GT(lit, 100'000);
 }
 
 } // namespace

@@ -205,12 +205,13 @@ TEST(ReflectionLaws, PhongsAngleIsTwiceBlinns) {
     EXPECT_EQ(seen, 29 * 29);
 }
 
-TEST(ReflectionLaws, PhongsHighlightFallsOnlyWhereLightDoes) {
+TEST(ReflectionLaws, HighlightsFallOnlyWhereLightDoes) {
     const scene::Material m = scanout::test::plain(Vec3(1), Vec3(1), 0.5F);
-    const DVec3 below = at_angles(1.7, 0), eye = at_angles(1.4, std::numbers::pi);
-    EXPECT_EQ(highlight("phong", m, below, eye), 0);
-    EXPECT_EQ(highlight("blinn_phong_normalised", m, below, eye), 0);
-    EXPECT_EQ(highlight("ggx", m, below, eye), 0);
+    const DVec3 above = at_angles(1.5, 0), below = at_angles(1.6, 0), eye = at_angles(1.4, 3.1);
+    for (const char* model : {"phong", "blinn_phong", "blinn_phong_normalised", "toon", "ggx"}) {
+        EXPECT_GT(highlight(model, m, above, eye), 0) << model;
+        EXPECT_EQ(highlight(model, m, below, eye), 0) << model;
+    }
 }
 
 TEST(ReflectionLaws, NormalisedIsTheFactorTimesTheCosineTimesMtls) {

@@ -12,7 +12,7 @@ namespace scanout::shade::test {
 namespace {
 
 // MTL's illum 2, with ambient light of 0.15:
-// 0.15 Kd + sum over lights (Kd max(n.l, 0) + Ks max(n.h, 0)^Ns).
+// 0.15 Kd + sum over lights before the surface (Kd n.l + Ks max(n.h, 0)^Ns).
 double formula(const ShadingBlock& b, int i, int channel, std::span<const scene::ViewLight> lights,
                bool orthographic, bool highlight) {
     const double n[3] = {b.normal[0][i], b.normal[1][i], b.normal[2][i]};
@@ -30,7 +30,7 @@ double formula(const ShadingBlock& b, int i, int channel, std::span<const scene:
         colour +=
             static_cast<double>(light.colour[channel]) * b.albedo[channel][i] * std::max(n_l, 0.0);
         const double ns = static_cast<double>(b.material->shininess);
-        if (highlight && h_h > 0 && n_h > 0)
+        if (highlight && h_h > 0 && n_h > 0 && n_l > 0)
             colour += static_cast<double>(light.colour[channel]) * b.material->specular[channel] *
                       std::min(ns, 1.0) * std::pow(n_h / std::sqrt(h_h), std::max(ns, 1.0));
     }
