@@ -96,7 +96,6 @@ private:
     // A texture that is repeated very often has uvs whose floats keep too few digits of the place
     // within one repeat: such a face is moved by whole repeats towards 0 (HARD-CASES 36), where
     // that shows the same (BuildOptions::uv_step).
-    static constexpr double kLargeUv = 64;
 
     // Where a block's corners and triangles begin: the former in corners_, the latter in the mesh.
     struct Place {
@@ -212,7 +211,7 @@ private:
         const auto material = static_cast<std::size_t>(m_.face_material[face]); // -1: none
         const DVec2 step = material < uv_step_.size() ? uv_step_[material] : DVec2(2);
         const auto moved = [](double least, double most, double by) {
-            return most > kLargeUv && by > 0 ? std::floor(least / by) * by : 0.0;
+            return most > double{Mesh::kLargeUv} && by > 0 ? std::floor(least / by) * by : 0.0;
         };
         return {moved(lo.x, largest.x, step.x), moved(lo.y, largest.y, step.y)};
     }
@@ -302,6 +301,7 @@ BuildResult build_mesh(PolygonMesh&& polygons, const BuildOptions& options, cons
     use_large_pages(result.mesh.position);
     use_large_pages(result.mesh.normal);
     use_large_pages(result.mesh.uv);
+    use_large_pages(result.mesh.exact_uv);
     use_large_pages(result.mesh.colour);
     warn_of(result.skipped_faces, "faces", name, warnings);
     warn_of(result.skipped_lines, "lines", name, warnings);

@@ -35,6 +35,14 @@ struct Mesh {
     std::vector<Vec2> uv;     // v runs up; u and v of a face are moved by whole numbers towards 0
     std::vector<Vec3> colour; // linear
 
+    // uv before they were rounded to floats, where some are beyond kLargeUv; else empty. A face
+    // with 100 000 repeats of a texture has more texels than a float has numbers (HARD-CASES 36).
+    static constexpr float kLargeUv = 64;
+    std::vector<DVec2> exact_uv;
+    DVec2 uv_of(std::uint32_t vertex) const {
+        return exact_uv.empty() ? DVec2(uv[vertex]) : exact_uv[vertex];
+    }
+
     // Triangles in file order: three vertex indices each.
     std::vector<std::uint32_t> index;
     std::vector<std::int32_t> material; // one a triangle, -1 none

@@ -245,6 +245,7 @@ void order_vertices(Jobs& jobs, Mesh& mesh, std::span<const std::uint32_t> trian
     take(jobs, from, mesh.position);
     take(jobs, from, mesh.normal);
     take(jobs, from, mesh.uv);
+    take(jobs, from, mesh.exact_uv);
     take(jobs, from, mesh.colour);
 }
 

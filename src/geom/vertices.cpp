@@ -12,12 +12,23 @@ namespace {
 struct Vertex {
     Vec3 position{0}, normal{0, 0, 1}, colour{1};
     Vec2 uv{0};
+    DVec2 exact_uv{0}; // where uv is large
     bool operator==(const Vertex&) const = default;
 };
 
 // 0 where the file's number is NaN, infinite or beyond 1e30: no model needs one like that.
 float to_float(double x) {
     return std::abs(x) <= 1e30 ? static_cast<float>(x) : 0.0f;
+}
+
+double to_finite(double x) {
+    return std::abs(x) <= 1e30 ? x : 0;
+}
+DVec2 exact(const DVec2& uv) {
+    return {to_finite(uv.x), to_finite(uv.y)};
+}
+bool is_large(const Vec2& uv) {
+    return std::max(std::abs(uv.x), std::abs(uv.y)) > Mesh::kLargeUv;
 }
 
 Vec3 finite_or_zero(const Vec3& v) {
@@ -39,10 +50,15 @@ Vertex vertex_of(const PolygonMesh& m, const Corner& c) {
     if (c.uv >= 0) {
         const DVec2& uv = m.uvs[static_cast<std::size_t>(c.uv)];
         v.uv = Vec2(to_float(uv.x), to_float(uv.y)) + 0.0f;
+        if (is_large(v.uv)) v.exact_uv = exact(uv) + 0.0;
     }
     if (!m.colours.empty())
         v.colour = finite_or_zero(m.colours[static_cast<std::size_t>(c.position)]) + 0.0f;
     return v;
+}
+
+DVec2 exact_uv_of(const PolygonMesh& m, const Corner& c) {
+    return c.uv < 0 ? DVec2(0) : exact(m.uvs[static_cast<std::size_t>(c.uv)]);
 }
 
 std::uint64_t hash_of(const PolygonMesh& m, const Corner& c) {
@@ -81,6 +97,16 @@ struct Items {
     void write(std::size_t item, std::uint32_t row) const { m.corners[row] = corners[item]; }
 };
 
+bool has_large_uv(const PolygonMesh& m, std::size_t vertices) {
+    const auto large = [](const DVec2& uv) {
+        return is_large(Vec2(to_float(uv.x), to_float(uv.y)));
+    };
+    if (std::none_of(m.uvs.begin(), m.uvs.end(), large)) return false; // as nearly always
+    return std::any_of(
+        m.corners.begin(), m.corners.begin() + static_cast<std::ptrdiff_t>(vertices),
+        [&](const Corner& c) { return c.uv >= 0 && large(m.uvs[static_cast<std::size_t>(c.uv)]); });
+}
+
 } // namespace
 
 Vertices::Vertices(Jobs& jobs, PolygonMesh& polygons, std::size_t expected)
@@ -98,12 +124,15 @@ void Vertices::write(Mesh& mesh, bool with_uv, bool with_colour) {
     mesh.normal.reserve(count);
     if (with_uv) mesh.uv.reserve(count);
     if (with_colour) mesh.colour.reserve(count);
+    const bool with_exact_uv = with_uv && has_large_uv(m_, count);
+    if (with_exact_uv) mesh.exact_uv.reserve(count);
     constexpr std::size_t kChunk = 8192, kWave = 8 * kChunk;
     for (std::size_t wave = 0; wave < count; wave += kWave) {
         const std::size_t wave_end = std::min(wave + kWave, count);
         mesh.position.resize(wave_end);
         mesh.normal.resize(wave_end);
         if (with_uv) mesh.uv.resize(wave_end);
+        if (with_exact_uv) mesh.exact_uv.resize(wave_end);
         if (with_colour) mesh.colour.resize(wave_end);
         for_chunks(jobs_, wave_end - wave, kChunk, [&](std::size_t begin, std::size_t end, int) {
             for (std::size_t i = wave + begin; i < wave + end; ++i) {
@@ -111,6 +140,7 @@ void Vertices::write(Mesh& mesh, bool with_uv, bool with_colour) {
                 mesh.position[i] = v.position;
                 mesh.normal[i] = v.normal;
                 if (with_uv) mesh.uv[i] = v.uv;
+                if (with_exact_uv) mesh.exact_uv[i] = exact_uv_of(m_, m_.corners[i]);
                 if (with_colour) mesh.colour[i] = v.colour;
             }
         });

@@ -12,7 +12,7 @@
 #include "io/off.h"
 #include "io/ply.h"
 #include "io/stl.h"
-#include "io/uv_step.h"
+#include "scene/uv_step.h"
 
 #include <algorithm>
 #include <array>
@@ -257,7 +257,7 @@ Result<scene::Scene> load_or_throw(const std::string& path, const LoadOptions& o
     geom::BuildOptions build{
         std::min(options.crease_degrees, model.crease_limit_degrees), options.jobs, {}, {}};
     build.uv_step = options.clamps ? std::vector(model.materials.materials.size(), DVec2(0))
-                                   : uv_steps(model.materials.materials);
+                                   : scene::uv_steps(model.materials.materials);
     if (options.progress)
         build.progress = [&](double fraction) {
             return options.progress(model.done + fraction * (1 - model.done));

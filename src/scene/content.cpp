@@ -14,7 +14,7 @@ public:
     template <class T>
     void list(const std::vector<T>& values) {
         static_assert(std::has_unique_object_representations_v<T> || std::is_same_v<T, Vec2> ||
-                      std::is_same_v<T, Vec3>); // no padding
+                      std::is_same_v<T, Vec3> || std::is_same_v<T, DVec2>); // no padding
         value(values.size());
         hasher_.add(std::as_bytes(std::span(values)));
     }
@@ -50,6 +50,7 @@ void add(const geom::Mesh& mesh, ContentHasher& hash) {
     hash.list(mesh.position);
     hash.list(mesh.normal);
     hash.list(mesh.uv);
+    hash.list(mesh.exact_uv);
     hash.list(mesh.colour);
     hash.list(mesh.index);
     hash.list(mesh.material);

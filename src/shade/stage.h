@@ -104,6 +104,10 @@ struct Primitive {
     float normal[3][3], uv[2][3], colour[3][3];
     float position[3][3]; // view space, times scene::to_floats
     float object[3][3];   // place in object space
+    // u or v reaches beyond geom::Mesh::kLargeUv, in a frame with exact_uv: those and 1 / w before
+    // they were rounded to floats.
+    bool large_uv;
+    double exact_uv[2][3], exact_inverse_w[3];
 };
 
 // Consecutive items of one triangle, in whatever pixels. A block's runs follow each other without a
@@ -151,6 +155,7 @@ struct ShadingBlock {
     int count = 0; // live items
     const scene::Material* material = nullptr;
     const Stage* model = nullptr; // how the material reflects
+    DVec2 uv_step{0}; // how far u and v may move (scene/uv_step.h); 0: not at all, or not asked for
     BoundMap map[kMaps];
     bool lit = true; // false: lines and points, drawn in their plain colour; there are no runs
 
@@ -258,6 +263,7 @@ struct FrameState {
     const LightShadow* shadows = nullptr;        // of each light; null: none casts
     int shadow_filter = 3;                       // texels a side that a filtered shadow asks
     const StepLimits* steps = nullptr;           // of adaptive interpolation; null where none is
+    bool exact_uv = false;                       // large u and v are mixed in double
     // No stage asks for runs' primitives: items may have triangles of their own.
     bool per_item_setup = false;
     float exposure = 1; // what light is multiplied by before it is shown

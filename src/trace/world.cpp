@@ -83,7 +83,7 @@ DVec2 World::uv(const Hit& hit) const {
     const geom::Mesh& mesh = scene_->mesh;
     std::array<DVec2, 3> corner;
     for (std::size_t k = 0; k < 3; ++k)
-        corner[k] = DVec2(mesh.uv[mesh.index[3 * std::size_t{hit.triangle} + k]]);
+        corner[k] = mesh.uv_of(mesh.index[3 * std::size_t{hit.triangle} + k]);
     return mixed(corner, hit);
 }
 
@@ -237,7 +237,7 @@ void World::lean(DVec3& normal, const Hit& hit, const DVec3& given) const {
     const Corners& c = bvh_.corners(hit.triangle);
     std::array<DVec2, 3> at;
     for (std::size_t k = 0; k < 3; ++k)
-        at[k] = DVec2(mesh.uv[mesh.index[3 * std::size_t{hit.triangle} + k]]);
+        at[k] = mesh.uv_of(mesh.index[3 * std::size_t{hit.triangle} + k]);
     const DVec2 p = at[1] - at[0], q = at[2] - at[0];
     const double turned = p.x * q.y - p.y * q.x < 0 ? -1 : 1;
     const DVec3 along_u = ((c[1] - c[0]) * q.y - (c[2] - c[0]) * p.y) * turned,

@@ -394,6 +394,32 @@ TEST(Build, ManyRepeatsOfATextureKeepTheirDigits) {
     EXPECT_LT(std::abs(first.x), 2);
 }
 
+TEST(Build, ManyRepeatsInAFaceAreKeptAsTheFileSays) {
+    PolygonMesh polygons = cube();
+    polygons.uvs = {{0.1, 0.2}, {100'000.123456789, 0.2}, {100'000.123456799, 7'000.3}};
+    for (std::size_t c = 0; c < polygons.corners.size(); ++c)
+        polygons.corners[c].uv = static_cast<int>(c % 3);
+    const std::vector<DVec2> uvs = polygons.uvs;
+    const Mesh m = build(std::move(polygons)).mesh;
+    ASSERT_EQ(m.exact_uv.size(), m.uv.size()); // floats of the last two are one
+    for (std::uint32_t i = 0; i < m.uv.size(); ++i) {
+        EXPECT_EQ(m.uv[i], Vec2(m.uv_of(i)));
+        EXPECT_TRUE(std::find(uvs.begin(), uvs.end(), m.uv_of(i)) != uvs.end());
+    }
+    EXPECT_NE(std::find(m.exact_uv.begin(), m.exact_uv.end(), uvs[1]), m.exact_uv.end());
+    EXPECT_NE(std::find(m.exact_uv.begin(), m.exact_uv.end(), uvs[2]), m.exact_uv.end());
+}
+
+TEST(Build, FewRepeatsNeedNoMoreThanFloats) {
+    PolygonMesh polygons = cube();
+    polygons.uvs = {{0.1, 0.2}, {64, -64}, {1e9, 1e9}}; // no face uses the last one
+    for (std::size_t c = 0; c < polygons.corners.size(); ++c)
+        polygons.corners[c].uv = static_cast<int>(c % 2);
+    const Mesh m = build(std::move(polygons)).mesh;
+    EXPECT_FALSE(m.uv.empty());
+    EXPECT_TRUE(m.exact_uv.empty());
+}
+
 TEST(Build, ManyRepeatsAreMovedByWholeStepsOfTheMaterial) {
     for (const DVec2& step : {DVec2(2), DVec2(20, 0), DVec2(0, 40)}) {
         PolygonMesh polygons = cube();

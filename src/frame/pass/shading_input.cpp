@@ -1,6 +1,7 @@
 #include "frame/pass/shading_input.h"
 
 #include "frame/plan/step_limits.h"
+#include "scene/uv_step.h"
 
 namespace scanout::frame {
 
@@ -32,7 +33,10 @@ void ShadingInput::set_frame(const ShadingSource& from) {
     from.lights.describe(frame_);
     frame_.exposure = plan.exposure;
     frame_.white = plan.white;
-    frame_.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals;
+    frame_.exact_uv = !from.scene.mesh.exact_uv.empty() && !plan.mapped;
+    if (frame_.exact_uv) uv_steps_ = scene::uv_steps(from.scene.materials);
+    frame_.per_item_setup = !shade::reads_primitives(plan.attributes) && !plan.vertex_normals &&
+                            !(frame_.exact_uv && plan.attributes.uv);
     if (!plan.attributes.steps) return;
     steps_ = step_limits(from.scene, plan);
     frame_.steps = &*steps_;
@@ -53,6 +57,7 @@ void ShadingInput::set_gather(const ShadingSource& from) {
     in.textures = from.scene.textures;
     in.mips = &from.mips;
     in.wrap = plan.wrap;
+    in.uv_steps = uv_steps_;
     in.stages = plan.stages;
     in.frame = &frame_;
     in.mirrored = view.mirrored;

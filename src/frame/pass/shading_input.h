@@ -14,6 +14,7 @@
 #include "shade/stage.h"
 
 #include <optional>
+#include <vector>
 
 namespace scanout::frame {
 
@@ -44,6 +45,7 @@ private:
     void set_gather(const ShadingSource& from);
 
     std::optional<shade::StepLimits> steps_;
+    std::vector<DVec2> uv_steps_;
     shade::FrameState frame_;
     shade::TransparencyInput transparency_;
     shade::GatherInput gather_;

@@ -1,5 +1,7 @@
 #include "frame/pass/shadow_maps.h"
 
+#include "scene/uv_step.h"
+
 #include <algorithm>
 
 namespace scanout::frame {
@@ -95,7 +97,10 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     if (options.alpha_modes.empty()) options.occlusion = &out.occlusion;
     geometry_.run(in.jobs, in.scene.mesh, transform, options);
     out.cleared.begin({from.size, from.size, options.tile_size, geometry_.tiles(), {}});
-    const shade::TransparencyInput transparency = transparency_input(in.plan);
+    shade::TransparencyInput transparency = transparency_input(in.plan);
+    transparency.frame.exact_uv = !in.scene.mesh.exact_uv.empty();
+    const std::vector<DVec2> uv_steps =
+        transparency.frame.exact_uv ? scene::uv_steps(in.scene.materials) : std::vector<DVec2>();
     shade::GatherInput gather;
     gather.mesh = &in.scene.mesh;
     gather.geometry = &geometry_;
@@ -106,6 +111,7 @@ void ShadowMaps::draw(const ShadowScene& in, const LightView& from, raster::Faci
     gather.textures = in.scene.textures;
     gather.mips = &in.mips;
     gather.wrap = in.plan.wrap;
+    gather.uv_steps = uv_steps;
     gather.frame = &transparency.frame;
     gather.transparency = &transparency;
     in.jobs.for_each(geometry_.tiles(), [&](int number, int worker_number) {

@@ -19,6 +19,11 @@ const scene::Material& GatherInput::material(std::int32_t index) const {
     return index >= 0 ? materials[static_cast<std::size_t>(index)] : *unnamed;
 }
 
+DVec2 GatherInput::uv_step(std::int32_t index) const {
+    if (!frame->exact_uv || wrap == Wrap::clamp) return DVec2(0);
+    return index >= 0 ? uv_steps[static_cast<std::size_t>(index)] : DVec2(2);
+}
+
 // Does a clipped triangle cover the point (1/256 pixel)?
 static bool covers(const GatherInput& in, std::uint32_t triangle, std::int32_t x, std::int32_t y) {
     const raster::ClippedTriangles clipped = in.geometry->clipped_of(triangle);

@@ -46,6 +46,8 @@ struct GatherInput {
     std::span<const scene::Texture> textures;
     const MipChains* mips = nullptr;
     std::optional<Wrap> wrap; // of every map; else as each says
+    std::span<const DVec2>
+        uv_steps; // of the materials (scene/uv_step.h), where frames mix exact uv
     std::span<const Stage* const> stages;
     const FrameState* frame = nullptr;
     bool mirrored = false;
@@ -60,6 +62,7 @@ struct GatherInput {
         unit = scene::to_floats(of);
     }
     const scene::Material& material(std::int32_t index) const; // -1: the unnamed one
+    DVec2 uv_step(std::int32_t material) const;                // 0: u and v stay where they are
 };
 
 // A map of a material, ready to be read: it has a texture.

@@ -12,6 +12,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Adaptive {
+    static constexpr bool kExact = true; // within 1/256 texel
     static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         switch (run.primitive->step) {
         case kAffine:

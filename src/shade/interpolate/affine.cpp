@@ -10,6 +10,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine {
+    static constexpr bool kExact = false;
     static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         affine_lanes(b, want, run);
     }

@@ -9,6 +9,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Affine16 {
+    static constexpr bool kExact = false;
     static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         stepped_lanes<16>(b, want, run);
     }

@@ -11,6 +11,7 @@
 
 #include "shade/setup/shading_setup.h"
 
+#include "shade/interpolate/large_uv-inl.h"
 #include "shade/interpolate/weights-inl.h"
 #include "shade/setup/footprint-inl.h"
 #include "simd/entries-inl.h"
@@ -173,6 +174,7 @@ SIMD_INLINE void run_rung(ShadingBlock& b, const FrameState& frame) {
         if (!flat || rest.any()) Rung::lanes(b, flat ? rest : want, *run);
     }
     view_until(b.count);
+    if (Rung::kExact && want.uv && frame.exact_uv) write_large_uv(b);
     // The derivatives of u and v are exact on every rung.
     if (want.uv && frame.attributes.footprint) texture::HWY_NAMESPACE::write_slopes(b);
 }

@@ -11,6 +11,7 @@
 SIMD_BEGIN(scanout::shade::interpolate)
 
 struct Perspective {
+    static constexpr bool kExact = true; // within 1/256 texel
     static SIMD_INLINE void lanes(ShadingBlock& b, const Wanted& want, const Run& run) {
         if (run.primitive == nullptr)
             perspective_own(b, want, run);

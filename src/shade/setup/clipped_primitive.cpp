@@ -91,6 +91,7 @@ public:
         if (!wanted.uv) return;
         for (int c = 0; c < 2; ++c)
             p_.uv[c][k] = cut ? between(mesh.uv[from][c], mesh.uv[to][c], t) : mesh.uv[from][c];
+        if (in_.frame->exact_uv) set_exact_uv(k, mesh.exact_uv[from], mesh.exact_uv[to], cut, t);
     }
 
     // What light at vertices or faces reads.
@@ -100,6 +101,15 @@ public:
     }
 
 private:
+    // What interpolation in double needs (interpolate/large_uv-inl.h).
+    void set_exact_uv(std::size_t k, const DVec2& from, const DVec2& to, bool cut, double t) {
+        p_.exact_inverse_w[k] = 1;
+        for (int c = 0; c < 2; ++c) {
+            const double f = cut ? from[c] + t * (to[c] - from[c]) : from[c];
+            p_.exact_uv[c][k] = f;
+            p_.large_uv |= std::abs(f) > double{geom::Mesh::kLargeUv};
+        }
+    }
     // In view space, times to_floats of the view.
     DVec3 position(std::uint32_t vertex) const {
         return (in_.view->linear * DVec3(in_.mesh->position[vertex]) + in_.view->translation) *

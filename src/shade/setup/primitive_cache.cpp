@@ -28,6 +28,7 @@ Primitive& PrimitiveCache::next(std::uint32_t triangle, bool clipped) {
     p.clipped = clipped;
     p.across = -1;
     p.step = 0;
+    p.large_uv = false;
     return p;
 }
 

@@ -1,11 +1,15 @@
 #include "shade/setup/primitive_setup.h"
 
+#include "geom/mesh.h"
+
 #define SIMD_FILE "shade/setup/primitive_setup.cpp"
 #include "simd/for_each_target.h"
 
 #include "shade/setup/triangle_setup-inl.h"
 
 SIMD_BEGIN(scanout::shade)
+
+constexpr double kLargeUv = geom::Mesh::kLargeUv;
 
 SIMD_INLINE void copy_vertices(const float (&from)[3][kPaddedBlock], int lane, float (&to)[3]) {
     SIMD_FOR (int k = 0; k < 3; ++k)
@@ -36,6 +40,20 @@ SIMD_INLINE void set_edges(const ShadingSetup& t, int lane, Primitive& p) {
     p.fits_int32 = t.fits_int32[lane] != 0;
 }
 
+// What interpolation in double needs (interpolate/large_uv-inl.h).
+SIMD_INLINE void copy_exact_uv(const TriangleSource& s, const ShadingSetup& t, int lane,
+                               Primitive& p) {
+    SIMD_FOR (int k = 0; k < 3; ++k) {
+        const std::uint32_t vertex = t.vertex_index[k][lane];
+        p.exact_inverse_w[k] = s.perspective ? s.vertex[vertex].depth : 1.0;
+        SIMD_FOR (int c = 0; c < 2; ++c) {
+            const double f = s.exact_uv[vertex][c];
+            p.exact_uv[c][k] = f;
+            p.large_uv |= f > kLargeUv || f < -kLargeUv;
+        }
+    }
+}
+
 SIMD_INLINE void copy_primitive(const TriangleSource& s, const ShadingSetup& t, int lane,
                                 Primitive& p) {
     set_edges(t, lane, p);
@@ -47,6 +65,7 @@ SIMD_INLINE void copy_primitive(const TriangleSource& s, const ShadingSetup& t, 
         if (s.wants_view_position()) copy_vertices(t.position[c], lane, p.position[c]);
         if (s.wanted.uv && c < 2) copy_vertices(t.uv[c], lane, p.uv[c]);
     }
+    if (s.exact_uv != nullptr) copy_exact_uv(s, t, lane, p);
 }
 
 void set_up_all(const TriangleSource& s, ShadingSetup& scratch, Primitive* first, int count) {

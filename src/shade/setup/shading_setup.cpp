@@ -246,6 +246,7 @@ TriangleSource triangle_source(const GatherInput& in) {
     s.position = floats(mesh.position);
     s.normal = floats(mesh.normal);
     s.uv = floats(mesh.uv);
+    s.exact_uv = in.frame->exact_uv ? mesh.exact_uv.data() : nullptr;
     s.colour = floats(mesh.colour);
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c)

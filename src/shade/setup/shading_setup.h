@@ -65,6 +65,7 @@ struct TriangleSource {
     const std::uint32_t* spatial_index; // by triangle id; null: the same as the id
     const raster::ScreenVertex* vertex;
     const float *position, *normal, *uv, *colour; // of vertices; null where the mesh has none
+    const DVec2* exact_uv;                        // null where the frame mixes floats
     double linear[3][3], translation[3], scale;   // to view space: (linear p + translation) scale
     bool perspective, mirrored;
     Sides sides;

@@ -28,6 +28,7 @@ void AlphaEvaluator::bind(std::int32_t index) {
     material_ = index;
     ShadingBlock& b = *block_;
     b.material = &in_.material(index);
+    b.uv_step = in_.uv_step(index);
     const MaterialAlpha& alpha = in_.transparency->alpha[static_cast<std::size_t>(index + 1)];
     constant_ = !alpha.diffuse_map && !alpha.opacity_map;
     for (BoundMap& map : b.map)

@@ -6,10 +6,10 @@
 
 #include <vector>
 
-namespace scanout::io {
+namespace scanout::scene {
 
 // For geom::BuildOptions::uv_step; one a material. 0 where a map is clamped (-clamp on), or its -s
 // has no multiple below a thousand that is a whole number.
-std::vector<DVec2> uv_steps(const std::vector<scene::Material>& materials);
+std::vector<DVec2> uv_steps(const std::vector<Material>& materials);
 
-} // namespace scanout::io
+} // namespace scanout::scene

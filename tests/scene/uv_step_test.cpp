@@ -1,12 +1,12 @@
-#include "io/uv_step.h"
+#include "scene/uv_step.h"
 
 #include <gtest/gtest.h>
 
-namespace scanout::io {
+namespace scanout::scene {
 namespace {
 
-scene::Material with_map(const Vec3& scale, bool clamp = false) {
-    scene::Material material;
+Material with_map(const Vec3& scale, bool clamp = false) {
+    Material material;
     material.map_diffuse.edit().texture = 0;
     material.map_diffuse.edit().scale = scale;
     material.map_diffuse.edit().clamp = clamp;
@@ -14,10 +14,10 @@ scene::Material with_map(const Vec3& scale, bool clamp = false) {
 }
 
 TEST(UvStep, IsAnEvenNumberOfRepeatsOfEveryMap) {
-    scene::Material two = with_map(Vec3(0.3F, 1, 1));
+    Material two = with_map(Vec3(0.3F, 1, 1));
     two.map_bump.edit().texture = 1;
     two.map_bump.edit().scale = Vec3(0.25F, 3, 1);
-    scene::Material not_read = with_map(Vec3(1));
+    Material not_read = with_map(Vec3(1));
     not_read.map_specular.edit().scale = Vec3(0.3F);
     const std::vector<DVec2> steps = uv_steps({{},
                                                with_map(Vec3(1)),
@@ -33,4 +33,4 @@ TEST(UvStep, IsAnEvenNumberOfRepeatsOfEveryMap) {
 }
 
 } // namespace
-} // namespace scanout::io
+} // namespace scanout::scene

@@ -1,10 +1,10 @@
-#include "io/uv_step.h"
+#include "scene/uv_step.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
-namespace scanout::io {
+namespace scanout::scene {
 namespace {
 
 constexpr int kMost = 1000;
@@ -28,12 +28,12 @@ int common(int a, int b) {
 
 } // namespace
 
-std::vector<DVec2> uv_steps(const std::vector<scene::Material>& materials) {
+std::vector<DVec2> uv_steps(const std::vector<Material>& materials) {
     std::vector<DVec2> steps;
-    for (const scene::Material& material : materials) {
+    for (const Material& material : materials) {
         int x = 2, y = 2;
-        for (const scene::NamedMap& row : scene::kTextureMaps) {
-            const scene::TextureMap& m = material.*row.map;
+        for (const NamedMap& row : kTextureMaps) {
+            const TextureMap& m = material.*row.map;
             if (m.texture < 0) continue;
             x = m.clamp ? 0 : common(x, step_of(m.scale.x));
             y = m.clamp ? 0 : common(y, step_of(m.scale.y));
@@ -43,4 +43,4 @@ std::vector<DVec2> uv_steps(const std::vector<scene::Material>& materials) {
     return steps;
 }
 
-} // namespace scanout::io
+} // namespace scanout::scene
