@@ -22,6 +22,9 @@ std::string_view name_of(Severity severity) {
 
 // What stands behind the hazard's name.
 std::string sentence(const DoctorReport& report, const Finding& finding) {
+    if (finding.searched == 0 &&
+        (finding.hazard == Hazard::t_vertices || finding.hazard == Hazard::cracks))
+        return "not searched for: the open edges lie too close together to tell them apart";
     std::string text = count_text(finding);
     if (finding.searched < 1)
         text += fmt::format(" in the {:.0f} % that was searched (--seconds N searches longer)",

@@ -56,7 +56,7 @@ public:
     void split(Jobs& jobs, const Framing& framing, double tolerance, TVertices which,
                SplitEdges& out) {
         constexpr int kRounds = 8; // a new corner bends its edge a little, towards others
-        for (int round = 0; round < kRounds; ++round)
+        for (int round = 0; round < kRounds && !out.crowded; ++round)
             if (!split_once(jobs, framing, tolerance, which, out)) return;
     }
 
@@ -98,6 +98,7 @@ private:
                     SplitEdges& out) {
         const Surface surface(jobs, part_, &framing);
         Seams seams = find_seams(surface, tolerance * framing.radius, open_);
+        out.crowded = seams.crowded;
         if (which == TVertices::seams)
             std::erase_if(seams.t_vertices, [](const TVertex& t) { return !t.on_seam; });
         if (seams.t_vertices.empty()) return false;
@@ -150,6 +151,7 @@ SplitEdges split_t_vertices(Jobs& jobs, PolygonMesh& mesh, double tolerance, TVe
     }
     FacesAtOpenEdges faces(mesh, open);
     faces.split(jobs, framing, tolerance, which, out);
+    if (out.crowded && out.corners == 0) out.unsearched = open.size();
     if (out.corners > 0) faces.write_back();
     return out;
 }

@@ -13,7 +13,8 @@ namespace scanout::geom {
 struct SplitEdges {
     std::size_t corners = 0;    // that were put into edges
     double farthest = 0;        // of them from its edge, file units
-    std::size_t unsearched = 0; // open edges, where they are more than kMostOpenEdges
+    std::size_t unsearched = 0; // open edges, where they are more than kMostOpenEdges, or crowded
+    bool crowded = false;       // Seams::crowded
 };
 
 // A heap of faces, such as leaves or hair, has no seams, but the search would take many times as

@@ -227,7 +227,12 @@ void close_seams(geom::PolygonMesh& polygons, const std::string& path, Jobs* job
     if (jobs == nullptr) jobs = &alone.emplace(1);
     const geom::SplitEdges split = geom::split_t_vertices(
         *jobs, polygons, geom::DiagnoseOptions().tolerance, geom::TVertices::seams);
-    if (split.unsearched > 0)
+    if (split.unsearched > 0 && split.crowded)
+        warnings.add("open edges",
+                     fmt::format("{}: its {} open edges lie too close together to look for "
+                                 "T-vertices: they are left as the file has them",
+                                 path, split.unsearched));
+    else if (split.unsearched > 0)
         warnings.add("open edges",
                      fmt::format("{}: its {} open edges are too many to look for T-vertices while "
                                  "it is loaded; scanout doctor tells whether there are any",

@@ -186,6 +186,32 @@ TEST(SplitTVertices, ClosesASeamThatAFaceOnTwoPlacesLiesOn) {
     }
 }
 
+// Needles round one edge, each near all others: every vertex lies near every edge, so the number of
+// T-vertices grows with the square of that of the faces. None is looked for, and none is claimed.
+TEST(SplitTVertices, AmongNeedlesThatLieCloseTogetherIsGivenUpInTime) {
+    for (const int needles : {20, 20'000}) {
+        PolygonMesh mesh;
+        mesh.positions = {{0, 0, 0}, {0, 1, 0}};
+        for (int i = 0; i < needles; ++i) {
+            mesh.positions.push_back({1.0 + i % 97, 0, static_cast<double>(i)});
+            add_face(mesh, {0, 1, i + 2});
+        }
+        const std::vector<Corner>::size_type corners = mesh.corners.size();
+        const bool many = needles > 1000;
+        DiagnoseOptions how;
+        how.seconds = 0; // of the search for pairs
+        const Diagnosis found = diagnose(jobs(), mesh, how);
+        for (const Hazard hazard : {Hazard::t_vertices, Hazard::cracks}) {
+            ASSERT_EQ(found.find(hazard) != nullptr, many);
+            EXPECT_TRUE(!many || found.find(hazard)->searched == 0);
+        }
+        const SplitEdges split = split_t_vertices(jobs(), mesh, 1e-3, TVertices::seams);
+        EXPECT_EQ(split.crowded, many);
+        EXPECT_EQ(split.unsearched, many ? 2U * static_cast<std::size_t>(needles) : 0U);
+        EXPECT_EQ(mesh.corners.size(), corners);
+    }
+}
+
 // A triangle whose corner touches another one's edge is no seam; one whose edge lies along it is.
 TEST(SplitTVertices, OfSeamsLeavesVerticesThatOnlyTouchAnEdge) {
     for (const bool along : {false, true}) {

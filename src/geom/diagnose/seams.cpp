@@ -5,6 +5,7 @@
 #include "geom/diagnose/families.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -70,6 +71,7 @@ public:
         for (const std::uint32_t place : points_)
             boxes.push_back({surface_.at(place), surface_.at(place)});
         const BoxTree tree(surface_.jobs(), std::move(boxes));
+        most_asked_ = kAskedAnyway + kAskedAnEdge * open_.size();
         Seams out;
         constexpr std::size_t kChunk = 256;
         std::vector<Seams> parts((open_.size() + kChunk - 1) / kChunk);
@@ -78,6 +80,7 @@ public:
                        for (std::size_t i = begin; i < end; ++i)
                            search_edge(tree, open_[i], parts[begin / kChunk]);
                    });
+        if (asked_ > most_asked_) return {{}, {}, true}; // whatever thread asked for how many
         for (const Seams& part : parts) {
             out.t_vertices.insert(out.t_vertices.end(), part.t_vertices.begin(),
                                   part.t_vertices.end());
@@ -101,7 +104,7 @@ private:
     double reach(double length) const { return std::min(tolerance_, kSeamShare * length); }
 
     // Open places near the edge: within it, or near its end at which the edge begins.
-    void search_edge(const BoxTree& tree, const Surface::EdgeUse& edge, Seams& out) const {
+    void search_edge(const BoxTree& tree, const Surface::EdgeUse& edge, Seams& out) {
         const DVec3 from = surface_.at(surface_.corner_place(edge.corner));
         const DVec3 to =
             surface_.at(surface_.corner_place(edge.corner) == edge.low ? edge.high : edge.low);
@@ -110,19 +113,24 @@ private:
             std::max({reach(length), reach(longest_[edge.low]), reach(longest_[edge.high])});
         const DVec3 reach(near * 1.001); // the rounding of the distances included
         const Box around{glm::min(from, to) - reach, glm::max(from, to) + reach};
+        std::size_t asked = 0; // places
+        const bool crowded = asked_ > most_asked_;
         tree.visit(
             0,
             [&](const Box& box) {
-                return boxes_meet(box, around) && meets_segment(box, from, to, near);
+                return !crowded && asked <= most_asked_ && boxes_meet(box, around) &&
+                       meets_segment(box, from, to, near);
             },
             [&](std::size_t i) {
                 const std::uint32_t place = points_[tree.item_at(i)];
                 if (place == edge.low || place == edge.high) return;
+                ++asked;
                 if (!add_t_vertex(edge, place, from, to, length, out)) {
                     add_crack(edge, edge.low, place, out);
                     add_crack(edge, edge.high, place, out);
                 }
             });
+        asked_ += asked;
     }
 
     bool add_t_vertex(const Surface::EdgeUse& edge, std::uint32_t place, const DVec3& from,
@@ -184,8 +192,12 @@ private:
                          out.cracks.end());
     }
 
+    static constexpr std::size_t kAskedAnyway = 100'000, kAskedAnEdge = 8;
+
     const Surface& surface_;
     double tolerance_;
+    std::size_t most_asked_ = 0;
+    std::atomic<std::size_t> asked_ = 0; // open places near edges, so far
     std::vector<Surface::EdgeUse> open_;
     std::vector<double> longest_; // open edge at each place
     std::vector<std::uint32_t> points_;
@@ -213,8 +225,9 @@ void examine_seams(const Surface& surface, const DiagnoseOptions& how, Findings&
         cracks.add(crack.distance, place(crack.face, crack.place));
         findings.mark(crack.face, Hazard::cracks);
     }
-    findings.add(Hazard::t_vertices, t_vertices, t_vertices.badness() * surface.unit());
-    findings.add(Hazard::cracks, cracks, cracks.badness() * surface.unit());
+    const double searched = seams.crowded ? 0 : 1;
+    findings.add(Hazard::t_vertices, t_vertices, t_vertices.badness() * surface.unit(), searched);
+    findings.add(Hazard::cracks, cracks, cracks.badness() * surface.unit(), searched);
 }
 
 } // namespace scanout::geom

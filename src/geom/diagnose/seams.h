@@ -31,6 +31,9 @@ struct Crack {
 struct Seams {
     std::vector<TVertex> t_vertices; // by corner, then along the edge
     std::vector<Crack> cracks;       // by place, other
+    // So many open places lie near open edges that nothing is known: on a seam each place lies near
+    // a few edges, but of a fan of needles every place lies near every edge. Both lists are empty.
+    bool crowded = false;
 };
 
 // `tolerance`: a length of at(); see DiagnoseOptions. `may_be_open`: by corner, whether the edge
