@@ -84,6 +84,8 @@ private:
     void limit_options(std::string_view name, TextureMap& map);
     void note_map_options(const Material& material);
     void not_drawn(std::string_view what);
+    void note_ray_tracing(const Material& material);
+    bool is_zero() const;
 
     void warn(std::string_view kind, std::string_view text) {
         if (warnings_.count(kind) > 0)
@@ -119,7 +121,7 @@ void MtlReader::statement() {
     const std::string_view word = at_.word();
     if (word.size() > 32) return warn("MTL statement", "the statement is not known");
     const std::string key = lower_case(word);
-    if (word == "newmtl") {
+    if (key == "newmtl") {
         finish_material();
         MtlMaterial& m = out_.emplace_back();
         m.line = at_.line;
@@ -132,7 +134,7 @@ void MtlReader::statement() {
     if (now_ == nullptr) return warn("MTL statement", "a statement stands before the first newmtl");
     if (colour_statement(key) || number_statement(key) || map_statement(key)) return;
     for (const std::string_view known : kNotKept)
-        if (key == lower_case(known)) return not_drawn(known);
+        if (key == lower_case(known)) return is_zero() ? void() : not_drawn(known);
     warn("MTL statement", "the statement is not known");
 }
 
@@ -227,6 +229,7 @@ void MtlReader::finish_material() {
     for (const MapKeyword& known : kMaps)
         if (!known.drawn && (now_->*known.map).given()) not_drawn(known.name);
     note_map_options(*now_);
+    note_ray_tracing(*now_);
     now_ = nullptr;
 }
 
@@ -248,6 +251,29 @@ void MtlReader::note_map_options(const Material& material) {
     note([](Map m) { return m.resolution != 0; }, "map_Kd -texres", "map_d -texres");
     note([](Map m) { return !m.reflection_type.empty(); }, "map_Kd -type", "map_d -type");
     if (kd.channel != 0) not_drawn("map_Kd -imfchan");
+}
+
+// What a ray tracer would draw of the illumination models 3 to 9 (Wavefront 1995): reflections,
+// where Ks is above 0, and light that shines through, coloured by Tf.
+void MtlReader::note_ray_tracing(const Material& material) {
+    constexpr std::array<std::string_view, 7> kNames = {"illum 3", "illum 4", "illum 5", "illum 6",
+                                                        "illum 7", "illum 8", "illum 9"};
+    const int model = material.illumination;
+    if (model < 3 || model > 9) return;
+    const bool refracts = model == 6 || model == 7;
+    const bool clear = refracts || ((model == 4 || model == 9) && material.opacity < 1);
+    const bool coloured = material.transmission != Vec3(1);
+    const bool shiny = has_specular_ && material.specular != Vec3(0);
+    if (clear && coloured) not_drawn("Tf");
+    if (refracts || shiny) not_drawn(kNames[static_cast<std::size_t>(model - 3)]);
+}
+
+// The statement's number is 0: what it asks for is nothing.
+bool MtlReader::is_zero() const {
+    Cursor ahead = at_;
+    ahead.skip_blanks();
+    double value = 1;
+    return ahead.number(value) == NumberFault::none && value == 0;
 }
 
 void MtlReader::not_drawn(std::string_view what) {
@@ -421,7 +447,10 @@ void MtlReader::map_file(TextureMap& map) {
 std::vector<MtlMaterial> read_mtl(std::string_view file, const std::string& path,
                                   Warnings& warnings) {
     // Faults in files that mtllib names but that are no MTL are not reported.
-    if (file.find("newmtl") == std::string_view::npos) return {};
+    const auto same = [](char a, char b) { return (a | ' ') == b; };
+    constexpr std::string_view kMark = "newmtl";
+    if (std::search(file.begin(), file.end(), kMark.begin(), kMark.end(), same) == file.end())
+        return {};
     return MtlReader(file, path, warnings).read();
 }
 

@@ -431,5 +431,33 @@ TEST(Materials, WhatIsNotDrawnYetIsOneLineALibrary) {
               folder.path("m.mtl") + ": disp, decal are read but not drawn yet\n");
 }
 
+TEST(Materials, WhatChangesNothingIsNotNamed) {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl a\nKd .8 .8 .8\nPr 0.5\nPm 0\nPs 0\nPc 0.0\nPcr 0\naniso 0\n"
+                          "anisor 0\nTf 1 1 1\nillum 2\nnewmtl b\nPc 0.5\nPcr 0\nillum 3\n"
+                          "newmtl c\nTf 0.5 1 1\nillum 4\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl b\nusemtl c\n");
+    EXPECT_EQ(all_lines(l.warnings), folder.path("m.mtl") + ": Pc is read but not drawn yet\n");
+}
+
+TEST(Materials, WhatARayTracerWouldDrawIsNamed) {
+    const Folder folder;
+    folder.write("m.mtl", "newmtl glass\nKd .8 .8 .8\nTf 0.1 0.9 0.1\nillum 6\n"
+                          "newmtl mirror\nKs 1 1 1\nillum 3\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl glass\nusemtl mirror\n");
+    EXPECT_EQ(all_lines(l.warnings),
+              folder.path("m.mtl") + ": Tf, illum 6, illum 3 are read but not drawn yet\n");
+}
+
+TEST(Materials, KeywordsAreReadInAnyCase) {
+    const Folder folder;
+    folder.write("m.mtl", "NEWMTL a\nKD .8 0 0\nNewMtl B\nkd 0 .5 0\n");
+    const Loaded l = load(folder, "mtllib m.mtl\nusemtl a\nusemtl B\n");
+    EXPECT_EQ(all_lines(l.warnings), "");
+    ASSERT_EQ(l.materials.materials.size(), 2u);
+    EXPECT_EQ(l.materials.materials[0].diffuse, Vec3(.8F, 0, 0));
+    EXPECT_EQ(l.materials.materials[1].diffuse, Vec3(0, .5F, 0));
+}
+
 } // namespace
 } // namespace scanout::io

@@ -44,7 +44,7 @@ TEST(Mtl, ReadsEveryValue) {
     EXPECT_EQ(m.refraction, 1.45f);
     EXPECT_EQ(m.illumination, 7);
     EXPECT_EQ(m.opacity, 0.25f);
-    EXPECT_THAT(r.materials[0].not_drawn, testing::IsEmpty());
+    EXPECT_THAT(r.materials[0].not_drawn, testing::ElementsAre("Tf", "illum 7"));
 }
 
 TEST(Mtl, WhatNoMaterialCanHaveIsNamedAndCounted) {
