@@ -3,6 +3,7 @@
 #include "io/text.h"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cstring>
 #include <limits>
@@ -13,14 +14,22 @@
 namespace scanout::io {
 namespace {
 
+std::uint16_t swapped(std::uint16_t bits) {
+    return __builtin_bswap16(bits);
+}
+std::uint32_t swapped(std::uint32_t bits) {
+    return __builtin_bswap32(bits);
+}
+std::uint64_t swapped(std::uint64_t bits) {
+    return __builtin_bswap64(bits);
+}
+
 template <class T, class Bits>
 void decode_as(bool big_endian, const char* bytes, std::size_t count, double* out) {
     for (std::size_t i = 0; i < count; ++i, bytes += sizeof(Bits)) {
         Bits bits = 0;
-        for (std::size_t k = 0; k < sizeof(Bits); ++k) {
-            const std::size_t byte = big_endian ? k : sizeof(Bits) - 1 - k;
-            bits = static_cast<Bits>(bits << 8 | static_cast<unsigned char>(bytes[byte]));
-        }
+        std::memcpy(&bits, bytes, sizeof(Bits));
+        if (big_endian != (std::endian::native == std::endian::big)) bits = swapped(bits);
         out[i] = static_cast<double>(std::bit_cast<T>(bits));
     }
 }
@@ -102,6 +111,45 @@ PlyRowState PlyBody::next_binary(const PlyElement& element, PlyRow& row) {
     }
     row.begin.push_back(row.values.size());
     return PlyRowState::good;
+}
+
+PlyBody::EqualRows PlyBody::equal_rows(const PlyElement& element, std::size_t most,
+                                       Jobs& jobs) const {
+    constexpr std::size_t kChunk = 8192, kMostBytes = 4096; // of a row
+    struct ListLength {
+        std::size_t offset, bytes;
+    };
+    EqualRows rows;
+    std::vector<ListLength> lists;
+    const std::size_t left = std::min(bytes_left(), kMostBytes);
+    for (const PlyProperty& property : element.properties) {
+        double length = 1;
+        if (property.list_length_type) {
+            const std::size_t bytes = size_of(*property.list_length_type);
+            if (bytes > left - rows.row_bytes) return {};
+            decode_ply(*property.list_length_type, is_big_endian(), at_.at + rows.row_bytes, 1,
+                       &length);
+            lists.push_back({rows.row_bytes, bytes});
+            rows.row_bytes += bytes;
+        }
+        const std::size_t room = (left - rows.row_bytes) / size_of(property.type);
+        if (!(length >= 0 && length <= static_cast<double>(room))) return {};
+        rows.offset.push_back(rows.row_bytes);
+        rows.length.push_back(static_cast<std::size_t>(length));
+        rows.row_bytes += rows.length.back() * size_of(property.type);
+    }
+    if (rows.row_bytes == 0) return {};
+    rows.first = at_.at;
+    std::atomic<std::size_t> equal{std::min(most, bytes_left() / rows.row_bytes)};
+    for_chunks(jobs, equal, kChunk, [&](std::size_t begin, std::size_t end, int) {
+        for (std::size_t i = begin; i < end; ++i)
+            for (const ListLength& list : lists)
+                if (std::memcmp(rows.first + i * rows.row_bytes + list.offset,
+                                rows.first + list.offset, list.bytes) != 0)
+                    return keep_least(equal, i);
+    });
+    rows.count = equal;
+    return rows;
 }
 
 std::size_t PlyBody::fixed_rows(const PlyElement& element) const {

@@ -5,6 +5,7 @@
 #include "io/cursor.h"
 #include "io/ply_header.h"
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -44,6 +45,17 @@ public:
     template <class Function>
     std::size_t each_of_fixed_size(const PlyElement& element, Jobs& jobs, Function&& row);
 
+    // Rows of a binary body whose lists are as long as those of the next row: how many follow each
+    // other, at most `most`, and where in one of them a property's values stand. None at the end.
+    struct EqualRows {
+        const char* first = nullptr;
+        std::size_t count = 0, row_bytes = 0;
+        std::vector<std::size_t> offset, length; // of each property's values; 1 of a scalar
+    };
+    EqualRows equal_rows(const PlyElement& element, std::size_t most, Jobs& jobs) const;
+    void skip_rows(const EqualRows& rows, std::size_t count) { at_.at += count * rows.row_bytes; }
+
+    bool is_big_endian() const { return encoding_ == PlyEncoding::big_endian; }
     bool is_binary() const { return encoding_ != PlyEncoding::ascii; }
     const std::string& fault() const { return fault_; }
     std::size_t line() const { return line_; }      // of the row that was read last; ASCII only
@@ -66,6 +78,11 @@ private:
     std::size_t line_ = 0;
     bool more_ = false;
 };
+
+inline void keep_least(std::atomic<std::size_t>& least, std::size_t value) {
+    for (std::size_t now = least; value < now && !least.compare_exchange_weak(now, value);) {
+    }
+}
 
 // Decodes `count` values of a binary body.
 void decode_ply(PlyType type, bool big_endian, const char* bytes, std::size_t count, double* out);
