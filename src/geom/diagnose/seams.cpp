@@ -71,7 +71,8 @@ public:
         for (const std::uint32_t place : points_)
             boxes.push_back({surface_.at(place), surface_.at(place)});
         const BoxTree tree(surface_.jobs(), std::move(boxes));
-        most_asked_ = kAskedAnyway + kAskedAnEdge * open_.size();
+        most_asked_ = kAnyway + kAskedAnEdge * open_.size();
+        most_found_ = kAnyway + kFoundAnEdge * open_.size();
         Seams out;
         constexpr std::size_t kChunk = 256;
         std::vector<Seams> parts((open_.size() + kChunk - 1) / kChunk);
@@ -80,7 +81,7 @@ public:
                        for (std::size_t i = begin; i < end; ++i)
                            search_edge(tree, open_[i], parts[begin / kChunk]);
                    });
-        if (asked_ > most_asked_) return {{}, {}, true}; // whatever thread asked for how many
+        if (is_crowded()) return {{}, {}, true}; // whichever thread asked for how many
         for (const Seams& part : parts) {
             out.t_vertices.insert(out.t_vertices.end(), part.t_vertices.begin(),
                                   part.t_vertices.end());
@@ -113,13 +114,15 @@ private:
             std::max({reach(length), reach(longest_[edge.low]), reach(longest_[edge.high])});
         const DVec3 reach(near * 1.001); // the rounding of the distances included
         const Box around{glm::min(from, to) - reach, glm::max(from, to) + reach};
+        const std::size_t before = out.t_vertices.size() + out.cracks.size();
+        const auto found = [&] { return out.t_vertices.size() + out.cracks.size() - before; };
         std::size_t asked = 0; // places
-        const bool crowded = asked_ > most_asked_;
+        const bool crowded = is_crowded();
         tree.visit(
             0,
             [&](const Box& box) {
-                return !crowded && asked <= most_asked_ && boxes_meet(box, around) &&
-                       meets_segment(box, from, to, near);
+                return !crowded && asked <= most_asked_ && found() <= most_found_ &&
+                       boxes_meet(box, around) && meets_segment(box, from, to, near);
             },
             [&](std::size_t i) {
                 const std::uint32_t place = points_[tree.item_at(i)];
@@ -131,7 +134,10 @@ private:
                 }
             });
         asked_ += asked;
+        found_ += found();
     }
+
+    bool is_crowded() const { return asked_ > most_asked_ || found_ > most_found_; }
 
     bool add_t_vertex(const Surface::EdgeUse& edge, std::uint32_t place, const DVec3& from,
                       const DVec3& to, double length, Seams& out) const {
@@ -192,12 +198,14 @@ private:
                          out.cracks.end());
     }
 
-    static constexpr std::size_t kAskedAnyway = 100'000, kAskedAnEdge = 8;
+    // Of a map of Vienna, exported by SketchUp, 20 an edge are asked, and one of 30 edges has one.
+    static constexpr std::size_t kAnyway = 100'000, kAskedAnEdge = 256, kFoundAnEdge = 8;
 
     const Surface& surface_;
     double tolerance_;
-    std::size_t most_asked_ = 0;
+    std::size_t most_asked_ = 0, most_found_ = 0;
     std::atomic<std::size_t> asked_ = 0; // open places near edges, so far
+    std::atomic<std::size_t> found_ = 0; // T-vertices and cracks
     std::vector<Surface::EdgeUse> open_;
     std::vector<double> longest_; // open edge at each place
     std::vector<std::uint32_t> points_;
