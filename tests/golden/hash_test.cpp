@@ -29,7 +29,8 @@ std::vector<Shot> hashed_shots() {
             // With a line along every outline, four samples resolve nothing: a sample of the pixel
             // beside the line's is as far from their border as from the middle along the line, and
             // so the outline, whose slope is at most 1, passes it on the far side. Eight do.
-            s.options.samples = samples > 1 && s.name == "lines_on_faces" ? 8 : samples;
+            const bool covered = s.name == "lines_on_faces" || s.name == "edges_all";
+            s.options.samples = samples > 1 && covered ? 8 : samples;
             // At this size adaptive interpolation is exact.
             if (s.name == "samples_8" || s.name == "interpolate_perspective") continue;
             // A number of samples is said above; the others have their own.

@@ -423,6 +423,7 @@ inline std::vector<Shot> golden_shots() {
     }
     for (const std::string& name : names_on("edges")) {
         shots.push_back(solids("edges_" + name));
+        shots.back().camera.azimuth_degrees = 50; // with none it is no scene of another name
         shots.back().options.edges = name;
     }
     add_output_shots(shots);
