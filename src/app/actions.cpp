@@ -34,6 +34,9 @@ std::string cull_text(State s) {
 std::string edges_text(State s) {
     return s.look.edges;
 }
+std::string annotations_text(State s) {
+    return frame::to_string(s.look.annotations);
+}
 std::string light_text(State s) {
     return s.light < 0 ? "" : fmt::format("light {}", s.light + 1);
 }
@@ -87,7 +90,12 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
     {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text, "faces left out"},
-    {Id::edges_next, "edges_next", "E", "E", "edges over the shading", 0, false, edges_text, "edges"},
+    {Id::edges_next, "edges_next", "E", "E P N B G A", "edges points normals box grid axes", 0, false, edges_text, "edges"},
+    {Id::toggle_points, "toggle_points", "P", "", "vertices of faces", 0, false, annotations_text, "shown"},
+    {Id::toggle_normals, "toggle_normals", "N", "", "normals", 0, false, annotations_text, "shown"},
+    {Id::toggle_box, "toggle_box", "B", "", "bounding box", 0, false, annotations_text, "shown"},
+    {Id::toggle_grid, "toggle_grid", "G", "", "grid on the ground", 0, false, annotations_text, "shown"},
+    {Id::toggle_axes, "toggle_axes", "A", "", "axes x y z", 0, false, annotations_text, "shown"},
     {Id::light_next, "light_next", "L", "L", "next light: move it, + -", 0, false, light_text},
     {Id::toggle_info, "toggle_info", "I", "I", "information", 0, false, info_text, "information"},
     {Id::toggle_explain, "toggle_explain", "X", "X", "what runs, and why", 0, false, explain_text, "what runs, and why"},

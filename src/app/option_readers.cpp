@@ -93,6 +93,23 @@ Result<void> read_translate(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_annotate(Settings& s, std::string_view text) {
+    s.frame.annotations = {};
+    if (text == "none") return {};
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(',', begin), text.size());
+        const std::string_view name = text.substr(begin, end - begin);
+        const auto found = frame::annotation_named(name);
+        if (!found)
+            return fail(Exit::usage, "wants none, or some of {} with commas between; not '{}'{}",
+                        fmt::join(frame::kAnnotationNames, " "), text,
+                        did_you_mean(name, frame::kAnnotationNames));
+        if (!s.frame.annotations.has(*found)) s.frame.annotations.toggle(*found);
+        begin = end + 1;
+    }
+    return {};
+}
+
 Result<void> read_background(Settings& s, std::string_view text) {
     TRY(s.frame.background, parse_colour(text));
     return {};

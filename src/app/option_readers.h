@@ -21,6 +21,7 @@ Result<void> read_target(Settings& s, std::string_view text);
 Result<void> read_scale(Settings& s, std::string_view text);
 Result<void> read_rotate(Settings& s, std::string_view text);
 Result<void> read_translate(Settings& s, std::string_view text);
+Result<void> read_annotate(Settings& s, std::string_view text);
 Result<void> read_background(Settings& s, std::string_view text);
 Result<void> read_base_colour(Settings& s, std::string_view text);
 Result<void> read_effect(Settings& s, std::string_view text);

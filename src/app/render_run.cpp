@@ -82,6 +82,9 @@ void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
     if (settings_.verbose)
         for (const frame::Decision& decision : plan.decisions)
             say(to_string(decision));
+    // What the annotations measure is nowhere else.
+    if (const frame::Decision& d = *plan.decision("annotate"); !settings_.quiet && d.needed)
+        say("scanout: " + d.because);
     warn(frame::ignored_options(plan), settings_, report.warnings);
 }
 void RenderRun::tell_if_blank(const scene::View& view, const frame::FramePlan& plan,

@@ -34,7 +34,7 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 6> kWritten = {"size",  "cull",   "edges",
+    constexpr std::array<std::string_view, 7> kWritten = {"size",  "cull",   "edges",    "annotate",
                                                           "scale", "rotate", "translate"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
 }
@@ -123,6 +123,8 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
                     number(camera.elevation_degrees), number(camera.distance),
                     name_of(look.projection), name_of(look.up), name_of(look.cull));
     if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
+    if (!look.annotations.empty())
+        text += fmt::format(" --annotate {}", frame::to_string(look.annotations));
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
     text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));

@@ -2,6 +2,7 @@
 
 #include "base/check.h"
 #include "frame/catalogue.h"
+#include "frame/plan/plan.h"
 #include "scene/fit.h"
 
 #include <algorithm>
@@ -59,6 +60,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
+    start_.annotations = settings.frame.annotations;
     if (!frame::is_auto(settings.frame.edges)) start_.edges = settings.frame.edges;
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
@@ -271,6 +273,14 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::edges_next:
         look.edges = next_on("edges", look.edges);
         return;
+    case ActionId::toggle_points:
+    case ActionId::toggle_normals:
+    case ActionId::toggle_box:
+    case ActionId::toggle_grid:
+    case ActionId::toggle_axes:
+        return toggle(static_cast<frame::Annotation>(static_cast<int>(action.id) -
+                                                     static_cast<int>(ActionId::toggle_points)),
+                      mesh);
     case ActionId::toggle_turntable:
         look.turntable = !look.turntable;
         return;
@@ -279,6 +289,16 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     }
     if (is_view(action.id))
         look_from(static_cast<int>(action.id) - static_cast<int>(ActionId::view_front));
+}
+
+// The lengths that it shows are said with it.
+void Viewer::toggle(frame::Annotation annotation, const geom::Mesh* mesh) {
+    state_.look.annotations.toggle(annotation);
+    if (mesh == nullptr || !state_.look.annotations.has(annotation)) return;
+    const std::string size = frame::size_text(annotation, mesh->box_max - mesh->box_min);
+    if (!size.empty())
+        answer_ = fmt::format("{}: {}",
+                              frame::kAnnotationNames[static_cast<std::size_t>(annotation)], size);
 }
 
 // What the turntable has turned since then is nobody's action, and stays.

@@ -108,6 +108,7 @@ private:
     void brighten(int levels);
     void next_light();
     void look_from(int view);
+    void toggle(frame::Annotation annotation, const geom::Mesh* mesh);
     void next_hazard(const geom::Mesh* mesh);
     void fly_to(const HazardSpot& spot, const geom::Mesh& mesh);
     void fit(const geom::Mesh* mesh);

@@ -1,6 +1,7 @@
 // The options of a frame that the user can set: one struct, from the command line to the plan.
 #pragma once
 
+#include "frame/annotation.h"
 #include "image/image.h"
 #include "scene/light.h"
 #include "scene/view.h"
@@ -50,7 +51,8 @@ struct FrameOptions {
     std::optional<FilePlane> shadow_plane; // receives projected shadows; none: the ground
     std::vector<scene::Light> lights = scene::plain_lights(); // at most scene::kMaxLights
     double edge_angle = 30; // degrees: a bend of more is a feature edge
-    int line_width = 1;     // of lines and edges, pixels
+    Annotations annotations;
+    int line_width = 1; // of lines and edges, pixels
     int point_size = 1;
     double alpha_cut = 0.5;      // a cut-out surface shows where alpha is at least this
     int max_fragments = 1 << 16; // limit of a list of blended ones; changes no bit of the picture

@@ -390,7 +390,7 @@ const image::Image& Renderer::render(const scene::Scene& scene, const scene::Vie
     else if (s.annotations == nullptr)
         s.annotations = std::make_unique<AnnotationPass>();
     if (s.annotations != nullptr)
-        s.annotations->run(s.jobs, scene, plan, transform, options, aa.scale);
+        s.annotations->run(s.jobs, scene, plan, view.up, transform, options, aa.scale);
     FrameLights lights(plan, view, scene.mesh);
     const double before_shadows_ms = total.milliseconds();
     ShadowPass* const shadows =

@@ -95,6 +95,8 @@ Result<void> Explainer::count_pixels() {
     bare.samples = 1;
     bare.aa = "auto"; // then `samples` says it
     bare.render_scale = "full";
+    bare.edges = "none"; // what is drawn over a surface hides it
+    bare.annotations = {};
     for (const auto& [effect, materials] : facts_.materials_of)
         if (plan_.decision(effect) != nullptr) bare.effects[effect] = false;
     TRY(const frame::FramePlan plan, frame::plan(bare, facts_, view_));

@@ -237,6 +237,7 @@ Result<View> make_view(const geom::Mesh& mesh, const ModelTransform& model, cons
     view.translation =
         rotation * (model.translate - stand.target) + pan_of(pose.pan_x, pose.pan_y, pose.pan_z) -
         pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) - shift - DVec3(0, 0, distance);
+    view.up = camera.up;
     view.world_axes = rotation * up;
     view.world_origin = rotation * -stand.target - pan_of(orbit.pan_x, orbit.pan_y, orbit.pan_z) -
                         shift - DVec3(0, 0, distance);

@@ -68,6 +68,7 @@ struct View {
     // position of the model's centre before it is moved. Unit = bounding radius.
     DMat3 world_axes{1};
     DVec3 world_origin{0};
+    UpAxis up = UpAxis::plus_y; // the file's axis that points up
 };
 
 // File coordinates -> bounding radii from the model's centre, along the file's axes.

@@ -90,6 +90,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.centre = mesh.centre;
     facts.exponent = mesh.exponent;
     facts.radius = mesh.radius;
+    facts.box_size = mesh.box_max - mesh.box_min;
     facts.uv = !mesh.uv.empty();
     facts.vertex_colours = !mesh.colour.empty();
     facts.white_colours =

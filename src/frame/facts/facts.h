@@ -27,6 +27,7 @@ struct SceneFacts {
     std::size_t triangles = 0, lines = 0, points = 0;
     DVec3 centre{0};                           // of the mesh, in file units (geom::Mesh)
     int exponent = 0;                          // file units = normalised * 2^exponent
+    DVec3 box_size{0};                         // of the bounding box, file units
     double radius = 0.5;                       // of the framing sphere: they place lights
     std::size_t specular_triangles = 0;        // material has a highlight, after its maps
     std::size_t physical_triangles = 0;        // their material states a roughness or metalness

@@ -2,13 +2,23 @@
 
 #include "frame/edges.h"
 #include "geom/edge_lines.h"
+#include "geom/ruler.h"
 #include "math/transcendental.h"
 #include "raster/culling/cull.h"
+
+#include <algorithm>
 
 namespace scanout::frame {
 namespace {
 
-// Of what the model's triangles reflect, by their materials and vertices alone: maps are not read.
+// Linear. Greys of the middle show on black and on white.
+constexpr Vec3 kAxisColour[3] = {{0.8F, 0.02F, 0.02F}, {0.02F, 0.5F, 0.02F}, {0.05F, 0.1F, 1}};
+constexpr Vec3 kBoxColour{0.4F, 0.4F, 0.4F}, kGridColour{0.15F, 0.15F, 0.15F};
+constexpr Vec3 kNormalColour{0.02F, 0.3F, 0.9F}, kPointColour{0.9F, 0.2F, 0};
+constexpr int kPointSize = 3; // pixels, at least: one is hard to see
+
+// Of what the model's triangles reflect, by their materials and vertices alone:
+// maps are not read.
 float mean_luminance(const scene::Scene& scene) {
     const auto luminance = [](const Vec3& c) {
         return double{0.2126} * c.x + double{0.7152} * c.y + double{0.0722} * c.z;
@@ -32,28 +42,59 @@ Vec3 contrasting(const scene::Scene& scene) {
     return Vec3(mean_luminance(scene) < kDark ? 1.0F : 0.0F);
 }
 
+geom::AxisDirection direction_of(scene::UpAxis up) {
+    using enum scene::UpAxis;
+    const bool x = up == plus_x || up == minus_x, y = up == plus_y || up == minus_y;
+    return {x ? 0 : (y ? 1 : 2), up == minus_x || up == minus_y || up == minus_z};
+}
+
 } // namespace
 
-void AnnotationPass::make(const scene::Scene& scene, const AnnotationPlan& plan) {
+void AnnotationPass::make(const scene::Scene& scene, const AnnotationPlan& plan, scene::UpAxis up) {
     mesh_ = {};
     lines_.colours.clear();
     const auto colour_new_lines = [&](const Vec3& colour) {
         mesh_.line_material.resize(mesh_.lines(), static_cast<std::int32_t>(lines_.colours.size()));
         lines_.colours.push_back(colour);
     };
+    const geom::Mesh& mesh = scene.mesh;
+    const auto has = [&](Annotation a) { return plan.annotations.has(a); };
+    // At equal depth what is made first is visible.
+    for (int axis = 0; axis < 3 && has(Annotation::axes); ++axis) {
+        geom::add_axis_line(mesh, axis, mesh_);
+        colour_new_lines(kAxisColour[axis]);
+    }
+    if (has(Annotation::box)) {
+        geom::add_box_lines(mesh, mesh_);
+        colour_new_lines(kBoxColour);
+    }
+    if (has(Annotation::normals)) {
+        geom::add_normal_lines(mesh, mesh_);
+        colour_new_lines(kNormalColour);
+    }
+    if (has(Annotation::grid)) {
+        geom::add_grid_lines(mesh, direction_of(up), mesh_);
+        colour_new_lines(kGridColour);
+    }
+    if (has(Annotation::points)) {
+        geom::add_vertex_points(mesh, mesh_);
+        mesh_.point_material.resize(mesh_.points(),
+                                    static_cast<std::int32_t>(lines_.colours.size()));
+        lines_.colours.push_back(kPointColour);
+    }
     if (plan.edges != nullptr) {
         std::optional<double> feature_cosine;
         if (plan.edges->of == Edges::Of::features) feature_cosine = cos_degrees(plan.edge_angle);
-        geom::add_edge_lines(scene.mesh, feature_cosine, mesh_);
+        geom::add_edge_lines(mesh, feature_cosine, mesh_);
         colour_new_lines(contrasting(scene));
     }
 }
 
 void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan& plan,
-                         const raster::ScreenTransform& transform,
+                         scene::UpAxis up, const raster::ScreenTransform& transform,
                          const raster::GeometryOptions& options, int scale) {
-    const Key key{scene.revision, plan.annotations};
-    if (key_ != key || scene.revision == 0) make(scene, plan.annotations);
+    const Key key{scene.revision, plan.annotations, up};
+    if (key_ != key || scene.revision == 0) make(scene, plan.annotations, up);
     key_ = key;
     const geom::Mesh& mesh = scene.mesh;
     lines_.first_id = static_cast<std::uint32_t>(mesh.triangles() + mesh.lines() + mesh.points());
@@ -63,7 +104,7 @@ void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan&
     own.occlusion = nullptr;
     own.first_line = lines_.first_id;
     own.line_width = plan.options.line_width * scale;
-    own.point_size = plan.options.point_size * scale;
+    own.point_size = std::max(plan.options.point_size, kPointSize) * scale;
     geometry_.run(jobs, mesh_, transform, own);
     raster::CullOptions cull;
     cull.keep = options.keep;

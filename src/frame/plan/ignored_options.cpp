@@ -180,7 +180,9 @@ void add_details(const FramePlan& plan, Lines& lines) {
          fmt::format("--shadow-size {}", o.shadow_size), "no shadow map is drawn"},
         {o.shadow_filter != defaults.shadow_filter && (shadow == nullptr || !shadow->filtered),
          fmt::format("--shadow-filter {}", o.shadow_filter),
-         "it is for --shadow map_pcf and map_soft"}};
+         "it is for --shadow map_pcf and map_soft"},
+        {o.edge_angle != defaults.edge_angle && o.edges != "feature",
+         fmt::format("--edge-angle {}", o.edge_angle), "it is for --edges feature"}};
     for (const auto& row : rows)
         if (row.ignored) lines.push_back(nothing(row.option, row.because));
     if (!is_auto(o.texture) && filter != nullptr && filter->card.name != o.texture)

@@ -66,11 +66,15 @@ struct ShadowPlan {
     friend bool operator==(const ShadowPlan&, const ShadowPlan&) = default;
 };
 
+// The lengths that an annotation shows, in the file's unit; empty: none.
+std::string size_text(Annotation annotation, const DVec3& box_size);
+
 // What is drawn over the shading, to show how the model is built.
 struct AnnotationPlan {
     const Edges* edges = nullptr; // null: none
     double edge_angle = 0;        // degrees, of feature edges
-    bool any() const { return edges != nullptr; }
+    Annotations annotations;
+    bool any() const { return edges != nullptr || !annotations.empty(); }
     friend bool operator==(const AnnotationPlan&, const AnnotationPlan&) = default;
 };
 

@@ -1,11 +1,49 @@
 // Plans what is drawn over the shading, which comes only on request.
 #include "frame/edges.h"
 #include "frame/plan/planner.h"
+#include "geom/ruler.h"
 #include "rows.h"
+
+#include <fmt/format.h>
 
 namespace scanout::frame {
 
+std::string size_text(Annotation annotation, const DVec3& box_size) {
+    if (annotation == Annotation::box)
+        return fmt::format("{:.6g} x {:.6g} x {:.6g}", box_size.x, box_size.y, box_size.z);
+    if (annotation == Annotation::grid)
+        return fmt::format("squares of {:g}", geom::grid_spacing(box_size));
+    return {};
+}
+
+// What is asked for, with lengths in the file's unit.
+static std::string describe(const Annotations& annotations, const DVec3& box_size) {
+    std::string text;
+    for (std::size_t i = 0; i < kAnnotationNames.size(); ++i) {
+        const auto annotation = static_cast<Annotation>(i);
+        if (!annotations.has(annotation)) continue;
+        const std::string size = size_text(annotation, box_size);
+        text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", kAnnotationNames[i],
+                            size.empty() ? "" : " of ", size);
+    }
+    return text + " (in the file's unit)";
+}
+
+// Lines of no technique: rows of the plan alone say them.
+static void plan_marks(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    const Annotations asked = plan.options.annotations;
+    const bool some = facts.triangles + facts.lines + facts.points > 0;
+    planner.choice("annotate", asked.empty() ? "none" : to_string(asked),
+                   asked.empty() ? "auto" : to_string(asked),
+                   asked.empty() ? "annotations come only on request"
+                   : some        ? describe(asked, facts.box_size)
+                                 : "there is no model",
+                   !asked.empty() && some);
+    if (some) plan.annotations.annotations = asked;
+}
+
 Result<void> plan_annotations(Planner& planner, FramePlan& plan, const SceneFacts& facts) {
+    plan_marks(planner, plan, facts);
     const FrameOptions& o = plan.options;
     TRY(const Edges* const found, choose(edges::kRows, o.edges, edges::none));
     const bool some = facts.triangles > 0;

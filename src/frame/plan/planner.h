@@ -100,7 +100,7 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
 // out of the finished plan.
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 void plan_counts(FramePlan& plan);
-// What is drawn over the shading: edges.
+// What is drawn over the shading: edges, and annotations.
 Result<void> plan_annotations(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // Exposure and tone mapping, by whether light exceeds 1. Highlights alone do not count: MTL means
 // them to burn out, and a curve would dim all else for their sake.
