@@ -19,6 +19,7 @@
 #define SCANOUT_REFLECTION(X)                                                                      \
     X(lambert) X(toon) X(phong) X(blinn_phong) X(blinn_phong_normalised) X(ggx)
 #define SCANOUT_SHADING(X) X(flat) X(gouraud) X(per_pixel_raw) X(per_pixel)
+#define SCANOUT_COLOUR_BY(X) X(light) X(normal) X(depth) X(side) X(material) X(part)
 #define SCANOUT_SIDES(X) X(one_sided) X(two_sided)
 #define SCANOUT_CULL(X) X(none) X(back) X(front)
 #define SCANOUT_DEPTH(X) X(fixed_16) X(fixed_24) X(float_32) X(reversed)
@@ -67,6 +68,8 @@
       "how surfaces reflect (`list techniques`)")                                                  \
     X(shade, shading, SCANOUT_SHADING, ShadingStage, asked,                                        \
       "where light is evaluated: once a face, at vertices, at pixels (`list techniques`)")         \
+    X(shade, colour_by, SCANOUT_COLOUR_BY, ColourBy, asked,                                        \
+      "colour surfaces by a fact, unlit, in place of light (`list techniques`); auto: light")      \
     X(shade, sides, SCANOUT_SIDES, LitSides, planned, "")                                          \
     X(raster, cull, SCANOUT_CULL, CullRow, listed,                                                 \
       "leave out back faces, or front faces (`list techniques`)")                                  \

@@ -31,6 +31,9 @@ std::string up_text(State s) {
 std::string cull_text(State s) {
     return std::string(name_of(s.look.cull));
 }
+std::string colour_text(State s) {
+    return s.look.colour_by;
+}
 std::string edges_text(State s) {
     return s.look.edges;
 }
@@ -89,7 +92,8 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::view_iso_back, "view_iso_back", "Ctrl+9 Ctrl+KP9", "", "opposite of the iso view"},
     {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
-    {Id::cull_next, "cull_next", "C", "C", "leave out faces", 0, false, cull_text, "faces left out"},
+    {Id::cull_next, "cull_next", "C", "C M", "leave out faces, colour by", 0, false, cull_text, "faces left out"},
+    {Id::colour_next, "colour_next", "M", "", "what colours mean", 0, false, colour_text, "colour by"},
     {Id::edges_next, "edges_next", "E", "E P N B G A", "edges points normals box grid axes", 0, false, edges_text, "edges"},
     {Id::toggle_points, "toggle_points", "P", "", "vertices of faces", 0, false, annotations_text, "shown"},
     {Id::toggle_normals, "toggle_normals", "N", "", "normals", 0, false, annotations_text, "shown"},

@@ -153,6 +153,7 @@ constexpr std::array kOptions = std::to_array<Option>({
     axis_option("depth", kLoad),
     axis_option("depth-test", kLoad),
     axis_option("stencil"),
+    axis_option("colour-by"),
     axis_option("edges"),
     {"edge-angle", 0, "DEGREES", "", "30", 0, 180, Group::picture, kDraw,
      Real([](Settings& s) -> double& { return s.frame.edge_angle; }),

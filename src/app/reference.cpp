@@ -65,6 +65,7 @@ const char* not_traced(const frame::FramePlan& plan) {
     if (plan.depth_rule.test != raster::DepthTest::greater)
         return "--depth-test: rays meet the nearest surface first";
     if (plan.stencil != nullptr) return "--stencil: it marks no pixels";
+    if (plan.colours != nullptr) return "--colour-by: it shows light";
     if (plan.annotations.any()) return "--edges and --annotate: lines have no area";
     if (plan.convolution != nullptr) return "--convolution: it filters no finished picture";
     if (plan.source != nullptr) return "--source: it computes no textures";

@@ -34,8 +34,8 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 7> kWritten = {"size",  "cull",   "edges",    "annotate",
-                                                          "scale", "rotate", "translate"};
+    constexpr std::array<std::string_view, 8> kWritten = {
+        "size", "cull", "colour-by", "edges", "annotate", "scale", "rotate", "translate"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
 }
 
@@ -122,6 +122,7 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
                     viewer.width(), viewer.height(), number(camera.azimuth_degrees),
                     number(camera.elevation_degrees), number(camera.distance),
                     name_of(look.projection), name_of(look.up), name_of(look.cull));
+    if (look.colour_by != "light") text += fmt::format(" --colour-by {}", look.colour_by);
     if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
     if (!look.annotations.empty())
         text += fmt::format(" --annotate {}", frame::to_string(look.annotations));

@@ -22,9 +22,11 @@ bool ViewSession::converges(const Settings& settings) {
 AccuracyView::Asked ViewSession::asked() const {
     const ViewerState& state = viewer_.state();
     // The rungs that keys chose are what the user wants to see, as those of the command line are;
-    // so are edges and annotations, which the reference does not draw.
+    // so are edges, annotations and false colours, which the reference does not draw.
     const bool chosen = rungs_.point() != nullptr;
-    const bool annotated = state.look.edges != "none" || !state.look.annotations.empty();
+    const Look& look = state.look;
+    const bool annotated =
+        look.edges != "none" || look.colour_by != "light" || !look.annotations.empty();
     const bool kept = settings_.converge == Converge::automatic && (chosen || annotated);
     return {converges_ && !kept, state.error_map, state.split, state.split_x};
 }

@@ -69,6 +69,7 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
     out.bits = image::min_bits(parts_.display.info().format);
     out.cull = viewer_.state().look.cull;
     out.annotations = viewer_.state().look.annotations;
+    out.colour_by = viewer_.state().look.colour_by;
     out.edges = viewer_.state().look.edges;
     viewer_.place_lights(*slot_.mesh(), out.lights);
 }

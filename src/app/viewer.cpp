@@ -60,6 +60,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.projection = camera_.projection;
     start_.up = camera_.up;
     start_.cull = settings.frame.cull;
+    if (!frame::is_auto(settings.frame.colour_by)) start_.colour_by = settings.frame.colour_by;
     start_.annotations = settings.frame.annotations;
     if (!frame::is_auto(settings.frame.edges)) start_.edges = settings.frame.edges;
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
@@ -269,6 +270,9 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
         return;
     case ActionId::cull_next:
         look.cull = static_cast<frame::Cull>((static_cast<int>(look.cull) + 1) % 3);
+        return;
+    case ActionId::colour_next:
+        look.colour_by = next_on("colour_by", look.colour_by);
         return;
     case ActionId::edges_next:
         look.edges = next_on("edges", look.edges);

@@ -21,6 +21,7 @@ struct Look {
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
     std::string edges = "none"; // over the shading: a technique of that axis
+    std::string colour_by = "light"; // likewise
     frame::Annotations annotations; // likewise
     bool turntable = false;
     std::array<scene::LightMove, scene::kMaxLights> lights{}; // of the frame's lights

@@ -9,6 +9,7 @@
 #include "raster/coverage/depth_rule.h"
 #include "raster/culling/cull.h"
 #include "rows.h"
+#include "shade/colour_by.h"
 #include "shade/resolve/output.h"
 #include "shade/sides.h"
 #include "shade/stage.h"

@@ -8,6 +8,7 @@
 #include "frame/pass/shading_input.h"
 #include "frame/pass/shadow_pass.h"
 #include "frame/pass/stencil_marks.h"
+#include "frame/pass/triangle_colours.h"
 #include "image/enlarge.h"
 #include "raster/stage/geometry.h"
 #include "rows.h"
@@ -127,6 +128,7 @@ struct Renderer::State {
     std::unique_ptr<ShadowPass> shadows;         // while a plan runs them
     std::unique_ptr<StencilBuffer> marks;        // likewise
     std::unique_ptr<AnnotationPass> annotations; // likewise
+    TriangleColours triangle_colours; // empty but for frames that colour by a fact
     FrameStats stats;
 };
 
@@ -313,6 +315,9 @@ void Renderer::State::draw_frame(const FrameInput& input) {
     const ShadingInput shading(
         {input.scene, input.view, plan, input.lights, geometry, input.transform, mips,
          annotations != nullptr ? &annotations->lines() : nullptr,
+         triangle_colours.of(input.scene, input.view,
+                             plan.colours != nullptr ? plan.colours->of
+                                                     : shade::ColourByTraits::Of::light),
          input.shadows != nullptr ? input.shadows->lights().data() : nullptr, input.linear});
     prepare_workers(!plan.transparency.alpha_modes.empty(), aa.exact);
     std::optional<shade::ReconstructionFilter> filter;

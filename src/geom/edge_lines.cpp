@@ -1,36 +1,16 @@
 #include "geom/edge_lines.h"
 
 #include "base/check.h"
+#include "geom/mesh_places.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <tuple>
 #include <vector>
 
 namespace scanout::geom {
 namespace {
-
-// For every vertex, the number of its position in the order of x, y, z; equal ones have one number.
-// Returns a vertex of each.
-std::vector<std::uint32_t> find_places(const Mesh& mesh, std::vector<std::uint32_t>& place) {
-    const auto key = [&](std::uint32_t v) {
-        const Vec3& p = mesh.position[v];
-        return std::tie(p.x, p.y, p.z);
-    };
-    std::vector<std::uint32_t> order(mesh.position.size()), first;
-    std::iota(order.begin(), order.end(), 0U);
-    std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-        return key(a) < key(b) || (key(a) == key(b) && a < b);
-    });
-    place.resize(order.size());
-    for (const std::uint32_t v : order) {
-        if (first.empty() || key(first.back()) != key(v)) first.push_back(v);
-        place[v] = static_cast<std::uint32_t>(first.size() - 1);
-    }
-    return first;
-}
 
 // A triangle's side, from place to place, the lower first.
 struct Side {
@@ -92,14 +72,13 @@ std::uint32_t first_triangle(const Mesh& mesh, std::uint32_t triangle) {
 void add_edge_lines(const Mesh& mesh, std::optional<double> feature_cosine, Mesh& lines) {
     CHECK(lines.line_faces.list.empty());
     constexpr std::uint32_t kNone = 0xffffffff;
-    std::vector<std::uint32_t> place;
-    const std::vector<std::uint32_t> vertex_at = find_places(mesh, place);
-    const std::vector<Side> sides = sides_of(mesh, place);
-    std::vector<std::uint32_t> drawn(vertex_at.size(), kNone); // vertices of `lines` by place
+    const MeshPlaces places = find_places(mesh);
+    const std::vector<Side> sides = sides_of(mesh, places.of_vertex);
+    std::vector<std::uint32_t> drawn(places.vertex.size(), kNone); // vertices of `lines` by place
     const auto vertex = [&](std::uint32_t at) {
         if (drawn[at] == kNone) {
             drawn[at] = static_cast<std::uint32_t>(lines.position.size());
-            lines.position.push_back(mesh.position[vertex_at[at]]);
+            lines.position.push_back(mesh.position[places.vertex[at]]);
         }
         return drawn[at];
     };

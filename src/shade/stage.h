@@ -248,6 +248,8 @@ struct FrameState {
     // Empty: none does.
     std::span<const bool> varies;
     const Filter* filter = nullptr; // how maps are read; null where no stage reads one
+    std::span<const Vec3> triangle_colours;    // in place of light, where colours say something else
+    float farthest = 0, codes_a_unit = 0;      // of depth as a colour: times scene::to_floats
     const Source* source = nullptr; // what map_Kd is, instead of the picture that the file names
     bool mapped = false;            // a mapping stage writes u and v; they are not the model's
     std::array<const Stage*, scene::kSurfaces> reflection{}; // [Surface]

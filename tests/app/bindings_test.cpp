@@ -87,6 +87,7 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"5", "toggle_projection"},
                                                         {"Y", "up_axis_next"},
                                                         {"C", "cull_next"},
+                                                        {"M", "colour_next"},
                                                         {"E", "edges_next"},
                                                         {"P", "toggle_points"},
                                                         {"N", "toggle_normals"},

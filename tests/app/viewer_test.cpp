@@ -247,6 +247,7 @@ TEST(Viewer, ASwitchAnswersWithItsNewState) {
              {Id::toggle_projection, "projection: perspective"},
              {Id::up_axis_next, "up axis: z"},
              {Id::cull_next, "faces left out: back"},
+             {Id::colour_next, "colour by: normal"},
              {Id::edges_next, "edges: feature"},
              {Id::edges_next, "edges: all"},
              {Id::edges_next, "edges: none"},

@@ -426,6 +426,16 @@ inline std::vector<Shot> golden_shots() {
         shots.back().camera.azimuth_degrees = 50; // with none it is no scene of another name
         shots.back().options.edges = name;
     }
+    for (const std::string& name : names_on("colour_by")) {
+        shots.push_back(solids("colour_by_" + name));
+        shots.back().camera.azimuth_degrees = 70; // likewise
+        shots.back().options.colour_by = name;
+    }
+    shots.push_back(solids("annotations"));
+    shots.back().scene.mesh.box_min = {-0.45, -0.45, -0.45};
+    shots.back().scene.mesh.box_max = {0.85, 0.75, 0.7};
+    for (std::size_t i = 0; i < frame::kAnnotationNames.size(); ++i)
+        shots.back().options.annotations.toggle(static_cast<frame::Annotation>(i));
     add_output_shots(shots);
     add_anti_aliasing_shots(shots);
     add_interpolation_shots(shots);

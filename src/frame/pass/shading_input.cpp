@@ -1,5 +1,6 @@
 #include "frame/pass/shading_input.h"
 
+#include "frame/pass/triangle_colours.h"
 #include "frame/plan/step_limits.h"
 #include "scene/uv_step.h"
 
@@ -29,6 +30,13 @@ void ShadingInput::set_frame(const ShadingSource& from) {
     frame_.shadows = from.shadows;
     frame_.shadow_filter = plan.options.shadow_filter;
     frame_.source = plan.source;
+    frame_.triangle_colours = from.triangle_colours;
+    if (plan.colours != nullptr && plan.colours->of == shade::ColourByTraits::Of::depth) {
+        const DepthRange range = depth_range(from.scene.mesh, from.view);
+        const double unit = scene::to_floats(from.view), extent = range.farthest - range.nearest;
+        frame_.farthest = static_cast<float>(range.farthest * unit);
+        frame_.codes_a_unit = extent > 0 ? static_cast<float>(255 / (extent * unit)) : 0;
+    }
     frame_.mapped = plan.mapped;
     from.lights.describe(frame_);
     frame_.exposure = plan.exposure;

@@ -28,6 +28,7 @@ struct ShadingSource {
     const raster::ScreenTransform& transform;
     const shade::MipChains& mips;
     const shade::AddedLines* added = nullptr;    // null: none
+    std::span<const Vec3> triangle_colours = {}; // of frames that colour by a fact
     const shade::LightShadow* shadows = nullptr; // of each light; null: none casts
     shade::LinearPicture* linear = nullptr;      // also filled, unless null
 };

@@ -110,6 +110,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     TRY_VOID(plan_merging(planner, plan, facts));
     TRY_VOID(plan_stencil(planner, plan, facts));
     TRY_VOID(plan_annotations(planner, plan, facts));
+    TRY_VOID(plan_colours(planner, plan, facts));
     TRY_VOID(plan_tone(options, facts, planner, plan));
     TRY_VOID(plan_size(planner, plan));
     TRY_VOID(plan_edges(options, facts, planner, plan));
@@ -119,6 +120,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     if (facts.triangles == 0)
         plan.attributes = {.colour = plan.attributes.colour}; // lines and points are unlit
     TRY_VOID(check_effects(options, plan));
+    if (plan.colours != nullptr) plan_false_colours(plan);
     if (plan.stencil != nullptr && plan.stencil->marks == Stencil::Marks::covering)
         plan_counts(plan);
     return plan;

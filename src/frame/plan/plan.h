@@ -10,6 +10,7 @@
 #include "frame/stencil.h"
 #include "image/convolution.h"
 #include "raster/culling/cull.h"
+#include "shade/colour_by.h"
 #include "shade/resolve/output.h"
 #include "shade/stage.h"
 #include "shade/transparency.h"
@@ -101,6 +102,7 @@ struct FramePlan {
     TransparencyPlan transparency;
     const Stencil* stencil = nullptr; // null: there is no buffer of marks either
     AnnotationPlan annotations;
+    const shade::ColourBy* colours = nullptr; // what colours say in place of light; null: light
     raster::DepthRule depth_rule; // which of several surfaces is visible
     // How each kind of surface reflects: what the shading stage calls.
     std::array<const shade::Stage*, scene::kSurfaces> reflection{};

@@ -102,6 +102,10 @@ Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& f
 void plan_counts(FramePlan& plan);
 // What is drawn over the shading: edges, and annotations.
 Result<void> plan_annotations(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+// What colours say. Where it is no light, plan_false_colours takes all that lights out of the
+// finished plan.
+Result<void> plan_colours(Planner& planner, FramePlan& plan, const SceneFacts& facts);
+void plan_false_colours(FramePlan& plan);
 // Exposure and tone mapping, by whether light exceeds 1. Highlights alone do not count: MTL means
 // them to burn out, and a curve would dim all else for their sake.
 Result<void> plan_tone(const FrameOptions& options, const SceneFacts& facts, Planner& planner,
