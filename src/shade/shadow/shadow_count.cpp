@@ -41,6 +41,10 @@ bool lit_as_round(const ShadingBlock& b, const DVec3& facing, std::size_t k, int
 // The number of a pixel's samples that show the triangle, and of those outside of all shadows.
 struct VisibleSamples {
     int samples = 0, bright = 0;
+    // In the edge of the body's face that turns to the light, that one may not be counted.
+    VisibleSamples without_edge(float most) const {
+        return {samples, most > 0 && bright < samples ? 0 : bright};
+    }
 };
 
 VisibleSamples visible_at(const TileShadow& shadow, const float* count, float most,
@@ -51,20 +55,16 @@ VisibleSamples visible_at(const TileShadow& shadow, const float* count, float mo
     const std::uint32_t* const ids = tile.ids(0).data();
     const auto end = static_cast<std::size_t>(tile.samples()) * raster::VisibilityTile::kPlane;
     VisibleSamples visible;
-    bool deeper = false;
     for (std::size_t sample = at; sample < end; sample += raster::VisibilityTile::kPlane) {
-        deeper = deeper || count[sample] > most;
         if (ids[sample] != id) continue;
         ++visible.samples;
         visible.bright += count[sample] <= most ? 1 : 0;
     }
-    // In the edge of the body's face that turns to the light, that one may not be counted.
-    if (most > 0 && deeper) visible.bright = 0;
-    return visible;
+    return visible.without_edge(most);
 }
 
 // The same for a blended surface, which stands in front of the counted surfaces.
-VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& polygons,
+VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& polygons, float most,
                                const BlendedPixels& blended, std::uint32_t id, int x, int y) {
     const raster::VisibilityTile& tile = *shadow.tile;
     const int pixel = (y - tile.area().y0) * raster::kTileSize + (x - tile.area().x0);
@@ -82,9 +82,9 @@ VisibleSamples visible_blended(const TileShadow& shadow, const TilePolygons& pol
             count += stencil_at(polygons.all[i], x * raster::kSubpixel + at.x,
                                 y * raster::kSubpixel + at.y, depth, id, polygons.where);
         ++visible.samples;
-        if (count == 0) ++visible.bright; // blended triangles throw none
+        if (count <= most) ++visible.bright; // blended triangles throw none
     }
-    return visible;
+    return visible.without_edge(most);
 }
 
 // The same for a part of a pixel, shaded at one place (1/256 pixel). Needs no depth, since shadow
@@ -116,7 +116,7 @@ VisibleSamples visible_by_samples(const ShadingBlock& b, std::size_t k, float mo
     const VisibleSamples visible = visible_at(shadow, shadow.count[k], most, id, x, y);
     if (visible.samples > 0) return visible;
     CHECK(b.blended != nullptr);
-    return visible_blended(shadow, shadow.polygons[k], *b.blended, id, x, y);
+    return visible_blended(shadow, shadow.polygons[k], most, *b.blended, id, x, y);
 }
 
 // Takes the light k from a run's items as far as it is not visible from them: visible_of(item).
@@ -140,7 +140,7 @@ void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::si
     const bool face = lit(*run.primitive, normal, frame.lights[k]);
     const float most = face ? 0 : shadow.polygons[k].of_body;
     shade_items(b, run, k, [&](int item) {
-        if (!face && !lit_as_round(b, normal, k, item))
+        if (!face && (most < 0 || !lit_as_round(b, normal, k, item)))
             return VisibleSamples{.samples = 1, .bright = 0};
         return shadow.areas ? visible_by_area(shadow, k, id, b.x[item], b.y[item])
                             : visible_by_samples(b, k, most, id, item);
