@@ -55,6 +55,8 @@ void add_options(const frame::FrameOptions& o, std::string& key) {
     line("max_fragments", o.max_fragments);
     line("bits", o.bits);
     line("exposure", o.exposure);
+    line("annotations", frame::to_string(o.annotations));
+    line("lines", fmt::format("{} {} {}", o.edge_angle, o.line_width, o.point_size));
     for (const auto& [effect, on] : o.effects)
         line("effect", fmt::format("{} {}", escaped(effect), on));
 }

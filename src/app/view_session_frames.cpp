@@ -4,6 +4,7 @@
 #include "app/picture.h"
 #include "app/view_session.h"
 #include "base/stopwatch.h"
+#include "frame/catalogue.h"
 
 #include <utility>
 
@@ -69,8 +70,11 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
     out.bits = image::min_bits(parts_.display.info().format);
     out.cull = viewer_.state().look.cull;
     out.annotations = viewer_.state().look.annotations;
-    out.colour_by = viewer_.state().look.colour_by;
-    out.edges = viewer_.state().look.edges;
+    const auto asked = [](std::string_view axis, const std::string& technique) {
+        return technique == frame::names_on(axis).front() ? "auto" : technique;
+    };
+    out.colour_by = asked("colour_by", viewer_.state().look.colour_by);
+    out.edges = asked("edges", viewer_.state().look.edges);
     viewer_.place_lights(*slot_.mesh(), out.lights);
 }
 

@@ -163,7 +163,9 @@ TEST(FrontierKey, EachOptionOfThePictureChangesIt) {
     const std::map<std::string_view, std::string_view> values = {
         {"size", "320x200"},         {"background", "white"},  {"effect", "shadow=off"},
         {"shadow-plane", "0,1,0,0"}, {"light", "point:1,2,3"}, {"alpha-cut", "0.25"},
-        {"exposure", "1"},           {"shadow-size", "512"},   {"shadow-filter", "5"}};
+        {"exposure", "1"},           {"shadow-size", "512"},   {"shadow-filter", "5"},
+        {"edge-angle", "40"},        {"line-width", "2"},      {"point-size", "3"},
+        {"annotate", "box"}};
     std::set<std::string> keys = {key_of({})};
     int options_tried = 0;
     for (const Option& option : options()) {
