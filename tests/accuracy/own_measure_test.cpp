@@ -62,8 +62,7 @@ TEST(OwnMeasure, TextureCoordinatesAreOffByTexels) {
 // wrong.
 TEST(OwnMeasure, ShadowsAreMissingOrWhereNoneShouldBe) {
     auto shadow = measured(test::shadowed("shadows", "auto"), "shadow");
-    // But for faces that turn away from the lamp and lie in another's shadow: volumes count there.
-    EXPECT_LT(shadow.at("volume"), 0.06);
+    EXPECT_EQ(shadow.at("volume"), 0);
     EXPECT_LT(shadow.at("map_pcf"), 0.2);
     EXPECT_GT(shadow.at("projected"), 1); // on the floor alone
     EXPECT_GT(shadow.at("attached"), 5);

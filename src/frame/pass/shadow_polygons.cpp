@@ -244,7 +244,7 @@ void shadow_volumes(const ShadowCaster& t, const Welded& welded, std::vector<Sha
     using raster::Facing;
     const bool outside = welded.closed && builder.stands_outside();
     builder.build(!outside ? Facing::any : t.inner == Facing::front ? Facing::back : Facing::front);
-    out.of_body = outside ? 1 : -1;
+    out.of_body = outside ? 1 : 2;
     bin(t.grid, out);
 }
 

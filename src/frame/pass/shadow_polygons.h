@@ -55,9 +55,8 @@ struct ShadowPolygons {
     std::vector<raster::StencilTriangle> triangles;
     std::vector<std::vector<std::uint32_t>> tiles; // indices of triangles that may touch each tile
     raster::StencilWhere where = raster::StencilWhere::behind;
-    // The volumes of its own body that a face lies in which turns away from the light: of a closed
-    // mesh, that of the face by which the light has entered. Below 0: not known, and such faces are
-    // dark.
+    // The volumes of its own body that a face lies in which turns away from the light: that of the
+    // face by which the light has entered the body, and its own, where it has one.
     float of_body = 0;
 
     shade::TilePolygons in_tile(int tile) const {

@@ -140,7 +140,7 @@ void shade_run(ShadingBlock& b, const FrameState& frame, const Run& run, std::si
     const bool face = lit(*run.primitive, normal, frame.lights[k]);
     const float most = face ? 0 : shadow.polygons[k].of_body;
     shade_items(b, run, k, [&](int item) {
-        if (!face && (most < 0 || !lit_as_round(b, normal, k, item)))
+        if (!face && !lit_as_round(b, normal, k, item))
             return VisibleSamples{.samples = 1, .bright = 0};
         return shadow.areas ? visible_by_area(shadow, k, id, b.x[item], b.y[item])
                             : visible_by_samples(b, k, most, id, item);
