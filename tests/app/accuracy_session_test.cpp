@@ -297,16 +297,15 @@ TEST_F(AccuracySession, AKeyIsHeardWhileTheReferenceIsMade) {
     } input(display);
     run(display, input);
     ASSERT_EQ(input.latency.size(), 6U);
-    for (const auto latency : input.latency)
-        EXPECT_GT(latency, 0ns) << "a frame was shown";
-    // The middle one: other work may hold up a few.
-    std::ranges::nth_element(input.latency, input.latency.begin() + 3);
 #ifdef SCANOUT_SANITIZED
-    constexpr auto kSoon = 1000ms;
+    constexpr auto kSoon = 1000ms; // its steps are instrumented
 #else
     constexpr auto kSoon = 250ms;
 #endif
-    EXPECT_LT(input.latency[3], kSoon) << "under 20 ms where nothing else runs";
+    for (const auto latency : input.latency) {
+        EXPECT_GT(latency, 0ns) << "a frame was shown";
+        EXPECT_LT(latency, kSoon) << "on a busy machine; else under 20 ms";
+    }
 }
 
 // A display that would have a frame each 10 us: none is in time, whatever the machine.
