@@ -133,8 +133,10 @@ Result<void> apply_standing(std::span<const StandingPlace> places,
     for (std::size_t i = 0; i < places.size(); ++i)
         TRY_VOID(take_options(places[i], i, settings.command, all));
     for (const StandingOption& one : all) {
+        // A shift belongs to the camera that stands with it.
+        const std::string_view excluded = one.option->name == "shift" ? "camera" : one.option->name;
         const auto excludes_one = [&](std::string_view name) {
-            return exclude_each_other(name, one.option->name);
+            return name == one.option->name || exclude_each_other(name, excluded);
         };
         if (std::any_of(given.begin(), given.end(), excludes_one) ||
             std::any_of(all.begin(), all.end(), [&](const StandingOption& other) {

@@ -31,7 +31,11 @@ TEST_F(ViewFile, OfAScreenshotAreDrawnAgain) {
     const auto picture = [&](const char* name) { return *image::load(folder.file(name)); };
     EXPECT_EQ(picture("again.png"), picture("scanout-model-001.png"));
     EXPECT_NE(picture("again.png"), picture("plain.png"));
-    // What the command line says counts.
+    // What the command line says counts; another camera takes the view's shift away with its own.
+    folder.write("aside", "# A view of scanout\n--camera 0,0,4 --shift 1,0 --samples 2\n");
+    const std::string elsewhere = "render $m --hash -s 64x48 --samples 2 --camera 10,0,5";
+    EXPECT_EQ(run(elsewhere + " --like aside").out, run(elsewhere).out);
+    EXPECT_NE(run("render $m --hash -s 64x48 --like aside").out, run(elsewhere).out);
     ASSERT_EQ(run("render $m --like scanout-model-001.png -s 32x24 -o small.png").code, 0);
     EXPECT_EQ(picture("small.png").width(), 32);
 }
