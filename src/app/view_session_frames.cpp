@@ -71,7 +71,7 @@ void ViewSession::put_asked_frame_options(frame::FrameOptions& out) const {
     out.cull = viewer_.state().look.cull;
     out.annotations = viewer_.state().look.annotations;
     const auto asked = [](std::string_view axis, const std::string& technique) {
-        return technique == frame::names_on(axis).front() ? "auto" : technique;
+        return technique == frame::first_on(axis) ? "auto" : technique;
     };
     out.colour_by = asked("colour_by", viewer_.state().look.colour_by);
     out.edges = asked("edges", viewer_.state().look.edges);

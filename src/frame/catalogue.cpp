@@ -1,5 +1,6 @@
 #include "frame/catalogue.h"
 
+#include "base/check.h"
 #include "frame/anti_aliasing.h"
 #include "frame/edges.h"
 #include "frame/render_scale.h"
@@ -47,6 +48,13 @@ std::vector<std::string_view> names_on(std::string_view axis) {
     for (const Technique* technique : techniques())
         if (technique->axis == axis) names.push_back(technique->name);
     return names;
+}
+
+std::string_view first_on(std::string_view axis) {
+    for (const Technique* technique : techniques())
+        if (technique->axis == axis) return technique->name;
+    CHECK(false && "an axis without techniques");
+    return {};
 }
 
 } // namespace scanout::frame

@@ -14,5 +14,7 @@ const std::vector<const Technique*>& techniques();
 // The inputs that a technique reads of each lane; empty for techniques that are no stage or filter.
 shade::Attributes reads(const Technique& technique);
 std::vector<std::string_view> names_on(std::string_view axis);
+// The first of them, which stands where nothing is asked for. Allocates nothing: each frame asks.
+std::string_view first_on(std::string_view axis);
 
 } // namespace scanout::frame
