@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""outcomes.py SCANOUT ROOT: what becomes of every shipped model, and of one small file a kind of fault, in render, doctor and
-explain (tests/assets/outcomes.py), against tests/cli/outcomes.txt: the file, three exit codes, the line of what failed.
+"""outcomes.py SCANOUT ROOT [LIMITS]: what becomes of every shipped model, and of one small file a kind of fault, in render,
+doctor and explain (tests/assets/outcomes.py, which takes LIMITS), against tests/cli/outcomes.txt: the file, three exit codes,
+the line of what failed.
 
 SCANOUT_UPDATE_GOLDEN=1 writes that file anew: read its difference.
 """
@@ -60,7 +61,7 @@ def main():
                 out.write(content)
         table = os.path.join(folder, "table")
         script = os.path.join(ROOT, "tests/assets/outcomes.py")
-        done = subprocess.run([sys.executable, "-B", script, SCANOUT, folder, "--table", table], check=False)
+        done = subprocess.run([sys.executable, "-B", script, SCANOUT, folder, "--table", table] + sys.argv[3:], check=False)
         with open(table, encoding="utf-8") as lines:
             said = lines.read().expandtabs(1)
     if os.environ.get("SCANOUT_UPDATE_GOLDEN"):
