@@ -1,5 +1,7 @@
 #include "platform/console.h"
 
+#include "platform/devices.h"
+
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -60,6 +62,17 @@ bool Console::shown() const {
 bool Console::in_graphics_mode() const {
     int mode = KD_TEXT;
     return ::ioctl(fd(), KDGETMODE, &mode) == 0 && mode == KD_GRAPHICS;
+}
+
+Result<void> Console::refuse_if_drawn_on() const {
+    if (!in_graphics_mode()) return {};
+    const std::string card = card_with_another_master();
+    if (card.empty()) return {};
+    const std::string holders = holders_of(card);
+    return fail(Exit::no_display,
+                "tty{}: another program draws there{}: switch to a text console (Ctrl-Alt-F3) and "
+                "start scanout again",
+                number_, holders.empty() ? "" : fmt::format(" ({})", holders));
 }
 
 // A name in the kernel's abstract socket space: taken at once or not at all, and free again when

@@ -24,6 +24,10 @@ public:
     // quit would take the screen from under the second. Exit::no_display when it is taken.
     Result<void> lock();
 
+    // Exit::no_display where another program draws here: in graphics mode, and DRM master of a
+    // card.
+    Result<void> refuse_if_drawn_on() const;
+
     // graphics() remembers the way back for every exit path (restore.h) and sets KD_GRAPHICS;
     // text() goes that way back. text_for_a_while() does not change who handles the switching.
     Result<void> graphics();
@@ -33,6 +37,7 @@ public:
     void set_keyboard(bool on);
 
 private:
+    friend Result<std::string> restore_shown_console();
     Console(Fd fd, int number, int keyboard_mode)
         : fd_(std::move(fd)), number_(number), keyboard_mode_(keyboard_mode) {}
     static Result<Console> adopt(Fd fd);
@@ -42,5 +47,10 @@ private:
     int number_ = 0;
     int keyboard_mode_ = 0;
 };
+
+// Puts the console on the screen back into text mode, its keyboard on and its terminal to lines
+// with echo, whatever a program that died has left behind (`scanout restore`). Returns what was
+// done, in one line. Exit::no_display: no rights, or a program that lives draws there.
+Result<std::string> restore_shown_console();
 
 } // namespace scanout::console

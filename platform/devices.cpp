@@ -5,9 +5,12 @@
 #include <drm.h>
 
 #include <cerrno>
+#include <filesystem>
+#include <fstream>
 
 #include <fcntl.h>
 #include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace scanout::console {
 
@@ -31,15 +34,43 @@ void Cards::drop_master() const {
         ::ioctl(fd, DRM_IOCTL_DROP_MASTER, 0);
 }
 
-bool a_card_has_another_master() {
+bool has_another_master(const std::string& card) {
+    const auto opened = open_device_node(card);
+    if (!opened) return false;
+    const Fd fd(*opened);
+    // The first to open a card without a master is its master, and then this succeeds.
+    return ::ioctl(fd.get(), DRM_IOCTL_SET_MASTER, 0) != 0;
+}
+
+std::string card_with_another_master() {
     for (int i = 0; i < 16; ++i) {
-        const auto fd = open_device_node(fmt::format("/dev/dri/card{}", i));
-        if (!fd) continue;
-        const Fd card(*fd);
-        // The first to open a card without a master is its master, and then this succeeds.
-        if (::ioctl(card.get(), DRM_IOCTL_SET_MASTER, 0) != 0) return true;
+        std::string card = fmt::format("/dev/dri/card{}", i);
+        if (has_another_master(card)) return card;
     }
-    return false;
+    return {};
+}
+
+std::string holders_of(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::string holders;
+    std::error_code error, none;
+    for (fs::directory_iterator process("/proc", error), end; !error && process != end;
+         process.increment(error)) {
+        const std::string number = process->path().filename();
+        if (number.find_first_not_of("0123456789") != std::string::npos ||
+            number == std::to_string(::getpid()))
+            continue;
+        std::error_code hidden;
+        for (fs::directory_iterator fd(process->path() / "fd", hidden), last; !hidden && fd != last;
+             fd.increment(hidden)) {
+            if (fs::read_symlink(fd->path(), none) != path) continue;
+            std::string name;
+            std::ifstream(process->path() / "comm") >> name;
+            holders += fmt::format("{}{}, process {}", holders.empty() ? "" : "; ", name, number);
+            break;
+        }
+    }
+    return holders;
 }
 
 } // namespace scanout::console

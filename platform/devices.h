@@ -24,7 +24,12 @@ private:
     std::map<int, std::string> paths_;
 };
 
-// Is some other process drawing on a card of this machine right now?
-bool a_card_has_another_master();
+// Is some other process drawing on this card right now (it is DRM master)?
+bool has_another_master(const std::string& card);
+// The first card of this machine on which one does; else "".
+std::string card_with_another_master();
+
+// Who else has the device open, as far as /proc lets us see: "kmscon, process 512"; else "".
+std::string holders_of(const std::string& path);
 
 } // namespace scanout::console

@@ -10,6 +10,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include <linux/input.h>
+#include <sys/ioctl.h>
 #include <sys/stat.h>
 
 namespace scanout::console {
@@ -93,6 +95,13 @@ int Libinput::open_restricted(const std::string& path) {
     if (!fd) {
         refused_[path] = fd.error();
         return -fd.error();
+    }
+    // On a console of its own the viewer mutes the keyboard. Elsewhere each key would also reach
+    // whoever reads the console on the screen.
+    if (!seat_.has_console() && ::ioctl(*fd, EVIOCGRAB, 1) != 0) {
+        refused_[path] = errno;
+        seat_.close_device(*fd);
+        return -refused_[path];
     }
     refused_.erase(path);
     facts_[base_name(path)] = facts_of(*fd);

@@ -67,12 +67,7 @@ Result<std::unique_ptr<Seat>> open_seat(std::vector<std::string>& notes) {
     // Found first: libseat changes the modes that are to be restored in the end.
     std::optional<Console> console = find_console(notes);
     if (console) {
-        if (console->in_graphics_mode() && a_card_has_another_master())
-            return fail(
-                Exit::no_display,
-                "tty{}: another program draws there: switch to a text console (Ctrl-Alt-F3) "
-                "and start scanout again",
-                console->number());
+        TRY_VOID(console->refuse_if_drawn_on());
         TRY_VOID(console->lock());
     }
     auto seat = open_libseat(console);

@@ -8,8 +8,10 @@
 #include <cstring>
 #include <filesystem>
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/epoll.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace scanout::console {
@@ -30,6 +32,30 @@ bool some_display_exists() {
     return false;
 }
 
+// Seat, displays, signals, timers and each input device take one or more; libraries among them
+// crash where one is refused, and a console that is half taken would have to be given back.
+constexpr int kDescriptors = 64;
+
+// Free ones, so many; before anything is taken.
+Result<void> have_descriptors() {
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < limit.rlim_max) {
+        limit.rlim_cur = limit.rlim_max;
+        ::setrlimit(RLIMIT_NOFILE, &limit);
+    }
+    std::array<Fd, kDescriptors> taken;
+    const Fd one(::open("/dev/null", O_RDONLY | O_CLOEXEC));
+    for (Fd& fd : taken) {
+        fd = Fd(::fcntl(one.get(), F_DUPFD_CLOEXEC, 0));
+        if (!fd.valid())
+            return fail(Exit::no_display,
+                        "fewer than {} more files can be open at once ({}): raise `ulimit -n`, "
+                        "which is {}",
+                        kDescriptors, std::strerror(errno), limit.rlim_cur);
+    }
+    return {};
+}
+
 } // namespace
 
 Result<std::unique_ptr<Session>> Session::open(bool device_is_named) {
@@ -37,6 +63,7 @@ Result<std::unique_ptr<Session>> Session::open(bool device_is_named) {
         return fail(Exit::no_display, "this machine has no display (neither /dev/dri/card* nor "
                                       "/dev/fb*): use `scanout render`, or "
                                       "--backend headless");
+    TRY_VOID(have_descriptors());
     std::unique_ptr<Session> session(new Session);
     TRY(session->signals_, port::Signals::create());
     TRY(session->seat_, open_seat(session->notes_));

@@ -5,9 +5,9 @@
 #include "platform/console_input.h"
 #include "platform/libinput.h"
 #include "platform/seat.h"
-#include "port/signals.h"
 #include "platform/terminal.h"
 #include "port/input.h"
+#include "port/signals.h"
 
 #include <array>
 #include <memory>

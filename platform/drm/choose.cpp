@@ -8,6 +8,8 @@
 #include <optional>
 #include <string_view>
 
+#include <fmt/ranges.h>
+
 namespace scanout::drm {
 namespace {
 
@@ -45,6 +47,17 @@ std::string names(const std::vector<Connector>& connectors) {
     return text;
 }
 
+// Each once, as the kernel lists them: the best first.
+std::string names(const std::vector<drmModeModeInfo>& modes) {
+    std::vector<std::string> all;
+    for (const drmModeModeInfo& mode : modes) {
+        std::string name =
+            fmt::format("{}x{}@{:.0f}", mode.hdisplay, mode.vdisplay, refresh_hz(mode));
+        if (std::find(all.begin(), all.end(), name) == all.end()) all.push_back(std::move(name));
+    }
+    return fmt::format("{}", fmt::join(all, " "));
+}
+
 Result<Connector> choose_connector(const std::vector<Connector>& connectors,
                                    const std::string& wanted) {
     for (const Connector& connector : connectors) {
@@ -70,7 +83,8 @@ double refresh_hz(const drmModeModeInfo& mode) {
 
 Result<drmModeModeInfo> choose_mode(const Connector& connector, const std::string& wanted) {
     const auto& modes = connector.modes;
-    if (wanted.empty()) {
+    if (wanted == "highest") return *std::max_element(modes.begin(), modes.end(), lower);
+    if (wanted.empty() || wanted == "preferred") {
         const auto preferred = std::find_if(modes.begin(), modes.end(), [](const auto& mode) {
             return (mode.type & DRM_MODE_TYPE_PREFERRED) != 0;
         });
@@ -78,7 +92,11 @@ Result<drmModeModeInfo> choose_mode(const Connector& connector, const std::strin
         return *std::max_element(modes.begin(), modes.end(), lower);
     }
     const auto asked = parse_mode(wanted);
-    if (!asked) return fail(Exit::usage, "mode {}: write it as 1920x1080 or 1920x1080@60", wanted);
+    if (!asked)
+        return fail(Exit::usage,
+                    "mode {}: write preferred, highest, or a size such as 1920x1080 or "
+                    "1920x1080@60",
+                    wanted);
     const drmModeModeInfo* best = nullptr;
     for (const drmModeModeInfo& mode : modes) {
         if (mode.hdisplay != asked->width || mode.vdisplay != asked->height) continue;
@@ -89,8 +107,8 @@ Result<drmModeModeInfo> choose_mode(const Connector& connector, const std::strin
         if (better) best = &mode;
     }
     if (best == nullptr)
-        return fail(Exit::no_display, "{} has no mode {}: see `scanout list modes`", connector.name,
-                    wanted);
+        return fail(Exit::no_display, "{} has no mode {} (there is: {})", connector.name, wanted,
+                    names(modes));
     return *best;
 }
 

@@ -15,8 +15,9 @@ struct Choice {
 
 double refresh_hz(const drmModeModeInfo& mode);
 
-// Empty: the mode that the display prefers, else the one with the most pixels (then the highest
-// refresh). "1920x1080": its highest refresh; "1920x1080@60": the nearest within 1 Hz.
+// Empty or "preferred": the mode that the display prefers, else the one with the most pixels (then
+// the highest refresh), which is "highest", too. "1920x1080": its highest refresh; "1920x1080@60":
+// the nearest within 1 Hz.
 Result<drmModeModeInfo> choose_mode(const Connector& connector, const std::string& wanted);
 
 // Errors are one reason each ("no connected connector"), without the card's name.

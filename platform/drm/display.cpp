@@ -1,5 +1,6 @@
 #include "platform/drm/display.h"
 
+#include "platform/devices.h"
 #include "platform/drm/kernel_device.h"
 #include "platform/drm/open.h"
 
@@ -36,11 +37,13 @@ Result<std::unique_ptr<KmsDisplay>> open_one(const std::string& path, const Open
     TRY(Choice choice, choose(*device, options));
     if (!device->has_dumb_buffers())
         return fail(Exit::no_display, "the driver {} has no dumb buffers", device->driver());
-    if (const Errno error = device->take_master(); error != 0)
+    if (const Errno error = device->take_master(); error != 0) {
+        const std::string holders = console::holders_of(path);
         return fail(Exit::no_display,
-                    "another program draws there (it is DRM master): quit it, or switch to a text "
-                    "console ({})",
-                    std::strerror(error));
+                    "another program draws there (DRM master; {}): quit it, or switch to a text "
+                    "console",
+                    holders.empty() ? std::strerror(error) : holders);
+    }
     return KmsDisplay::create(std::move(device), std::move(choice), path, seat, timeouts);
 }
 

@@ -81,6 +81,8 @@ Result<void> KmsDisplay::make_buffers() {
 Result<void> KmsDisplay::make_events() {
     epoll_ = Fd(::epoll_create1(EPOLL_CLOEXEC));
     timer_ = Fd(::timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK));
+    if (!epoll_.valid() || !timer_.valid())
+        return fail(Exit::no_display, "its events cannot be waited for: {}", std::strerror(errno));
     for (const int fd : {device_->event_fd(), timer_.get()}) {
         epoll_event event{};
         event.events = EPOLLIN;

@@ -42,6 +42,7 @@ public:
     int event_fd() const override { return epoll_.get(); }
     Result<void> dispatch() override;
     bool lost() const override;
+    bool stale() const override { return mode_due_ || activations_ != seat_.activations(); }
 
 private:
     KmsDisplay(std::unique_ptr<Device> device, Choice choice, const console::Seat& seat,

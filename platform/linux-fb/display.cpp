@@ -1,5 +1,6 @@
 #include "platform/linux-fb/display.h"
 
+#include "platform/devices.h"
 #include "platform/linux-fb/fb_display.h"
 
 #include <cstring>
@@ -7,7 +8,35 @@
 
 namespace scanout::linux_fb {
 
+namespace {
+
+// The DRM card whose driver emulates this frame buffer: both are of one device. Else "".
+std::string card_behind(const std::string& frame_buffer) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const std::string name = frame_buffer.substr(frame_buffer.rfind('/') + 1);
+    const fs::path device = fs::canonical("/sys/class/graphics/" + name + "/device", error);
+    if (error) return {};
+    for (fs::directory_iterator entry("/sys/class/drm", error), end; !error && entry != end;
+         entry.increment(error)) {
+        const std::string card = entry->path().filename();
+        if (!card.starts_with("card") || card.find('-') != std::string::npos) continue;
+        std::error_code none;
+        if (fs::canonical(entry->path() / "device", none) == device) return "/dev/dri/" + card;
+    }
+    return {};
+}
+
+} // namespace
+
 Result<std::unique_ptr<port::Display>> create(const Options& options, console::Seat& seat) {
+    // The emulation can be opened and written all the same, and nobody would see it.
+    const std::string card = card_behind(options.device);
+    if (!card.empty() && console::has_another_master(card)) {
+        const std::string holders = console::holders_of(card);
+        return fail(Exit::no_display, "{}: shows only what another program draws on {}{}",
+                    options.device, card, holders.empty() ? "" : fmt::format(" ({})", holders));
+    }
     TRY(std::unique_ptr<Device> device, open_device(options.device));
     return FbDisplay::create(std::move(device), options.device, seat);
 }

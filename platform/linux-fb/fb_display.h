@@ -41,6 +41,7 @@ public:
     int event_fd() const override { return -1; }
     Result<void> dispatch() override { return {}; }
     bool lost() const override { return !seat_.active(); }
+    bool stale() const override { return shown_ && activations_ != seat_.activations(); }
 
 private:
     FbDisplay(std::unique_ptr<Device> device, Layout layout, const console::Seat& seat)

@@ -106,6 +106,10 @@ Result<Commands> show_on_console(const Settings& settings, Tapes tapes, std::uin
 
 Result<Exit> run_view(const Settings& given, std::uint64_t start_bytes) {
     Settings settings = given;
+    if (settings.connector == "help" || settings.mode == "help") {
+        settings.connector == "help" ? list_connectors(settings) : list_modes(settings);
+        return Exit::ok;
+    }
     TRY(settings.arguments, models_of(given.arguments));
     TRY_VOID(check_view(settings));
     TRY(Tapes tapes, open_tapes(settings));

@@ -19,10 +19,11 @@ constexpr unsigned kFrontier = static_cast<unsigned>(Command::frontier);
 constexpr unsigned kDoctor = static_cast<unsigned>(Command::doctor);
 constexpr unsigned kGenerate = static_cast<unsigned>(Command::generate);
 constexpr unsigned kInfo = static_cast<unsigned>(Command::info);
+constexpr unsigned kRestore = static_cast<unsigned>(Command::restore);
 constexpr unsigned kDraw = kView | kRender | kExplain | kFrontier;
 constexpr unsigned kLoad = kDraw | kDoctor; // what takes a model and a view of it
 constexpr unsigned kRead = kLoad | kInfo;   // what takes a model
-constexpr unsigned kAll = kRead | kCompare | kList | kGenerate;
+constexpr unsigned kAll = kRead | kCompare | kList | kGenerate | kRestore;
 
 constexpr std::string_view kMetrics = "rmse rmse_codes psnr max flip ssim";
 
@@ -279,12 +280,12 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"device", 0, "FILE", "", "", 0, 0, Group::display, kView | kList,
      Text([](Settings& s) -> std::string& { return s.device; }),
      "the display's device, such as /dev/dri/card1 or /dev/fb0"},
-    {"connector", 0, "NAME", "", "", 0, 0, Group::display, kView,
+    {"connector", 0, "NAME|help", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.connector; }),
-     "the DRM connector (`list connectors`)"},
-    {"mode", 0, "WxH[@HZ]", "", "", 0, 0, Group::display, kView,
+     "the DRM connector; help: lists them"},
+    {"mode", 0, "WxH[@HZ]|preferred|highest|help", "", "", 0, 0, Group::display, kView,
      Text([](Settings& s) -> std::string& { return s.mode; }),
-     "the DRM mode (`list modes`); default: the one that the monitor prefers"},
+     "the DRM mode; help: lists them; default: the one that the monitor prefers"},
     {"watch", 0, "", "", "", 0, 0, Group::display, kView,
      Switch([](Settings& s) -> bool& { return s.watch; }),
      "read the shown file again when it, its materials or its textures are written anew; it need "

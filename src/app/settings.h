@@ -26,7 +26,8 @@ enum class Command : unsigned {
     frontier = 32,
     doctor = 64,
     info = 128,
-    generate = 256
+    generate = 256,
+    restore = 512
 };
 
 // In the order in which they are listed.
@@ -35,11 +36,11 @@ struct NamedCommand {
     Command command;
 };
 inline constexpr std::array kCommands = {
-    NamedCommand{"view", Command::view},        NamedCommand{"render", Command::render},
-    NamedCommand{"explain", Command::explain},  NamedCommand{"frontier", Command::frontier},
-    NamedCommand{"doctor", Command::doctor},    NamedCommand{"info", Command::info},
-    NamedCommand{"compare", Command::compare},  NamedCommand{"list", Command::list},
-    NamedCommand{"generate", Command::generate}};
+    NamedCommand{"view", Command::view},       NamedCommand{"render", Command::render},
+    NamedCommand{"explain", Command::explain}, NamedCommand{"frontier", Command::frontier},
+    NamedCommand{"doctor", Command::doctor},   NamedCommand{"info", Command::info},
+    NamedCommand{"compare", Command::compare}, NamedCommand{"list", Command::list},
+    NamedCommand{"restore", Command::restore}, NamedCommand{"generate", Command::generate}};
 
 // How a picture is written.
 enum class PictureFormat : std::uint8_t { by_name, png, ppm, pam, raw, apng, y4m };

@@ -152,7 +152,7 @@ Result<void> ViewSession::play_script() {
 Result<void> ViewSession::follow_display() {
     const bool was_lost = std::exchange(lost_, parts_.display.lost());
     if (lost_ && !was_lost) TRY_VOID(let_go_of_all());
-    if (was_lost && !lost_) repaint_ = true;
+    if (!lost_ && (was_lost || parts_.display.stale())) repaint_ = true;
     if (!lost_ && parts_.display.ready()) log_.reached();
     return {};
 }

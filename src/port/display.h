@@ -46,6 +46,10 @@ public:
     // this is false again; then the whole frame is due at once, even if nothing has changed. Ask
     // after every dispatch() of the display and of the console's session.
     virtual bool lost() const = 0;
+
+    // Something else has been on the screen since the last present(): a whole frame is due. Also
+    // where the console went and came back between two questions, so that lost() never was true.
+    virtual bool stale() const { return false; }
 };
 
 } // namespace scanout::port

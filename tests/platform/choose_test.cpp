@@ -98,7 +98,12 @@ TEST(ChooseMode, ThePreferredModeElseTheMostPixelsThenTheHighestRefresh) {
     EXPECT_EQ(choose_mode(connector, "1920x1080@59.94")->vrefresh, 60U);
     const auto missing = choose_mode(connector, "1920x1080@75");
     ASSERT_FALSE(missing);
-    EXPECT_EQ(missing.error().what, "HDMI-A-1 has no mode 1920x1080@75: see `scanout list modes`");
+    EXPECT_EQ(missing.error().what,
+              "HDMI-A-1 has no mode 1920x1080@75 (there is: 640x480@60 1920x1080@50 1920x1080@60 "
+              "800x600@75 1280x1024@60)");
+    EXPECT_EQ(choose_mode(connector, "preferred")->hdisplay, 1280);
+    EXPECT_EQ(choose_mode(connector, "highest")->hdisplay, 1920);
+    EXPECT_EQ(choose_mode(connector, "highest")->vrefresh, 60U);
 }
 
 TEST(ChooseMode, RefreshCountsTheWholeFrameWithItsBlanking) {

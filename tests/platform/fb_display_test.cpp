@@ -183,7 +183,9 @@ TEST(FbDisplay, CopiesDamagedPixelsOnlyAndTheWholeAfterASwitchOfTheConsole) {
     EXPECT_TRUE((*display)->lost());
     EXPECT_FALSE((*display)->ready());
     seat.set(true);
+    EXPECT_TRUE((*display)->stale());
     ASSERT_TRUE((*display)->present(picture(13, 5, 3), {}));
+    EXPECT_FALSE((*display)->stale());
     EXPECT_EQ(shown(), picture(13, 5, 3));
 }
 

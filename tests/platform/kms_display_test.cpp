@@ -201,12 +201,27 @@ TEST(KmsDisplay, AfterASwitchOfTheConsoleSetsTheModeAndShowsTheWholeFrame) {
     rig.seat.set(true);
     EXPECT_FALSE(rig.display->lost());
     ASSERT_TRUE(rig.display->ready()) << "the flip of before will never come";
+    EXPECT_TRUE(rig.display->stale());
     ASSERT_TRUE(rig.present(noise(8, 4, 5), {}));
+    EXPECT_FALSE(rig.display->stale());
     EXPECT_EQ(rig.shown(), noise(8, 4, 5)) << "whole, though nothing was said to differ";
     // The other buffer is behind by everything too.
     rig.card.hold_events = false;
     ASSERT_TRUE(rig.present(noise(8, 4, 6), {}));
     EXPECT_EQ(rig.shown(), noise(8, 4, 6));
+}
+
+TEST(KmsDisplay, AwayAndBackBetweenTwoQuestionsIsStale) {
+    Rig rig;
+    ASSERT_TRUE(rig.open());
+    ASSERT_TRUE(rig.present_whole(1));
+    EXPECT_FALSE(rig.display->stale());
+    rig.seat.set(false);
+    rig.seat.set(true);
+    EXPECT_FALSE(rig.display->lost());
+    EXPECT_TRUE(rig.display->stale());
+    ASSERT_TRUE(rig.present(noise(8, 4, 1), {}));
+    EXPECT_FALSE(rig.display->stale());
 }
 
 TEST(KmsDisplay, ACardTakenAwayBeforeTheSeatSaysSoIsNoError) {
