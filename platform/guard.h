@@ -1,9 +1,10 @@
 // A small process that outlives us: when we die without a chance to act (SIGKILL, out of memory,
-// the whole process group killed together with libseat's built-in server), it restores the console.
+// all processes of our name killed together), it restores the console. It is the program
+// console-guard where that stands beside ours or in libexec, else a fork.
 #pragma once
 
 #include "base/fd.h"
-#include "platform/restore.h"
+#include "platform/guard_watch.h"
 
 #include <sys/types.h>
 
@@ -11,8 +12,9 @@ namespace scanout::console {
 
 class Guard {
 public:
-    // Forks; must run before any thread exists. Where no process can be made there is no guard.
-    explicit Guard(const ConsoleState& state);
+    // Must run before any thread exists. Where no process can be made there is no guard.
+    // `server`: libseat's built-in one, or -1.
+    explicit Guard(const ConsoleState& state, pid_t server = -1);
     ~Guard(); // tells it that all is well, and waits for its end
     Guard(const Guard&) = delete;
     Guard& operator=(const Guard&) = delete;

@@ -14,6 +14,7 @@
 
 #include <poll.h>
 #include <pthread.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 extern "C" {
@@ -37,8 +38,17 @@ void on_log(libseat_log_level level, const char* format, va_list arguments) {
 // would be written twice and our exit handlers would run twice. Handlers run last registered first,
 // so this one, registered in the child alone, ends it before any of ours.
 bool opening_seat = false;
+pid_t* server = nullptr; // shared with the child, which notes its own number
 void in_forked_child() {
-    if (opening_seat) std::atexit([] { ::_exit(0); });
+    if (!opening_seat) return;
+    if (server != nullptr) *server = ::getpid();
+    std::atexit([] { ::_exit(0); });
+}
+
+pid_t* shared_number() {
+    void* const page =
+        ::mmap(nullptr, sizeof(pid_t), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    return page == MAP_FAILED ? nullptr : static_cast<pid_t*>(page);
 }
 
 struct CloseSeat {
@@ -60,6 +70,7 @@ public:
 
     Result<void> open() {
         static const bool handler_installed = [] {
+            server = shared_number();
             ::pthread_atfork(nullptr, nullptr, in_forked_child);
             libseat_set_log_handler(on_log);
             libseat_set_log_level(LIBSEAT_LOG_LEVEL_ERROR);
@@ -67,6 +78,7 @@ public:
         }();
         (void)handler_installed;
         std::fflush(nullptr);
+        if (server != nullptr) *server = -1;
         opening_seat = true;
         static const libseat_seat_listener listener{on_enable, on_disable};
         last_message[0] = 0;
@@ -80,7 +92,8 @@ public:
     // The console is in graphics mode by now; from here on it is restored on every exit path.
     void adopt(Console console) {
         console_ = std::move(console);
-        guard_.emplace(ConsoleState{console_->fd(), console_->keyboard_mode()});
+        guard_.emplace(ConsoleState{console_->fd(), console_->keyboard_mode()},
+                       server != nullptr ? *server : -1);
         (void)console_->graphics();
     }
 

@@ -285,7 +285,7 @@ stage_fuzz_long() {
 
 stage_guests() {
     configure test release
-    build test scanout
+    build test scanout vm_helper
     local status=0
     python3 -B tests/vm/guests.py build/test/scanout build/test/guests | tee build/test/guests.log || status=$?
     sed -n 's/^\([0-9]*\) passed, \([0-9]*\) failed$/\1 \2 0/p' build/test/guests.log >>"$counts"

@@ -23,6 +23,7 @@ Result<Exit> run_info(const Settings& settings);
 Result<Exit> run_compare(const Settings& settings);
 Result<Exit> run_list(const Settings& settings);
 Result<Exit> run_generate(const Settings& settings);
+Result<Exit> run_restore(const Settings& settings);
 
 // What `list` and `generate` can be asked for, with spaces between the words.
 std::string list_topics();

@@ -30,6 +30,10 @@ public:
 // with the reason of each display that was tried.
 Result<std::unique_ptr<OpenConsole>> open_console(const Settings& settings);
 
+// `scanout restore`: the console on the screen back to text, after a program that died (restored to
+// what, in one line).
+Result<std::string> restore_console();
+
 // What `scanout list` prints, and as JSON; of the display that --device names, or of all.
 void list_displays(const Settings& settings);
 void list_connectors(const Settings& settings);

@@ -36,6 +36,7 @@ constexpr std::string_view kOverview =
     "  info MODEL         counts, size, surface, materials, textures found and missing\n"
     "  compare A B        compare two pictures, with two numbers as tolerance\n"
     "  list WHAT          displays connectors modes techniques formats targets keys options\n"
+    "  restore            the console on the screen back to text, after a program that died\n"
     "  generate WHAT      a manual page, or completions for a shell: man bash zsh fish\n"
     "\n"
     "  scanout COMMAND --help explains a command, --help-all all its options; scanout --version\n"
@@ -143,6 +144,18 @@ std::string_view introduction(Command command) {
                "  source <(scanout generate bash)            completions in this bash\n"
                "  scanout generate zsh > ~/.zfunc/_scanout   where fpath has ~/.zfunc\n"
                "  scanout generate fish > ~/.config/fish/completions/scanout.fish\n";
+    case Command::restore:
+        return "scanout restore - a text console again, after a program that died on it\n"
+               "\n"
+               "  sudo scanout restore       from another machine (ssh), where the keyboard is "
+               "dead\n"
+               "\n"
+               "The console on the screen goes back to text mode, its keyboard on and its terminal "
+               "to\n"
+               "lines with echo. A console on which a program that lives draws is left alone. "
+               "After\n"
+               "scanout itself this is needed only where its guard (console-guard) was killed "
+               "first.\n";
     case Command::list:
         break;
     }

@@ -34,6 +34,8 @@ Result<Exit> dispatch(const Settings& settings, std::uint64_t start_bytes) {
         return run_compare(settings);
     case Command::generate:
         return run_generate(settings);
+    case Command::restore:
+        return run_restore(settings);
     case Command::list:
         break;
     }

@@ -15,10 +15,11 @@ import time
 import guest as guests
 import initramfs
 import picture
+import ways_out
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODEL = "models/spot/spot.obj"
-VIEW = [MODEL, "--camera", "150,20"]
+VIEW = [MODEL, "--camera", "150,20", "--no-pointer"]  # it hides after a time
 INPUT = {"virtio_pci": "", "virtio_input": "", "evdev": ""}
 # name: kernel modules with their parameters, QEMU's devices, the viewer's backend, the display's pixel format.
 # A photograph of a 16-bit screen has 8 bits a channel, whose lower bits QEMU fills with the channel's highest ones
@@ -60,8 +61,7 @@ def scale_by_wheel(guest):
         guest.wheel(direction)
 
 
-# What is done from outside, and the action that the viewer takes last. The mouse comes last: 3 s after its last motion
-# the pointer hides, and no photograph may depend on whether it has.
+# What is done from outside, and the action that the viewer takes last.
 STATES = {
     turn_by_keys: "scale_up",
     look_from_the_side_without_perspective: "toggle_projection",
@@ -83,9 +83,9 @@ class Checks:
 class Viewer:
     """scanout in a guest, on its first console."""
 
-    def __init__(self, guest, backend, *arguments):
+    def __init__(self, guest, backend, *arguments, view=VIEW):
         self.guest = guest
-        guest.sh(f"(setsid scanout view {' '.join(VIEW)} --backend {backend} --verbose {' '.join(arguments)} "
+        guest.sh(f"(setsid scanout view {' '.join(view)} --backend {backend} --verbose {' '.join(arguments)} "
                  "</dev/tty1 >/dev/tty1 2>/dev/ttyS0; echo @exit $?) &")
         guest.wait(r"^input .*2 devices", 60) # keys pressed earlier would be lost
         self.first = self.shown()
@@ -116,6 +116,18 @@ def check_states(guest, viewer, check):
     distinct = {shot for _, shot, _ in taken}
     check(len(distinct) == len(taken), "the states are different pictures")
     return taken
+
+
+def check_pointer(guest, backend, check):
+    """The pointer shows when the mouse moves, and hides again."""
+    viewer = Viewer(guest, backend, "--no-times", view=[arg for arg in VIEW if arg != "--no-pointer"])
+    guest.move(40, 30)
+    moved = viewer.shown(r"pointer -?\d+ -?\d+")
+    hidden = viewer.shown()
+    check(moved != viewer.first and hidden == viewer.first, "the pointer shows when the mouse moves, and hides again",
+          f"{viewer.first} {moved} {hidden}")
+    guest.key("q")
+    viewer.exit_status()
 
 
 def check_replay(scanout, folder, recording, taken, pixel_format, check):
@@ -151,14 +163,20 @@ def check_that_one_pixel_matters(scanout, folder, state, shot, check):
           "one changed pixel gives another hash")
 
 
-def check_console(guest, before, how, check):
-    """The console as it was before the viewer: its text, and a keyboard that writes on it, with no key left over."""
+def check_text(guest, before, how, check):
+    """The console's text as it was before the viewer."""
     after = guest.photograph(f"console-after-{how}")
     patience = time.monotonic() + 5  # after SIGKILL another process restores the console
     while after != before and time.monotonic() < patience:
         time.sleep(0.2)
         after = guest.photograph(f"console-after-{how}")
     check(after == before, f"after {how}: the console's text is back", picture.differences(after, before))
+    return after
+
+
+def check_console(guest, before, how, check):
+    """The console as it was before the viewer: its text, and a keyboard that writes on it, with no key left over."""
+    after = check_text(guest, before, how, check)
     guest.sh("(head -n 1 </dev/tty1 | sed 's/^/@typed /') &")
     for name in ("o", "k", "ret"):
         guest.key(name)
@@ -181,7 +199,7 @@ def check_guest(scanout, folder, name, check):
     modules, devices, backend, pixel_format = GUESTS[name]
     cache = pathlib.Path(subprocess.run([ROOT / "tests/vm/fetch.sh"], check=True, capture_output=True, text=True).stdout.strip())
     model = str(pathlib.Path(MODEL).parent)
-    archive = initramfs.pack(cache, modules, [scanout], {
+    archive = initramfs.pack(cache, modules, [scanout, scanout.parent / "console-guard", scanout.parent / "tests/vm_helper"], {
         model: ROOT / model, "usr/share/X11/xkb": "/usr/share/X11/xkb", "usr/share/libinput": "/usr/share/libinput"})
     with guests.Guest(cache / "vmlinux", archive, devices, folder) as guest:
         before = write_text(guest)
@@ -202,6 +220,32 @@ def check_guest(scanout, folder, name, check):
             guest.sh(f"kill -{signal} $(ps -o pid,comm | awk '$2 == \"scanout\" {{ print $1; exit }}')")
             viewer.exit_status()
             check_console(guest, before, signal, check)
+        write_text(guest)
+        check_pointer(guest, backend, check)
+        check_console(guest, before, "the pointer", check)
+        ways_out.check_all(guest, Session(guest, backend, before, taken[0][1], check))
+
+
+class Session:
+    """What the checks of ways_out.py start and look at."""
+
+    def __init__(self, guest, backend, text, first_picture, check):
+        self.guest, self.backend, self.text, self.first_picture, self.check = guest, backend, text, first_picture, check
+
+    def view(self, *arguments):
+        self.check(write_text(self.guest) == self.text, "the same text stands on the console")
+        return Viewer(self.guest, self.backend, "--no-times", *arguments)
+
+    def text_is_back(self, how):
+        check_text(self.guest, self.text, how, self.check)
+
+    def console_is_back(self, how):
+        check_console(self.guest, self.text, how, self.check)
+
+    def shows_first_picture(self, when):
+        shot = self.guest.photograph(when.replace(" ", "-"))
+        self.check(shot == self.first_picture, f"{when}: the viewer shows its first picture",
+                   picture.differences(shot, self.first_picture))
 
 
 def main():

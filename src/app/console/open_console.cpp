@@ -1,5 +1,6 @@
 #include "app/displays.h"
 #include "app/message.h"
+#include "platform/console.h"
 #include "platform/drm/display.h"
 #include "platform/linux-fb/display.h"
 #include "platform/session.h"
@@ -67,6 +68,10 @@ Result<std::unique_ptr<OpenConsole>> open_console(const Settings& settings) {
         for (const std::string& note : session->notes())
             say(note);
     return std::make_unique<SeatedConsole>(std::move(session), std::move(open));
+}
+
+Result<std::string> restore_console() {
+    return console::restore_shown_console();
 }
 
 } // namespace scanout::app

@@ -11,6 +11,12 @@ Result<std::unique_ptr<OpenConsole>> open_console(const Settings&) {
                                   "nothing but writes what a replay asks for");
 }
 
+Result<std::string> restore_console() {
+    return fail(Exit::no_display,
+                "this scanout was built without displays (SCANOUT_DISPLAYS=OFF): it takes no "
+                "console and restores none");
+}
+
 void list_displays(const Settings&) {
     fmt::print("headless  in memory, with --backend headless\n");
 }
