@@ -97,4 +97,20 @@ int orient3d(const DVec3& a, const DVec3& b, const DVec3& c, const DVec3& d) {
     return sum.sign();
 }
 
+int side_of_plane(const DVec3& normal, double offset, const DVec3& p) {
+    const double x = normal.x * p.x, y = normal.y * p.y, z = normal.z * p.z;
+    const double height = ((x + y) + z) - offset;
+    constexpr double kBound = 0x1p-50; // six roundings of 2^-53 each
+    if (magnitude(height) >
+        kBound * (magnitude(x) + magnitude(y) + magnitude(z) + magnitude(offset)))
+        return sign_of(height);
+
+    Expansion<8> sum;
+    sum.add_product(normal.x, p.x);
+    sum.add_product(normal.y, p.y);
+    sum.add_product(normal.z, p.z);
+    sum.add(-offset);
+    return sum.sign();
+}
+
 } // namespace scanout

@@ -15,4 +15,8 @@ int orient2d(const DVec2& a, const DVec2& b, const DVec2& c);
 // underflow.
 int orient3d(const DVec3& a, const DVec3& b, const DVec3& c, const DVec3& d);
 
+// The sign of dot(normal, p) - offset, exactly: > 0 in front of the plane, 0 on it. Exact for all
+// finite inputs whose products neither overflow nor underflow.
+int side_of_plane(const DVec3& normal, double offset, const DVec3& p);
+
 } // namespace scanout

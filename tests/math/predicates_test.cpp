@@ -182,5 +182,38 @@ TEST(Orient3d, IsZeroInAPlaneAndSeesWindingFromTheFourthPoint) {
     EXPECT_EQ(orient3d({0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {0.3, 7, 5}), 0);
 }
 
+// Whole numbers, so that 128 bits hold every sum: points on the plane, and beside it by one.
+TEST(SideOfPlane, HasTheExactSignOnAndBesideThePlane) {
+    Points points(27);
+    const auto whole = [&] {
+        return static_cast<std::int64_t>(points.bits() % (1U << 26)) - (1 << 25);
+    };
+    int naive_faults = 0;
+    for (int i = 0; i < 100'000; ++i) {
+        std::int64_t n[3], p[3];
+        for (int k = 0; k < 3; ++k) {
+            n[k] = whole() * 0x7ffffff + whole(); // 52 bits
+            p[k] = whole() / 4;
+        }
+        Int128 exact = 0;
+        double rounded = 0;
+        for (int k = 0; k < 3; ++k) {
+            exact += Int128{n[k]} * p[k];
+            rounded += static_cast<double>(n[k]) * static_cast<double>(p[k]);
+        }
+        const auto offset = static_cast<double>(exact);
+        const DVec3 normal(static_cast<double>(n[0]), static_cast<double>(n[1]),
+                           static_cast<double>(n[2]));
+        const DVec3 at(static_cast<double>(p[0]), static_cast<double>(p[1]),
+                       static_cast<double>(p[2]));
+        const int sign = sign_of(exact - static_cast<Int128>(offset));
+        ASSERT_EQ(side_of_plane(normal, offset, at), sign) << i;
+        ASSERT_EQ(side_of_plane(-normal, -offset, at), -sign) << i;
+        naive_faults += (rounded > offset) - (rounded < offset) != sign ? 1 : 0;
+    }
+    EXPECT_GT(naive_faults, 1000);
+    EXPECT_EQ(side_of_plane(DVec3(0, 0, 2), 1, DVec3(9, 9, 0.5)), 0);
+}
+
 } // namespace
 } // namespace scanout::test
