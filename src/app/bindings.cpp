@@ -250,7 +250,9 @@ void Binder::scroll(const port::Event& event, std::vector<Action>& actions) {
     scroll_rest_ -= std::clamp(event.scroll, -100'000, 100'000); // away from the user: larger
     const int levels = scroll_rest_ / kUnitsPerLevel;
     scroll_rest_ -= levels * kUnitsPerLevel;
-    if (levels != 0)
+    if (levels != 0 && (shift_ || event.shift))
+        actions.push_back({ActionId::slide_section, {levels}, {}, false});
+    else if (levels != 0)
         actions.push_back(
             {ActionId::zoom_at, {levels, static_cast<int>(x_), static_cast<int>(y_)}, {}, false});
 }

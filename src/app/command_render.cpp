@@ -195,7 +195,7 @@ private:
             load_model_with_messages(all_.arguments[1], settings[1], jobs_));
         const double aspect = static_cast<double>(all_.frame.width) / all_.frame.height;
         const auto [of_first, of_second] = scene::shared_cameras(
-            first.scene.mesh, second.scene.mesh, camera_of(all_, first), aspect);
+            first.whole_mesh(), second.whole_mesh(), camera_of(all_, first), aspect);
         if (is_drawn(all_, 0, 0)) TRY_VOID(note(draw(settings[0], 0, first, of_first)));
         if (is_drawn(all_, 1, 0)) TRY_VOID(note(draw(settings[1], 1, second, of_second)));
         return finish();

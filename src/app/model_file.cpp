@@ -6,10 +6,29 @@
 #include "base/stopwatch.h"
 #include "io/load.h"
 #include "scene/fit.h"
+#include "scene/section.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace scanout::app {
+
+// --colour and --opacity: of all materials, in place of what the file says.
+static void override_materials(const Settings& settings, scene::Scene& scene) {
+    const auto change = [&](scene::Material& material) {
+        if (settings.colour) {
+            material.diffuse = *settings.colour;
+            material.map_diffuse = {};
+        }
+        if (settings.opacity) {
+            material.opacity = static_cast<float>(*settings.opacity);
+            material.map_opacity = {};
+        }
+    };
+    change(scene.unnamed);
+    std::for_each(scene.materials.begin(), scene.materials.end(), change);
+    if (settings.colour) scene.mesh.colour.clear();
+}
 
 Result<LoadedModel> load_model(const std::string& path, const Settings& settings, Jobs& jobs,
                                const std::function<bool(double)>& progress,
@@ -37,8 +56,26 @@ Result<LoadedModel> load_model(const std::string& path, const Settings& settings
     TRY(scene::Scene scene, io::load(path, options, warnings));
     // CAD programs and slicers have z up.
     const auto up = format == io::ModelFormat::stl ? scene::UpAxis::plus_z : scene::UpAxis::plus_y;
-    return LoadedModel{std::move(scene), warnings.lines(),    watch.milliseconds(), times, up,
-                       format,           std::move(libraries)};
+    LoadedModel model;
+    model.scene = std::move(scene);
+    model.load_times = times;
+    model.up = up;
+    model.format = format;
+    model.libraries = std::move(libraries);
+    model.warnings = warnings.lines();
+    override_materials(settings, model.scene);
+    if (settings.section) {
+        const Stopwatch cutting;
+        model.section = settings.section;
+        scene::put_section(jobs, settings.section, model.scene, model.whole);
+        if (settings.verbose)
+            say(fmt::format("section {}: {:.2f} ms", model.scene.section->plane,
+                            cutting.milliseconds()));
+        if (std::string line = scene::remark(*model.scene.section); !line.empty())
+            model.warnings.push_back(std::move(line));
+    }
+    model.load_ms = watch.milliseconds();
+    return model;
 }
 
 scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& model) {
@@ -49,7 +86,7 @@ scene::CameraOptions camera_of(const Settings& settings, const LoadedModel& mode
 
 scene::CameraOptions fitted_camera_of(const Settings& settings, const LoadedModel& model) {
     const double aspect = static_cast<double>(settings.frame.width) / settings.frame.height;
-    return scene::fitted(model.scene.mesh, settings.model, camera_of(settings, model), aspect,
+    return scene::fitted(model.whole_mesh(), settings.model, camera_of(settings, model), aspect,
                          settings.turntable);
 }
 

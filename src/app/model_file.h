@@ -9,13 +9,17 @@
 #include "scene/scene.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace scanout::app {
 
 struct LoadedModel {
-    scene::Scene scene;
+    scene::Scene scene;                        // its mesh cut by --section
+    std::optional<scene::SectionSpec> section; // that cut it
+    std::optional<geom::Mesh> whole;           // where it is: the mesh before
+    const geom::Mesh& whole_mesh() const { return whole ? *whole : scene.mesh; }
     std::vector<std::string> warnings;
     double load_ms = 0;
     io::LoadTimes load_times;                 // its parts

@@ -12,6 +12,14 @@ void ModelSlot::put(LoadedModel model, const frame::FrameOptions& options) {
     has_held_model_ = true;
 }
 
+void ModelSlot::put_section(const std::optional<scene::SectionSpec>& section,
+                            const frame::FrameOptions& options, Jobs& jobs) {
+    if (!model_) return;
+    model_->section = section;
+    scene::put_section(jobs, section, model_->scene, model_->whole);
+    plans_ = frame::PlanCache(frame::facts(model_->scene, options.shadow_plane));
+}
+
 void ModelSlot::put_error(std::string error) {
     ++generation_;
     model_.reset();

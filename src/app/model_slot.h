@@ -14,9 +14,13 @@ public:
     // A loaded model, or an error of its file, replaces the slot's contents.
     void put(LoadedModel model, const frame::FrameOptions& options);
     void put_error(std::string error);
+    // Cuts the model by another plane, or by none; its facts are found anew.
+    void put_section(const std::optional<scene::SectionSpec>& section,
+                     const frame::FrameOptions& options, Jobs& jobs);
 
     const LoadedModel* model() const { return model_ ? &*model_ : nullptr; }
-    const geom::Mesh* mesh() const { return model_ ? &model_->scene.mesh : nullptr; }
+    // Whole: a section moves neither the camera nor the lights.
+    const geom::Mesh* mesh() const { return model_ ? &model_->whole_mesh() : nullptr; }
     const frame::SceneFacts& facts() const { return plans_.facts(); } // of the model
     // A plan for the model; valid until the next call.
     Result<const frame::FramePlan*> plan(const frame::FrameOptions& options,

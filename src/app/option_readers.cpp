@@ -7,6 +7,7 @@
 #include "simd/targets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace scanout::app {
@@ -93,6 +94,37 @@ Result<void> read_translate(Settings& s, std::string_view text) {
     return {};
 }
 
+Result<void> read_section(Settings& s, std::string_view text) {
+    s.section.reset();
+    if (text == "none") return {};
+    scene::SectionSpec spec;
+    std::string_view axis = text.substr(0, text.find(':'));
+    if (axis.size() < text.size()) {
+        const auto share = parse_real(text.substr(axis.size() + 1));
+        spec.low = axis.starts_with('-');
+        if (spec.low) axis.remove_prefix(1);
+        const std::size_t named = std::string_view("xyz").find(axis);
+        if (axis.size() != 1 || named > 2 || !share || *share < 0 || *share > 1)
+            return fail(Exit::usage,
+                        "wants x, y or z, or -x, -y or -z, and a share of the model's box from 0 "
+                        "to 1, as in x:0.5; not '{}'",
+                        text);
+        spec.axis = static_cast<scene::SectionAxis>(named);
+        spec.share = *share;
+    } else {
+        const auto numbers = parse_list(text, 4, 4);
+        if (!numbers)
+            return fail(Exit::usage, "wants x:0.5, -x:0.5, or four numbers NX,NY,NZ,D; not '{}'",
+                        text);
+        spec.normal = DVec3((*numbers)[0], (*numbers)[1], (*numbers)[2]);
+        spec.offset = (*numbers)[3];
+        if (spec.normal == DVec3(0))
+            return fail(Exit::usage, "the plane's normal NX,NY,NZ must not be 0,0,0: '{}'", text);
+    }
+    s.section = spec;
+    return {};
+}
+
 Result<void> read_annotate(Settings& s, std::string_view text) {
     s.frame.annotations = {};
     if (text == "none") return {};
@@ -115,6 +147,56 @@ Result<void> read_background(Settings& s, std::string_view text) {
     return {};
 }
 
+static Vec3 linear(const image::Rgba8& code) {
+    return {srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b)};
+}
+
+Result<void> read_colour(Settings& s, std::string_view text) {
+    s.colour.reset();
+    if (text == "auto") return {};
+    if (text.find(',') == std::string_view::npos) {
+        TRY(const image::Rgba8 code, parse_colour(text));
+        s.colour = linear(code);
+        return {};
+    }
+    const auto codes = parse_list(text, 3, 3);
+    const auto is_code = [](double c) { return c >= 0 && c <= 255 && c == std::floor(c); };
+    if (!codes || !std::all_of(codes->begin(), codes->end(), is_code))
+        return fail(Exit::usage, "wants R,G,B from 0 to 255, #rrggbb, a name, or auto; not '{}'",
+                    text);
+    const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>((*codes)[i]); };
+    s.colour = linear({byte(0), byte(1), byte(2), 255});
+    return {};
+}
+
+Result<void> read_opacity(Settings& s, std::string_view text) {
+    s.opacity.reset();
+    if (text == "auto") return {};
+    TRY(const double opacity, parse_real(text));
+    if (opacity < 0 || opacity > 1) return fail(Exit::usage, "must be 0 to 1, not {}", text);
+    s.opacity = opacity;
+    return {};
+}
+
+Result<void> read_measure(Settings& s, std::string_view text) {
+    s.measured.clear();
+    if (text == "none") return {};
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find(':', begin), text.size());
+        const auto point = parse_vector(text.substr(begin, end - begin));
+        if (!point || s.measured.size() == 3)
+            return fail(Exit::usage,
+                        "wants two points or three, X,Y,Z:X,Y,Z[:X,Y,Z], in the file's "
+                        "coordinates; not '{}'",
+                        text);
+        s.measured.push_back(*point);
+        begin = end + 1;
+    }
+    if (s.measured.size() < 2)
+        return fail(Exit::usage, "wants a second point, as in X,Y,Z:X,Y,Z; not '{}'", text);
+    return {};
+}
+
 Result<void> read_base_colour(Settings& s, std::string_view text) {
     if (const Result<double> grey = parse_real(text)) {
         if (*grey < 0 || *grey > 1)
@@ -123,7 +205,7 @@ Result<void> read_base_colour(Settings& s, std::string_view text) {
         return {};
     }
     TRY(const image::Rgba8 code, parse_colour(text));
-    s.unnamed_colour = Vec3(srgb_decode(code.r), srgb_decode(code.g), srgb_decode(code.b));
+    s.unnamed_colour = linear(code);
     return {};
 }
 

@@ -256,12 +256,23 @@ constexpr std::array kOptions = std::to_array<Option>({
      "leaves the gaps (default split)"},
     {"base-colour", 0, "COLOUR", "", "0.6", 0, 0, Group::model, kDraw, Parsed(read_base_colour),
      "colour of what the file gives no material: #rrggbb, a name, or a linear grey from 0 to 1"},
+    {"colour", 0, "R,G,B|#rrggbb|auto", "", "auto", 0, 0, Group::model, kDraw, Parsed(read_colour),
+     "colour of all materials, in place of theirs, of map_Kd with its alpha, and of the vertices' "
+     "(codes from 0 to 255)"},
+    {"opacity", 0, "X|auto", "", "auto", 0, 0, Group::model, kDraw, Parsed(read_opacity),
+     "opacity of all materials, from 0 to 1, in place of d, Tr and map_d; the alpha of map_Kd "
+     "stays"},
     {"scale", 0, "S or X,Y,Z", "", "1", 0, 0, Group::model, kLoad, Parsed(read_scale),
      "scale the model about its centre, first"},
     {"rotate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_rotate),
      "then turn it, in degrees about x, y and z, in this order"},
     {"translate", 0, "X,Y,Z", "", "0,0,0", 0, 0, Group::model, kLoad, Parsed(read_translate),
      "then move it, in bounding radii"},
+    {"section", 0, "PLANE", "", "none", 0, 0, Group::model, kDraw, Parsed(read_section),
+     "cut away what lies in front of a plane, and cap the cut where the surface is closed: x:0.5 "
+     "cuts "
+     "away where x is above half of the model's box, -x:0.5 where it is below (also y, z); or "
+     "NX,NY,NZ,D, where NX x + NY y + NZ z is above D in the file's coordinates"},
     {"reference", 0, "", "", "", 0, 0, Group::picture, kRender,
      Switch([](Settings& s) -> bool& { return s.reference; }),
      "draw by rays in double precision, 16 to 4096 samples a pixel: slow, the picture that "

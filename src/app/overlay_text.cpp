@@ -30,6 +30,8 @@ const char* hint_at(frame::Blank why) {
     switch (why) {
     case frame::Blank::outside:
         return "model out of view: press R";
+    case frame::Blank::section:
+        return "the section cuts all of the model away: press J, or slide it with { }";
     case frame::Blank::culled:
         return "all faces that look this way are left out: press C";
     case frame::Blank::edge_on:

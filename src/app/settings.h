@@ -5,6 +5,7 @@
 #include "image/pixel_format.h"
 #include "io/formats.h"
 #include "measure/known_frontier.h"
+#include "scene/section.h"
 #include "scene/view.h"
 
 #include <array>
@@ -94,12 +95,16 @@ struct Settings {
     bool holds_budget = true; // while the viewer's picture moves; false: --budget none
     measure::Limits limits;   // --budget, --max-error: the other axes' rungs are chosen
     scene::ModelTransform model;
+    std::optional<scene::SectionSpec> section;
     std::optional<io::ModelFormat> model_format; // --model-format
     int max_memory_mb = 0; // that loading a model, or its reference, may take; 0: what is available
     bool allow_outside = false; // of the model's folder
     bool split_t_vertices = true;
     scene::CameraOptions camera = stands();
     Vec3 unnamed_colour{scene::kUnnamedGrey}; // --base-colour
+    std::optional<Vec3> colour;               // --colour, linear; none: the file's
+    std::optional<double> opacity;            // --opacity, likewise
+    std::vector<DVec3> measured;              // --measure: two points or three
     std::string named_view;                   // --view; already in `camera`
     bool camera_given = false, light_given = false, up_given = false;
 

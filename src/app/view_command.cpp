@@ -34,8 +34,9 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 8> kWritten = {
-        "size", "cull", "colour-by", "edges", "annotate", "scale", "rotate", "translate"};
+    constexpr std::array<std::string_view, 9> kWritten = {"size",  "cull",     "colour-by",
+                                                          "edges", "annotate", "section",
+                                                          "scale", "rotate",   "translate"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
 }
 
@@ -126,6 +127,7 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     if (look.edges != "none") text += fmt::format(" --edges {}", look.edges);
     if (!look.annotations.empty())
         text += fmt::format(" --annotate {}", frame::to_string(look.annotations));
+    if (look.section) text += fmt::format(" --section {}", scene::to_string(*look.section));
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
     text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));

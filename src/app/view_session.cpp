@@ -56,6 +56,7 @@ Result<void> ViewSession::run() {
         TRY_VOID(follow_files(now));
         TRY_VOID(advance(now));
         if (quit_) break;
+        follow_section();
         follow_motion(now);
         if (!asked().any())
             accuracy_.let_go();
@@ -78,6 +79,7 @@ Result<void> ViewSession::run() {
 Result<void> ViewSession::run_instantly() {
     while (!quit_) {
         TRY_VOID(play_script());
+        follow_section();
         while (!viewer_.moving() && lacks_rows() && viewer_.view(*slot_.mesh()))
             TRY_VOID(measure_row());
         if (frame_file_ || !script_.next_step()) TRY_VOID(finish_reference());

@@ -84,6 +84,7 @@ private:
     bool report_progress(const std::string& doing, double share, Time start);
     void examine(); // for the panel of hazards
     bool wants_to_leave();
+    void follow_section();
     void watch_files(const LoadedModel& model); // that it was read from
     Result<void> follow_files(Time now); // with --watch: reads them again when they have changed
     Result<void> write_screenshot();

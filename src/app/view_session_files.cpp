@@ -48,11 +48,25 @@ Result<void> ViewSession::load(bool again) {
     viewer_.take_file(again);
     if (!settings_.up_given) viewer_.take_up_of_file(model->up);
     slot_.put(*std::move(model), settings_.frame);
+    follow_section();
     chosen_.reset();
     TRY_VOID(report_plan());
     if (settings_.limits.any()) TRY_VOID(choose_rungs());
     set_motion_levels();
     return {};
+}
+
+// The model is cut as the view says. What looks at the one before ends.
+void ViewSession::follow_section() {
+    const std::optional<scene::SectionSpec>& wanted = viewer_.state().look.section;
+    if (slot_.model() == nullptr || slot_.model()->section == wanted) return;
+    explain_.stop();
+    accuracy_.stop();
+    frontier_.stop();
+    slot_.put_section(wanted, settings_.frame, parts_.jobs);
+    const std::optional<scene::SceneSection>& made = slot_.model()->scene.section;
+    if (const std::string line = made ? scene::remark(*made) : ""; !line.empty())
+        show_message(line, kMessageSteps);
 }
 
 void ViewSession::watch_files(const LoadedModel& model) {

@@ -89,6 +89,7 @@ void ViewSession::set_frame_options(int level) {
 }
 
 Result<void> ViewSession::render(int level) {
+    follow_section();
     if (slot_.model() == nullptr) {
         blank_.reset();
         picture_ = &background_;

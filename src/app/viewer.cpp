@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
 constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
-constexpr int kZoomStep = 8; // levels: eight steps double the size
+constexpr int kSlideStep = 8; // levels: fifty steps go through the model
+constexpr int kZoomStep = 8;  // levels: eight steps double the size
 constexpr std::size_t kHistory = 256;
 
 // The split line moves by this much, and is taken by a pointer no farther away than that.
@@ -62,6 +63,7 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.cull = settings.frame.cull;
     if (!frame::is_auto(settings.frame.colour_by)) start_.colour_by = settings.frame.colour_by;
     start_.annotations = settings.frame.annotations;
+    start_.section = settings.section;
     if (!frame::is_auto(settings.frame.edges)) start_.edges = settings.frame.edges;
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
@@ -274,6 +276,16 @@ void Viewer::change_look(const Action& action, const geom::Mesh* mesh) {
     case ActionId::colour_next:
         look.colour_by = next_on("colour_by", look.colour_by);
         return;
+    case ActionId::section_next:
+        return next_section();
+    case ActionId::section_flip:
+        return flip_section();
+    case ActionId::section_down:
+        return slide_section(-kSlideStep, mesh);
+    case ActionId::section_up:
+        return slide_section(kSlideStep, mesh);
+    case ActionId::slide_section:
+        return slide_section(action.numbers[0], mesh);
     case ActionId::edges_next:
         look.edges = next_on("edges", look.edges);
         return;

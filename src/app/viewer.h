@@ -108,6 +108,9 @@ private:
     void brighten(int levels);
     void next_light();
     void look_from(int view);
+    void next_section();
+    void flip_section();
+    void slide_section(int levels, const geom::Mesh* mesh);
     void toggle(frame::Annotation annotation, const geom::Mesh* mesh);
     void next_hazard(const geom::Mesh* mesh);
     void fly_to(const HazardSpot& spot, const geom::Mesh& mesh);

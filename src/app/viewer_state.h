@@ -4,10 +4,12 @@
 #include "frame/options.h"
 #include "scene/light.h"
 #include "scene/pose.h"
+#include "scene/section.h"
 #include "scene/view.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace scanout::app {
@@ -20,9 +22,10 @@ struct Look {
     scene::Projection projection = scene::Projection::perspective;
     scene::UpAxis up = scene::UpAxis::plus_y;
     frame::Cull cull = frame::Cull::none;
-    std::string edges = "none"; // over the shading: a technique of that axis
-    std::string colour_by = "light"; // likewise
-    frame::Annotations annotations; // likewise
+    std::string edges = "none";                // over the shading: a technique of that axis
+    std::string colour_by = "light";           // likewise
+    frame::Annotations annotations;            // likewise
+    std::optional<scene::SectionSpec> section; // that the model is cut by
     bool turntable = false;
     std::array<scene::LightMove, scene::kMaxLights> lights{}; // of the frame's lights
     friend bool operator==(const Look&, const Look&) = default;

@@ -78,6 +78,7 @@ Found find_why(const scene::Scene& scene, const scene::View& view, const FramePl
     const FrameOptions& o = plan.options;
     if (!row_or(raster::depth_test::kRows, o.depth_test, raster::depth_test::greater).shows)
         return {Blank::depth_test, {}};
+    if (scene.section && scene.section->empty) return {Blank::section, {}};
     if (!may_be_visible(view)) return {Blank::outside, {}};
     const Triangles t = sorted_out(scene, view, plan);
     const std::size_t all = scene.mesh.triangles();
@@ -99,6 +100,10 @@ std::string say_why(const scene::Scene& scene, const scene::View& view, scene::U
     switch (found.why) {
     case Blank::depth_test:
         return fmt::format("--depth-test {} lets nothing through; leave it out", o.depth_test);
+    case Blank::section:
+        return fmt::format("--section {} cuts all of the model away; say another place, or the "
+                           "other side",
+                           scene.section->plane);
     case Blank::outside:
         return "the model lies outside of it; leave out what moves the camera or the model "
                "(--camera, --eye, --look-at, --translate), or say --view iso";

@@ -13,6 +13,7 @@ namespace scanout::frame {
 // Why nothing of a model is drawn; the first that holds.
 enum class Blank : std::uint8_t {
     depth_test, // it lets nothing through
+    section,    // it cuts all of the model away
     outside,    // the model lies outside of the picture
     no_area,    // no triangle has one
     clear,      // all materials are

@@ -87,9 +87,15 @@ Sphere sphere_of(std::span<const Cluster> clusters) {
 constexpr std::size_t kCorners = Clusters::kTriangles * 3;
 std::size_t vertex_groups_of(const IndexedPositions& all, std::size_t begin, std::size_t end,
                              std::array<std::uint32_t, kCorners>& out) {
+    constexpr std::size_t kRecent = 8; // most corners' groups are among those: few are sorted
     std::size_t count = 0;
-    for (std::size_t corner = begin * 3; corner < end * 3; ++corner)
-        out[count++] = all.index[corner] / Clusters::kGroupVertices;
+    for (std::size_t corner = begin * 3; corner < end * 3; ++corner) {
+        const std::uint32_t group = all.index[corner] / std::uint32_t{Clusters::kGroupVertices};
+        bool known = false;
+        for (std::size_t i = count - std::min(count, kRecent); i < count; ++i)
+            known |= out[i] == group;
+        if (!known) out[count++] = group;
+    }
     const auto first = out.begin(), last = first + static_cast<std::ptrdiff_t>(count);
     std::sort(first, last);
     return static_cast<std::size_t>(std::unique(first, last) - first);

@@ -5,6 +5,7 @@
 #include "scene/material.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,17 @@ struct ModelCounts {
     std::uint64_t bytes = 0; // the model's file, its material files, and its decoded textures
 };
 
+// How a plane cut the mesh (scene/section.h).
+struct SceneSection {
+    std::string plane;                          // as the command line says it
+    bool cuts = false;                          // some of the model lies in front of it
+    bool empty = false;                         // all does
+    std::size_t triangles = 0;                  // before the cut
+    std::size_t removed = 0, cut = 0, caps = 0; // likewise triangles
+    std::size_t edges = 0, open_edges = 0;      // of the cut; those that bound no cap
+    friend bool operator==(const SceneSection&, const SceneSection&) = default;
+};
+
 struct Scene {
     std::string path;
     geom::Mesh mesh;
@@ -32,6 +44,10 @@ struct Scene {
     // Renderers may cache data of a scene while this stays the same; 0: they cache nothing. Two
     // loaded scenes never share one.
     std::uint64_t revision = 0;
+    // Of data of the mesh, which a section replaces.
+    std::uint64_t mesh_revision() const { return revision == 0 ? 0 : revision << 32 | cuts; }
+    std::uint64_t cuts = 0;
+    std::optional<SceneSection> section; // none: the mesh is whole
 };
 
 } // namespace scanout::scene

@@ -88,6 +88,10 @@ TEST(Bindings, TheKeysAreThoseOfTheDesign) {
                                                         {"Y", "up_axis_next"},
                                                         {"C", "cull_next"},
                                                         {"M", "colour_next"},
+                                                        {"J", "section_next"},
+                                                        {"Shift+J", "section_flip"},
+                                                        {"{", "section_down"},
+                                                        {"}", "section_up"},
                                                         {"E", "edges_next"},
                                                         {"P", "toggle_points"},
                                                         {"N", "toggle_normals"},
@@ -149,7 +153,7 @@ TEST(Bindings, LayoutAndCapsLockDoNotMatter) {
         << "Caps Lock";
     EXPECT_EQ(bound_to(key_event(XKB_KEY_question, true, false, XKB_KEY_slash)), Id::toggle_help);
     EXPECT_EQ(bound_to(key_event(XKB_KEY_Left, true)), Id::move_left);
-    EXPECT_EQ(bound_to(key_event(XKB_KEY_j)), std::nullopt);
+    EXPECT_EQ(bound_to(key_event(XKB_KEY_z)), std::nullopt);
     EXPECT_EQ(bound_to(key_event(XKB_KEY_c, false, true)), Id::quit);
     EXPECT_EQ(bound_to(key_event(XKB_KEY_c)), Id::cull_next);
 }
@@ -160,7 +164,7 @@ TEST(Bindings, TheHelpSheetNamesEveryKeyOfTheTable) {
         sheet += line + "\n";
     for (const char* keys :
          {"Arrows", "Shift+arrows", "PgUp PgDn", "+ -", "[ ]", "Home R", "1 3 7 9", "Ctrl+1 3 7 9",
-          "Space", "V", "/ < >", "F5", "S F12", "H ?", "Esc", "Q Ctrl+C", "Wheel"})
+          "Space", "J { }", "V", "/ < >", "F5", "S F12", "H ?", "Esc", "Q Ctrl+C", "Wheel"})
         EXPECT_NE(sheet.find(keys), std::string::npos) << keys;
     EXPECT_NE(sheet.find("perspective"), std::string::npos);
     // It fits the smallest display that it is meant for: 640x480 with 9x15 letters.

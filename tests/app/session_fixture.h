@@ -125,7 +125,7 @@ protected:
         return session->run();
     }
     scene::CameraOptions fitted(const LoadedModel& model) const {
-        return scene::fitted(model.scene.mesh, settings.model, settings.camera,
+        return scene::fitted(model.whole_mesh(), settings.model, settings.camera,
                              static_cast<double>(width) / height);
     }
     // What a picture for the same settings is drawn from.

@@ -3,12 +3,14 @@
 #pragma once
 
 #include "geom/line_faces.h"
+#include "scene/section.h"
 #include "support/axes.h"
 #include "support/depth_scenes.h"
 #include "support/random.h"
 #include "support/shot.h"
 #include "support/transparent_scenes.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -431,6 +433,11 @@ inline std::vector<Shot> golden_shots() {
         shots.back().camera.azimuth_degrees = 70; // likewise
         shots.back().options.colour_by = name;
     }
+    shots.push_back(solids("section"));
+    Jobs alone(1);
+    std::optional<geom::Mesh> whole;
+    scene::put_section(alone, scene::SectionSpec{.normal = {0.4, 0.1, 1}, .offset = 0.15},
+                       shots.back().scene, whole);
     shots.push_back(solids("annotations"));
     shots.back().scene.mesh.box_min = {-0.45, -0.45, -0.45};
     shots.back().scene.mesh.box_max = {0.85, 0.75, 0.7};

@@ -99,6 +99,7 @@ SceneFacts facts(const scene::Scene& scene, const std::optional<FilePlane>& shad
     facts.shadow_plane =
         shadow_plane ? find_shadow_plane(mesh, *shadow_plane) : find_shadow_plane(mesh);
     facts.surroundings = surroundings_of(mesh);
+    facts.section = scene.section;
     const MapFacts maps(scene);
     facts.textured_surfaces = textured_surfaces(scene);
     for (TexturedSurface& surface : facts.textured_surfaces)

@@ -46,6 +46,7 @@ struct SceneFacts {
     bool black_by_maps = false; // no diffuse reflection: materials with a Kd have a black map
     ShadowPlane shadow_plane;
     Surroundings surroundings; // of lamps
+    std::optional<scene::SceneSection> section;
 
     // The materials that call for an effect, by the effect's name in the plan. `explain` counts
     // the pixels that show one of them.

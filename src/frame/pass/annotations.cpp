@@ -93,8 +93,8 @@ void AnnotationPass::make(const scene::Scene& scene, const AnnotationPlan& plan,
 void AnnotationPass::run(Jobs& jobs, const scene::Scene& scene, const FramePlan& plan,
                          scene::UpAxis up, const raster::ScreenTransform& transform,
                          const raster::GeometryOptions& options, int scale) {
-    const Key key{scene.revision, plan.annotations, up};
-    if (key_ != key || scene.revision == 0) make(scene, plan.annotations, up);
+    const Key key{scene.mesh_revision(), plan.annotations, up};
+    if (key_ != key || scene.mesh_revision() == 0) make(scene, plan.annotations, up);
     key_ = key;
     const geom::Mesh& mesh = scene.mesh;
     lines_.first_id = static_cast<std::uint32_t>(mesh.triangles() + mesh.lines() + mesh.points());

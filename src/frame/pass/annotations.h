@@ -34,7 +34,7 @@ private:
     void make(const scene::Scene& scene, const AnnotationPlan& plan, scene::UpAxis up);
 
     struct Key {
-        std::uint64_t revision = 0; // of the scene
+        std::uint64_t revision = 0; // of the scene's mesh
         AnnotationPlan plan;
         scene::UpAxis up = scene::UpAxis::plus_y;
         friend bool operator==(const Key&, const Key&) = default;

@@ -34,12 +34,12 @@ std::vector<std::uint8_t> casting(const geom::Mesh& mesh,
 
 void ShadowPass::find_casters(const scene::Scene& scene, const ShadowPlan& plan, bool projected) {
     const std::optional<ShadowPlane> plane = projected ? std::optional(plan.plane) : std::nullopt;
-    if (scene.revision != 0 && casters_.revision == scene.revision && casters_.plane == plane &&
-        casters_.alpha_modes == plan.casters)
+    if (scene.mesh_revision() != 0 && casters_.revision == scene.mesh_revision() &&
+        casters_.plane == plane && casters_.alpha_modes == plan.casters)
         return;
     const geom::Mesh& mesh = scene.mesh;
     casters_ = {};
-    casters_.revision = scene.revision;
+    casters_.revision = scene.mesh_revision();
     casters_.alpha_modes = plan.casters;
     casters_.plane = plane;
     casters_.casts = casting(mesh, plan.casters);

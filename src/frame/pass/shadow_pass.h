@@ -34,7 +34,7 @@ public:
 
 private:
     // Depends on the scene and the plan, not on the view or the lights: cached while the scene's
-    // revision is the same (0: never).
+    // mesh_revision is the same (0: never).
     struct Casters {
         std::uint64_t revision = 0;
         std::vector<raster::AlphaMode> alpha_modes;

@@ -72,10 +72,11 @@ std::span<const Vec3> TriangleColours::of(const scene::Scene& scene, const scene
         *this = {};
         return {};
     }
-    if (what == what_ && what != Of::side && scene.revision != 0 && scene.revision == revision_)
+    if (what == what_ && what != Of::side && scene.mesh_revision() != 0 &&
+        scene.mesh_revision() == revision_)
         return colours_;
     what_ = what;
-    revision_ = scene.revision;
+    revision_ = scene.mesh_revision();
     colours_.resize(mesh.triangles());
     const std::vector<std::uint32_t> part =
         what == Of::part ? geom::find_parts(mesh) : std::vector<std::uint32_t>();

@@ -109,6 +109,7 @@ static Result<FramePlan> plan_of_seen(const FrameOptions& options, const SceneFa
     plan_casters(plan, facts);
     TRY_VOID(plan_merging(planner, plan, facts));
     TRY_VOID(plan_stencil(planner, plan, facts));
+    plan_section(planner, facts);
     TRY_VOID(plan_annotations(planner, plan, facts));
     TRY_VOID(plan_colours(planner, plan, facts));
     TRY_VOID(plan_tone(options, facts, planner, plan));

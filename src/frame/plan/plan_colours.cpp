@@ -23,9 +23,10 @@ Result<void> plan_colours(Planner& planner, FramePlan& plan, const SceneFacts& f
 }
 
 void plan_false_colours(FramePlan& plan) {
-    constexpr std::array kKept = {"interpolate", "cull",   "depth",  "depth_test", "stencil",
-                                  "annotate",    "edges",  "aa",     "colour_by",  "render_scale",
-                                  "blend_space", "encode", "dither", "convolution"};
+    constexpr std::array kKept = {"interpolate", "cull",      "section",      "depth",
+                                  "depth_test",  "stencil",   "annotate",     "edges",
+                                  "aa",          "colour_by", "render_scale", "blend_space",
+                                  "encode",      "dither",    "convolution"};
     const auto is_kept = [&](std::string_view axis) {
         return std::find(kKept.begin(), kKept.end(), axis) != kKept.end();
     };

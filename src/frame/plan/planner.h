@@ -100,6 +100,8 @@ Result<void> plan_merging(Planner& planner, FramePlan& plan, const SceneFacts& f
 // out of the finished plan.
 Result<void> plan_stencil(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 void plan_counts(FramePlan& plan);
+// The plane that cut the mesh before.
+void plan_section(Planner& planner, const SceneFacts& facts);
 // What is drawn over the shading: edges, and annotations.
 Result<void> plan_annotations(Planner& planner, FramePlan& plan, const SceneFacts& facts);
 // What colours say. Where it is no light, plan_false_colours takes all that lights out of the
