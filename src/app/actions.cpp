@@ -37,6 +37,9 @@ std::string colour_text(State s) {
 std::string section_text(State s) {
     return s.look.section ? scene::to_string(*s.look.section) : "none";
 }
+std::string measuring_text(State s) {
+    return s.measuring ? "on: click vertices" : "off";
+}
 std::string edges_text(State s) {
     return s.look.edges;
 }
@@ -95,13 +98,14 @@ constexpr auto kRows = std::to_array<ActionRow>({
     {Id::view_iso_back, "view_iso_back", "Ctrl+9 Ctrl+KP9", "", "opposite of the iso view"},
     {Id::toggle_projection, "toggle_projection", "5 KP5", "5", "projection", 0, false, projection_text, "projection"},
     {Id::up_axis_next, "up_axis_next", "Y", "Y", "up axis", 0, false, up_text, "up axis"},
-    {Id::cull_next, "cull_next", "C", "C M J { }", "cull, colour by, section", 0, false, cull_text, "faces left out"},
+    {Id::cull_next, "cull_next", "C", "C M J { } T", "cull colour section measure", 0, false, cull_text, "faces left out"},
     {Id::colour_next, "colour_next", "M", "", "what colours mean", 0, false, colour_text, "colour by"},
     {Id::section_next, "section_next", "J", "", "section across x, y, z", 0, false, section_text, "section"},
     {Id::section_flip, "section_flip", "Shift+J", "", "the section's other side", 0, false, section_text, "section"},
     {Id::section_down, "section_down", "{", "", "slide the section", 0, true, section_text, "section"},
     {Id::section_up, "section_up", "}", "", "slide the section", 0, true, section_text, "section"},
     {Id::slide_section, "slide_section", "", "", "slide the section", 1, false, section_text, "section"},
+    {Id::toggle_measuring, "toggle_measuring", "T", "", "measure between clicks", 0, false, measuring_text, "measuring"},
     {Id::edges_next, "edges_next", "E", "E P N B G A", "edges points normals box grid axes", 0, false, edges_text, "edges"},
     {Id::toggle_points, "toggle_points", "P", "", "vertices of faces", 0, false, annotations_text, "shown"},
     {Id::toggle_normals, "toggle_normals", "N", "", "normals", 0, false, annotations_text, "shown"},

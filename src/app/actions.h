@@ -23,7 +23,7 @@ enum class ActionId : std::uint8_t {
     reset, fit, toggle_drive,
     view_front, view_back, view_right, view_left, view_top, view_bottom, view_iso, view_iso_back,
     toggle_projection, up_axis_next, cull_next, colour_next,
-    section_next, section_flip, section_down, section_up, slide_section, edges_next, toggle_points, toggle_normals, toggle_box, toggle_grid, toggle_axes,
+    section_next, section_flip, section_down, section_up, slide_section, toggle_measuring, edges_next, toggle_points, toggle_normals, toggle_box, toggle_grid, toggle_axes,
     light_next,
     toggle_info, toggle_explain, toggle_doctor, toggle_error_map, rung_down, rung_up, toggle_split, split_left, split_right, toggle_turntable, undo, reload, screenshot, print_view, toggle_help, close, quit, suspend,
     drag_begin, drag_rotate, drag_move, drag_roll, drag_end, zoom_at, pointer,

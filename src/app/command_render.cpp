@@ -211,6 +211,7 @@ private:
         report.load_ms = model.load_ms;
         report.load_times = model.load_times;
         report.warnings = model.warnings;
+        report.measured = settings.measured;
         report.start_bytes = start_bytes_;
         report.threads = jobs_.threads();
         if (settings.limits.any()) {

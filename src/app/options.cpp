@@ -162,6 +162,10 @@ constexpr std::array kOptions = std::to_array<Option>({
     {"annotate", 0, "LIST", "", "none", 0, 0, Group::picture, kDraw, Parsed(read_annotate),
      "draw over the shading, with commas between: points (vertices of faces), normals, box, grid "
      "(on the ground), axes (x red, y green, z blue)"},
+    {"measure", 0, "POINTS", "", "none", 0, 0, Group::picture, kView | kRender,
+     Parsed(read_measure),
+     "X,Y,Z:X,Y,Z in the file's coordinates: say the distance, and draw its line over the picture; "
+     "with :X,Y,Z again, both distances and the angle at the second point"},
     {"line-width", 0, "N", "", "1", 1, frame::kMaxLineWidth, Group::picture, kDraw,
      Integer([](Settings& s) -> int& { return s.frame.line_width; }),
      "pixels that a line is wide, of the file, of --edges and of --annotate"},

@@ -74,6 +74,7 @@ std::size_t lines_down(int width, int height) {
 void draw_overlay(image::Image& picture, const Overlay& overlay) {
     const int scale = text_scale(picture.width(), picture.height());
     if (overlay.split) draw_split_line(picture, overlay.split->x, scale);
+    if (overlay.measured) draw_measured(picture, *overlay.measured, scale);
     if (overlay.mark) draw_mark(picture, *overlay.mark, scale);
     // The help sheet shows all states, and takes the room of the other lines.
     std::vector<std::string> left = overlay.info;

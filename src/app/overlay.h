@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/frontier_panel.h"
+#include "app/measurement.h"
 #include "app/pixel_place.h"
 #include "app/viewer_state.h"
 #include "image/image.h"
@@ -33,6 +34,7 @@ struct Overlay {
     std::vector<std::string> explain; // lines under them
     std::vector<std::string> doctor;  // lines in their place
     std::optional<PixelPlace> mark;   // of the place that they are about
+    std::optional<MeasuredMarks> measured;
     std::string message;             // a line at the lower left; after \n more, as long as it takes
     std::vector<std::string> notice; // lines in the middle: loading, errors
     std::optional<ErrorLegend> legend; // at the lower right

@@ -1,7 +1,9 @@
 #include "app/render_run.h"
 
 #include "app/files.h"
+#include "app/measurement.h"
 #include "app/message.h"
+#include "app/overlay.h"
 #include "app/picture.h"
 #include "app/progress_bar.h"
 #include "app/reference.h"
@@ -23,6 +25,17 @@ RenderRun::RenderRun(const Settings& settings, PictureFormat format, const Loade
       plan_(frame::facts(scene_, settings.frame.shadow_plane)), jobs_(jobs), renderer_(jobs),
       output_(output) {}
 
+// Over the finished picture, as the viewer draws it.
+image::Image RenderRun::with_measured(const image::Image& picture, const scene::View& view) const {
+    image::Image drawn = picture;
+    Overlay overlay;
+    overlay.measured =
+        measured_marks(settings_.measured, view, scene_.mesh, picture.width(), picture.height());
+    overlay.message = fmt::format("{}", fmt::join(measured_text(settings_.measured), "\n"));
+    draw_overlay(drawn, overlay);
+    return drawn;
+}
+
 Result<void> RenderRun::draw(int index, RunReport& report) {
     scene::Pose pose;
     pose.yaw = scene::wrap_angle(std::int64_t{scene::kFullTurn} * index / pictures(settings_));
@@ -31,15 +44,17 @@ Result<void> RenderRun::draw(int index, RunReport& report) {
     TRY(const frame::FramePlan* const plan, plan_.plan(settings_.frame, view));
     if (first_) tell(*plan, report);
     if (settings_.reference) return draw_reference(index, view, *plan, report);
-    const image::Image* picture = nullptr;
+    const image::Image *picture = nullptr, *shown = nullptr;
+    image::Image measured;
     for (int repeat = 0; repeat < settings_.frames; ++repeat) {
-        picture = &renderer_.render(scene_, view, *plan);
+        picture = shown = &renderer_.render(scene_, view, *plan);
+        if (!settings_.measured.empty()) shown = &(measured = with_measured(*picture, view));
         if (settings_.json)
-            report.frames.push_back({index, hash_of(*picture), picture->width(), picture->height(),
+            report.frames.push_back({index, hash_of(*shown), picture->width(), picture->height(),
                                      renderer_.stats(), covered_pixels(*picture)});
     }
     tell_if_blank(view, *plan, *picture, report);
-    return finish(*picture, index, report);
+    return finish(*shown, index, report);
 }
 
 Result<void> RenderRun::draw_reference(int index, const scene::View& view,
@@ -49,12 +64,13 @@ Result<void> RenderRun::draw_reference(int index, const scene::View& view,
     if (first_) warn(left_out_of_reference(scene_), settings_, report.warnings);
     const Stopwatch watch;
     std::optional<ProgressBar> bar(std::in_place, "tracing " + scene_.path, settings_.quiet);
-    TRY(const trace::Reference made,
+    TRY(trace::Reference made,
         trace::render(scene_, view, look, jobs_, [&](double fraction) { bar->show(fraction); },
                       {settings_.reference_samples > 0
                            ? static_cast<std::uint32_t>(settings_.reference_samples)
                            : trace::kMostSamples}));
     bar.reset();
+    if (!settings_.measured.empty()) made.image = with_measured(made.image, view);
     if (settings_.verbose)
         say(fmt::format("{:.1f} samples a pixel, standard error {:.3f} codes, {} pixels above "
                         "{} codes",
@@ -85,6 +101,8 @@ void RenderRun::tell(const frame::FramePlan& plan, RunReport& report) const {
     // What the annotations measure is nowhere else.
     if (const frame::Decision& d = *plan.decision("annotate"); !settings_.quiet && d.needed)
         say("scanout: " + d.because);
+    for (const std::string& line : measured_text(settings_.measured))
+        if (!settings_.quiet) say("scanout: " + line);
     warn(frame::ignored_options(plan), settings_, report.warnings);
 }
 void RenderRun::tell_if_blank(const scene::View& view, const frame::FramePlan& plan,

@@ -30,6 +30,7 @@ private:
     Result<void> draw_reference(int index, const scene::View& view, const frame::FramePlan& plan,
                                 RunReport& report);
     Result<void> finish(const image::Image& picture, int index, RunReport& report);
+    image::Image with_measured(const image::Image& picture, const scene::View& view) const;
     void tell(const frame::FramePlan& plan, RunReport& report) const;
     void tell_if_blank(const scene::View& view, const frame::FramePlan& plan,
                        const image::Image& picture, RunReport& report);

@@ -1,6 +1,7 @@
 #include "app/report.h"
 
 #include "app/json_text.h"
+#include "app/measurement.h"
 #include "base/memory.h"
 #include "base/write_file.h"
 #include "frame/catalogue.h"
@@ -161,6 +162,14 @@ static Json run_json(const RunReport& report) {
         {"threads", report.threads},
         {"target", simd::chosen_target()},
         {"version", SCANOUT_VERSION}};
+    if (!report.measured.empty()) {
+        const Measured found = measure_points(report.measured);
+        Json points = Json::array();
+        for (const DVec3& p : report.measured)
+            points.push_back({p.x, p.y, p.z});
+        json["measured"] = {{"points", points}, {"distances", found.distances}};
+        if (found.angle) json["measured"]["angle"] = *found.angle;
+    }
     if (report.chosen) json["chosen"] = chosen_json(*report.chosen);
     return json;
 }

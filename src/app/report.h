@@ -42,6 +42,7 @@ struct RunReport {
     io::LoadTimes load_times;
     double encode_ms = 0;         // of the first picture
     std::optional<Chosen> chosen; // by --budget or --max-error
+    std::vector<DVec3> measured;  // points of --measure
     std::vector<std::string> warnings;
     std::uint64_t start_bytes = 0;
     int threads = 1;

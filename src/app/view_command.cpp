@@ -34,9 +34,9 @@ std::string quoted(const std::string& word) {
 }
 
 bool says_the_view(std::string_view option) {
-    constexpr std::array<std::string_view, 9> kWritten = {"size",  "cull",     "colour-by",
-                                                          "edges", "annotate", "section",
-                                                          "scale", "rotate",   "translate"};
+    constexpr std::array<std::string_view, 10> kWritten = {
+        "size",    "cull",    "colour-by", "edges",  "annotate",
+        "section", "measure", "scale",     "rotate", "translate"};
     return std::find(kWritten.begin(), kWritten.end(), option) != kWritten.end();
 }
 
@@ -128,6 +128,11 @@ std::string view_options(const Viewer& viewer, const Settings& settings, const g
     if (!look.annotations.empty())
         text += fmt::format(" --annotate {}", frame::to_string(look.annotations));
     if (look.section) text += fmt::format(" --section {}", scene::to_string(*look.section));
+    if (const auto points = viewer.measured(); points.size() > 1) {
+        text += " --measure ";
+        for (std::size_t i = 0; i < points.size(); ++i)
+            text += (i > 0 ? ":" : "") + triple(points[i]);
+    }
     if (camera.fov_degrees != scene::CameraOptions().fov_degrees)
         text += fmt::format(" --fov {}", number(camera.fov_degrees));
     text += fmt::format(" --shift {},{}", number(camera.shift.x), number(camera.shift.y));

@@ -4,8 +4,10 @@
 #include "app/message.h"
 #include "app/option_conflicts.h"
 #include "app/overlay_text.h"
+#include "app/pick.h"
 #include "app/picture.h"
 #include "app/view_command.h"
+#include "math/bits.h"
 
 #include <algorithm>
 #include <utility>
@@ -227,6 +229,9 @@ Result<void> ViewSession::take(const Action& action) {
     case Effect::print_view:
         note_command();
         break;
+    case Effect::pick:
+        pick();
+        break;
     case Effect::frame:
         frame_file_ = action.text;
         break;
@@ -295,6 +300,20 @@ std::string ViewSession::options() const {
 std::string ViewSession::command() const {
     const std::string shown = options();
     return shown.empty() ? "" : view_command(path(), shown);
+}
+
+// Of what is drawn: a section's vertices, too.
+void ViewSession::pick() {
+    if (slot_.model() == nullptr) return;
+    follow_section();
+    const geom::Mesh& mesh = slot_.model()->scene.mesh;
+    const Result<scene::View> view = viewer_.view(*slot_.mesh());
+    const PointerState& pointer = viewer_.state().pointer;
+    const auto vertex =
+        view ? seen_vertex(mesh, *view, viewer_.width(), viewer_.height(), {pointer.x, pointer.y})
+             : std::nullopt;
+    if (!vertex) return show_message("no vertex is seen near the pointer", kMessageSteps);
+    viewer_.take_point(mesh.centre + DVec3(mesh.position[*vertex]) * power_of_two(mesh.exponent));
 }
 
 void ViewSession::note_command() {

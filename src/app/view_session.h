@@ -90,6 +90,7 @@ private:
     Result<void> write_screenshot();
     std::string command() const; // likewise
     void note_command();
+    void pick();
 
     // Actions and time.
     Result<void> take(const Action& action);

@@ -48,6 +48,13 @@ Overlay ViewSession::overlay() {
     Overlay overlay = overlay_text(viewer_, slot_, settings_, message_.text());
     if (viewer_.state().explain > 0) overlay.explain = explain_page().lines;
     if (slot_.model() == nullptr) return overlay;
+    if (const auto points = viewer_.measured(); !points.empty()) {
+        if (const Result<scene::View> view = viewer_.view(*slot_.mesh()))
+            overlay.measured =
+                measured_marks(points, *view, *slot_.mesh(), viewer_.width(), viewer_.height());
+        if (message_.text().empty() && points.size() > 1)
+            overlay.message = fmt::format("{}", fmt::join(measured_text(points), "\n"));
+    }
     if (const int hazard = viewer_.state().doctor; hazard > 0) {
         overlay.doctor =
             doctor_.lines(letters_across(viewer_.width(), viewer_.height()), panel_lines(), hazard);

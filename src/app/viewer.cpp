@@ -14,8 +14,9 @@ namespace {
 
 constexpr int kRotateStep = 5 * scene::kAngleUnitsPerDegree;
 constexpr std::int64_t kMoveStep = scene::kPanUnitsPerRadius / 16;
-constexpr int kSlideStep = 8; // levels: fifty steps go through the model
-constexpr int kZoomStep = 8;  // levels: eight steps double the size
+constexpr int kClickPixels = 2; // a hand that clicks does not stand still
+constexpr int kSlideStep = 8;   // levels: fifty steps go through the model
+constexpr int kZoomStep = 8;    // levels: eight steps double the size
 constexpr std::size_t kHistory = 256;
 
 // The split line moves by this much, and is taken by a pointer no farther away than that.
@@ -65,6 +66,9 @@ Viewer::Viewer(const Settings& settings, int width, int height, int files)
     start_.annotations = settings.frame.annotations;
     start_.section = settings.section;
     if (!frame::is_auto(settings.frame.edges)) start_.edges = settings.frame.edges;
+    state_.measuring = !settings.measured.empty();
+    for (const DVec3& point : settings.measured)
+        take_point(point);
     CHECK(lights_.size() <= start_.lights.size()); // add_light() takes no more
     state_.look = start_;
     state_.pointer.x = width / 2;
@@ -163,6 +167,8 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
             state_.help = false;
         else if (moves_light())
             state_.light = -1;
+        else if (state_.measuring)
+            stop_measuring();
         else if (state_.explain > 0)
             state_.explain = 0;
         else if (state_.frontier)
@@ -194,8 +200,16 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     case ActionId::drag_roll:
         drag(action, mesh);
         return Effect::none;
-    case ActionId::drag_end:
+    case ActionId::drag_end: {
+        const bool click = drag_ && !drag_->split_x && drag_->farthest <= kClickPixels;
         drag_.reset();
+        return click && state_.measuring ? Effect::pick : Effect::none;
+    }
+    case ActionId::toggle_measuring:
+        if (state_.measuring)
+            stop_measuring();
+        else
+            state_.measuring = true;
         return Effect::none;
     case ActionId::reload:
         state_.doctor = 0;
@@ -217,6 +231,16 @@ Effect Viewer::carry_out(const Action& action, const geom::Mesh* mesh) {
     change_look(action, mesh);
     if (!action.repeated && !(state_.look == before)) remember(before);
     return Effect::none;
+}
+
+void Viewer::stop_measuring() {
+    state_.measuring = false;
+    state_.measured_count = 0;
+}
+
+void Viewer::take_point(const DVec3& file_coordinates) {
+    if (state_.measured_count == 3) state_.measured_count = 0;
+    state_.measured[static_cast<std::size_t>(state_.measured_count++)] = file_coordinates;
 }
 
 // Opens the split view where it is not.
@@ -410,6 +434,7 @@ void Viewer::drag(const Action& action, const geom::Mesh* mesh) {
     const Look& start = drag_->start;
     Look& look = state_.look;
     const auto [dx, dy, unused] = action.numbers;
+    drag_->farthest = std::max({drag_->farthest, std::abs(dx), std::abs(dy)});
     if (action.id == ActionId::drag_move) {
         const double units = drag_->units_per_pixel * scene::kPanUnitsPerRadius;
         const double x = units * dx, y = -units * dy;
@@ -473,6 +498,7 @@ Effect Viewer::change_file(int by) {
     }
     state_.file = (state_.file + by + files_) % files_;
     state_.doctor = 0;
+    state_.measured_count = 0; // points of the model before
     return Effect::load_file;
 }
 

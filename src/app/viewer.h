@@ -9,6 +9,7 @@
 
 #include <deque>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,7 @@ enum class Effect : std::uint8_t {
     reload,
     screenshot,
     print_view,
+    pick,
     rung_down,
     rung_up,
     frame,
@@ -63,6 +65,12 @@ public:
 
     // How many pages the plan on the display has, one at least: X goes through them.
     void set_explain_pages(int pages) { explain_pages_ = pages; }
+
+    // A point that was picked: after the third one the next begins anew.
+    void take_point(const DVec3& file_coordinates);
+    std::span<const DVec3> measured() const {
+        return {state_.measured.data(), static_cast<std::size_t>(state_.measured_count)};
+    }
 
     // Where the hazards of the model are, in the order of the panel: D goes through them.
     void set_hazards(std::vector<std::optional<HazardSpot>> places);
@@ -108,6 +116,7 @@ private:
     void brighten(int levels);
     void next_light();
     void look_from(int view);
+    void stop_measuring();
     void next_section();
     void flip_section();
     void slide_section(int levels, const geom::Mesh* mesh);
@@ -143,6 +152,7 @@ private:
         bool remembered = false;
         std::optional<int> split_x; // the split line is what is dragged
         double units_per_pixel = 0;
+        int farthest = 0; // from where it began, pixels
     };
     std::optional<Drag> drag_;
     // Where the camera stands for the present file to fit, by what that depends on: found once.

@@ -42,8 +42,11 @@ struct ViewerState {
     Look look;
     bool camera_mode = false; // keys and mouse drive the camera instead of the model
     bool help = false, info = false;
-    int explain = 0;        // the page of the plan that is open, from 1; 0: none
-    int doctor = 0;         // the hazard that is selected, from 1; 0: the panel is closed
+    int explain = 0;                 // the page of the plan that is open, from 1; 0: none
+    int doctor = 0;                  // the hazard that is selected, from 1; 0: the panel is closed
+    bool measuring = false;          // clicks choose points, or the command line did
+    std::array<DVec3, 3> measured{}; // file coordinates
+    int measured_count = 0;
     bool error_map = false; // in place of the picture, what it errs
     bool split = false;     // the reference to the right of a line
     bool frontier = false;  // its panel

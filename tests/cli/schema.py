@@ -16,6 +16,7 @@ REPORTS = [
     ("render", ["render", SPOT, "--json", "-s", "64x48", "--frames", "2"]),
     ("render", ["render", SPOT, "--json", "-s", "32x24", "--reference", "--reference-samples", "16"]),
     ("render", ["render", SPOT, "--json", "-s", "64x48", "--max-error", "30", "--samples", "1", "--quiet"]),
+    ("render", ["render", SPOT, "--json", "-s", "64x48", "--measure", "0,0,0:1,0,0:1,1,0", "--quiet"]),
     ("renders", ["render", SPOT, SPIDER, "--json", "-s", "64x48"]),
     ("render", ["view", SPOT, "--backend", "headless", "--replay", "models/spot/turn.actions", "-s", "64x48", "--json"]),
     ("explain", ["explain", SPOT, "--json", "-s", "64x48"]),
